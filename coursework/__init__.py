@@ -1,0 +1,45 @@
+"""Euler-scheme teaching tool for two-degree-of-freedom mechanism coursework.
+
+    import coursework
+    run = coursework.solve("31")        # Run: .table (pandas), .checks, .stop
+    coursework.exact("31")              # the same table without the scheme's error
+    coursework.write_report(run, "report.html")
+
+Nothing is imported until it is used: `coursework --help` must not wait for SymPy.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from coursework import groups
+    from coursework.errors import CourseworkError, InputError, OutputError
+    from coursework.report import write_report
+    from coursework.run import Run, exact, load, solve
+    from coursework.variant.record import Variant
+
+__version__ = "1.0.0"
+
+_HOMES = {
+    "load": "coursework.run", "solve": "coursework.run", "exact": "coursework.run", "Run": "coursework.run",
+    "write_report": "coursework.report", "Variant": "coursework.variant.record",
+    "CourseworkError": "coursework.errors", "InputError": "coursework.errors", "OutputError": "coursework.errors",
+}  # fmt: skip
+
+__all__ = [
+    "CourseworkError", "InputError", "OutputError", "Run", "Variant", "exact", "groups", "load", "solve", "write_report",
+]  # fmt: skip
+
+
+def __getattr__(name: str) -> Any:
+    if name in _HOMES:
+        return getattr(import_module(_HOMES[name]), name)
+    if name == "groups":
+        return import_module("coursework.groups")
+    raise AttributeError(f"module 'coursework' has no attribute '{name}'")
+
+
+def __dir__() -> list[str]:
+    return [*__all__, "__version__"]

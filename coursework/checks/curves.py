@@ -1,0 +1,119 @@
+"""CONTINUITY, SINUSOID, STEP: the curves have no jump, look like the drive, and have rows enough."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.checks.evidence import Evidence
+from coursework.checks.result import Check
+
+Array = NDArray[np.float64]
+# A difference this many times its neighbours' is a jump unless the half-step run shows the same steep slope.
+JUMP = 4.0
+# Part of a column's range below which a difference is no jump whatever its neighbours do.
+SMALL = 0.05
+# The first three harmonics of a velocity in a benign mechanism carry more than this part of its oscillation.
+HARMONIC_SHARE = 0.9
+# Explicit Euler wants at least twenty rows a period of the drive.
+ROWS_A_PERIOD = 20
+
+
+def continuity(evidence: Evidence) -> Check:
+    """No curve jumps: a steep slope and a turn from 2π to 0 are no jumps."""
+    motion = evidence.motion
+    if len(motion.t) < 4:
+        return Check("CONTINUITY", "Continuity", "SKIP", "Fewer than four rows: nothing to compare.")
+    worst, where, name = 0.0, 0, motion.names[0]
+    for place, column in enumerate(motion.names):
+        ratios = _jump_ratios(evidence, place)
+        if float(np.max(ratios)) > worst:
+            worst, where, name = float(np.max(ratios)), int(np.argmax(ratios)), column
+    if worst <= 1.0:
+        sentence = f"No curve jumps; {name} changes fastest for its surroundings, between rows {where + 1} and {where + 2}."
+        return Check("CONTINUITY", "Continuity", "PASS", sentence, worst, 1.0, "of the jump that would be refused")
+    sentence = (
+        f"{name} jumps between rows {where + 1} and {where + 2} (t = {motion.t[where]:.6g} s to {motion.t[where + 1]:.6g} s): "
+        "the change is not explained by the slope of the curve."
+    )
+    return Check("CONTINUITY", "Continuity", "FAIL", sentence, worst, 1.0, "of the jump that would be refused")
+
+
+def _jump_ratios(evidence: Evidence, place: int) -> Array:
+    """Return for each interval |difference| over the difference that the curve's own slope allows."""
+    motion = evidence.motion
+    name = motion.names[place]
+    differences = np.diff(motion.rows[:, place])
+    if evidence.unit(name) == "rad":
+        differences = differences - 2 * np.pi * np.round(differences / (2 * np.pi))
+    span = float(np.ptp(motion.rows[:, place]))
+    if place < len(motion.coordinate_names):
+        rate = evidence.variant.rates[[c.name for c in evidence.variant.coordinates].index(name)]
+        slopes = motion.column(rate)
+        explained = motion.step * (slopes[1:] + slopes[:-1]) / 2
+        allowed = motion.step * np.abs(np.diff(slopes)) + SMALL * motion.step * np.max(np.abs(slopes)) + 1e-12
+        # A projected or corrected position may differ from the marched one by the scheme's own error.
+        error = evidence.scheme_error
+        if error is not None:
+            allowed = allowed + np.max(np.abs(error[:, place])) * SMALL * 10
+        return np.abs(differences - explained) / allowed
+    sizes = np.abs(differences)
+    padded = np.concatenate([[sizes[1]], sizes, [sizes[-2]]])
+    allowed = JUMP * np.maximum(padded[:-2], padded[2:]) + SMALL * span + 1e-12
+    ratios = sizes / allowed
+    steep = _steep(evidence, place, sizes)
+    return np.where((ratios > 1) & steep, 1.0, ratios)
+
+
+def _steep(evidence: Evidence, place: int, sizes: Array) -> Array:
+    """Return where the half-step run makes the same change in two clearly smaller parts."""
+    half = evidence.half
+    if half is None or len(half.t) < 2 * len(sizes) + 1:
+        return np.zeros(len(sizes), dtype=bool)
+    parts = np.abs(np.diff(half.rows[: 2 * len(sizes) + 1, place])).reshape(-1, 2)
+    return np.asarray((parts.max(axis=1) < 0.8 * sizes) & (parts.sum(axis=1) > 0.5 * sizes))
+
+
+def sinusoid(evidence: Evidence) -> Check:
+    """Under a sinusoidal drive the velocities are clearly sinusoidal (first three harmonics)."""
+    motion, row = evidence.motion, evidence.period_row
+    if not evidence.sinusoidal:
+        return Check("SINUSOID", "Sinusoidal character", "SKIP", "The drive is not a sine, so its velocities need not be.")
+    if motion.stop is not None or row is None or row >= len(motion.t) or row < 8:
+        return Check(
+            "SINUSOID", "Sinusoidal character", "SKIP", "The rows do not cover one whole period with eight rows or more."
+        )
+    shares = {name: _harmonic_share(motion.column(name)[: row + 1]) for name in motion.velocity_names}
+    name = min(shares, key=lambda key: shares[key])
+    share = shares[name]
+    rows = tuple((key, value, "of the oscillation") for key, value in shares.items())
+    if share >= HARMONIC_SHARE:
+        sentence = (
+            f"The first three harmonics carry at least {share:.1%} of the oscillation of every velocity ({name} has least)."
+        )
+        return Check("SINUSOID", "Sinusoidal character", "PASS", sentence, share, HARMONIC_SHARE, "at least", rows)
+    sentence = f"{name} is not sinusoidal: its first three harmonics carry only {share:.1%} of its oscillation."
+    return Check("SINUSOID", "Sinusoidal character", "FAIL", sentence, share, HARMONIC_SHARE, "at least", rows)
+
+
+def _harmonic_share(values: Array) -> float:
+    """Return the part of the variance in harmonics 1 to 3; the end-to-end drift is taken off first."""
+    straight = values - np.linspace(0.0, values[-1] - values[0], len(values))
+    power = np.abs(np.fft.rfft(straight[:-1] - np.mean(straight[:-1]))) ** 2
+    total = float(np.sum(power[1:]))
+    quiet = float(np.max(np.abs(values))) * 1e-12
+    return 1.0 if total <= quiet**2 * len(values) ** 2 else float(np.sum(power[1:4])) / total
+
+
+def rows_enough(evidence: Evidence) -> Check:
+    """The step leaves at least twenty rows a period of the drive."""
+    if not evidence.drive_frequency:
+        return Check("STEP", "Step and drive", "SKIP", "The drive does not oscillate.")
+    rows = 2 * np.pi / (evidence.drive_frequency * evidence.motion.step)
+    verdict = rows >= ROWS_A_PERIOD * (1 - 1e-9)
+    sentence = f"The drive's fastest oscillation ({evidence.drive_frequency:.6g} rad/s) has {rows:.4g} rows a period" + (
+        "." if verdict else f"; take a step of at most {2 * np.pi / ROWS_A_PERIOD / evidence.drive_frequency:.3g} s."
+    )
+    return Check(
+        "STEP", "Step and drive", "PASS" if verdict else "FAIL", sentence, float(rows), float(ROWS_A_PERIOD), "rows, at least"
+    )

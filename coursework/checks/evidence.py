@@ -1,0 +1,67 @@
+"""What the checks may look at, gathered once.
+
+Enters: the motion and what was computed around it.  Leaves: `Evidence` with the scheme's own estimated error.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.closure import Closure
+from coursework.equations import VelocityEquations
+from coursework.motion import Motion
+from coursework.schemes import SCHEMES
+from coursework.variant.record import Variant
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Evidence:
+    """`motion` judged; `half` the same scheme with half the step; `exact` and `wide` (extended numbers) where known.
+
+    `used` names the equations solved for the velocities; `drive_frequency` rad/s of the fastest sine in the drive, `sinusoidal` whether the drive is made of sines alone.
+    """
+
+    variant: Variant
+    equations: VelocityEquations
+    motion: Motion
+    half: Motion | None
+    exact: Motion | None
+    wide: Array | None
+    closure: Closure | None
+    used: tuple[str, ...]
+    drive_frequency: float
+    sinusoidal: bool
+
+    @property
+    def scheme_error(self) -> Array | None:
+        """Return the estimated scheme error of every row and column (n, m + k), None without a half-step run.
+
+        Richardson: with order p, error = (y_h - y_h/2) 2^p/(2^p - 1).
+        """
+        rows = self.motion.rows
+        if self.half is None or len(self.half.t) < 2 * len(rows) - 1:
+            return None
+        factor = 2.0 ** SCHEMES[self.motion.scheme].order
+        return np.asarray((rows - self.half.rows[: 2 * len(rows) : 2]) * factor / (factor - 1))
+
+    @property
+    def period(self) -> float:
+        """Return the period of the motion (s): the stated one, else the end of the run."""
+        time = self.variant.time
+        return time.period if time.period is not None else time.end
+
+    @property
+    def period_row(self) -> int | None:
+        """Return the row nearest to the last whole period inside the run, None where the run is shorter than one."""
+        step = self.motion.step
+        whole = int((self.motion.t[-1] + step / 2) / self.period) if len(self.motion.t) else 0
+        return round(whole * self.period / step) if whole else None
+
+    def unit(self, name: str) -> str:
+        """Return the unit of a column."""
+        return self.variant.unit_of(name)

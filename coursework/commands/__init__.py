@@ -1,0 +1,1 @@
+"""What each command does and prints, thin over the library; a file a command."""

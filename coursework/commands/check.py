@@ -1,0 +1,55 @@
+"""`coursework check`: what a file says and whether its motion is possible, before anything is integrated."""
+
+from __future__ import annotations
+
+import click
+
+from coursework.errors import listing
+from coursework.formula import spelled
+from coursework.run import Run, load, solve
+
+
+def check_variant(variant: str) -> int:
+    """Return 0 where the whole motion is possible, 1 where it stops."""
+    run = solve(load(variant), quantities=("table",))
+    chosen = run.variant
+    click.echo(f"{chosen.title}  ({chosen.name}, {chosen.path})")
+    values = run.values
+    equations, reduction = values["equations"], values["reduction"]
+    count = len(chosen.sought)
+    click.echo(
+        f"{count} unknown velocities ({', '.join(chosen.sought)}), {len(equations.equations)} equations, {len(chosen.drive)} drive(s)"
+    )
+    _tell_mobility(run)
+    closure = values["closure"]
+    for note in reduction.notes:
+        click.echo(note)
+    for block in reduction.blocks:
+        click.echo(f"  {listing(block.unknowns)} from {listing(block.equations)}:")
+        for name, formula in block.solution:
+            click.echo(f"    {name} = {spelled(formula)}")
+        determinant = spelled(block.determinant) if block.determinant is not None else "numerical"
+        click.echo(
+            f"    determinant {determinant}: zero when {block.meaning}"
+            if block.meaning != "it is never zero"
+            else f"    determinant {determinant}: never zero"
+        )
+    if closure is None:
+        click.echo("No position equations: the exact motion comes from a refined scheme.")
+    else:
+        state = "determine every coordinate" if closure.complete else "do not determine every coordinate"
+        click.echo(f"{len(closure.names)} position equation(s) {state}.")
+    stop = values["stop"]
+    if stop is None:
+        click.echo(f"The whole motion, 0 to {chosen.time.end:g} s, is possible: no dead point.")
+        return 0
+    click.echo(f"Not the whole motion is possible ({stop.kind}): {stop.sentence}")
+    return 1
+
+
+def _tell_mobility(run: Run) -> None:
+    mobility = run.values["mechanism"].mobility
+    if mobility is None:
+        return
+    sum_of = f"3·{mobility.links} − 2·{mobility.lower_pairs} − {mobility.higher_pairs}"
+    click.echo(f"Mobility W = {sum_of} = {mobility.degrees} of the links as listed")

@@ -1,0 +1,98 @@
+"""`coursework run`: compute, write, tell in a few lines."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from coursework.errors import InputError, closest
+from coursework.output import write_record, write_table
+from coursework.run import Run, load, solve
+from coursework.schemes import SCHEMES
+
+FORMATS = ("html", "pdf", "csv")
+_MARKS = {"PASS": "✓", "FAIL": "✗", "SKIP": "–", "ERROR": "!"}
+
+
+def run_variant(
+    variant: str, *, out: Path | None, formats: tuple[str, ...], step: str | None, error: float | None, end: float | None,
+    scheme: str, quantities: tuple[str, ...], project: bool, gain: float, precision: str, plan: bool, profile: bool,
+    student: str | None, group: str | None, date: str | None,
+) -> int:  # fmt: skip
+    """Return the exit status of one run."""
+    check_formats(formats)
+    chosen = load(variant)
+    h = _step(step)
+    run = solve(
+        chosen, scheme, h, end, quantities=quantities or None, project=int(project), gain=gain,
+        student=student, group=group, date=date,
+    )  # fmt: skip
+    if plan:
+        click.echo("\n".join(run.plan.lines()))
+        return 0
+    folder = out or Path(f"coursework-{chosen.name}")
+    written = write_all(run, folder, formats)
+    tell(run, folder, written)
+    if profile:
+        click.echo("\nquantity          calls      ms")
+        for name, seconds in run.values.seconds.items():
+            click.echo(f"{name:<16} {run.values.calls[name]:>6} {seconds * 1e3:>8.2f}")
+    return 0 if run.passed else 1
+
+
+def check_formats(formats: tuple[str, ...]) -> None:
+    """Raise `InputError` for a format that is not written."""
+    for name in formats:
+        if name not in FORMATS:
+            raise InputError(f'"{name}" is not a format of the report.{closest(name, FORMATS)} Formats: {", ".join(FORMATS)}.')
+
+
+def _step(text: str | None) -> float | None:
+    if text is None:
+        return None
+    try:
+        return float(text.removesuffix("s").strip())
+    except ValueError:
+        raise InputError(f'a step in seconds, such as 0.02, was expected, found "{text}".') from None
+
+
+def write_all(run: Run, folder: Path, formats: tuple[str, ...]) -> list[str]:
+    """Compute everything, then write the files; return their names."""
+    run.columns()
+    pages = [folder / f"report.{kind}" for kind in ("html", "pdf") if kind in formats]
+    if "checks" in run.asked:
+        run.checks  # noqa: B018  computed before the first file is written
+    if "csv" in formats:
+        write_table(run, folder / "table.csv")
+    write_record(run, folder / "run.json")
+    if pages:
+        from coursework.report import write_report
+
+        write_report(run, *pages)
+    return [*(["table.csv"] if "csv" in formats else []), "run.json", *(page.name for page in pages)]
+
+
+def tell(run: Run, folder: Path, written: list[str]) -> None:
+    """Print the summary."""
+    motion = run.motion
+    click.echo(f"{run.variant.title}  ({run.variant.name})")
+    click.echo(f"{SCHEMES[run.settings.scheme].title}, h = {motion.step:g} s, {len(motion.t)} rows")
+    names: tuple[Any, ...] = motion.names
+    if len(motion.t):
+        for label, row in (("first", 0), ("last", -1)):
+            values = ", ".join(f"{name} {value:.5g}" for name, value in zip(names, motion.rows[row], strict=True))
+            click.echo(f"  {label:<5} t = {motion.t[row]:.6g} s: {values}")
+    if run.stop is not None:
+        click.echo(f"Stopped ({run.stop.kind}): {run.stop.sentence}")
+    if "checks" in run.asked:
+        for check in run.checks:
+            value = "" if check.value is None else f" {check.value:.3g}"
+            limit = "" if check.limit is None else f" (limit {check.limit:.3g})"
+            unit = f" {check.unit}" if check.unit and value else ""
+            click.echo(f"  {_MARKS[check.verdict]} {check.verdict:<5} {check.code:<16}{value}{unit}{limit}")
+        for check in run.checks:
+            if check.verdict in {"FAIL", "ERROR"} and check.code != "STOP":
+                click.echo(f"  {check.code}: {check.sentence}")
+    click.echo(f"Written to {folder}: {', '.join(written)}")

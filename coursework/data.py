@@ -1,0 +1,22 @@
+"""Where the files that are no code lie: the variants and the looks of a page.
+
+Enters: the name of a folder.  Leaves: its path.  Any floor may ask.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from coursework.errors import InputError
+
+
+def folder(name: str) -> Path:
+    """Return the folder `name` ("variants", "reports"): inside the installed package, else beside it in a checkout.
+
+    Raises `InputError` where neither exists (a broken installation).
+    """
+    package = Path(__file__).resolve().parent
+    for place in (package / name, package.parent / name):
+        if place.is_dir():
+            return place
+    raise InputError(f'the folder "{name}" is missing beside {package}. Install the package again.')

@@ -1,0 +1,56 @@
+"""Everything a user can be told.
+
+Enters: where a fault was found and what it is.  Leaves: one sentence a line, in file order.
+Used by every floor above; imports nothing of the project.
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+
+class CourseworkError(Exception):
+    """Something the user can put right; the command line ends with status 2."""
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """One thing wrong with one file: *where: what is wrong (what was found). What to do.*"""
+
+    message: str
+    file: str = ""
+    line: int = 0
+    column: int = 0
+    place: str = ""
+
+    def __str__(self) -> str:
+        where = self.file + (f":{self.line}" if self.line else "")
+        if self.column:
+            where += f":{self.column}"
+        return "  ".join(part for part in (where, f"{self.place}: {self.message}".lstrip(": ")) if part)
+
+
+class InputError(CourseworkError):
+    """The input cannot be used; carries every fault found, in file order."""
+
+    def __init__(self, faults: Iterable[Fault] | str) -> None:
+        listed = (Fault(faults),) if isinstance(faults, str) else tuple(faults)
+        self.faults: tuple[Fault, ...] = tuple(sorted(listed, key=lambda fault: (fault.file, fault.line or 10**6)))
+        super().__init__("\n".join(str(fault) for fault in self.faults))
+
+
+class OutputError(CourseworkError):
+    """A result could not be written; nothing half-written is left."""
+
+
+def closest(word: str, known: Sequence[str]) -> str:
+    """Return ' Did you mean "…"?' with the closest known word, or an empty string."""
+    found = difflib.get_close_matches(word, list(known), n=1, cutoff=0.6)
+    return f' Did you mean "{found[0]}"?' if found else ""
+
+
+def listing(words: Sequence[str], joint: str = "and") -> str:
+    """Return "a, b and c"."""
+    return f" {joint} ".join(part for part in (", ".join(words[:-1]), words[-1]) if part) if words else ""

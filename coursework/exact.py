@@ -1,0 +1,155 @@
+"""The motion without a scheme's error: closed-form chain, Newton on the closure, or a scheme refined until it stands.
+
+Enters: a scene.  Leaves: a `Motion` on the coursework's own rows, labelled with the way it was found.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.closure import Closure
+from coursework.drive import breaks
+from coursework.equations import VelocityEquations
+from coursework.loops import generate_loop
+from coursework.motion import Motion
+from coursework.rates import Rates
+from coursework.schemes import SCHEMES
+
+Array = NDArray[np.float64]
+Predictor = Callable[[float, float, Array], Array]
+# Two refinements must agree to this (rad or m) where no position is known.
+AGREEMENT = 1e-10
+_MOST_SUBSTEPS = 65_536
+# A prediction further than this from the closed position (rad or m) is not trusted to be the same assembly.
+_FAR = 0.05
+
+
+class NotReached(Exception):
+    """The closure could not be followed beyond row `row` (counted from 0)."""
+
+    def __init__(self, row: int, time: float) -> None:
+        super().__init__(f"the position could not be followed beyond t = {time:.9g} s")
+        self.row = row
+        self.time = time
+
+
+def predictor(rates: Rates) -> Predictor:
+    """Return `predict(t, h, q)`: four Runge-Kutta steps over h."""
+
+    def slopes(t: float, q: Array) -> Array:
+        return np.array(rates.evaluate(t, *q.tolist())[: len(q)])
+
+    def predict(t: float, h: float, q: Array) -> Array:
+        for part in range(4):
+            q = SCHEMES["rk4"].step(slopes, t + part * h / 4, q, h / 4)
+        return q
+
+    return predict
+
+
+def follow_closure(closure: Closure, rates: Rates, times: Array) -> Array:
+    """Return the positions (n, m) at `times`, each closed to round-off.
+
+    The assembly is kept by prediction along the motion; where the prediction is poor the interval is halved.
+    Raises `NotReached` where the mechanism cannot follow.
+    """
+    predict = predictor(rates)
+    kept, known = closure.targets(times)
+    row = _place(closure.start, closure, known[0])
+    found = closure.newton(0.0, row, kept[0])
+    if found is None:
+        raise NotReached(0, 0.0)
+    positions = [found]
+    for index in range(1, len(times)):
+        following = _advance(
+            closure, predict, float(times[index - 1]), float(times[index]), positions[-1], kept[index], known[index]
+        )
+        if following is None:
+            raise NotReached(index, float(times[index]))
+        positions.append(following)
+    return np.array(positions)
+
+
+def _place(q: Array, closure: Closure, known: Array) -> Array:
+    q = q.copy()
+    q[list(closure.driven)] = known
+    return q
+
+
+def _advance(
+    closure: Closure, predict: Predictor, begin: float, end: float, q: Array, target: Array, known: Array, depth: int = 0
+) -> Array | None:
+    try:
+        guess = _place(predict(begin, end - begin, q), closure, known)
+    except ZeroDivisionError:
+        return None
+    found = closure.newton(end, guess, target)
+    if found is not None and float(np.max(np.abs(found - guess))) < _FAR:
+        return found
+    if depth == 8:
+        return None
+    middle = (begin + end) / 2
+    times = np.array([0.0, middle])
+    inner_target, inner_known = closure.targets(times)
+    half = _advance(closure, predict, begin, middle, q, inner_target[1], inner_known[1], depth + 1)
+    return None if half is None else _advance(closure, predict, middle, end, half, target, known, depth + 1)
+
+
+def refine(rates: Rates, start: Sequence[float], times: Array, split: Sequence[float] = ()) -> tuple[Array, float, int]:
+    """Return positions (n, m) by Runge-Kutta 4 refined until two results agree, their difference, and the steps a row.
+
+    `split` are times at which the drive changes its formula: no step reaches across them.
+    """
+    loop = generate_loop(SCHEMES["rk4"].step, rates)
+    last: Array | None = None
+    gap = np.inf
+    substeps = 4
+    while True:
+        now = _march(loop, np.array(start, dtype=float), times, substeps, split)
+        if last is not None:
+            gap = float(np.max(np.abs(now - last)))
+            if gap < AGREEMENT / 16 or substeps >= _MOST_SUBSTEPS:
+                return now, gap, substeps
+        last, substeps = now, substeps * 2
+
+
+def _march(loop: Callable[..., tuple[float, ...]], start: Array, times: Array, substeps: int, split: Sequence[float]) -> Array:
+    rows = [start]
+    q = start.tolist()
+    for begin, end in zip(times, times[1:], strict=False):
+        edges = [float(begin), *[b for b in split if begin < b < end], float(end)]
+        for a, b in zip(edges, edges[1:], strict=False):
+            q = list(loop(a, substeps, (b - a) / substeps, *q))
+        rows.append(np.array(q))
+    return np.array(rows)
+
+
+def exact_motion(
+    equations: VelocityEquations, rates: Rates, closure: Closure | None, start: Sequence[float], times: Array,
+    blocks: int, chain: Callable[[Array], Array] | None = None,
+) -> Motion:  # fmt: skip
+    """Return the exact motion at `times` (rows up to a dead point only).
+
+    Raises `NotReached` where a closure cannot be followed although no dead point was found before.
+    """
+    evaluations = 0
+    if chain is not None:
+        positions, label = chain(times), "closed form of the groups"
+    elif closure is not None and closure.complete:
+        positions, label = (
+            follow_closure(closure, rates, times),
+            "Newton on the position equations, drive integrated to round-off",
+        )
+    else:
+        positions, gap, substeps = refine(rates, start, times, breaks(equations.variant))
+        evaluations = 4 * substeps * (len(times) - 1)
+        label = f"Runge-Kutta 4 with {substeps} steps a row; two refinements agree to {gap:.1e}"
+    velocities, determinants = rates.table(times, positions)
+    return Motion(
+        times, positions, velocities, determinants, np.zeros((len(times), 0)),
+        rates.coordinates, rates.velocities, "exact", float(times[1] - times[0]) if len(times) > 1 else 0.0, evaluations,
+        label=label,
+    )  # fmt: skip

@@ -1,0 +1,167 @@
+"""What can go wrong when a group is put together, and the sentences that say so.
+
+Enters: margins, lengths and modes as the groups meet them.  Leaves: nothing, or an error with its rows.
+Used by every group and by `kinematics`; knows numpy only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array: TypeAlias = NDArray[np.float64]
+Vectors: TypeAlias = NDArray[np.complex128]
+Rows: TypeAlias = NDArray[np.bool_]
+
+# A constant length, or (value, rate, second rate) of one that varies in time; each a number or one a row.
+Length: TypeAlias = ArrayLike | tuple[ArrayLike, ArrayLike, ArrayLike]
+
+# Rounding of the few sums between the data and a margin stays below 8 units in the last place; what lies
+# farther outside is a mechanism that really cannot be put together (hard case H05).
+ULPS = 8.0
+
+
+class CannotAssemble(ValueError):  # noqa: N818  the textbook's word, not a programmer's
+    """The links of a group do not meet.
+
+    `row` is the first failing row and `rows` all of them, counted from 0; `shortage` (m) says by how much a
+    length is too short or too long in that first row.
+    """
+
+    def __init__(self, sentence: str, rows: tuple[int, ...] = (0,), shortage: float = 0.0) -> None:
+        super().__init__(sentence, rows, shortage)  # all three, so that it travels through a process pool
+        self.rows = rows
+        self.row = rows[0]
+        self.shortage = shortage
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+class AtDeadPoint(ValueError):  # noqa: N818  likewise
+    """The determinant is zero and velocities are not defined; `row` the first row, `rows` all, from 0."""
+
+    def __init__(self, sentence: str, rows: tuple[int, ...] = (0,)) -> None:
+        super().__init__(sentence, rows)
+        self.rows = rows
+        self.row = rows[0]
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+def tolerance(*data: NDArray[np.inexact]) -> Array:
+    """Return (n,) m: how far from zero a margin may lie by rounding alone.
+
+    `data` the vectors and lengths (m) the margin was computed from: `ULPS` units in the last place of the
+    largest of them in each row.  Below it the sign of a margin means nothing, and the row counts as standing
+    exactly at the limit: so the verdict is the same in metres and in millimetres.
+    """
+    scale = np.abs(data[0])
+    for part in data[1:]:
+        scale = np.maximum(scale, np.abs(part))
+    limit: Array = ULPS * np.spacing(scale)
+    return limit
+
+
+def places(failing: Rows, n: int) -> tuple[int, ...]:
+    """Return the indices of the failing rows out of `n`; one flag for all rows means every row."""
+    return tuple(int(row) for row in np.flatnonzero(np.broadcast_to(failing, (n,))))
+
+
+def at(value: ArrayLike, row: int) -> float:
+    """Return the entry of `value`, a number or one a row, that belongs to `row`."""
+    entries = np.atleast_1d(np.asarray(value, dtype=np.float64))
+    return float(entries[row if len(entries) > 1 else 0])
+
+
+def metres(value: float) -> str:
+    """Return a length for a sentence; a small one is never rounded to a false zero."""
+    return f"{value:.4f} m" if abs(value) >= 0.001 or value == 0.0 else f"{value:.3g} m"
+
+
+def refuse(group: str, rows: tuple[int, ...], found: str, verdict: str, shortage: float) -> CannotAssemble:
+    """Return the error for a group that does not close: what the first failing row shows, and the verdict."""
+    others = f" So do {len(rows) - 1} later rows." if len(rows) > 1 else ""
+    return CannotAssemble(f"{group} cannot be assembled at row {rows[0]}: {found}; {verdict}.{others}", rows, shortage)
+
+
+def dead(group: str, rows: tuple[int, ...], found: str, *, placed: bool = True) -> AtDeadPoint:
+    """Return the error for a dead point; `placed` says whether the positions at least are defined there."""
+    tail = "pass positions_only=True for the positions alone" if placed else "nor is the position"
+    return AtDeadPoint(
+        f"{group} is at a dead point at row {rows[0]}: {found}. The determinant is 0, so velocities are not "
+        f"defined there; {tail}.",
+        rows,
+    )
+
+
+def require_crossing(group: str, sine: Array, turned: Array, gap: Array, data: tuple[Vectors, Vectors], lines: str) -> None:
+    """Raise unless two slides cross in every row: one position, one velocity.
+
+    `sine` (n,) of the angle between them, `turned` (rad) the larger angle it came from; `gap` (m) between the
+    lines that `lines` names, computed from `data`.  Raises `CannotAssemble` where parallel lines lie apart,
+    else `AtDeadPoint` where they coincide.
+    """
+    parallel = np.abs(sine) <= ULPS * np.spacing(np.maximum(turned, 1.0))
+    if not parallel.any():
+        return
+    n = np.broadcast(parallel, gap).size
+    apart = parallel & (np.abs(gap) > tolerance(*data))
+    if apart.any():
+        rows = places(apart, n)
+        short = at(np.abs(gap), rows[0])
+        raise refuse(group, rows, "the slides are parallel", f"{lines} are {metres(short)} apart", short)
+    found = f"the slides are parallel, {lines} coincide and a block may stand anywhere"
+    raise dead(group, places(parallel, n), found, placed=False)
+
+
+def require_mode(group: str, mode: int, modes: Mapping[int, str]) -> None:
+    """Raise `ValueError` unless `mode` is one of `modes` (number to meaning)."""
+    if mode not in modes:
+        known = ", ".join(f"{number:+d} ({meaning})" for number, meaning in modes.items())
+        raise ValueError(f"{group}: assembly mode {mode!r} does not exist. Modes: {known}.")
+
+
+def numbers(what: str, value: ArrayLike, *, positive: bool = False) -> Array:
+    """Return `value` as a fresh array (n,) or (1,).  Raises `ValueError` for what is not a finite number."""
+    try:
+        raw = np.array(value, ndmin=1)
+    except ValueError:  # rows of different lengths
+        raise ValueError(f"{what}: one number, or one number a row, was expected, found {value!r}.") from None
+    if raw.dtype.kind not in "iuf":  # text that looks like a number is refused too: it has not been read yet
+        entries = list(value) if isinstance(value, (list, tuple)) else list(raw.flat)
+        row = next((row for row, entry in enumerate(entries) if not isinstance(entry, (int, float))), 0)
+        place = f" at row {row}" if len(entries) > 1 else ""
+        raise ValueError(f"{what}: a number was expected, found {entries[row]!r}{place}.")
+    array = raw.astype(np.float64)
+    if array.ndim > 1:
+        raise ValueError(f"{what}: one number, or one number a row, was expected, found shape {array.shape}.")
+    wrong = ~np.isfinite(array) | (array <= 0.0) if positive else ~np.isfinite(array)
+    if wrong.any():
+        row = int(np.argmax(wrong))
+        wanted = "a finite length above zero" if positive else "a finite number"
+        place = f" at row {row}" if len(array) > 1 else ""
+        raise ValueError(f"{what}: {wanted} was expected, found {array[row]:g}{place}.")
+    return array
+
+
+def length(what: str, given: Length) -> tuple[Array, Array | None, Array | None]:
+    """Return value (m), rate (m/s), second rate (m/s^2) of a length; the rates are None when it is constant.
+
+    A *tuple* of three is a length that varies; rows of a constant length come as a list or an array.
+    """
+    if isinstance(given, tuple):
+        if len(given) != 3:
+            raise ValueError(f"{what}: a varying length is (value, rate, second rate), found {len(given)} entries.")
+        value = numbers(what, given[0], positive=True)
+        rate, second = numbers(f"{what}, rate", given[1]), numbers(f"{what}, second rate", given[2])
+        sizes = {len(part) for part in (value, rate, second)} - {1}
+        if len(sizes) > 1:
+            raise ValueError(f"{what}: value, rate and second rate have different numbers of rows, {sorted(sizes)}.")
+        whole = np.ones(max(sizes, default=1))  # so that the length alone tells how many rows there are
+        return value * whole, rate * whole, second * whole
+    return numbers(what, given, positive=True), None, None

@@ -1,0 +1,51 @@
+"""The crank: a link on a known pivot, with its angle given.
+
+Enters: the pivot A, length, angle, angular velocity and acceleration.  Leaves: the motion of the pin B.
+Source: [deck], crank; a length that varies in time as in [Pasika].
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from coursework.groups import assembly
+from coursework.groups.assembly import Length, numbers
+from coursework.groups.pairs import GroupMotion, Pair, count_rows, group_motion
+from coursework.groups.plane import direction, vectors
+
+
+def crank(a: Pair, *, length: Length, angle: ArrayLike, rate: ArrayLike, acceleration: ArrayLike = 0.0) -> GroupMotion:
+    """Return the motion of the pin, B = A + r e(angle).
+
+    `length` r (m) or (r, r', r'') in m, m/s, m/s^2; `angle` (rad), `rate` (rad/s), `acceleration` (rad/s^2):
+    a number or one a row.  The coordinate is the angle as given, not reduced to one turn.  Nothing is solved
+    for, so the determinant is 1.  With rate 1, acceleration 0 and r', r'' taken along the angle the result is
+    in analogs.
+    Raises `ValueError` for a length that is not finite and above zero.
+    """
+    r, dr, ddr = assembly.length("crank, its length", length)
+    turn, w, al = (
+        numbers(f"crank, {what}", value) for what, value in (("angle", angle), ("rate", rate), ("acceleration", acceleration))
+    )
+    n = count_rows("crank", A=a.rows, length=len(r), angle=len(turn), rate=len(w), acceleration=len(al))
+    velocity, gain = a.motion("crank, pivot A")
+    e = direction(turn)
+    # d/dt and d2/dt2 of r e(angle), the factors of e: real part along the crank, imaginary part across it
+    first = 1j * (r * w)
+    second = 1j * (r * al) - r * w * w
+    if dr is not None and ddr is not None:
+        first = first + dr
+        second = second + ddr + 2j * dr * w
+    one = np.ones(1)
+    return group_motion(
+        "crank",
+        1,
+        n,
+        coordinates=(turn,),
+        rates=(w,),
+        accelerations=(al,),
+        meets=(vectors(a.position) + r * e, velocity + first * e, gain + second * e),
+        determinant=one,
+        scaled=one,
+    )

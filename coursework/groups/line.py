@@ -1,0 +1,41 @@
+"""The line along which a block slides: a guide with its offset folded in.
+
+Enters: a `Guide`.  Leaves: points of the line and the motion of its material points.  Used by RRP, RPP, PRP.
+
+The pin of a block runs on the line through K + h n.  Because h is constant this point belongs to the guide,
+so K + h n with its own velocity and acceleration may stand for K everywhere, and the formulas need no h.
+"""
+
+from __future__ import annotations
+
+from coursework.groups.pairs import Guide
+from coursework.groups.plane import Array, Vectors, direction, vectors
+
+
+class Line:
+    """Position and direction of the pin's line; `k` (n,) m and `e` (n,), plane vectors."""
+
+    __slots__ = ("e", "guide", "k", "owner")
+
+    def __init__(self, guide: Guide, owner: str) -> None:
+        self.guide = guide
+        self.owner = owner
+        self.e: Vectors = direction(guide.angle)
+        self.k: Vectors = vectors(guide.through.position) + 1j * guide.offset * self.e
+
+    def point(self, s: Array) -> Vectors:
+        """Return k + s e, the place of a block at `s` (m)."""
+        return self.k + s * self.e
+
+    def carried(self, s: Array) -> Vectors:
+        """Return the velocity (m/s) of the guide's own point under a block at `s` (m)."""
+        velocity, _ = self.guide.through.motion(self.owner)
+        reach = s + 1j * self.guide.offset  # from K, in the frame of the guide
+        return velocity + (1j * self.guide.rate) * reach * self.e
+
+    def carried_acceleration(self, s: Array, ds: Array) -> Vectors:
+        """Return the acceleration (m/s^2) of that point and the Coriolis term of a block with `ds` (m/s)."""
+        _, acceleration = self.guide.through.motion(self.owner)
+        turn = self.guide.rate
+        reach = s + 1j * self.guide.offset
+        return acceleration + ((1j * self.guide.acceleration - turn * turn) * reach + 2j * turn * ds) * self.e

@@ -1,0 +1,178 @@
+"""What a group is given and what it returns: pairs, guides, and the motion of a group.
+
+Enters: positions, velocities, accelerations of external pairs.  Leaves: frozen records, read-only arrays.
+Used by every group and by whoever calls one.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from coursework.groups.assembly import numbers
+from coursework.groups.plane import Array, Vectors, rows_of, vectors
+
+STILL = (0.0, 0.0)
+
+
+def _plane_rows(what: str, value: ArrayLike) -> Array:
+    """Return a private, read-only copy of `value`, (n, 2) or (2,); raise `ValueError` for anything else."""
+    try:
+        rows = np.array(value, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise ValueError(f"{what}: numbers were expected, found {value!r}.") from None
+    if rows.ndim not in (1, 2) or rows.shape[-1] != 2:
+        raise ValueError(f"{what}: (x, y) or rows of it, shape (n, 2), were expected, found shape {rows.shape}.")
+    finite = np.isfinite(rows)
+    if not finite.all():
+        row = int(np.argmin(finite.reshape(-1, 2).all(axis=1)))
+        raise ValueError(f"{what}: finite numbers were expected, found {rows.reshape(-1, 2)[row].tolist()} at row {row}.")
+    rows.flags.writeable = False
+    return rows
+
+
+def count_rows(owner: str, **sizes: int) -> int:
+    """Return the common number of rows; 1 goes with any.  Raises `ValueError` naming parts that disagree."""
+    several = {name: size for name, size in sizes.items() if size != 1}
+    if len(set(several.values())) > 1:
+        found = ", ".join(f"{name} {size}" for name, size in several.items())
+        raise ValueError(f"{owner}: the same number of rows was expected everywhere, found {found}.")
+    return next(iter(several.values()), 1)
+
+
+@dataclass(frozen=True, slots=True, init=False, eq=False)
+class Pair:
+    """A joint, or any point, whose motion is known: the external pair of the textbook.
+
+    `position` (n, 2) or (2,) m, `velocity` m/s, `acceleration` m/s^2; a pair that stands still needs its
+    position only.  None means *not known*: a group computed with `positions_only` says so of its point.
+    Raises `ValueError` for a wrong shape and for numbers that are not finite.
+    """
+
+    position: Array
+    velocity: Array | None
+    acceleration: Array | None
+
+    def __init__(self, position: ArrayLike, velocity: ArrayLike | None = STILL, acceleration: ArrayLike | None = STILL) -> None:
+        for name, value in (("position", position), ("velocity", velocity), ("acceleration", acceleration)):
+            known = None if value is None and name != "position" else _plane_rows(name, value)  # type: ignore[arg-type]
+            object.__setattr__(self, name, known)
+        self.rows  # noqa: B018  the property compares the numbers of rows
+
+    @property
+    def rows(self) -> int:
+        """Return the number of rows; 1 for a pair given once."""
+        known = {"position": self.position, "velocity": self.velocity, "acceleration": self.acceleration}
+        return count_rows("pair", **{name: part.size // 2 for name, part in known.items() if part is not None})
+
+    def motion(self, owner: str) -> tuple[Vectors, Vectors]:
+        """Return velocity and acceleration as plane vectors; `owner` names group and pair for the error."""
+        if self.velocity is None or self.acceleration is None:
+            raise ValueError(
+                f"{owner}: velocity and acceleration are not known; the group before it was computed with positions_only=True."
+            )
+        return vectors(self.velocity), vectors(self.acceleration)
+
+
+@dataclass(frozen=True, slots=True, init=False, eq=False)
+class Guide:
+    """A straight guide that may travel and turn.
+
+    `through` a pair K on it; `angle` (rad) of its positive direction, `rate` (rad/s), `acceleration`
+    (rad/s^2): a number or one a row; `offset` (m) of the pin's own line from the line through K, to the left
+    of the direction.
+    """
+
+    through: Pair
+    angle: Array
+    rate: Array
+    acceleration: Array
+    offset: Array
+
+    def __init__(
+        self,
+        through: Pair,
+        angle: ArrayLike,
+        rate: ArrayLike = 0.0,
+        acceleration: ArrayLike = 0.0,
+        offset: ArrayLike = 0.0,
+    ) -> None:
+        object.__setattr__(self, "through", through)
+        given = {"angle": angle, "rate": rate, "acceleration": acceleration, "offset": offset}
+        for name, value in given.items():
+            entries = numbers(f"guide, {name}", value)
+            entries.flags.writeable = False
+            object.__setattr__(self, name, entries)
+        self.rows  # noqa: B018  the property compares the numbers of rows
+
+    @property
+    def rows(self) -> int:
+        """Return the number of rows; 1 for a guide given once."""
+        turning = {
+            "angle": self.angle,
+            "rate": self.rate,
+            "acceleration": self.acceleration,
+            "offset": self.offset,
+        }
+        return count_rows("guide", **{name: len(part) for name, part in turning.items()}, K=self.through.rows)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class GroupMotion:
+    """The motion of one group, a row for every row that entered.
+
+    `coordinates` (n, 2) in the order of the group's unknowns (crank: (n, 1)), angles in (-pi, pi] rad, slides
+    in m; `rates` and `accelerations` their time derivatives, None when only positions were asked for; `meets`
+    the point the next group hangs on; `determinant` (n,) of the 2x2 matrix that velocities and accelerations
+    share, `scaled_determinant` (n,) the same without a unit, from -1 to 1; `mode` the assembly mode.
+    """
+
+    coordinates: Array
+    rates: Array | None
+    accelerations: Array | None
+    meets: Pair
+    determinant: Array
+    scaled_determinant: Array
+    mode: int
+
+
+def group_motion(
+    group: str,
+    mode: int,
+    n: int,
+    *,
+    coordinates: tuple[Array, ...],
+    meets: tuple[Vectors, Vectors | None, Vectors | None],
+    determinant: Array,
+    scaled: Array,
+    rates: tuple[Array, ...] | None = None,
+    accelerations: tuple[Array, ...] | None = None,
+) -> GroupMotion:
+    """Return the record of a solved group, every array with `n` rows.
+
+    Raises `ValueError` when a number has outgrown the doubles: neither NaN nor infinity leaves a group.
+    """
+    determinants = _side_by_side(group, n, (determinant, scaled))
+    return GroupMotion(
+        coordinates=_side_by_side(group, n, coordinates),
+        rates=None if rates is None else _side_by_side(group, n, rates),
+        accelerations=None if accelerations is None else _side_by_side(group, n, accelerations),
+        meets=Pair(rows_of(meets[0], n), *(None if part is None else rows_of(part, n) for part in meets[1:])),
+        determinant=determinants[:, 0],
+        scaled_determinant=determinants[:, 1],
+        mode=mode,
+    )
+
+
+def _side_by_side(group: str, n: int, columns: tuple[Array, ...]) -> Array:
+    table = np.empty((n, len(columns)))
+    for place, column in enumerate(columns):
+        table[:, place] = column
+    finite = np.isfinite(table)
+    if not finite.all():
+        row = int(np.argmin(finite.all(axis=1)))
+        raise ValueError(f"{group}: the numbers at row {row} are too large to compute with.")
+    table.flags.writeable = False
+    return table

@@ -1,0 +1,51 @@
+"""The dyad PRP: a hinge C between two blocks, each on a guide of its own.
+
+Enters: two guides with their offsets.  Leaves: both slides and the motion of the hinge C.
+Dead when the guides are parallel, and then without a position too.  Source: [deck], PRP, with b5 put back;
+[library] 2PG4V.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+
+from coursework.groups.assembly import require_crossing
+from coursework.groups.line import Line
+from coursework.groups.pairs import GroupMotion, Guide, count_rows, group_motion
+from coursework.groups.plane import cross
+
+
+def prp(guide_i: Guide, guide_j: Guide, *, positions_only: bool = False) -> GroupMotion:
+    """Return the motion of the group C = K_i + s_i e(t_i) + r_i n(t_i) = K_j + s_j e(t_j) + r_j n(t_j).
+
+    The offsets r_i, r_j (m) are those of the guides.  Coordinates s_i, s_j (m); meets C.
+    determinant = scaled = sin(t_i - t_j).  There is one assembly mode.
+    Raises `CannotAssemble` where the guides are parallel with the lines of the pin apart; `AtDeadPoint` where
+    these lines coincide, whatever `positions_only`: the hinge may then stand anywhere.
+    """
+    n = count_rows("PRP", guide_i=guide_i.rows, guide_j=guide_j.rows)
+    i, j = Line(guide_i, "PRP, guide i"), Line(guide_j, "PRP, guide j")
+    w = j.k - i.k
+    sine = np.sin(guide_j.angle - guide_i.angle)
+    turned = np.maximum(np.abs(guide_i.angle), np.abs(guide_j.angle))
+    require_crossing("PRP", sine, turned, cross(i.e, w), (i.k, j.k), "the two lines of the pin")
+    s_i, s_j = cross(w, j.e) / sine, cross(w, i.e) / sine
+    at_c = i.point(s_i)
+    solved = partial(group_motion, "PRP", 1, n, coordinates=(s_i, s_j), determinant=-sine, scaled=-sine)
+    if positions_only:
+        return solved(meets=(at_c, None, None))
+
+    # a [s_i'; s_j'] = right side; the columns of a are e(t_i) and -e(t_j)
+    carried = i.carried(s_i)
+    right = j.carried(s_j) - carried
+    ds_i, ds_j = cross(right, j.e) / sine, cross(right, i.e) / sine
+    carried_on = i.carried_acceleration(s_i, ds_i)
+    right = j.carried_acceleration(s_j, ds_j) - carried_on
+    dds_i, dds_j = cross(right, j.e) / sine, cross(right, i.e) / sine
+    return solved(
+        rates=(ds_i, ds_j),
+        accelerations=(dds_i, dds_j),
+        meets=(at_c, carried + ds_i * i.e, carried_on + dds_i * i.e),
+    )

@@ -1,0 +1,83 @@
+"""The dyad RPR: a block hinged at B slides along a rod that turns about D.
+
+Enters: pairs B, D, the offset of the hinge, the rod.  Leaves: angle of the rod, slide, motion of its end E.
+Dead when the block is level with the pivot, s = 0.  Source: [deck] 5-4, [library] 2PG3V with its offset.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from coursework.groups import assembly
+from coursework.groups.assembly import at, dead, metres, numbers, places, refuse
+from coursework.groups.pairs import GroupMotion, Pair, count_rows, group_motion
+from coursework.groups.plane import angle_of, cross, dot, vectors
+
+MODES = {1: "s > 0, the rod points from D towards the block", -1: "s < 0, it points away"}
+
+
+def rpr(
+    b: Pair,
+    d: Pair,
+    *,
+    offset: ArrayLike = 0.0,
+    end_length: ArrayLike | None = None,
+    mode: int = 1,
+    positions_only: bool = False,
+) -> GroupMotion:
+    """Return the motion of the group B = D + s e(theta) + e0 n(theta).
+
+    `offset` e0 (m) of the hinge to the left of the rod's line; `end_length` (m) from D along the rod to its
+    end E; `mode` +1: s > 0, -1: s < 0.  Coordinates theta (rad), s (m); meets E, or B when no end is given.
+    determinant = -s (m); scaled = -s / L, L the largest BD of all rows, or the end length where larger.
+    Raises `CannotAssemble` where BD < |e0|; `AtDeadPoint` where s = 0, unless `positions_only`, and always
+    where B lies on D, because the rod may then point anywhere; `ValueError` for a wrong mode or length.
+    """
+    assembly.require_mode("RPR", mode, MODES)
+    e0 = numbers("RPR, the offset", offset)
+    end = None if end_length is None else numbers("RPR, the rod to its end", end_length, positive=True)
+    n = count_rows("RPR", B=b.rows, D=d.rows, offset=len(e0), end=1 if end is None else len(end))
+    at_b, at_d = vectors(b.position), vectors(d.position)
+    v = at_b - at_d
+    apart = np.abs(v)
+
+    spare = apart - np.abs(e0)
+    rounding = assembly.tolerance(at_b, at_d, e0)
+    if (spare < -rounding).any():
+        rows = places(spare < -rounding, n)
+        short = -at(spare, rows[0])
+        found = f"B and D are {metres(at(apart, rows[0]))} apart, the offset is {metres(at(np.abs(e0), rows[0]))}"
+        raise refuse("RPR", rows, found, f"it is {metres(short)} too long", short)
+    if (apart <= rounding).any():
+        raise dead("RPR", places(apart <= rounding, n), "B lies on D and the rod may point anywhere", placed=False)
+    limit = spare <= rounding
+    s = mode * np.sqrt(np.where(limit, 0.0, spare * (apart + np.abs(e0))))
+    e = v * (s - 1j * e0)
+    e /= np.abs(e)
+    coordinates = (angle_of(e), s)
+    longest = apart.max(initial=0.0) if end is None else np.maximum(apart.max(initial=0.0), end)
+    determinant, scaled = -s, -s / longest
+    meets = at_b if end is None else at_d + end * e
+    solved = partial(group_motion, "RPR", mode, n, coordinates=coordinates, determinant=determinant, scaled=scaled)
+    if positions_only:
+        return solved(meets=(meets, None, None))
+    if limit.any():
+        raise dead("RPR", places(limit, n), "the block is level with the pivot D, s = 0")
+
+    # a [theta'; s'] = right side; the columns of a are i v and e
+    (v_b, a_b), (v_d, a_d) = b.motion("RPR, pair B"), d.motion("RPR, pair D")
+    right = v_b - v_d
+    rate, ds = cross(e, right) / s, dot(v, right) / s
+    right = a_b - a_d - 2j * rate * ds * e + rate * rate * v
+    acceleration, dds = cross(e, right) / s, dot(v, right) / s
+    if end is not None:
+        v_b = v_d + 1j * (rate * end) * e
+        a_b = a_d + (1j * acceleration - rate * rate) * end * e
+    return solved(
+        rates=(rate, ds),
+        accelerations=(acceleration, dds),
+        meets=(meets, v_b, a_b),
+    )

@@ -1,0 +1,73 @@
+"""The dyad RRP: a rod from B to a block on a guide.
+
+Enters: pair B, the guide, the rod, assembly mode.  Leaves: angle of the rod, slide, and motion of the pin C.
+Dead when the rod stands perpendicular to the guide.  Source: [deck] 5-3, [library] 2PG2V with its offset.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+
+from coursework.groups import assembly
+from coursework.groups.assembly import Length, at, dead, metres, places, refuse
+from coursework.groups.line import Line
+from coursework.groups.pairs import GroupMotion, Guide, Pair, count_rows, group_motion
+from coursework.groups.plane import angle_of, cross, dot, vectors
+
+MODES = {1: "the larger s", -1: "the smaller s"}
+
+
+def rrp(b: Pair, guide: Guide, *, length: Length, mode: int, positions_only: bool = False) -> GroupMotion:
+    """Return the motion of the group C = B + r e(theta) = K + s e(t_j) + h n(t_j).
+
+    `guide` through K at the angle t_j with the offset h; `length` r (m) of the rod, constant or (value, rate,
+    second rate); `mode` +1: the larger s, -1: the smaller.  Coordinates theta (rad), s (m); meets C.
+    determinant = r cos(theta - t_j) (m), scaled = cos(theta - t_j).
+    Raises `CannotAssemble` where B is farther from the line of C than r; `AtDeadPoint` where the rod is
+    perpendicular to the guide, unless `positions_only`; `ValueError` for a wrong mode or length.
+    """
+    assembly.require_mode("RRP", mode, MODES)
+    r, dr, ddr = assembly.length("RRP, the rod", length)
+    n = count_rows("RRP", B=b.rows, guide=guide.rows, rod=len(r))
+    line = Line(guide, "RRP, guide")
+    at_b, e = vectors(b.position), line.e
+    w = at_b - line.k
+    q = cross(e, w)  # B lies this far to the left of the line of C
+
+    spare = r - np.abs(q)
+    rounding = assembly.tolerance(at_b, line.k, r)
+    if (spare < -rounding).any():
+        rows = places(spare < -rounding, n)
+        far, short = at(np.abs(q), rows[0]), -at(spare, rows[0])
+        found = f"B is {metres(far)} from the line of the pin, the rod is {metres(at(r, rows[0]))} long"
+        raise refuse("RRP", rows, found, f"it is {metres(short)} too short", short)
+    limit = spare <= rounding
+    along = mode * np.sqrt(np.where(limit, 0.0, spare * (r + np.abs(q))))
+    s = dot(e, w) + along
+    u = (along - 1j * q) * e  # from B to C
+    coordinates = (angle_of(u), s)
+    at_c = line.point(s)
+    solved = partial(group_motion, "RRP", mode, n, coordinates=coordinates, determinant=along, scaled=along / r)
+    if positions_only:
+        return solved(meets=(at_c, None, None))
+    if limit.any():
+        raise dead("RRP", places(limit, n), "the rod is perpendicular to the guide")
+
+    # a [theta'; s'] = right side; the columns of a are i u and -e
+    v_b, a_b = b.motion("RRP, pair B")
+    lengthening = 0.0 if dr is None else u * (dr / r)
+    carried = line.carried(s)
+    right = carried - v_b - lengthening
+    rate, ds = cross(e, right) / along, -dot(u, right) / along
+    carried_on = line.carried_acceleration(s, ds)
+    right = carried_on - a_b + rate * rate * u - 2j * rate * lengthening
+    if ddr is not None:
+        right = right - u * (ddr / r)
+    acceleration, dds = cross(e, right) / along, -dot(u, right) / along
+    return solved(
+        rates=(rate, ds),
+        accelerations=(acceleration, dds),
+        meets=(at_c, carried + ds * e, carried_on + dds * e),
+    )

@@ -1,0 +1,99 @@
+"""The dyad RRR: two links with three revolute joints; B and D known, C unknown.
+
+Enters: pairs B, D, lengths, assembly mode.  Leaves: angles of both links and the motion of C.
+Dead when the two links lie on one line.  Source: [deck] 5-2, [library] 2PG1V with equation (1).
+"""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+
+from coursework.groups import assembly
+from coursework.groups.assembly import Array, CannotAssemble, Length, at, dead, metres, places, refuse
+from coursework.groups.pairs import GroupMotion, Pair, count_rows, group_motion
+from coursework.groups.plane import Vectors, angle_of, dot, vectors
+
+MODES = {1: "C to the left of the ray from B to D", -1: "C to its right"}
+
+
+def rrr(b: Pair, d: Pair, *, lengths: tuple[Length, Length], mode: int, positions_only: bool = False) -> GroupMotion:
+    """Return the motion of the group C = B + r_i e(theta_i) = D + r_j e(theta_j).
+
+    `lengths` (m) of the link from B and of the link from D, each constant or (value, rate, second rate);
+    `mode` +1: C to the left of the ray from B to D, -1: right.  Coordinates theta_i, theta_j (rad); meets C.
+    determinant = r_i r_j sin(theta_i - theta_j) (m^2), scaled = sin(theta_i - theta_j).
+    Raises `CannotAssemble` unless |r_i - r_j| <= BD <= r_i + r_j; `AtDeadPoint` where the links lie on one
+    line, unless `positions_only`; `ValueError` for a mode or a length that does not exist.
+    """
+    assembly.require_mode("RRR", mode, MODES)
+    r_i, dr_i, ddr_i = assembly.length("RRR, the link from B", lengths[0])
+    r_j, dr_j, ddr_j = assembly.length("RRR, the link from D", lengths[1])
+    n = count_rows("RRR", B=b.rows, D=d.rows, link_from_B=len(r_i), link_from_D=len(r_j))
+    at_b, at_d = vectors(b.position), vectors(d.position)
+    v = at_d - at_b
+    apart = np.abs(v)
+
+    stretched = r_i + r_j - apart  # what is left before the links are stretched, and before they are folded
+    folded = apart - np.abs(r_i - r_j)
+    spare = np.minimum(stretched, folded)
+    rounding = assembly.tolerance(at_b, at_d, r_i + r_j)
+    if (spare < -rounding).any():
+        raise _out_of_reach(places(spare < -rounding, n), apart, r_i, r_j)
+    if (apart <= rounding).any():  # only equal links pass the line above: they may point anywhere
+        raise dead("RRR", places(apart <= rounding, n), "B and D coincide and the links are equal", placed=False)
+    limit = spare <= rounding
+
+    # Heron's product keeps the digits that r_i^2 - x^2 loses near a dead point
+    area = np.where(limit, 0.0, stretched * folded * (r_i + r_j + apart) * (apart + np.abs(r_i - r_j)))
+    across = mode * np.sqrt(area) / (2.0 * apart)
+    skew = (r_i - r_j) * (r_i + r_j) / apart
+    ray = v / apart
+    u_i = (0.5 * (apart + skew) + 1j * across) * ray  # from B to C
+    u_j = (0.5 * (skew - apart) + 1j * across) * ray  # from D to C
+    theta = (angle_of(u_i), angle_of(u_j))
+    determinant = -apart * across
+    scaled = determinant / (r_i * r_j)
+    at_c = at_b + u_i
+    solved = partial(group_motion, "RRR", mode, n, coordinates=theta, determinant=determinant, scaled=scaled)
+    if positions_only:
+        return solved(meets=(at_c, None, None))
+    if limit.any():
+        rows = places(limit, n)
+        how = "stretched" if at(stretched, rows[0]) < at(folded, rows[0]) else "folded"
+        raise dead("RRR", rows, f"B, C and D lie on one line, the links are {how}")
+
+    # a [theta_i'; theta_j'] = right side; the columns of a are i u_i and -i u_j
+    (v_b, a_b), (v_d, a_d) = b.motion("RRR, pair B"), d.motion("RRR, pair D")
+    grow_i, grow_j = _growth(u_i, r_i, dr_i), _growth(u_j, r_j, dr_j)
+    right = v_d + grow_j - v_b - grow_i
+    w_i, w_j = -dot(u_j, right) / determinant, -dot(u_i, right) / determinant
+    # what each pin does without angular acceleration: centripetal, and Coriolis of a varying length
+    free_i = _growth(u_i, r_i, ddr_i) + 2j * w_i * grow_i - w_i * w_i * u_i
+    free_j = _growth(u_j, r_j, ddr_j) + 2j * w_j * grow_j - w_j * w_j * u_j
+    right = a_d + free_j - a_b - free_i
+    al_i, al_j = -dot(u_j, right) / determinant, -dot(u_i, right) / determinant
+    return solved(
+        rates=(w_i, w_j),
+        accelerations=(al_i, al_j),
+        meets=(at_c, v_b + grow_i + 1j * w_i * u_i, a_b + free_i + 1j * al_i * u_i),
+    )
+
+
+def _growth(u: Vectors, r: Array, rate: Array | None) -> Vectors:
+    """Return what a varying length adds along its link: rate * u / r, and zero for a constant length."""
+    return np.zeros(1, dtype=np.complex128) if rate is None else u * (rate / r)
+
+
+def _out_of_reach(rows: tuple[int, ...], apart: Array, r_i: Array, r_j: Array) -> CannotAssemble:
+    row = rows[0]
+    found = f"B and D are {metres(at(apart, row))} apart"
+    short = at(apart - (r_i + r_j), row)
+    if short > 0.0:
+        found += f", the two links reach {metres(at(r_i + r_j, row))}"
+        return refuse("RRR", rows, found, f"together they are {metres(short)} too short", short)
+    gap = at(np.abs(r_i - r_j), row)
+    short = at(np.abs(r_i - r_j) - apart, row)
+    found += f", the links differ by {metres(gap)}"
+    return refuse("RRR", rows, found, f"the longer link is {metres(short)} too long to fold", short)

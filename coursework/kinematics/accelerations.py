@@ -1,0 +1,37 @@
+"""Accelerations from the differentiated velocity equations: A du/dt = db/dt - dA/dt u, never by differencing a table.
+
+Enters: equations and a motion.  Leaves: d of every velocity (n, k).  Computed on request only.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import sympy as sp
+from numpy.typing import NDArray
+
+from coursework.equations import VelocityEquations
+from coursework.jets import compile_rows, second_rate
+from coursework.motion import Motion
+from coursework.reduction import Reduction
+from coursework.symbolic import TIME, symbol
+from coursework.system import compile_system
+
+Array = NDArray[np.float64]
+
+
+def accelerations(equations: VelocityEquations, reduction: Reduction, motion: Motion) -> Array:
+    """Return the derivatives (n, k) of `motion.velocities`, rad/s² or m/s² (zero rows where the motion has none)."""
+    variant = equations.variant
+    used = [equation for equation in equations.equations if equation.name in reduction.used]
+    rest = []
+    for equation in used:
+        moving = sp.Add(*[slope * symbol(name) for name, slope in equation.coefficients.items()], -equation.right_side)
+        still = {symbol(f"d{name}"): 0 for name in equations.unknowns}
+        rest.append(-second_rate(equations, moving).xreplace(still))
+    right = compile_rows(equations, rest, 1)(motion.t, motion.coordinates, motion.velocities)
+    matrix, _, _ = compile_system(equations, used).matrices(motion.t, motion.coordinates)
+    sought = np.linalg.solve(matrix, right[..., None])[..., 0] if len(motion.t) else np.zeros((0, len(used)))
+    known = [equations.symbols.partial(symbol(rate), TIME) for rate in variant.known_rates]
+    driven = compile_rows(equations, known, 0)(motion.t, motion.coordinates) if known else np.zeros((len(motion.t), 0))
+    columns = {**dict(zip(equations.unknowns, sought.T, strict=True)), **dict(zip(variant.known_rates, driven.T, strict=True))}
+    return np.array([columns[name] for name in motion.velocity_names]).T.reshape(len(motion.t), len(motion.velocity_names))

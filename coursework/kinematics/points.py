@@ -1,0 +1,31 @@
+"""Positions, velocities and accelerations of the named points along a motion.
+
+Enters: equations and a motion.  Leaves: one array a level, two columns a point.  Computed on request only.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.equations import VelocityEquations
+from coursework.jets import jets
+from coursework.motion import Motion
+
+Array = NDArray[np.float64]
+
+
+def point_rows(equations: VelocityEquations, motion: Motion, second: Array | None = None) -> tuple[tuple[str, ...], Array]:
+    """Return names (A.x, A.y, A.vx, A.vy and, with accelerations `second` (n, k), A.ax, A.ay) and rows (n, names); SI."""
+    vectors = equations.symbols.vectors
+    wanted = [component for vector in vectors.values() for component in vector]
+    order = 1 if second is None else 2
+    levels = [rows(motion.t, motion.coordinates, motion.velocities, second) for rows in jets(equations, wanted, order)]
+    names = []
+    columns = []
+    for index, name in enumerate(vectors):
+        for level, prefix in zip(levels, ("", "v", "a"), strict=False):
+            for place, axis in enumerate("xy"):
+                names.append(f"{name}.{prefix}{axis}")
+                columns.append(level[:, 2 * index + place])
+    return tuple(names), np.array(columns).T.reshape(len(motion.t), len(names))

@@ -1,0 +1,218 @@
+"""The slider-crank whose crank changes its length: its analogs, and the crank for constant slider speed.
+
+Enters: crank angle, crank length and derivatives, rod, offset.  Leaves: analogs of slider and rod, or the
+length.
+Used by the report and by students.  Source: [Pasika], formulas (5), (9)-(12) with the printing repaired.
+
+Lengths are divided by l1 unless said: lr = r/l1, l2 the rod, l3 the offset of the slider's line; lr', lr''
+derivatives with respect to the crank angle phi.  The slider lies at x = lr cos phi + l2 cos phi2 on the line
+y = l3, and its displacement is counted from the outer end *inwards*, so s grows while x falls.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from coursework.groups.assembly import at, dead, numbers, places, refuse, require_mode, tolerance
+
+Array: TypeAlias = NDArray[np.float64]
+
+MODES = {
+    1: "the pin lies outside the foot of the perpendicular from the slider to the crank",
+    -1: "inside it",
+}
+# How far the synthesised crank may differ at its first angle from the length asked for there, as a part of
+# the rod. Where the constant crank moves its slider fastest dx/dr is almost 0, so the last digits of x are
+# magnified in r.
+START = 1e-9
+OFF_LINE = ("the pin is off the slider's line by", "the slider's line")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SliderAnalogs:
+    """Analogs (n,) of slider and rod, divided by l1: `phi2` (rad), `s`, `v`, `a`, `omega_2`, `epsilon_2`."""
+
+    phi2: Array
+    s: Array
+    v: Array
+    a: Array
+    omega_2: Array
+    epsilon_2: Array
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CrankLaw:
+    """A crank length (n,) that depends on the crank angle: `r`, `first` dr/dphi, `second` d2r/dphi2, m."""
+
+    r: Array
+    first: Array
+    second: Array
+
+
+def slider_crank(
+    phi: ArrayLike,
+    lr: ArrayLike,
+    first: ArrayLike = 0.0,
+    second: ArrayLike = 0.0,
+    *,
+    l2: float,
+    l3: float = 0.0,
+    outer: float | None = None,
+) -> SliderAnalogs:
+    """Return all analogs by (5), (9)-(12); a crank of constant length is lr = 1 with both derivatives 0.
+
+    `phi` (n,) rad; `lr`, `first`, `second` the crank length and its derivatives, (n,) or a number; `l2` the
+    rod, `l3` the offset; `outer` the position displacements are counted from, by default S_a with the first
+    crank length.
+    Raises `CannotAssemble` and `AtDeadPoint` as `rod_angle`.
+    """
+    f, r, dr, ddr = np.broadcast_arrays(*(numbers("slider-crank", part) for part in (phi, lr, first, second)))
+    for name, value in (("rod", l2), ("offset", l3)):
+        numbers(f"slider-crank, {name}", value, positive=name == "rod")
+    phi2 = rod_angle(f, r, l2, l3)
+    omega = rod_velocity(f, r, dr, phi2, l2)
+    epsilon = rod_acceleration(f, r, dr, ddr, phi2, omega, l2)
+    zero = outer_position(float(r[0]), l2, l3) if outer is None else outer
+    return SliderAnalogs(
+        phi2,
+        displacement(f, r, phi2, l2, zero),
+        slider_velocity(f, r, dr, phi2, omega, l2),
+        slider_acceleration(f, r, dr, ddr, phi2, omega, epsilon, l2),
+        omega,
+        epsilon,
+    )
+
+
+def rod_angle(phi: Array, lr: Array, l2: float, l3: float = 0.0) -> Array:
+    """Return phi2 = arcsin((l3 - lr sin phi)/l2) in rad, (n,).
+
+    Raises `CannotAssemble` where the rod is too short to reach the slider's line, `AtDeadPoint` where it
+    stands perpendicular to it, cos phi2 = 0, by which the formulas divide.
+    """
+    drop = np.atleast_1d(l3 - lr * np.sin(phi))
+    _spare("slider-crank", drop, l2, OFF_LINE)
+    angle: Array = np.arcsin(drop / l2)
+    return angle
+
+
+def outer_position(lr: float, l2: float, l3: float = 0.0) -> float:
+    """Return S_a = sqrt((lr + l2)^2 - l3^2): the slider with crank and rod in one line; not the stroke."""
+    return math.sqrt((lr + l2 - l3) * (lr + l2 + l3))
+
+
+def displacement(phi: Array, lr: Array, phi2: Array, l2: float, outer: float) -> Array:
+    """Return s = S_a - lr cos phi - l2 cos phi2: formula (5)."""
+    s: Array = outer - lr * np.cos(phi) - l2 * np.cos(phi2)
+    return s
+
+
+def rod_velocity(phi: Array, lr: Array, first: Array, phi2: Array, l2: float) -> Array:
+    """Return omega_2 = dphi2/dphi: formula (10)."""
+    omega: Array = -(lr * np.cos(phi) + first * np.sin(phi)) / (l2 * np.cos(phi2))
+    return omega
+
+
+def slider_velocity(phi: Array, lr: Array, first: Array, phi2: Array, omega_2: Array, l2: float) -> Array:
+    """Return v = ds/dphi: formula (9)."""
+    v: Array = lr * np.sin(phi) - first * np.cos(phi) + l2 * omega_2 * np.sin(phi2)
+    return v
+
+
+def rod_acceleration(phi: Array, lr: Array, first: Array, second: Array, phi2: Array, omega_2: Array, l2: float) -> Array:
+    """Return epsilon_2 = d2phi2/dphi2: formula (12), with (10) put in for its terms in omega_2."""
+    sine = np.sin(phi)
+    epsilon: Array = (lr - second) * sine - 2.0 * first * np.cos(phi) + l2 * omega_2 * omega_2 * np.sin(phi2)
+    return epsilon / (l2 * np.cos(phi2))
+
+
+def slider_acceleration(
+    phi: Array,
+    lr: Array,
+    first: Array,
+    second: Array,
+    phi2: Array,
+    omega_2: Array,
+    epsilon_2: Array,
+    l2: float,
+) -> Array:
+    """Return a = d2s/dphi2: formula (11)."""
+    rod = l2 * (omega_2 * omega_2 * np.cos(phi2) + epsilon_2 * np.sin(phi2))
+    a: Array = (lr - second) * np.cos(phi) + 2.0 * first * np.sin(phi) + rod
+    return a
+
+
+def constant_speed_crank(
+    phi: ArrayLike,
+    *,
+    speed: float,
+    omega_1: float,
+    crank: float,
+    rod: float,
+    offset: float = 0.0,
+    mode: int = 1,
+) -> CrankLaw:
+    """Return the crank length that moves the slider at one speed, exactly, over the angles `phi` (n,) rad.
+
+    `speed` V (m/s) of the slider inwards; `omega_1` (rad/s); `crank` l1 (m) the length at phi[0]; `rod`,
+    `offset` (m). With x = x0 - (V/omega_1)(phi - phi[0]) the pin lies on the circle of radius l2 about the
+    slider (x, e): r = p + m sqrt(l2^2 - q^2), p = x cos phi + e sin phi, q = x sin phi - e cos phi; `mode` m
+    picks the root.
+    Raises `CannotAssemble` where the crank's line passes the slider at more than the rod, `AtDeadPoint` where
+    it touches that circle (dr/dphi grows beyond bounds), `ValueError` where the mode does not give `crank` at
+    phi[0], or the crank would shrink to nothing.
+    """
+    owner = "crank for constant speed"
+    require_mode(owner, mode, MODES)
+    f = numbers("crank angle", phi)
+    l1, l2 = (float(numbers(name, part, positive=True)[0]) for name, part in (("crank", crank), ("rod", rod)))
+    if not (math.isfinite(speed + omega_1 + offset) and omega_1 != 0.0):
+        raise ValueError(
+            f"{owner}: finite speed and offset and a turning crank were expected, found "
+            f"speed {speed:g}, offset {offset:g}, omega_1 {omega_1:g}."
+        )
+    drop = offset - l1 * np.sin(f[:1])
+    first_x = l1 * math.cos(f[0]) + np.sqrt(_spare(owner, drop, l2, OFF_LINE) * (l2 + np.abs(drop)))
+    slope = -speed / omega_1  # dx/dphi
+    x = first_x + slope * (f - f[0])
+    cosine, sine = np.cos(f), np.sin(f)
+    p, q = x * cosine + offset * sine, x * sine - offset * cosine
+    spare = _spare(owner, q, l2, ("the line of the crank passes the slider at", "the crank"))
+    root = mode * np.sqrt(spare * (l2 + np.abs(q)))
+    r = p + root
+    if abs(r[0] - l1) > START * l2:
+        raise ValueError(
+            f"{owner}: mode {mode:+d} starts with {r[0]:.6g} m where {l1:.6g} m was asked for; take mode {-mode:+d}."
+        )
+    if (r <= 0.0).any():
+        row = int(np.argmax(r <= 0.0))
+        raise ValueError(f"{owner}: the crank would have to be {r[row]:.6g} m long at row {row}.")
+    # the derivatives of p, q and of root^2 = l2^2 - q^2 with respect to phi
+    dq = p + slope * sine
+    dp = slope * cosine - q
+    ddq = dp + slope * cosine
+    ddp = -dq - slope * sine
+    first = -q * dq / root
+    second = -(dq * dq + q * ddq + first * first) / root
+    return CrankLaw(r, dp + first, ddp + second)
+
+
+def _spare(owner: str, gap: Array, rod: float, words: tuple[str, str]) -> Array:
+    """Return what the rod has left over, rod - |gap|, (n,), in the unit of both.
+
+    Raises `CannotAssemble` where it is negative and `AtDeadPoint` where it is zero but for rounding.
+    """
+    off, line = words
+    spare, rounding = rod - np.abs(gap), tolerance(gap, np.full(1, rod))
+    if (spare < -rounding).any():
+        rows = places(spare < -rounding, gap.size)
+        short = -at(spare, rows[0])
+        found = f"{off} {at(np.abs(gap), rows[0]):.6g}, the rod is {rod:.6g} long"
+        raise refuse(owner, rows, found, f"it is {short:.3g} too short", short)
+    if (spare <= rounding).any():
+        raise dead(owner, places(spare <= rounding, gap.size), f"the rod is perpendicular to {line}", placed=False)
+    return spare

@@ -1,0 +1,206 @@
+"""Variant -> Mechanism: points in the order they can be computed, chains of groups written as closures, mobility.
+
+Enters: a `Variant`.  Leaves: a frozen `Mechanism`, still in formulas.  Raises `InputError`.
+Used by `equations.py` (differentiation), `exact.py` (positions) and the drawing.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from coursework.errors import Fault, InputError, listing
+from coursework.formula import Formula, number
+from coursework.variant.record import Constraint, Group, Link, Variant
+
+# A point built from points built from points grows like a power of two; beyond this no mechanism is meant.
+MAX_EXPANDED = 20_000
+_QUARTER = Formula("/", (Formula("name", name="pi"), number(2)))
+_ZERO = number(0)
+
+
+@dataclass(frozen=True, slots=True)
+class Mobility:
+    """W = 3 n - 2 p5 - p4 of the links as listed (n moving links)."""
+
+    links: int
+    lower_pairs: int
+    higher_pairs: int
+
+    @property
+    def degrees(self) -> int:
+        """Return W."""
+        return 3 * self.links - 2 * self.lower_pairs - self.higher_pairs
+
+
+@dataclass(frozen=True, slots=True)
+class Mechanism:
+    """`points` in an order in which each needs only earlier ones; `constraints` written and from the chain."""
+
+    variant: Variant
+    points: tuple[tuple[str, Formula], ...]
+    constraints: tuple[Constraint, ...]
+    mobility: Mobility | None
+
+
+def build(variant: Variant) -> Mechanism:
+    """Return the mechanism of a variant.  Raises `InputError` where points or groups cannot be put in order."""
+    written = dict(variant.points)
+    constraints = list(variant.constraints)
+    known: set[str] = {c.name for c in variant.coordinates} - {n for g in variant.groups for n in g.coordinates}
+    for index, group in enumerate(variant.groups, start=1):
+        constraint, met = _as_closure(group, index, variant)
+        if late := _later(group, written, known | set(group.coordinates), variant):
+            raise _fault(
+                variant,
+                f"group {index} ({group.kind}) uses {late}, which only a later group gives. Change the order.",
+                group.line,
+            )
+        known.update(group.coordinates)
+        if constraint:
+            constraints.append(constraint)
+        if group.meets and met:
+            written[group.meets] = met
+    points = _in_order(written, variant)
+    return Mechanism(variant, points, tuple(constraints), _mobility(variant))
+
+
+def _fault(variant: Variant, message: str, line: int = 0) -> InputError:
+    return InputError([Fault(message, str(variant.path or variant.name), line)])
+
+
+def _plus(*terms: Formula) -> Formula:
+    total = terms[0]
+    for term in terms[1:]:
+        total = Formula("+", (total, term))
+    return total
+
+
+def _along(length: Formula, angle: Formula) -> Formula:
+    return Formula("@", (length, angle))
+
+
+def _across(offset: Formula, angle: Formula) -> tuple[Formula, ...]:
+    """Return the vector `offset` at right angles to `angle`, or nothing where the offset is zero."""
+    zero = offset.op == "number" and offset.value == 0
+    return () if zero else (_along(offset, _plus(angle, _QUARTER)),)
+
+
+def _as_closure(group: Group, index: int, variant: Variant) -> tuple[Constraint | None, Formula | None]:
+    """Return the vector closure of a group and the formula of the point it meets in."""
+    _check_shape(group, index, variant)
+    names = [Formula("name", name=coordinate) for coordinate in group.coordinates]
+    start = group.start_points
+    because = f"{group.kind} group {index} closes"
+    if group.kind == "crank":
+        return None, _plus(start[0], _along(group.lengths[0], names[0]))
+    if group.kind == "RRR":
+        sides = [_plus(point, _along(length, angle)) for point, length, angle in zip(start, group.lengths, names, strict=True)]
+        met = sides[0]
+    elif group.kind == "RRP":
+        guide = group.guides[0]
+        met = _plus(start[0], _along(group.lengths[0], names[0]))
+        sides = [met, _plus(guide.through, _along(names[1], guide.angle), *_across(guide.offset, guide.angle))]
+    elif group.kind == "RPR":
+        sides = [start[0], _plus(start[1], _along(names[1], names[0]), *_across(group.offset, names[0]))]
+        met = _plus(start[1], _along(group.lengths[0], names[0])) if group.lengths else start[0]
+    elif group.kind == "RPP":
+        guide = group.guides[0]
+        met = _plus(guide.through, _along(names[1], guide.angle))
+        slide = _plus(guide.angle, group.angle or _QUARTER)
+        sides = [start[0], _plus(met, _along(names[0], slide))]
+    else:
+        sides = [
+            _plus(guide.through, _along(slide, guide.angle), *_across(guide.offset, guide.angle))
+            for guide, slide in zip(group.guides, names, strict=True)
+        ]
+        met = sides[0]
+    return Constraint(f"G{index}", because, sides[0], sides[1], True, group.line), met
+
+
+_SHAPES = {  # kind: (external points, lengths, guides, coordinates)
+    "crank": (1, (1,), 0, 1), "RRR": (2, (2,), 0, 2), "RRP": (1, (1,), 1, 2), "RPR": (2, (0, 1), 0, 2),
+    "RPP": (1, (0,), 1, 2), "PRP": (0, (0,), 2, 2),
+}  # fmt: skip
+
+
+def _check_shape(group: Group, index: int, variant: Variant) -> None:
+    points, lengths, guides, coordinates = _SHAPES[group.kind]
+    wrong = [
+        f"{wanted} {what} (found {found})"
+        for wanted, what, found, right in (
+            (points, "points in from", len(group.start_points), len(group.start_points) == points),
+            (lengths[-1], "lengths", len(group.lengths), len(group.lengths) in lengths),
+            (guides, "guides", len(group.guides), len(group.guides) == guides),
+            (coordinates, "coordinates", len(group.coordinates), len(group.coordinates) == coordinates),
+        )
+        if not right
+    ]
+    if wrong:
+        raise _fault(variant, f"group {index}: {group.kind} takes {listing(wrong)}.", group.line)
+
+
+def _later(group: Group, written: dict[str, Formula], known: set[str], variant: Variant) -> str:
+    """Return the point or coordinate a group needs before the chain has it, or an empty string."""
+    coordinates = {c.name for c in variant.coordinates}
+    formulas = [*group.start_points, *group.lengths, *(f for g in group.guides for f in (g.through, g.angle, g.offset))]
+    todo = [name for formula in formulas for name in formula.names()]
+    seen: set[str] = set()
+    while todo:
+        name = todo.pop()
+        if name in seen:
+            continue
+        seen.add(name)
+        if name in written:
+            todo.extend(written[name].names())
+        elif name in coordinates and name not in known:
+            return name
+        elif any(name == other.meets for other in variant.groups):
+            return name
+    return ""
+
+
+def _in_order(written: dict[str, Formula], variant: Variant) -> tuple[tuple[str, Formula], ...]:
+    order: dict[str, Formula] = {}
+    sizes: dict[str, int] = {}
+
+    def visit(name: str, path: tuple[str, ...]) -> None:
+        if name in order:
+            return
+        if name in path:
+            raise _fault(variant, f"points are defined in a circle: {' needs '.join((*path[path.index(name) :], name))}.")
+        for needed in written[name].names():
+            if needed in written:
+                visit(needed, (*path, name))
+        sizes[name] = sum(sizes.get(node.name, 1) if node.op == "name" else 1 for node in written[name].walk())
+        if sizes[name] > MAX_EXPANDED:
+            raise _fault(variant, f"the point {name} is built from more than {MAX_EXPANDED} parts.")
+        order[name] = written[name]
+
+    for name in written:
+        visit(name, ())
+    return tuple(order.items())
+
+
+def _mobility(variant: Variant) -> Mobility | None:
+    """Count links and pairs from [links] and [frame], or from a chain of groups; None where neither stands."""
+    if variant.groups and not variant.links:
+        links = sum(1 if group.kind == "crank" else 2 for group in variant.groups)
+        pairs = sum(1 if group.kind == "crank" else 3 for group in variant.groups)
+        return Mobility(links, pairs, 0)
+    if not variant.links:
+        return None
+    members: dict[str, int] = {}
+    for link in variant.links:
+        for point in _joints(link):
+            members[point] = members.get(point, 0) + 1
+    hinges = set(variant.frame.hinges)
+    lower = sum(count - 1 + (point in hinges) for point, count in members.items())
+    rails = {f.name for f, _ in variant.frame.rails if f.op == "name"}
+    rolling = [link for link in variant.links if link.contact]
+    sliders = [point for point in members if point in rails and point not in {link.contact for link in rolling}]
+    # Rolling without slip takes two freedoms like a lower pair; a pin in a guide takes one.
+    return Mobility(len(variant.links), lower + len(rolling), len(sliders))
+
+
+def _joints(link: Link) -> tuple[str, ...]:
+    return tuple(dict.fromkeys((*link.points, *((link.wheel,) if link.wheel else ()))))

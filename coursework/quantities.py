@@ -1,0 +1,258 @@
+"""Everything that can be computed for a scene, one function a quantity.
+
+The name of a function is the quantity, its parameters are what it needs; `graph.py` computes only what is asked for and
+its ancestors, each once.  To add one: write a function here and a line in `QUANTITIES`.  Heavy imports stand inside.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.agreement import require_agreement
+from coursework.chain import chain_positions, is_chain, start_values
+from coursework.closure import Closure, compile_closure, require_start
+from coursework.dead_point import Event, Flow, find_event
+from coursework.dead_point import flow as build_flow
+from coursework.drive import refuse_aliasing
+from coursework.equations import VelocityEquations, differentiate
+from coursework.errors import InputError
+from coursework.exact import NotReached, exact_motion
+from coursework.explain import explain
+from coursework.integrate import Correction, march
+from coursework.mechanism import Mechanism, build
+from coursework.motion import Motion, Stop
+from coursework.rates import Rates, compile_rates
+from coursework.reduction import Reduction, reduce
+from coursework.settings import Settings
+from coursework.variant.record import Variant, whole_steps
+
+if TYPE_CHECKING:
+    from coursework.checks.result import Check
+
+Array = NDArray[np.float64]
+# A periodic motion that lasts for many periods is looked at for dead points over the first two.
+PERIODS_LOOKED_AT = 2.2
+
+
+def mechanism(variant: Variant) -> Mechanism:
+    """Points in order, chains written out, mobility."""
+    return build(variant)
+
+
+def equations(mechanism: Mechanism) -> VelocityEquations:
+    """The velocity equations A(q, t) u = b(q, t)."""
+    return differentiate(mechanism)
+
+
+def start(equations: VelocityEquations) -> list[float]:
+    """The coordinates at t = 0 (rad, m)."""
+    return start_values(equations)
+
+
+def closure(equations: VelocityEquations, start: list[float]) -> Closure | None:
+    """The position equations, if the file has any; checked against start and written equations."""
+    found = compile_closure(equations, start)
+    require_start(found)
+    require_agreement(equations, found)
+    return found
+
+
+def reduction(equations: VelocityEquations, start: list[float]) -> Reduction:
+    """The blocks, their solutions and determinants."""
+    return reduce(equations, start)
+
+
+def rates(equations: VelocityEquations, reduction: Reduction, settings: Settings) -> Rates:
+    """The right-hand side as a plain function, for the columns asked for."""
+    return compile_rates(equations, reduction, settings.columns or None)
+
+
+def flow(equations: VelocityEquations, reduction: Reduction) -> Flow:
+    """The determinant-scaled flow that finds dead points."""
+    return build_flow(equations, reduction)
+
+
+def event(flow: Flow, start: list[float], variant: Variant) -> Event | None:
+    """The first dead or change point of the true motion."""
+    time = variant.time
+    horizon = time.end
+    if time.period is not None and time.end > PERIODS_LOOKED_AT * time.period:
+        horizon = PERIODS_LOOKED_AT * time.period
+    return find_event(flow, start, horizon)
+
+
+def stop(event: Event | None, equations: VelocityEquations, reduction: Reduction, flow: Flow, variant: Variant) -> Stop | None:
+    """The event in words: where the motion ends and why."""
+    if event is None:
+        return None
+    from coursework.branches import branches_at
+
+    found = branches_at(flow, event) if event.kind == "change point" else ()
+    return explain(event, equations, reduction, variant.time.step, found)
+
+
+def motion(
+    variant: Variant, equations: VelocityEquations, rates: Rates, reduction: Reduction, flow: Flow, start: list[float],
+    settings: Settings, closure: Closure | None, stop: Stop | None,
+) -> Motion:  # fmt: skip
+    """The rows of the coursework."""
+    refuse_aliasing(equations, variant.time.step)
+    return _march(variant.time.step, variant, equations, rates, reduction, flow, start, settings, closure, stop)
+
+
+def _march(
+    step: float, variant: Variant, equations: VelocityEquations, rates: Rates, reduction: Reduction, flow: Flow,
+    start: list[float], settings: Settings, closure: Closure | None, stop: Stop | None,
+) -> Motion:  # fmt: skip
+    correction = None
+    if settings.project or settings.gain:
+        if closure is None or not closure.complete:
+            raise InputError("the projection needs position equations for every coordinate: add [closure] to the variant.")
+        if settings.columns:
+            raise InputError("the projection needs every coordinate; ask for the whole table.")
+        correction = Correction(closure, settings.project, settings.gain)
+    names = [c.name for c in variant.coordinates]
+    begin = [value for name, value in zip(names, start, strict=True) if name in rates.coordinates]
+    free = [c.name for c in variant.coordinates if c.rate not in variant.known_rates]
+    inside = {str(s) for i in rates.blocks for row in reduction.blocks[i].matrix for entry in row for s in entry.free_symbols}
+    guarded = [place for place, name in enumerate(rates.coordinates) if name in free and name in inside and _angle(variant, name)]
+    rows = march(rates, settings.scheme, begin, step, variant.time.end, correction, stop, guarded)
+    return replace(rows, scaled=_scaled(rows, rates, reduction, flow))
+
+
+def _angle(variant: Variant, name: str) -> bool:
+    return variant.unit_of(name) == "rad"
+
+
+def _scaled(rows: Motion, rates: Rates, reduction: Reduction, flow: Flow) -> Array:
+    """Return the dimensionless determinants of the rows (n, blocks evaluated)."""
+    scaled = np.zeros_like(rows.determinants)
+    for place, index in enumerate(rates.blocks):
+        if reduction.blocks[index].largest > 0:
+            scaled[:, place] = rows.determinants[:, place] / reduction.blocks[index].largest
+        elif len(rates.coordinates) == len(flow.rates):
+            values = [flow.scaled(t, q)[index] for t, q in zip(rows.t.tolist(), rows.coordinates, strict=True)]
+            scaled[:, place] = values
+    return scaled
+
+
+def half(
+    variant: Variant, equations: VelocityEquations, rates: Rates, reduction: Reduction, flow: Flow, start: list[float],
+    settings: Settings, closure: Closure | None, stop: Stop | None, motion: Motion,
+) -> Motion | None:  # fmt: skip
+    """The same run with half the step: what the scheme's own error is estimated from."""
+    if len(motion.t) < 2 or (motion.stop is not None and motion.stop is not stop):
+        return None
+    return _march(variant.time.step / 2, variant, equations, rates, reduction, flow, start, settings, closure, stop)
+
+
+def exact(
+    variant: Variant,
+    equations: VelocityEquations,
+    reduction: Reduction,
+    start: list[float],
+    closure: Closure | None,
+    stop: Stop | None,
+) -> Motion:
+    """The motion without a scheme's error, on the same rows."""
+    time = variant.time
+    last = whole_steps(time.step, time.end)
+    if stop is not None:
+        last = min(last, max(0, int(np.floor(stop.time / time.step * (1 - 1e-12)))))
+    times = np.arange(last + 1) * time.step
+    every = compile_rates(equations, reduction)
+    if stop is not None and stop.time <= 0:
+        times = times[:0]
+        return _nothing(every)
+    positions = (lambda at: chain_positions(equations, at)) if is_chain(variant) else None
+    try:
+        return exact_motion(equations, every, closure, start, times, len(reduction.blocks), positions)
+    except NotReached:
+        return exact_motion(equations, every, None, start, times, len(reduction.blocks))
+
+
+def _nothing(every: Rates) -> Motion:
+    empty = np.zeros((0, 0))
+    return Motion(
+        np.zeros(0), np.zeros((0, len(every.coordinates))), np.zeros((0, len(every.velocities))), empty, empty.copy(),
+        every.coordinates, every.velocities, "exact", 0.0, 0, label="no row: the motion stops at the first one",
+    )  # fmt: skip
+
+
+def wide(
+    motion: Motion, rates: Rates, reduction: Reduction, settings: Settings, start: list[float], variant: Variant
+) -> Array | None:
+    """The same rows in extended numbers: what round-off did to them.  None where that cannot be had."""
+    from coursework.precision import has_extended, march_in
+
+    small = len(motion.t) <= 2001 and all(block.size <= 2 for block in reduction.blocks)
+    if not (small and has_extended()) or motion.stop is not None or settings.project or settings.gain:
+        return None
+    names = [c.name for c in variant.coordinates]
+    begin = [value for name, value in zip(names, start, strict=True) if name in rates.coordinates]
+    found: Array = march_in(np.longdouble, rates, settings.scheme, begin, motion.step, len(motion.t) - 1)
+    return found
+
+
+def checks(
+    variant: Variant, equations: VelocityEquations, motion: Motion, half: Motion | None, exact: Motion, wide: Array | None,
+    closure: Closure | None, reduction: Reduction,
+) -> tuple[Check, ...]:  # fmt: skip
+    """The checks of the page."""
+    from coursework.checks.check import check_motion
+    from coursework.checks.evidence import Evidence
+    from coursework.drive import fastest, is_sinusoidal
+
+    known = exact if len(exact.t) == len(motion.t) else None
+    evidence = Evidence(
+        variant, equations, motion, half, known, wide, closure, reduction.used,
+        fastest(equations), is_sinusoidal(equations),
+    )  # fmt: skip
+    return check_motion(evidence)
+
+
+def table(motion: Motion) -> Motion:
+    """The results table: one row a step."""
+    return motion
+
+
+def plots(motion: Motion, exact: Motion) -> tuple[Motion, Motion]:
+    """What the plots show: the rows, and the exact motion behind them."""
+    return motion, exact
+
+
+def accelerations(equations: VelocityEquations, reduction: Reduction, motion: Motion) -> Array:
+    """The accelerations of every row, from the differentiated equations."""
+    from coursework.kinematics.accelerations import accelerations as compute
+
+    return compute(equations, reduction, motion)
+
+
+def points(equations: VelocityEquations, motion: Motion) -> tuple[tuple[str, ...], Array]:
+    """Positions and velocities of the named points."""
+    from coursework.kinematics.points import point_rows
+
+    return point_rows(equations, motion)
+
+
+def point_accelerations(equations: VelocityEquations, motion: Motion, accelerations: Array) -> tuple[tuple[str, ...], Array]:
+    """Positions, velocities and accelerations of the named points."""
+    from coursework.kinematics.points import point_rows
+
+    return point_rows(equations, motion, accelerations)
+
+
+QUANTITIES: dict[str, Any] = {
+    rule.__name__: rule
+    for rule in (
+        mechanism, equations, start, closure, reduction, rates, flow, event, stop, motion, table, half, exact, wide, checks,
+        plots, accelerations, points, point_accelerations,
+    )
+}  # fmt: skip
+# What a file or a user may ask for by name; the others are steps on the way.
+ASKABLE = ("table", "plots", "checks", "accelerations", "points")
+DEFAULT = ("table", "plots", "checks")

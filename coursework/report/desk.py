@@ -1,0 +1,71 @@
+"""What every section works with: the run, the words, the symbols of its names.
+
+Enters: a `Run` and a language.  Leaves: text, runs and numbers ready for a part.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from coursework.report.lettering import LONGEST, clean, runs
+from coursework.report.numbers import Numbers, with_unit
+from coursework.report.parts import Runs
+from coursework.report.source import Run
+from coursework.report.symbols import Symbol, symbol
+from coursework.report.words import Words
+
+DATUM_DIGITS = 6  # digits of a converted datum or of a time: more than a task sheet ever gives
+
+
+@dataclass(frozen=True, slots=True)
+class Desk:
+    """One run and one language."""
+
+    run: Run
+    words: Words
+
+    @property
+    def numbers(self) -> Numbers:
+        """Return the writer of numbers."""
+        return self.words.numbers
+
+    @property
+    def rates(self) -> frozenset[str]:
+        """Return the velocities whose derivative is written with a dot."""
+        return frozenset(self.run.motion.velocity_names)
+
+    def symbol(self, name: str) -> Symbol:
+        """Return the symbol of a name."""
+        return symbol(name, self.rates)
+
+    def symbol_runs(self, names: Iterable[str], after: str = "") -> Runs:
+        """Return "ω₁, ω₂" as runs, `after` behind them."""
+        found: Runs = []
+        for name in names:
+            one = self.symbol(name)
+            found += [{"t": ", "}] if found else []
+            found.append({"t": one.head} if one.is_word and not one.subscript else {"v": one.head, "s": one.subscript})
+        return [*found, *runs(after)]
+
+    def symbol_list(self, names: Iterable[str]) -> str:
+        """Return "ω₁, ω₂ and ω₃" as text."""
+        return self.words.listing([self.symbol(name).text for name in names])
+
+    def rich(self, text: str, longest: int = LONGEST) -> Runs:
+        """Return a sentence of a file or of the tool, cleaned, its symbols set."""
+        return self.lettered(clean(text, longest))
+
+    def lettered(self, text: str) -> Runs:
+        """Return a sentence that is clean already, the names of this variant set as symbols."""
+        variant = self.run.variant
+        laws = (law.name for law in (*variant.drive, *variant.functions))
+        return runs(text, (*variant.columns, *(given.name for given in variant.given), *laws))
+
+    def say(self, key: str, **values: object) -> Runs:
+        """Return one of our own sentences as runs."""
+        return runs(self.words(key, **values))
+
+    def quantity(self, value: float, unit: str, digits: int = DATUM_DIGITS) -> str:
+        """Return a datum with its unit."""
+        return with_unit(self.numbers.plain(value, digits), unit)

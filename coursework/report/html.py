@@ -1,0 +1,57 @@
+"""The report on a screen: one self-contained page, `reports/report.html.j2` filled with the model.
+
+Enters: a `ReportModel`.  Leaves: HTML that fetches nothing and prints on A4.  Works without Typst (equations as text).
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+from coursework.data import folder
+from coursework.errors import OutputError
+from coursework.report.formulas import Drawn, draw
+from coursework.report.model import ReportModel
+
+if TYPE_CHECKING:
+    from jinja2 import Template
+
+
+@lru_cache(maxsize=1)
+def _template() -> Template:
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+    looks = Environment(
+        loader=FileSystemLoader(folder("reports"), encoding="utf-8"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    return looks.get_template("report.html.j2")
+
+
+@lru_cache(maxsize=1)
+def _stylesheet() -> str:
+    return (folder("reports") / "report.css").read_text(encoding="utf-8")
+
+
+def render_html(model: ReportModel) -> str:
+    """Return the report as one HTML page; equations are drawn by Typst, or stand as text where it is missing."""
+    page = model.plain()
+    drawn = _drawn(page)
+    return _template().render(page=page, style=_stylesheet(), pictures=drawn.pictures, glyphs=drawn.glyphs)
+
+
+def _drawn(page: dict[str, Any]) -> Drawn:
+    sources = [
+        item["math"]
+        for section in page["sections"]
+        for part in section["parts"]
+        if part["kind"] == "equations"
+        for item in part["items"]
+    ]
+    try:
+        return draw(sources)
+    except OutputError:
+        return Drawn({}, "")

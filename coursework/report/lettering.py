@@ -1,0 +1,77 @@
+"""Text on its way to a page: cleaned of what would spoil it, split into runs that are set like a book.
+
+Enters: text of a student or a variant file (`clean`), sentences of the tool (`runs`).  Leaves: plain strings and runs.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterable
+
+from coursework.report.symbols import GREEK, symbol
+
+LONGEST = 2000  # characters of one text: a word of 1 MB would take Typst half a minute
+LONGEST_NAME = 200  # characters of a name or title
+_UNBROKEN = re.compile(r"(\S{12})(?=\S{12})")
+_INVISIBLE = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
+
+Run = dict[str, str]
+
+
+def clean(text: str, longest: int = LONGEST) -> str:
+    """Return text without control, direction and unassigned characters, NFC, at most `longest` characters.
+
+    Words beyond 24 letters get places to break (U+200B), so that none runs off the page.
+    """
+    spaced = re.sub(r"[^\S\u00a0\u202f]+", " ", unicodedata.normalize("NFC", text[: 4 * longest]))
+    plain = "".join(letter for letter in spaced if unicodedata.category(letter) not in _INVISIBLE).strip()
+    if len(plain) > longest:
+        plain = plain[: longest - 1].rstrip() + "…"
+    return _UNBROKEN.sub("\\1\u200b", plain)
+
+
+_RUN = re.compile(
+    r"(?<![\w_])(?P<letter>[^\W\d_]\u0307?)(?:_(?P<low>[^\W_]{1,4})(?![\w_])|(?P<digits>[₀-₉]+))"
+    r"|\ue000(?P<own>.)\ue001"
+    r"|(?P<greek>(?<![^\W\d_])[α-ωϕ]\u0307?(?![^\W\d_]))"
+    r"|(?P<raised>(?<=[\d\w)])[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
+)
+ITALIC = ("\ue000", "\ue001")  # around a letter of our own words; `clean` removes both from all other text
+_RAISED = re.compile("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]")
+_PLAIN_DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "01234567890123456789−")
+
+
+def runs(text: str, names: Iterable[str] = ()) -> list[Run]:
+    """Split a sentence into runs {"t": text}, {"v": letter, "s": subscript} and {"p": raised}, to be set like a book.
+
+    Finds "V_My", "φ₁", "ω", "10⁻⁷", and those of `names` that are symbols beyond doubt ("phi1", "w3"); the rest stays text.
+    """
+    text = _spelt(text, names)
+    found: list[Run] = []
+    end = 0
+    for match in _RUN.finditer(text):
+        if match.start() > end:
+            found.append({"t": text[end : match.start()]})
+        if match["raised"]:
+            found.append({"p": match["raised"].translate(_PLAIN_DIGITS)})
+        else:
+            low = (match["low"] or match["digits"] or "").translate(_PLAIN_DIGITS)
+            found.append({"v": match["letter"] or match["own"] or match["greek"], "s": low})
+        end = match.end()
+    if end < len(text):
+        found.append({"t": text[end:]})
+    return found
+
+
+def numeral(text: str) -> str | list[Run]:
+    """Return a formatted number for a cell: as it is, or as runs where it holds a power of ten."""
+    return runs(text) if _RAISED.search(text) else text
+
+
+def _spelt(text: str, names: Iterable[str]) -> str:
+    sure = {name for name in names if len(name) > 1 and (name in GREEK or any(letter.isdigit() for letter in name))}
+    if not sure:
+        return text
+    pattern = "|".join(sorted(map(re.escape, sure), key=len, reverse=True))
+    return re.sub(rf"(?<![\w.])({pattern})(?![\w(])", lambda match: symbol(match[1]).text, text)

@@ -1,0 +1,72 @@
+"""The report model: all that a page says, in order, every number formatted once.
+
+Enters: a `Run`.  Leaves: `ReportModel`, whose plain form (dicts, lists, strings) is all the templates see.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+from coursework.report.desk import Desk
+from coursework.report.lettering import LONGEST_NAME, clean
+from coursework.report.parts import Figure, Part, Section, Table
+from coursework.report.sections import all_sections
+from coursework.report.source import Run
+from coursework.report.words import Words, load_words
+
+
+@dataclass(frozen=True, slots=True)
+class ReportModel:
+    """One report: its language, titles, and sections in order."""
+
+    language: str
+    kind: str
+    heading: str
+    author: str
+    sections: tuple[Section, ...]
+
+    def plain(self) -> dict[str, Any]:
+        """Return the model as dicts, lists and strings: what JSON holds and what a golden file compares."""
+        return {
+            "language": self.language,
+            "kind": self.kind,
+            "heading": self.heading,
+            "author": self.author,
+            "sections": [section.plain() for section in self.sections],
+        }
+
+
+def build_model(run: Run, language: str = "en") -> ReportModel:
+    """Return the report of a run: the sections that have something to say, and those only if asked for.
+
+    Raises `InputError` where the language is not there.
+    """
+    words = load_words(language)
+    desk = Desk(run, words)
+    variant = run.variant
+    heading = words("title.heading", name=clean(variant.name, LONGEST_NAME), title=clean(variant.title, LONGEST_NAME))
+    return ReportModel(
+        language=language,
+        kind=words("title.kind"),
+        heading=heading.rstrip(": "),
+        author=clean(run.student or "", LONGEST_NAME),
+        sections=tuple(_numbered(all_sections(desk), words)),
+    )
+
+
+def _numbered(sections: Iterable[Section], words: Words) -> Iterator[Section]:
+    """Give sections with a title, and tables and figures with a caption, their numbers."""
+    counts = {"section": 0, "table": 0, "figure": 0}
+
+    def labelled(part: Part) -> Part:
+        if isinstance(part, Table | Figure) and part.caption:
+            counts[part.kind] += 1
+            return replace(part, label=words(f"label.{part.kind}", number=counts[part.kind]))
+        return part
+
+    for section in sections:
+        counts["section"] += bool(section.title)
+        number = str(counts["section"]) if section.title else ""
+        yield replace(section, number=number, parts=[labelled(part) for part in section.parts])

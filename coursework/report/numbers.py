@@ -1,0 +1,133 @@
+"""Numbers -> text, in this one place: as many digits as deserved, never a residual rounded to 0.000.
+
+Enters: floats in SI and their units.  Leaves: strings for a reader.  Used by the report only; templates never round.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+MINUS = "−"
+NOTHING = "–"  # no number: a check that was skipped, a method that failed
+TIGHT = "\u00a0"  # a space that does not break, between a number and its unit
+THIN = "\u202f"  # narrow, not breaking: between groups of three digits
+TIMES = "·"
+
+TABLE_DIGITS = 5  # significant digits of the largest entry of a column: what a coursework compares by hand
+SMALLEST_DECIMAL = 1e-3  # below this a fixed number shows mostly zeros, so powers of ten take over
+LARGEST_DECIMAL = 1e5
+MOST_DECIMALS = 8
+_SUPERSCRIPTS = str.maketrans("0123456789-−", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁻")
+
+
+def superscript(text: str) -> str:
+    """Return digits and signs raised: "-7" -> "⁻⁷"."""
+    return text.translate(_SUPERSCRIPTS)
+
+
+@dataclass(frozen=True, slots=True)
+class Numbers:
+    """The writer of numbers of one language; `mark` is its decimal sign."""
+
+    mark: str = "."
+
+    def fixed(self, value: float, decimals: int) -> str:
+        """Return `value` with so many decimals; 0 is "0", what would round to 0.00 takes a power of ten."""
+        if not math.isfinite(value):
+            return self._endless(value)
+        if value == 0:
+            return "0"
+        text = f"{value:.{decimals}f}"
+        return self.power(value) if not text.strip("-0.") else self._dress(text)
+
+    def power(self, value: float, digits: int = 3) -> str:
+        """Return "1.23·10⁻⁷" with `digits` significant digits."""
+        if not math.isfinite(value):
+            return self._endless(value)
+        if value == 0:
+            return "0"
+        mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
+        return f"{self._dress(mantissa)}{TIMES}10{superscript(str(int(exponent)))}"
+
+    def scalar(self, value: float | None, digits: int = 4) -> str:
+        """Return one number on its own: `digits` significant, in powers of ten where small (3 digits) or large."""
+        if value is None or math.isnan(value):
+            return NOTHING
+        if value == 0 or math.isinf(value):
+            return self.fixed(value, 0)
+        if not SMALLEST_DECIMAL <= abs(value) < LARGEST_DECIMAL:
+            return self.power(value, min(digits, 3))
+        exponent = int(f"{value:.{digits - 1}e}".split("e")[1])
+        return self._dress(f"{value:.{max(digits - 1 - exponent, 0)}f}")
+
+    def limit(self, value: float | None) -> str:
+        """Return a chosen bound, without trailing zeros: "0.1", "1·10⁻¹²"."""
+        text = self.scalar(value)
+        head, times, power = text.partition(TIMES)
+        head = head.rstrip("0").rstrip(self.mark) if self.mark in head else head
+        return head + times + power
+
+    def plain(self, value: float, digits: int = 6) -> str:
+        """Return a datum without trailing zeros: 0.953 stays "0.953", 30 deg become "0.523599"."""
+        if value == 0 or not SMALLEST_DECIMAL <= abs(value) < 10**digits:
+            return self.scalar(value, digits)
+        text = f"{value:.{digits}g}"
+        return self._dress(text)
+
+    def whole(self, value: int) -> str:
+        """Return a count; from five digits on in groups of three."""
+        text = f"{value:,}".replace(",", THIN) if abs(value) >= 10_000 else str(value)
+        return self._dress(text)
+
+    def column(self, values: Iterable[float]) -> list[str]:
+        """Return a column of a table, all entries with the same decimals (see `TABLE_DIGITS`)."""
+        entries = [float(value) for value in values]
+        decimals = deserved_decimals(entries)
+        return [self.fixed(value, decimals) for value in entries]
+
+    def times(self, values: Sequence[float]) -> list[str]:
+        """Return times with just the decimals they need (0.02 -> two), at most `MOST_DECIMALS`."""
+        decimals = max((_needed_decimals(value) for value in values), default=0)
+        return [self._dress(f"{value:.{decimals}f}") for value in values]
+
+    def duration(self, seconds: float) -> str:
+        """Return a running time in s, ms or µs with three significant digits."""
+        for factor, unit in ((1.0, "s"), (1e3, "ms"), (1e6, "µs")):
+            if abs(seconds) * factor >= 1 or unit == "µs":
+                return with_unit(self.scalar(seconds * factor, 3), unit)
+        raise AssertionError("the last unit takes every duration")
+
+    def _dress(self, text: str) -> str:
+        return text.replace("-", MINUS).replace(".", self.mark)
+
+    def _endless(self, value: float) -> str:
+        return NOTHING if math.isnan(value) else ("∞" if value > 0 else f"{MINUS}∞")
+
+
+def deserved_decimals(values: Iterable[float]) -> int:
+    """Return the decimals that give the largest entry `TABLE_DIGITS` digits."""
+    largest = max((abs(value) for value in values if math.isfinite(value)), default=0.0)
+    if largest == 0:
+        return 0
+    exponent = int(f"{largest:.{TABLE_DIGITS - 1}e}".split("e")[1])
+    return min(max(TABLE_DIGITS - 1 - exponent, 0), MOST_DECIMALS)
+
+
+def _needed_decimals(value: float) -> int:
+    text = f"{value:.{MOST_DECIMALS}f}".rstrip("0")
+    return len(text.partition(".")[2])
+
+
+def unit_text(unit: str) -> str:
+    """Return a unit as it is printed: "m/s^2" -> "m/s²"; a bare number has none."""
+    return "" if unit in {"", "1"} else unit.replace("^2", "²").replace("deg", "°").replace("°/s", "deg/s")
+
+
+def with_unit(number: str, unit: str) -> str:
+    """Return "4.5 m/s" with a space that does not break; "30°" without one."""
+    shown = unit_text(unit)
+    if not shown or number == NOTHING:
+        return number
+    return number + shown if shown == "°" else f"{number}{TIGHT}{shown}"

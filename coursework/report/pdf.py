@@ -1,0 +1,28 @@
+"""The report on paper: `reports/report.typ` filled with the model.
+
+Enters: a `ReportModel`.  Leaves: the bytes of a tagged PDF (PDF/UA-1), the same in every process.
+"""
+
+from __future__ import annotations
+
+from coursework.errors import OutputError
+from coursework.report.model import ReportModel
+from coursework.report.typesetting import typeset
+
+# Tried in turn: (standard, fonts of the machine).  The first serves all Latin, Greek and Cyrillic text; a name in
+# another script takes the machine's fonts; where those lack the sign too, the page is printed without the standard.
+WAYS = (("ua-1", False), ("ua-1", True), (None, True))
+
+
+def render_pdf(model: ReportModel) -> bytes:
+    """Return the report as PDF.  Raises `OutputError` where Typst is missing or refuses the page."""
+    data = model.plain()
+    refused = ""
+    for standard, everything in WAYS:
+        try:
+            return bytes(typeset("report.typ", data, "pdf", standard=standard, everything=everything))
+        except RuntimeError as error:  # typst.TypstError, which cannot be named before Typst is loaded
+            refused = getattr(error, "diagnostic", "") or str(error)
+            if "could not be displayed" not in str(error):
+                break
+    raise OutputError(f"the PDF could not be set. Write the report as HTML meanwhile. Typst says: {refused[:2000]}")

@@ -1,0 +1,92 @@
+"""Names of a variant file -> symbols as a textbook sets them: "w3" -> ω₃, "VMx" -> V with subscript Mx.
+
+Enters: a name (letters, digits, "_", one "." of a point's column).  Leaves: `Symbol`, in text or Typst math.
+Only names pass through here, never text of a student; what is no name is refused.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import lru_cache
+
+GREEK = {
+    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "eps": "ε", "zeta": "ζ", "eta": "η",
+    "theta": "θ", "lambda": "λ", "lam": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "pi": "π", "rho": "ρ", "sigma": "σ",
+    "tau": "τ", "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω", "w": "ω", "Delta": "Δ", "Phi": "Φ", "Psi": "Ψ",
+    "Omega": "Ω", "Theta": "Θ", "Gamma": "Γ", "Sigma": "Σ", "Lambda": "Λ", "Xi": "Ξ", "Pi": "Π",
+}  # fmt: skip
+_NAME = re.compile(r"\w+(\.\w+)?")
+_GREEK_HEAD = re.compile(rf"({'|'.join(sorted(GREEK, key=len, reverse=True))})(?=$|[\dA-Z_])_?(\w*)")
+_LETTER_HEAD = re.compile(r"([^\W\d_])(?:_(\w+)|(\d\w*)|([A-Z]\w*|[xy]))")
+_WORD_HEAD = re.compile(r"([^\W\d_]{2,})(?:_(\w+)|(\d\w*))")
+_LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+_DOT_ABOVE = "\u0307"
+
+
+@dataclass(frozen=True, slots=True)
+class Symbol:
+    """One symbol: a letter (or an upright word), its subscript, a dot above for a derivative in time."""
+
+    letter: str
+    subscript: str = ""
+    dotted: bool = False
+
+    @property
+    def is_word(self) -> bool:
+        """Return whether the letter is a whole word, set upright."""
+        return len(self.letter) > 1 and not (self.letter.isalpha() and self.letter.isupper())
+
+    @property
+    def head(self) -> str:
+        """Return the letter with its dot."""
+        return self.letter[:1] + _DOT_ABOVE + self.letter[1:] if self.dotted else self.letter
+
+    @property
+    def text(self) -> str:
+        """Return plain text: "ω₃", "V_Mx", "ω̇₁"."""
+        if self.subscript.isdigit():
+            return self.head + self.subscript.translate(_LOWERED)
+        return f"{self.head}_{self.subscript}" if self.subscript else self.head
+
+    @property
+    def typst(self) -> str:
+        """Return Typst math source."""
+        head = f'"{self.letter}"' if self.is_word else " ".join(self.letter)
+        if self.dotted:
+            head = f"dot({head})"
+        elif len(self.letter) > 1 and not self.is_word:
+            head = f"({head})" if self.subscript else head
+        return f"{head}_{_lowered(self.subscript)}" if self.subscript else head
+
+
+def _lowered(subscript: str) -> str:
+    if len(subscript) == 1 or subscript.isdigit():
+        return subscript
+    if re.search(r"[a-z]{2}|_", subscript):
+        return f'"{subscript.replace("_", " ")}"'
+    return f"({' '.join(re.findall(r'[0-9]+|.', subscript))})"
+
+
+@lru_cache(maxsize=4096)
+def symbol(name: str, rates: frozenset[str] = frozenset()) -> Symbol:
+    """Return the symbol of a name; "d" before one of `rates` (or before a Greek name) is the dot of a derivative.
+
+    Raises `ValueError` for text that is no name.
+    """
+    if not _NAME.fullmatch(name):
+        raise ValueError(f"{name!r} is no name")
+    if "." in name:
+        point, _, part = name.partition(".")
+        return Symbol(part[0], point + part[1:]) if len(part) > 1 else Symbol(part, point)
+    if name.startswith("d") and (name[1:] in rates or _GREEK_HEAD.fullmatch(name[1:])):
+        inner = symbol(name[1:])
+        return Symbol(inner.letter, inner.subscript, dotted=True)
+    if match := _GREEK_HEAD.fullmatch(name):
+        return Symbol(GREEK[match[1]], match[2])
+    if name.isalpha() and name.isupper():
+        return Symbol(name)  # AB, BM: the segment between two points
+    for pattern in (_LETTER_HEAD, _WORD_HEAD):
+        if match := pattern.fullmatch(name):
+            return Symbol(match[1], next(part for part in match.groups()[1:] if part))
+    return Symbol(name)

@@ -1,0 +1,97 @@
+"""The one way to Typst: loaded when needed, with fonts that do not depend on the machine.
+
+Enters: a template of `reports/` and data as JSON.  Leaves: PDF bytes, or one SVG a page.
+Raises `OutputError` where Typst is not installed or refuses the page.
+"""
+
+from __future__ import annotations
+
+import atexit
+import importlib.util
+import json
+import os
+import shutil
+import tempfile
+from functools import lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from coursework.data import folder
+from coursework.errors import OutputError
+
+if TYPE_CHECKING:
+    import typst
+
+# The sans face for figures and for signs the text face lacks; matplotlib brings it along.
+FACES = ("DejaVuSans.ttf", "DejaVuSans-Bold.ttf", "DejaVuSans-Oblique.ttf", "DejaVuSans-BoldOblique.ttf")
+
+
+def is_available() -> bool:
+    """Return whether Typst can be loaded here."""
+    try:
+        _typst()
+    except OutputError:
+        return False
+    return True
+
+
+def _typst() -> Any:
+    try:
+        import typst
+    except ImportError as error:
+        raise OutputError(
+            f"a PDF needs the package typst, which cannot be loaded here ({error}). "
+            'Install it with "pip install typst", or write the report as HTML and print it from the browser at 100 %.'
+        ) from error
+    return typst
+
+
+@lru_cache(maxsize=2)
+def _fonts(everything: bool) -> typst.Fonts:
+    """Return Typst's own faces and DejaVu Sans; `everything` adds those of the machine, for scripts these lack."""
+    fonts: typst.Fonts = _typst().Fonts(include_system_fonts=everything, font_paths=[str(_faces())])
+    return fonts
+
+
+@lru_cache(maxsize=1)
+def _faces() -> Path:
+    """Return a folder with `FACES` alone: matplotlib's own folder holds faces that would be taken for missing signs."""
+    found = importlib.util.find_spec("matplotlib")
+    if found is None or found.origin is None:
+        raise OutputError('matplotlib cannot be found. Install it with "pip install matplotlib".')
+    source = Path(found.origin).parent / "mpl-data" / "fonts" / "ttf"
+    try:
+        place = Path(tempfile.mkdtemp(prefix="coursework-fonts-"))
+        atexit.register(shutil.rmtree, place, ignore_errors=True)
+        for face in FACES:
+            _link(source / face, place / face)
+    except OSError:
+        return source  # no room for temporary files: the whole folder serves as well
+    return place
+
+
+def _link(source: Path, target: Path) -> None:
+    try:
+        os.symlink(source, target)
+    except OSError:  # Windows lets only administrators
+        shutil.copyfile(source, target)
+
+
+def typeset(
+    template: str, data: Any, kind: Literal["pdf", "svg"], *, standard: str | None = None, everything: bool = False
+) -> Any:
+    """Return what Typst makes of `reports/<template>` and `data`; the same bytes for the same data.
+
+    Parameters: `standard` such as "ua-1" (checked while compiling); `everything` also uses the fonts of the machine.
+    Raises `typst.TypstError` as it comes; `OutputError` where Typst is not installed.
+    """
+    place = folder("reports")
+    return _typst().compile(
+        str(place / template),
+        font_paths=_fonts(everything),
+        root=str(place),
+        format=kind,
+        timestamp=0,
+        sys_inputs={"data": json.dumps(data, ensure_ascii=False)},
+        pdf_standards=[standard] if standard else [],
+    )

@@ -1,0 +1,34 @@
+"""How one run is to be made: scheme, step, end, correction, and what is asked for.
+
+Enters: options of the command line or arguments of `solve`.  Leaves: frozen `Settings`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from coursework.errors import InputError, closest
+from coursework.integrate import refuse_gain
+from coursework.schemes import SCHEMES
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """`project` Newton corrections a step; `gain` Baumgarte's gain (1/s); `columns` of the table asked for, () for all."""
+
+    scheme: str = "euler"
+    project: int = 0
+    gain: float = 0.0
+    columns: tuple[str, ...] = ()
+    single: bool = False
+
+    def checked(self, step: float) -> Settings:
+        """Return the settings.  Raises `InputError` for a scheme that does not exist and gains that grow the error."""
+        if self.scheme not in SCHEMES:
+            known = ", ".join(SCHEMES)
+            raise InputError(f'there is no scheme "{self.scheme}".{closest(self.scheme, list(SCHEMES))} Schemes: {known}.')
+        if self.gain:
+            refuse_gain(self.gain, step)
+        if self.gain and self.project:
+            raise InputError("choose either the projection or Baumgarte's gain, not both.")
+        return self

@@ -1,0 +1,78 @@
+"""Text such as "0.953 m" -> a number in SI and its kind.
+
+Enters: a value with its unit.  Leaves: `Quantity` (SI value, unit as written, SI unit).
+Used where a variant file is read and where numbers are written for a reader.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from fractions import Fraction
+
+from coursework.errors import closest
+
+_TURN = Fraction(math.pi)  # the double nearest to pi, as every later computation uses it
+
+# unit -> (factor to SI, SI unit); factors are exact so that "953 mm" and "0.953 m" give the same double
+UNITS: dict[str, tuple[Fraction, str]] = {
+    "m": (Fraction(1), "m"), "cm": (Fraction(1, 100), "m"), "mm": (Fraction(1, 1000), "m"),
+    "rad": (Fraction(1), "rad"), "deg": (_TURN / 180, "rad"), "°": (_TURN / 180, "rad"),
+    "s": (Fraction(1), "s"), "ms": (Fraction(1, 1000), "s"),
+    "1/s": (Fraction(1), "1/s"), "rad/s": (Fraction(1), "1/s"), "deg/s": (_TURN / 180, "1/s"), "rpm": (_TURN / 30, "1/s"),
+    "m/s": (Fraction(1), "m/s"), "cm/s": (Fraction(1, 100), "m/s"), "mm/s": (Fraction(1, 1000), "m/s"),
+    "m/s^2": (Fraction(1), "m/s^2"), "1/s^2": (Fraction(1), "1/s^2"), "rad/s^2": (Fraction(1), "1/s^2"),
+    "1": (Fraction(1), "1"),
+}  # fmt: skip
+
+_VALUE = re.compile(r"\s*(?P<number>[-+−]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(?P<unit>[^\d\s].*?|1/s(?:\^2)?)?\s*$")
+
+
+class UnitFault(ValueError):
+    """A value with a unit could not be read."""
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A number in SI; `unit` as the author wrote it ("" for a bare number), `si` the SI unit ("" if bare)."""
+
+    value: float
+    unit: str
+    si: str
+    text: str
+
+
+def read(text: str | int | float) -> Quantity:
+    """Read "value unit" or a bare number.  Raises `UnitFault` with advice."""
+    if isinstance(text, bool):
+        raise UnitFault(f"a value with a unit was expected, found {str(text).lower()}.")
+    if isinstance(text, (int, float)):
+        return Quantity(_finite(float(text), str(text)), "", "", f"{text}")
+    match = _VALUE.match(text)
+    if not match:
+        hint = " Decimals are written with a point." if re.match(r"\s*-?\d+,\d", text) else ""
+        raise UnitFault(f'a value with a unit was expected, found "{text[:40]}".{hint}')
+    unit = (match["unit"] or "").replace(" ", "").replace("**", "^").replace("²", "^2")
+    if unit and unit not in UNITS:
+        raise UnitFault(f'a value with a unit was expected, found "{text[:40]}".{closest(unit, list(UNITS)) or _known()}')
+    factor, si = UNITS[unit] if unit else (Fraction(1), "")
+    number = match["number"].replace("−", "-")
+    _finite(float(number), text)
+    return Quantity(float(Fraction(number) * factor), unit, si, match["number"])
+
+
+def is_quantity(text: str) -> bool:
+    """Return whether `text` looks like "value unit" and not like a formula."""
+    match = _VALUE.match(text)
+    return bool(match) and not set((match["unit"] or "").replace("1/s", "").replace("/s", "")) & set("+*()")
+
+
+def _known() -> str:
+    return f" Known units: {', '.join(UNITS)}."
+
+
+def _finite(value: float, text: str) -> float:
+    if not math.isfinite(value) or abs(value) > 1e12:
+        raise UnitFault(f'a finite number of at most 1e12 was expected, found "{text[:40]}".')
+    return value

@@ -1,0 +1,153 @@
+"""One value or formula of a variant file at a time; faults are collected, never raised.
+
+Enters: text and where it stands.  Leaves: SI numbers and formulas whose names are all declared.
+Used by `reader.py`.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from coursework import formula as formulas
+from coursework import units
+from coursework.errors import Fault, closest
+from coursework.formula import Formula, FormulaFault
+from coursework.variant.names import Names
+from coursework.variant.source import Source
+
+_ZERO = Formula("number", name="0")
+_NOTHING = units.Quantity(1.0, "", "", "1")
+# What may stand where: [drive] is a function of time; geometry knows no velocities.
+_SCOPES = {
+    "time": {"given", "drive"},
+    "geometry": {"given", "drive", "coordinate", "function", "point"},
+    "motion": {"given", "drive", "coordinate", "function"},
+    "velocity": {"given", "drive", "coordinate", "function", "rate", "unknown"},
+}
+Path = tuple[str | int, ...]
+Kind = Literal["scalar", "vector", "any"]
+
+
+class Parts:
+    """Reads the parts of one file and keeps every fault."""
+
+    def __init__(self, source: Source, names: Names) -> None:
+        self.source = source
+        self.names = names
+        self.faults: list[Fault] = []
+        self.values: dict[str, float] = {}
+
+    def say(self, path: Path, message: str, column: int = 0) -> None:
+        """Keep a fault."""
+        self.faults.append(self.source.fault(path, message, column))
+
+    def quantity(self, path: Path, value: str | int | float) -> units.Quantity:
+        """Return "value unit" in SI."""
+        try:
+            return units.read(value)
+        except units.UnitFault as fault:
+            self.say(path, str(fault))
+            return _NOTHING
+
+    def unit(self, path: Path, text: str) -> str:
+        """Return the SI unit named by `text`."""
+        if text not in units.UNITS:
+            self.say(path, f'"{text}" is not a known unit.{closest(text, list(units.UNITS))}')
+            return "1"
+        return units.UNITS[text][1]
+
+    def number(self, path: Path, value: str | int | float, si: str) -> float:
+        """Return a quantity of unit `si`, or the value of a formula of given data such as "2*pi/p"."""
+        if isinstance(value, str) and not units.is_quantity(value):
+            tree = self.formula(path, value, "scalar", "time")
+            try:
+                return formulas.evaluate(tree, self.values) if not self.faults else 1.0
+            except (FormulaFault, KeyError) as fault:
+                self.say(path, f"the value cannot be computed from the given data: {fault}.")
+                return 1.0
+        read = self.quantity(path, value)
+        if read.si not in {"", si}:
+            self.say(path, f'a value in {si} was expected, found "{value}".')
+        return read.value
+
+    def scalar(self, path: Path, value: str | int | float) -> Formula:
+        """Return a formula, also from a bare number or a quantity such as "30 deg"."""
+        if isinstance(value, str) and not units.is_quantity(value):
+            return self.formula(path, value, "scalar")
+        read = self.quantity(path, value)
+        return (
+            Formula("number", name=repr(read.value))
+            if read.value >= 0
+            else Formula("neg", (Formula("number", name=repr(-read.value)),))
+        )
+
+    def equation(self, path: Path, text: str, *, closure: bool) -> tuple[Formula, Formula]:
+        """Return both sides of a velocity equation, or of a closure (two scalars or two vectors)."""
+        try:
+            left, right = formulas.parse_equation(text, vectors=closure)
+        except FormulaFault as fault:
+            self.say(path, fault.message + ".", fault.column)
+            return _ZERO, _ZERO
+        scope = "geometry" if closure else "velocity"
+        left, right = self._resolve(path, left, scope), self._resolve(path, right, scope)
+        kinds = {self._kind(path, side) for side in (left, right)} if closure else {"scalar"}
+        if len(kinds - {"?"}) > 1:
+            self.say(path, "one side of the closure is a vector, the other a number.")
+        return left, right
+
+    def formula(self, path: Path, text: str, kind: Kind, scope: str = "geometry") -> Formula:
+        """Return one formula with every name resolved; a fault leaves zero in its place."""
+        try:
+            tree = formulas.parse(text, vectors=scope == "geometry")
+        except FormulaFault as fault:
+            self.say(path, fault.message + ".", fault.column)
+            return _ZERO
+        tree = self._resolve(path, tree, scope)
+        found = self._kind(path, tree)
+        if kind != "any" and found not in {kind, "?"}:
+            wanted = "a vector such as D + r1 @ phi1" if kind == "vector" else "a number, not a vector; add .x or .y"
+            self.say(path, f'"{text[:60]}" is a {found}; {wanted} was expected.')
+        return tree
+
+    def known_point(self, path: Path, name: str) -> None:
+        """Keep a fault where `name` is no point."""
+        points = [point for point, kind in self.names.kinds.items() if kind == "point"]
+        if name not in points:
+            self.say(path, f'the point "{name}" is not in [points].{closest(name, points)}')
+
+    def _resolve(self, path: Path, tree: Formula, scope: str) -> Formula:
+        if tree.op != "name":
+            args = tuple(self._resolve(path, arg, scope) for arg in tree.args)
+            return Formula(tree.op, args, tree.name, tree.column)
+        name = self.names.canonical(tree.name)
+        kind = self.names.kinds.get(name)
+        if name not in {"t", "pi"} and kind not in _SCOPES[scope]:
+            allowed = [known for known, its in self.names.kinds.items() if its in _SCOPES[scope]]
+            why = f"is a {kind}, which cannot stand here" if kind else "is not declared"
+            self.say(path, f'symbol "{tree.name}" {why}.{closest(name, [*allowed, "t", "pi"])}', tree.column)
+        return Formula("name", (), name, tree.column)
+
+    def _kind(self, path: Path, tree: Formula) -> str:
+        """Return scalar or vector; "?" after a fault."""
+        if tree.op == "name":
+            return "vector" if self.names.kinds.get(tree.name) == "point" else "scalar"
+        kinds = [self._kind(path, arg) for arg in tree.args]
+        expected = {"part": ["vector"], "@": ["scalar", "scalar"], "pair": ["scalar", "scalar"], "^": ["scalar", "scalar"]}
+        result = {"part": "scalar", "@": "vector", "pair": "vector", "^": "scalar", "number": "scalar", "call": "scalar"}
+        wrong = False
+        if tree.op in expected:
+            wrong = kinds != expected[tree.op]
+        elif tree.op == "call":
+            wrong = "vector" in kinds
+        elif tree.op in {"+", "-"}:
+            wrong = len(set(kinds)) > 1
+        elif tree.op == "*":
+            wrong = kinds.count("vector") > 1
+        elif tree.op == "/":
+            wrong = kinds[1] == "vector"
+        if "?" in kinds:
+            return "?"
+        if wrong:
+            self.say(path, f'vectors and numbers are mixed at "{tree.name or tree.op}".', tree.column)
+            return "?"
+        return result.get(tree.op, "vector" if "vector" in kinds else "scalar")

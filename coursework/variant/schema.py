@@ -1,0 +1,157 @@
+"""The shape of a variant file: which keys there are and what stands behind each.
+
+Enters: the plain data of a TOML file.  Leaves: a checked `VariantFile`, or pydantic's list of faults.
+The only room that knows pydantic; `variants/variant.schema.json` is made from it.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, StringConstraints
+
+Text = Annotated[str, StringConstraints(max_length=2000)]
+Short = Annotated[str, StringConstraints(max_length=300)]
+Name = Annotated[str, StringConstraints(max_length=40, min_length=1)]
+Value = Annotated[Text | int | float, Field(description='"value unit", such as "0.953 m", or a bare number in SI')]
+
+
+class _Section(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True, strict=True)
+
+
+class Pieces(_Section):
+    """A drive or function given piece by piece; the integration is split at the times between them."""
+
+    pieces: Annotated[list[tuple[Value, Text]], Field(min_length=1, max_length=200)]
+
+
+class Table(_Section):
+    """A law given as a table of two columns in a CSV file inside the variant's folder."""
+
+    table: Short
+    of: Name
+    method: Literal["five-point", "spline"] = "five-point"
+
+
+class Coordinate(_Section):
+    """What the scheme integrates: value at t = 0 and the name of its rate."""
+
+    start: Value | None = None
+    rate: Name
+    unit: Literal["rad", "m"] | None = None
+
+
+class Time(_Section):
+    """Step, end, period of the exact motion and the row of the graph-analytical check."""
+
+    step: Value
+    end: Value
+    period: Value | None = None
+    check_row: Annotated[int, Field(ge=1)] | None = None
+
+
+class Constraint(_Section):
+    """One constraint: a velocity `equation`, or a position `closure`, with the reason for it."""
+
+    name: Annotated[Name | int, Field(description="the number or name the equation is cited by")] = ""
+    because: Short = ""
+    equation: Text | None = None
+    closure: Text | None = None
+
+
+class Guide(_Section):
+    """A straight guide: a point of it, its angle, the offset of the pin from it."""
+
+    through: Text
+    angle: Value
+    offset: Value = 0
+
+
+class Group(_Section):
+    """One Assur group of a chain, or its crank."""
+
+    kind: Literal["crank", "RRR", "RRP", "RPR", "RPP", "PRP"]
+    start_points: Annotated[list[Text], Field(alias="from", max_length=2)] = []
+    meets: Name | None = None
+    lengths: Annotated[list[Value], Field(max_length=2)] = []
+    coordinates: Annotated[list[Name], Field(min_length=1, max_length=2)]
+    mode: Literal["+1", "-1", "1", 1, -1] | None = None
+    guide: Guide | None = None
+    guides: Annotated[list[Guide], Field(max_length=2)] = []
+    offset: Value | None = None
+    angle: Value | None = None
+
+
+class Link(_Section):
+    """A rigid body: its points and angular velocity; or a wheel with its contact."""
+
+    points: list[Name] = []
+    rate: Name | None = None
+    wheel: Name | None = None
+    contact: Name | None = None
+
+
+class Rail(_Section):
+    """A straight guide fixed to the frame."""
+
+    through: Text
+    angle: Value
+
+
+class Circle(_Section):
+    """A fixed cylinder that a wheel rolls on."""
+
+    center: Text
+    radius: Value
+
+
+class Frame(_Section):
+    """The fixed link."""
+
+    hinges: list[Name] = []
+    rails: list[Rail] = []
+    circles: list[Circle] = []
+
+
+class Closure(_Section):
+    """The position form of the same constraints: what the exact motion keeps."""
+
+    driven: Name | None = None
+    holds: Annotated[list[Text], Field(max_length=200)] = []
+
+
+class Ask(_Section):
+    """What this scene calls for; nothing else is computed."""
+
+    quantities: Annotated[list[Name], Field(max_length=50)] = []
+
+
+class VariantFile(_Section):
+    """A variant of the coursework: what the mechanism is, in the words of the task sheet."""
+
+    format: Literal[1] = 1
+    title: Short = ""
+    source: Short = ""
+    teaches: Short = ""
+    given: dict[Name, Value] = {}
+    drive: dict[Name, Value | Pieces] = {}
+    coordinates: Annotated[dict[Name, Coordinate], Field(min_length=1, max_length=200)]
+    unknowns: dict[Name, Short] = {}
+    functions: dict[Name, Text | Pieces | Table] = {}
+    time: Time
+    constraint: Annotated[list[Constraint], Field(max_length=400)] = []
+    group: Annotated[list[Group], Field(max_length=50)] = []
+    points: Annotated[dict[Name, Text], Field(max_length=400)] = {}
+    links: dict[Name, Link] = {}
+    frame: Frame = Frame()
+    closure: Closure = Closure()
+    ask: Ask = Ask()
+
+
+def json_schema() -> dict[str, Any]:
+    """Return the JSON schema that editors read from `variants/variant.schema.json`."""
+    schema = VariantFile.model_json_schema(by_alias=True)
+    schema["$schema"] = "https://json-schema.org/draft/2020-12/schema"
+    schema["title"] = "Variant of a mechanism coursework"
+    return schema
