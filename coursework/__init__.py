@@ -15,15 +15,16 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from coursework import groups
+    from coursework.api import exact, load, solve
     from coursework.errors import CourseworkError, InputError, OutputError
     from coursework.report import write_report
-    from coursework.run import Run, exact, load, solve
+    from coursework.run import Run
     from coursework.variant.record import Variant
 
 __version__ = "1.0.0"
 
 _HOMES = {
-    "load": "coursework.run", "solve": "coursework.run", "exact": "coursework.run", "Run": "coursework.run",
+    "load": "coursework.api", "solve": "coursework.api", "exact": "coursework.api", "Run": "coursework.run",
     "write_report": "coursework.report", "Variant": "coursework.variant.record",
     "CourseworkError": "coursework.errors", "InputError": "coursework.errors", "OutputError": "coursework.errors",
 }  # fmt: skip

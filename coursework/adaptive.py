@@ -51,7 +51,7 @@ def dormand_prince(field: Field, at: float, state: Array, slope: Array, length: 
 
 def next_length(length: float, ratio: float) -> float:
     """Return the next step length from the ratio error/tolerance of the last one."""
-    return length * min(4.0, max(0.2, 0.9 * max(ratio, 1e-10) ** -0.2))
+    return float(length * min(4.0, max(0.2, 0.9 * max(ratio, 1e-10) ** -0.2)))
 
 
 def integrate_adaptive(field: Field, state: Array, times: Array, tolerance: float) -> tuple[Array, int]:

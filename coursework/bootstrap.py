@@ -39,9 +39,6 @@ def prepare(extra: str) -> Path:
 
 def main(arguments: list[str]) -> int:
     """Prepare, then run a command of `coursework`, or the tests."""
-    if sys.version_info < (3, 11):
-        print("coursework needs Python 3.11 or newer; this is " + sys.version.split()[0])
-        return 2
     if not arguments:
         print(__doc__)
         return 2

@@ -240,6 +240,6 @@ def _adjugate(matrix: Array) -> Array:
 
 def _solve(matrix: Array, right: Array) -> Array:
     if len(matrix) == 1:
-        return right / matrix[0, 0]
+        return np.asarray(right / matrix[0, 0])
     determinant = _determinant(matrix)
     return np.asarray(_adjugate(matrix) @ right / determinant if len(matrix) == 2 else np.linalg.solve(matrix, right))

@@ -5,6 +5,7 @@ Enters: a scene.  Leaves: a `Motion` on the coursework's own rows, labelled with
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -119,9 +120,9 @@ def refine(rates: Rates, start: Sequence[float], times: Array, split: Sequence[f
 def _march(loop: Callable[..., tuple[float, ...]], start: Array, times: Array, substeps: int, split: Sequence[float]) -> Array:
     rows = [start]
     q = start.tolist()
-    for begin, end in zip(times, times[1:], strict=False):
+    for begin, end in itertools.pairwise(times):
         edges = [float(begin), *[b for b in split if begin < b < end], float(end)]
-        for a, b in zip(edges, edges[1:], strict=False):
+        for a, b in itertools.pairwise(edges):
             q = list(loop(a, substeps, (b - a) / substeps, *q))
         rows.append(np.array(q))
     return np.array(rows)

@@ -62,7 +62,7 @@ def march(
     last = whole_steps(step, end)
     if stop is not None:
         last = min(last, int(np.floor(stop.time / step * (1 + 1e-12))))
-    times = np.arange(last + 1) * step
+    times: Array = np.arange(last + 1).astype(np.float64) * step
     targets = correction.closure.targets(times) if correction and correction.closure else None
     q = np.array(start, dtype=float)
     rows: list[tuple[float, ...]] = []

@@ -152,9 +152,7 @@ def _later(group: Group, written: dict[str, Formula], known: set[str], variant: 
         seen.add(name)
         if name in written:
             todo.extend(written[name].names())
-        elif name in coordinates and name not in known:
-            return name
-        elif any(name == other.meets for other in variant.groups):
+        elif (name in coordinates and name not in known) or any(name == other.meets for other in variant.groups):
             return name
     return ""
 

@@ -31,9 +31,12 @@ from coursework.settings import Settings
 from coursework.variant.record import Variant, whole_steps
 
 if TYPE_CHECKING:
+    from coursework.checks.evidence import Evidence
     from coursework.checks.result import Check
+    from coursework.kinematics.extra import ExtraTable
 
 Array = NDArray[np.float64]
+Budget = tuple[tuple[str, str, float, float, float, float], ...]
 # A periodic motion that lasts for many periods is looked at for dead points over the first two.
 PERIODS_LOOKED_AT = 2.2
 
@@ -163,7 +166,7 @@ def exact(
     last = whole_steps(time.step, time.end)
     if stop is not None:
         last = min(last, max(0, int(np.floor(stop.time / time.step * (1 - 1e-12)))))
-    times = np.arange(last + 1) * time.step
+    times: Array = np.arange(last + 1).astype(np.float64) * time.step
     every = compile_rates(equations, reduction)
     if stop is not None and stop.time <= 0:
         times = times[:0]
@@ -204,15 +207,22 @@ def checks(
 ) -> tuple[Check, ...]:  # fmt: skip
     """The checks of the page."""
     from coursework.checks.check import check_motion
+
+    return check_motion(_evidence(variant, equations, motion, half, exact, wide, closure, reduction))
+
+
+def _evidence(
+    variant: Variant, equations: VelocityEquations, motion: Motion, half: Motion | None, exact: Motion, wide: Array | None,
+    closure: Closure | None, reduction: Reduction,
+) -> Evidence:  # fmt: skip
     from coursework.checks.evidence import Evidence
     from coursework.drive import fastest, is_sinusoidal
 
     known = exact if len(exact.t) == len(motion.t) else None
-    evidence = Evidence(
+    return Evidence(
         variant, equations, motion, half, known, wide, closure, reduction.used,
         fastest(equations), is_sinusoidal(equations),
     )  # fmt: skip
-    return check_motion(evidence)
 
 
 def table(motion: Motion) -> Motion:
@@ -246,13 +256,61 @@ def point_accelerations(equations: VelocityEquations, motion: Motion, accelerati
     return point_rows(equations, motion, accelerations)
 
 
+def exact_accelerations(equations: VelocityEquations, reduction: Reduction, exact: Motion) -> Array:
+    """The accelerations of the exact rows."""
+    from coursework.kinematics.accelerations import accelerations as compute
+
+    return compute(equations, reduction, exact)
+
+
+def analogs(variant: Variant, exact: Motion, exact_accelerations: Array) -> ExtraTable:
+    """Velocity and acceleration analogs of a crank-driven mechanism."""
+    from coursework.kinematics.extra import analog_table
+
+    return analog_table(variant, exact, exact_accelerations)
+
+
+def invariants(variant: Variant, exact: Motion, exact_accelerations: Array) -> ExtraTable:
+    """The invariants a_k, b_k, c_k of the slider."""
+    from coursework.kinematics.extra import invariant_table
+
+    return invariant_table(variant, exact, exact_accelerations)
+
+
+def accuracy(
+    variant: Variant, rates: Rates, start: list[float], closure: Closure | None, exact: Motion, stop: Stop | None,
+    settings: Settings, budget: Budget,
+) -> Any:  # fmt: skip
+    """What accuracy costs in evaluations: every scheme, projections, an adaptive pair, the exact closure (not timed)."""
+    from coursework.accuracy.methods import Scene
+    from coursework.accuracy.study import make_study
+
+    if stop is not None or settings.columns:
+        return None
+    scene = Scene(rates, start, variant.time.step, len(exact.t) - 1, closure)
+    return make_study(scene, exact, budget, settings.scheme)
+
+
+def budget(
+    variant: Variant, equations: VelocityEquations, motion: Motion, half: Motion | None, exact: Motion, wide: Array | None,
+    closure: Closure | None, reduction: Reduction,
+) -> Budget:  # fmt: skip
+    """Last row minus first row of every coordinate: scheme error + period mismatch + round-off."""
+    from coursework.checks.period import mismatch
+
+    evidence = _evidence(variant, equations, motion, half, exact, wide, closure, reduction)
+    splits = mismatch(evidence) or ()
+    return tuple((s.name, s.unit, s.total, s.scheme, s.period, s.roundoff) for s in splits if s.name in motion.coordinate_names)
+
+
 QUANTITIES: dict[str, Any] = {
     rule.__name__: rule
     for rule in (
         mechanism, equations, start, closure, reduction, rates, flow, event, stop, motion, table, half, exact, wide, checks,
-        plots, accelerations, points, point_accelerations,
+        plots, accelerations, points, point_accelerations, exact_accelerations, analogs, invariants,
+        budget, accuracy,
     )
 }  # fmt: skip
 # What a file or a user may ask for by name; the others are steps on the way.
-ASKABLE = ("table", "plots", "checks", "accelerations", "points")
+ASKABLE = ("table", "plots", "checks", "accelerations", "points", "analogs", "invariants", "accuracy")
 DEFAULT = ("table", "plots", "checks")

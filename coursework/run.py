@@ -1,6 +1,6 @@
 """One run of one variant: what was asked for, computed when it is looked at.
 
-Enters: a `Variant` and settings.  Leaves: `Run`.  `load`, `solve` and `exact` are what `import coursework` offers.
+Enters: a `Variant` and settings, from `api.py`.  Leaves: `Run`, which table, report and command line read.
 """
 
 from __future__ import annotations
@@ -8,25 +8,37 @@ from __future__ import annotations
 import platform
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from coursework.catalogue import find
-from coursework.errors import InputError
+from coursework.formula import Formula
 from coursework.graph import Plan, Values, make_plan
 from coursework.motion import Motion, Stop
-from coursework.quantities import ASKABLE, DEFAULT, QUANTITIES
+from coursework.quantities import QUANTITIES
+from coursework.reduction import Reduction
 from coursework.schemes import SCHEMES
 from coursework.settings import Settings
-from coursework.variant.reader import MAX_ROWS, read_variant
 from coursework.variant.record import Variant
 
 if TYPE_CHECKING:
     import pandas as pd
 
+    from coursework.accuracy.study import AccuracyStudy
     from coursework.checks.result import Check
+    from coursework.kinematics.extra import ExtraTable
+
+
+@dataclass(frozen=True, slots=True)
+class ShownEquation:
+    """A velocity equation as a page shows it; `derived` from positions; not `used`: redundant, kept as a check."""
+
+    name: str
+    because: str
+    left: Formula
+    right: Formula
+    derived: bool
+    used: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,6 +98,78 @@ class Run:
         return gather(self.motion, self.asked, self.values)
 
     @property
+    def equations(self) -> tuple[ShownEquation, ...]:
+        """Return the velocity equations as a page shows them."""
+        used = self.reduction.used
+        return tuple(
+            ShownEquation(e.name, e.because, e.left, e.right, e.derived, e.name in used)
+            for e in self.values["equations"].equations
+        )
+
+    @property
+    def reduction(self) -> Reduction:
+        """Return the blocks in the order of solution."""
+        reduction: Reduction = self.values["reduction"]
+        return reduction
+
+    @property
+    def scheme(self) -> str:
+        """Return the name of the scheme."""
+        return self.settings.scheme
+
+    @property
+    def scheme_title(self) -> str:
+        """Return the scheme's name in words."""
+        return SCHEMES[self.settings.scheme].title
+
+    @property
+    def scheme_order(self) -> int:
+        """Return the scheme's order of accuracy."""
+        return SCHEMES[self.settings.scheme].order
+
+    @property
+    def step(self) -> float:
+        """Return the step (s)."""
+        return self.variant.time.step
+
+    @property
+    def end(self) -> float:
+        """Return the end of the run (s)."""
+        return self.variant.time.end
+
+    @property
+    def extra_tables(self) -> dict[str, ExtraTable]:
+        """Return the tables asked for beside the results table."""
+        from coursework.kinematics.extra import ExtraTable
+
+        tables: dict[str, ExtraTable] = {}
+        motion = self.motion
+        if "accelerations" in self.asked:
+            names = tuple(f"d{name}" for name in motion.velocity_names)
+            units = tuple(f"{self.variant.unit_of(name)}²".replace("/s²", "/s²") for name in motion.velocity_names)
+            rows = np.column_stack([motion.t, self.values["accelerations"]])
+            tables["accelerations"] = ExtraTable("Accelerations", ("t", *names), ("s", *units), rows)
+        if "points" in self.asked:
+            names, found = self.values["point_accelerations" if "accelerations" in self.asked else "points"]
+            units = tuple({"v": "m/s", "a": "m/s²"}.get(name.partition(".")[2][0], "m") for name in names)
+            tables["points"] = ExtraTable("Points", ("t", *names), ("s", *units), np.column_stack([motion.t, found]))
+        for name in ("analogs", "invariants"):
+            if name in self.asked:
+                tables[name] = self.values[name]
+        return tables
+
+    @property
+    def accuracy(self) -> AccuracyStudy | None:
+        """Return the study of accuracy against cost, None where it was not asked for."""
+        study: AccuracyStudy | None = self.values["accuracy"] if "accuracy" in self.asked else None
+        return study
+
+    @property
+    def graph(self) -> None:
+        """Return the graph-analytical check."""
+        return None
+
+    @property
     def plan(self) -> Plan:
         """Return what is computed for the asked quantities and what is left out."""
         return make_plan(QUANTITIES, wanted(self.asked), ("variant", "settings"))
@@ -133,77 +217,3 @@ def gather(motion: Motion, asked: Iterable[str], values: Mapping[str, Any] | Val
         names += more
         rows.append(found)
     return names, np.hstack(rows)
-
-
-def load(path_or_name: str | Path) -> Variant:
-    """Return the variant of a file or of the catalogue.  Raises `InputError` with every fault."""
-    return read_variant(find(path_or_name))
-
-
-def solve(
-    variant: Variant | str | Path,
-    scheme: str = "euler",
-    step: float | None = None,
-    end: float | None = None,
-    *,
-    quantities: Iterable[str] | None = None,
-    project: int = 0,
-    gain: float = 0.0,
-    student: str | None = None,
-    group: str | None = None,
-    date: str | None = None,
-) -> Run:
-    """Return a run of a variant.
-
-    `scheme` one of `SCHEMES`; `step` and `end` in s (those of the file where None); `quantities` asked for (those of the
-    file where None; names of columns restrict the table to them); `project` Newton corrections a step; `gain` of
-    Baumgarte's correction in 1/s.  Raises `InputError`.
-    """
-    chosen = load(variant) if isinstance(variant, (str, Path)) else variant
-    chosen = _timed(chosen, step, end)
-    asked, columns = _sorted(chosen, quantities)
-    settings = Settings(scheme, project, gain, columns).checked(chosen.time.step)
-    values = Values(QUANTITIES, {"variant": chosen, "settings": settings})
-    return Run(chosen, settings, asked, values, student, group, date)
-
-
-def exact(
-    variant: Variant | str | Path, step: float | None = None, end: float | None = None, *, quantities: Iterable[str] | None = None
-) -> pd.DataFrame:
-    """Return the table of the exact motion (index t), with the same columns as `solve(variant).table`."""
-    import pandas as pd
-
-    run = solve(variant, step=step, end=end, quantities=quantities)
-    motion = run.exact
-    # The quantities of a motion do not care which motion it is: they are computed for the exact rows here.
-    values = Values(QUANTITIES, {**run.values.values, "motion": motion})
-    names, rows = gather(motion, run.asked, values)
-    return pd.DataFrame(rows, index=pd.Index(motion.t, name="t"), columns=list(names))
-
-
-def _timed(variant: Variant, step: float | None, end: float | None) -> Variant:
-    h = step if step is not None else variant.time.step
-    last = end if end is not None else variant.time.end
-    if not (np.isfinite(h) and h > 0):
-        raise InputError(f"the step must be greater than 0, found {h:g} s.")
-    if not (np.isfinite(last) and last >= h * (1 - 1e-9)):
-        raise InputError(f"the end ({last:g} s) must be at least one step ({h:g} s).")
-    if last / h > MAX_ROWS:
-        raise InputError(f"{last / h:.3g} rows are asked for; at most {MAX_ROWS} are computed. Take a larger step.")
-    return variant.timed(h, last)
-
-
-def _sorted(variant: Variant, quantities: Iterable[str] | None) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Split what is asked for into quantities and columns of the table."""
-    listed = tuple(quantities) if quantities is not None else variant.ask or DEFAULT
-    columns = tuple(name for name in listed if name in variant.columns)
-    asked = tuple(name for name in listed if name not in columns)
-    unknown = [name for name in asked if name not in ASKABLE]
-    if unknown:
-        from coursework.errors import closest
-
-        known = ", ".join(ASKABLE)
-        raise InputError(
-            f'there is no quantity "{unknown[0]}".{closest(unknown[0], [*ASKABLE, *variant.columns])} Known: {known}.'
-        )
-    return asked or ("table",), columns

@@ -16,24 +16,24 @@ StepFunction = Callable[[Slopes, Any, Any, Any], Any]
 
 
 def euler(f: Slopes, t: Any, q: Any, h: Any) -> Any:
-    """q + h f(t, q)."""
+    """Q + h f(t, q)."""
     return q + h * f(t, q)
 
 
 def midpoint(f: Slopes, t: Any, q: Any, h: Any) -> Any:
-    """q + h f(t + h/2, q + h/2 f(t, q))."""
+    """Q + h f(t + h/2, q + h/2 f(t, q))."""
     return q + h * f(t + h / 2, q + h / 2 * f(t, q))
 
 
 def heun(f: Slopes, t: Any, q: Any, h: Any) -> Any:
-    """q + h/2 (k1 + k2), k1 = f(t, q), k2 = f(t + h, q + h k1)."""
+    """Q + h/2 (k1 + k2), k1 = f(t, q), k2 = f(t + h, q + h k1)."""
     k1 = f(t, q)
     k2 = f(t + h, q + h * k1)
     return q + h / 2 * (k1 + k2)
 
 
 def rk4(f: Slopes, t: Any, q: Any, h: Any) -> Any:
-    """q + h/6 (k1 + 2 k2 + 2 k3 + k4), the classical scheme of Runge and Kutta."""
+    """Q + h/6 (k1 + 2 k2 + 2 k3 + k4), the classical scheme of Runge and Kutta."""
     k1 = f(t, q)
     k2 = f(t + h / 2, q + h / 2 * k1)
     k3 = f(t + h / 2, q + h / 2 * k2)

@@ -49,7 +49,7 @@ class Symbols:
             return sp.Function(f"table_{law.name}_0")(symbol(law.of))
         if law.pieces:
             branches = [
-                (self.scalar(formula), TIME < sp.Float(later[0]))
+                (self.scalar(formula), sp.Float(later[0]) > TIME)
                 for (_, formula), later in zip(law.pieces, law.pieces[1:], strict=False)
             ]
             return sp.Piecewise(*branches, (self.scalar(law.pieces[-1][1]), True))

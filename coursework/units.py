@@ -65,7 +65,7 @@ def read(text: str | int | float) -> Quantity:
 def is_quantity(text: str) -> bool:
     """Return whether `text` looks like "value unit" and not like a formula."""
     match = _VALUE.match(text)
-    return bool(match) and not set((match["unit"] or "").replace("1/s", "").replace("/s", "")) & set("+*()")
+    return match is not None and not set((match["unit"] or "").replace("1/s", "").replace("/s", "")) & set("+*()")
 
 
 def _known() -> str:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.checks.evidence import Evidence
-from coursework.checks.result import Check
+from coursework.checks.result import Check, Verdict
 from coursework.system import compile_system
 
 # Relative to the sum of the absolute terms of the equation: some hundred roundings, far below any slip of a hand.
@@ -18,14 +18,14 @@ def initial(evidence: Evidence) -> Check:
     names, relative = residuals(evidence)
     worst = int(np.argmax(relative[0]))
     value = float(relative[0, worst])
-    verdict = "PASS" if value <= LIMIT else "FAIL"
+    verdict: Verdict = "PASS" if value <= LIMIT else "FAIL"
     count = len(names)
     sentence = (
         f"All {count} equations hold at t = 0; the largest residual is that of equation {names[worst]}."
         if verdict == "PASS"
         else f"Equation {names[worst]} is not satisfied by the velocities of row 1."
     )
-    return Check("INITIAL", "First row", verdict, sentence, value, LIMIT, "of the equation's largest term")
+    return Check("INITIAL", "First row", verdict, sentence, value, LIMIT, "relative")
 
 
 def every_row(evidence: Evidence) -> Check:
@@ -39,9 +39,9 @@ def every_row(evidence: Evidence) -> Check:
     rows = tuple((f"{names[place]} (not used): largest", float(np.max(relative[:, place])), "relative") for place in others)
     if value <= LIMIT:
         sentence = f"Every equation holds in each of the {len(relative)} rows."
-        return Check("RESIDUAL", "Every row", "PASS", sentence, value, LIMIT, "of the equation's largest term", rows)
+        return Check("RESIDUAL", "Every row", "PASS", sentence, value, LIMIT, "relative", rows)
     sentence = f"Equation {name} is not satisfied in row {row + 1} (t = {evidence.motion.t[row]:.6g} s)."
-    return Check("RESIDUAL", "Every row", "FAIL", sentence, value, LIMIT, "of the equation's largest term", rows)
+    return Check("RESIDUAL", "Every row", "FAIL", sentence, value, LIMIT, "relative", rows)
 
 
 def residuals(evidence: Evidence) -> tuple[tuple[str, ...], NDArray[np.float64]]:

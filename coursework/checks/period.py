@@ -62,7 +62,10 @@ def mismatch(evidence: Evidence) -> tuple[Split, ...] | None:
     )  # fmt: skip
     limit = limit + np.abs(period) + _ROUND_OFF * (1 + np.max(np.abs(rows), axis=0))
     columns = zip(motion.names, total, scheme, period, roundoff, limit, turns, strict=True)
-    return tuple(Split(name, evidence.unit(name), *map(float, (a, b, c, d, e)), int(k)) for name, a, b, c, d, e, k in columns)
+    return tuple(
+        Split(name, evidence.unit(name), float(a), float(b), float(c), float(d), float(e), int(k))
+        for name, a, b, c, d, e, k in columns
+    )
 
 
 def _exact_part(evidence: Evidence, row: int, turns: Array) -> Array | None:
@@ -140,6 +143,6 @@ def assembly(evidence: Evidence) -> Check:
     if len(changed):
         row = int(changed[0][0])
         sentence = f"A determinant changes its sign at row {row + 1}: the rows from there belong to another assembly."
-        return Check("PERIOD-ASSEMBLY", "Period, assembly", "FAIL", sentence, smallest, None, "of its largest value")
+        return Check("PERIOD-ASSEMBLY", "Period, assembly", "FAIL", sentence, smallest, None, "relative")
     sentence = "Every determinant keeps its sign: one assembly over the whole run. The value is the smallest determinant met."
-    return Check("PERIOD-ASSEMBLY", "Period, assembly", "PASS", sentence, smallest, None, "of its largest value")
+    return Check("PERIOD-ASSEMBLY", "Period, assembly", "PASS", sentence, smallest, None, "relative")

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import click
 
+from coursework.api import load, solve
 from coursework.errors import listing
 from coursework.formula import spelled
-from coursework.run import Run, load, solve
+from coursework.run import Run
 
 
 def check_variant(variant: str) -> int:

@@ -7,9 +7,10 @@ from typing import Any
 
 import click
 
+from coursework.api import load, solve
 from coursework.errors import InputError, closest
 from coursework.output import write_record, write_table
-from coursework.run import Run, load, solve
+from coursework.run import Run
 from coursework.schemes import SCHEMES
 
 FORMATS = ("html", "pdf", "csv")

@@ -85,7 +85,8 @@ def metres(value: float) -> str:
 
 def refuse(group: str, rows: tuple[int, ...], found: str, verdict: str, shortage: float) -> CannotAssemble:
     """Return the error for a group that does not close: what the first failing row shows, and the verdict."""
-    others = f" So do {len(rows) - 1} later rows." if len(rows) > 1 else ""
+    more = len(rows) - 1
+    others = "" if not more else " So does 1 later row." if more == 1 else f" So do {more} later rows."
     return CannotAssemble(f"{group} cannot be assembled at row {rows[0]}: {found}; {verdict}.{others}", rows, shortage)
 
 
@@ -133,7 +134,7 @@ def numbers(what: str, value: ArrayLike, *, positive: bool = False) -> Array:
     except ValueError:  # rows of different lengths
         raise ValueError(f"{what}: one number, or one number a row, was expected, found {value!r}.") from None
     if raw.dtype.kind not in "iuf":  # text that looks like a number is refused too: it has not been read yet
-        entries = list(value) if isinstance(value, (list, tuple)) else list(raw.flat)
+        entries = list(value) if isinstance(value, (list, tuple)) else raw.tolist()
         row = next((row for row, entry in enumerate(entries) if not isinstance(entry, (int, float))), 0)
         place = f" at row {row}" if len(entries) > 1 else ""
         raise ValueError(f"{what}: a number was expected, found {entries[row]!r}{place}.")

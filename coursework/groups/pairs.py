@@ -20,9 +20,12 @@ STILL = (0.0, 0.0)
 def _plane_rows(what: str, value: ArrayLike) -> Array:
     """Return a private, read-only copy of `value`, (n, 2) or (2,); raise `ValueError` for anything else."""
     try:
-        rows = np.array(value, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise ValueError(f"{what}: numbers were expected, found {value!r}.") from None
+        raw = np.array(value)
+    except ValueError:  # rows of different lengths
+        raise ValueError(f"{what}: rows of (x, y) were expected, found {value!r}.") from None
+    if raw.dtype.kind not in "iuf":
+        raise ValueError(f"{what}: numbers were expected, found {value!r}.")
+    rows = raw.astype(np.float64)
     if rows.ndim not in (1, 2) or rows.shape[-1] != 2:
         raise ValueError(f"{what}: (x, y) or rows of it, shape (n, 2), were expected, found shape {rows.shape}.")
     finite = np.isfinite(rows)

@@ -6,6 +6,6 @@ Enters: a `Run`.  Leaves: files.  Used by the command line, the notebook and the
 from coursework.report.html import render_html
 from coursework.report.model import ReportModel, build_model
 from coursework.report.pdf import render_pdf
-from coursework.report.write import write_bytes, write_report
+from coursework.report.write import write_report
 
-__all__ = ["ReportModel", "build_model", "render_html", "render_pdf", "write_bytes", "write_report"]
+__all__ = ["ReportModel", "build_model", "render_html", "render_pdf", "write_report"]

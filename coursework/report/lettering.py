@@ -39,6 +39,8 @@ _RUN = re.compile(
 )
 ITALIC = ("\ue000", "\ue001")  # around a letter of our own words; `clean` removes both from all other text
 _RAISED = re.compile("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]")
+_NAMELIKE = re.compile(r"\d|(?<=.)[A-Z]")  # w3, VMx: no word of a sentence looks like that
+_TIMES = re.compile(r"(?<=[\w)])\*(?=[\w(])")
 _PLAIN_DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "01234567890123456789−")
 
 
@@ -70,7 +72,8 @@ def numeral(text: str) -> str | list[Run]:
 
 
 def _spelt(text: str, names: Iterable[str]) -> str:
-    sure = {name for name in names if len(name) > 1 and (name in GREEK or any(letter.isdigit() for letter in name))}
+    text = _TIMES.sub("·", text)
+    sure = {name for name in names if len(name) > 1 and (name in GREEK or _NAMELIKE.search(name))}
     if not sure:
         return text
     pattern = "|".join(sorted(map(re.escape, sure), key=len, reverse=True))

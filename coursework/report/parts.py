@@ -98,7 +98,10 @@ class Figure:
 
 @dataclass(frozen=True, slots=True)
 class Judged:
-    """One check: a mark and a word for the verdict, what was found, value and limit, further lines."""
+    """One check: a mark and a word for the verdict, what was found, value and limit, further lines under `heads`.
+
+    `unit` is one too long to stand behind the number.
+    """
 
     mark: str
     verdict: str
@@ -107,7 +110,9 @@ class Judged:
     sentence: Runs
     value: Cell
     limit: Cell
-    rows: list[tuple[Runs, Cell]]
+    unit: str
+    heads: list[str]
+    lines: list[list[Cell]]
 
 
 @dataclass(frozen=True, slots=True)

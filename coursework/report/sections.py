@@ -7,10 +7,10 @@ give it a title in `reports/words.en.toml`; it appears in its place, in HTML and
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 
-from coursework.checks.result import Check
 from coursework.report.accuracy import accuracy
+from coursework.report.checks import checks, counts
 from coursework.report.derivation import constraints, derivation, drive
 from coursework.report.desk import Desk
 from coursework.report.figures import true_to_scale
@@ -20,12 +20,10 @@ from coursework.report.numbers import with_unit
 from coursework.report.parts import (
     Bullets,
     Cell,
-    Checks,
     Column,
     Display,
     Equations,
     Facts,
-    Judged,
     Paragraph,
     Part,
     Runs,
@@ -33,10 +31,9 @@ from coursework.report.parts import (
     Table,
 )
 from coursework.report.plots import plots
-from coursework.report.tables import extra_parts, motion_parts, row_at, thinned
+from coursework.report.tables import extra_parts, motion_parts, row_at
 
 STOP_DIGITS = 8  # a dead point is located to 1e-8 s
-CHECK_LINES = 30  # further lines of one check; more are thinned
 
 Writer = Callable[[Desk], list[Part]]
 
@@ -78,15 +75,6 @@ def _result(desk: Desk) -> str:
     return say("result.stopped", time=time, kind=clean(run.stop.kind), **values)
 
 
-def counts(desk: Desk) -> str:
-    """Return "7 checks passed, 1 check failed"."""
-    verdicts = [check.verdict for check in desk.run.checks]
-    if set(verdicts) == {"PASS"}:
-        return desk.words.count("count.all_passed", len(verdicts))
-    kinds = [kind for kind in ("PASS", "FAIL", "SKIP", "ERROR") if kind in verdicts]
-    return ", ".join(desk.words.count(f"count.{kind}", verdicts.count(kind)) for kind in kinds)
-
-
 def given(desk: Desk) -> list[Part]:
     """The data of the task sheet as written and in SI, the start, the times."""
     variant, say, numbers = desk.run.variant, desk.words, desk.numbers
@@ -97,7 +85,7 @@ def given(desk: Desk) -> list[Part]:
     for c in variant.coordinates:
         head = desk.symbol_runs([c.name], say("given.at_start"))
         if c.start is None:
-            rows.append([head, say("given.from_groups"), desk.quantity(float(desk.run.motion.column(c.name)[0]), c.unit)])
+            rows.append([head, say("given.from_groups"), _first(desk, c.name, c.unit)])
         else:
             rows.append([head, with_unit(_written(c.text), c.written), desk.quantity(c.start, c.unit)])
     columns = [Column(desk.say(f"given.{key}"), words=key == "quantity") for key in ("quantity", "written", "si")]
@@ -110,6 +98,13 @@ def given(desk: Desk) -> list[Part]:
         when = desk.quantity((time.check_row - 1) * time.step, "s")
         sentences.append(say("given.check_row", row=time.check_row, time=when))
     return [Table(columns, rows, caption), Paragraph(runs(" ".join(sentences)))]
+
+
+def _first(desk: Desk, name: str, unit: str) -> str:
+    """Return a coordinate of the first row; a restricted table may not have it."""
+    motion = desk.run.motion
+    known = name in motion.coordinate_names and len(motion.t) > 0
+    return desk.quantity(float(motion.column(name)[0]), unit) if known else desk.words("none")
 
 
 def _written(text: str) -> str:
@@ -127,15 +122,12 @@ def dead_point(desk: Desk) -> list[Part]:
     if stop is None:
         return []
     time = desk.quantity(stop.time, "s", STOP_DIGITS)
-    units = {c.name: c.unit for c in desk.run.variant.coordinates}
     facts = [(say("stop.row"), runs(row_at(desk, stop.row)))]
     if stop.block:
         facts.append((say("stop.block"), desk.symbol_runs(stop.block)))
     if stop.coordinates:
-        parts = [
-            f"{desk.symbol(name).text} = {desk.quantity(value, units.get(name, ''))}" for name, value in stop.coordinates.items()
-        ]
-        facts.append((say("stop.configuration"), runs(", ".join(parts))))
+        facts.append((say("stop.configuration"), runs(_values(desk, stop.coordinates))))
+    facts += [(say("stop.branches"), runs(_values(desk, branch))) for branch in stop.branches]
     facts += [(say(f"stop.{key}"), desk.rich(text)) for key, text in (("cause", stop.cause), ("meaning", stop.meaning)) if text]
     kept = say("stop.kept", row=len(desk.run.motion.t))
     kind = clean(stop.kind)
@@ -143,29 +135,9 @@ def dead_point(desk: Desk) -> list[Part]:
     return [Paragraph(runs(kept), "callout", lead), Facts(facts)]
 
 
-def checks(desk: Desk) -> list[Part]:
-    """Every check with its verdict in a mark and a word."""
-    if not desk.run.checks:
-        return []
-    heads = [desk.words(f"checks.{key}") for key in ("verdict", "check", "value", "limit")]
-    total = counts(desk)
-    lead = Paragraph(runs(f"{total[:1].upper()}{total[1:]}."))
-    return [lead, Checks(heads, [_judged(desk, check) for check in desk.run.checks])]
-
-
-def _judged(desk: Desk, check: Check) -> Judged:
-    numbers = desk.numbers
-    lines = [check.rows[index] for index in thinned(len(check.rows), most=CHECK_LINES)]
-    return Judged(
-        mark=desk.words(f"checks.mark.{check.verdict}"),
-        verdict=desk.words(f"checks.word.{check.verdict}"),
-        code=clean(check.code),
-        title=desk.rich(check.title),
-        sentence=desk.rich(check.sentence),
-        value=numeral(with_unit(numbers.scalar(check.value), check.unit)),
-        limit=numeral(with_unit(numbers.limit(check.limit), check.unit)),
-        rows=[(desk.rich(label), numeral(with_unit(numbers.scalar(value), unit))) for label, value, unit in lines],
-    )
+def _values(desk: Desk, values: Mapping[str, float]) -> str:
+    unit_of = desk.run.variant.unit_of
+    return ", ".join(f"{desk.symbol(name).text} = {desk.quantity(value, unit_of(name))}" for name, value in values.items())
 
 
 def graph_check(desk: Desk) -> list[Part]:
@@ -199,6 +171,11 @@ def method(desk: Desk) -> list[Part]:
         say("method.meaning", coordinates=desk.symbol_list(coordinates), rates=desk.symbol_list(rates)),
         say("method.time", step=desk.quantity(run.step, "s"), evaluations=desk.numbers.whole(run.motion.evaluations)),
     ]
+    if run.project:
+        sentences.append(say.count("method.project", run.project))
+    if run.gain:
+        product = desk.numbers.plain(run.gain * run.step)
+        sentences.append(say("method.gain", gain=desk.quantity(run.gain, "1/s"), product=product))
     if run.exact is not None:
         label = run.exact.label or say("plots.exact_label")
         sentences.append(say("method.exact", label=clean(label).rstrip(".")))

@@ -1,56 +1,23 @@
-"""Whole files or none: written beside their place, then put there in one move.
+"""The report of a run, written as whole files or not at all.
 
-Enters: bytes and a path.  Leaves: the file.  Raises `OutputError`; nothing half-written is left.
+Enters: a `Run` and paths.  Leaves: files.  Raises `OutputError`; nothing half-written is left (`coursework.files`).
 """
 
 from __future__ import annotations
 
-import errno
-import os
-import secrets
 from collections.abc import Callable
 from pathlib import Path
 
 from coursework.errors import OutputError
+from coursework.files import write_bytes
 from coursework.report.html import render_html
 from coursework.report.model import ReportModel, build_model
 from coursework.report.pdf import render_pdf
-from coursework.report.source import Run
-
-_ADVICE = {
-    errno.ENOSPC: "the disk is full. Free some space, or choose another folder with --out.",
-    errno.EDQUOT: "your share of the disk is used up. Free some space, or choose another folder with --out.",
-    errno.EACCES: "the folder or file is not writable. Close it in other programs, or choose another folder with --out.",
-    errno.EPERM: "the folder or file is not writable. Close it in other programs, or choose another folder with --out.",
-    errno.EROFS: "the disk is read-only. Choose another folder with --out.",
-    errno.ENOTDIR: "a part of the path is a file, not a folder. Choose another folder with --out.",
-    errno.EEXIST: "a part of the path is a file, not a folder. Choose another folder with --out.",
-    errno.EISDIR: "there is a folder of this name. Remove it, or choose another folder with --out.",
-    errno.ENAMETOOLONG: "the name is too long. Choose a shorter one.",
-}
+from coursework.report.source import Run as Shown
+from coursework.run import Run
 
 
-def write_bytes(path: Path | str, content: bytes) -> None:
-    """Write a whole file; folders on the way are made.  Raises `OutputError`, leaving what was there before."""
-    target = Path(path)
-    part = target.with_name(f".coursework-{os.getpid()}-{secrets.token_hex(4)}.part")
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        try:
-            with part.open("xb") as file:
-                file.write(content)
-                file.flush()
-                os.fsync(file.fileno())
-            part.replace(target)
-        except BaseException:
-            part.unlink(missing_ok=True)
-            raise
-    except OSError as error:
-        advice = _ADVICE.get(error.errno or 0, f"{error.strerror or error}. Choose another folder with --out.")
-        raise OutputError(f"{target}: could not be written: {advice}") from error
-
-
-def write_report(run: Run, *paths: Path | str, language: str = "en") -> None:
+def write_report(run: Run | Shown, *paths: Path | str, language: str = "en") -> None:
     """Write the report of a run to each path; the suffix, .html or .pdf, decides the kind.
 
     The model (and its figures) is built once.  All kinds are rendered before the first file is touched.

@@ -8,10 +8,9 @@ from __future__ import annotations
 
 from typing import Literal
 
-from coursework import formula as formulas
-from coursework import units
+from coursework import formula_reader, units
 from coursework.errors import Fault, closest
-from coursework.formula import Formula, FormulaFault
+from coursework.formula import Formula, FormulaFault, evaluate
 from coursework.variant.names import Names
 from coursework.variant.source import Source
 
@@ -61,7 +60,7 @@ class Parts:
         if isinstance(value, str) and not units.is_quantity(value):
             tree = self.formula(path, value, "scalar", "time")
             try:
-                return formulas.evaluate(tree, self.values) if not self.faults else 1.0
+                return evaluate(tree, self.values) if not self.faults else 1.0
             except (FormulaFault, KeyError) as fault:
                 self.say(path, f"the value cannot be computed from the given data: {fault}.")
                 return 1.0
@@ -84,7 +83,7 @@ class Parts:
     def equation(self, path: Path, text: str, *, closure: bool) -> tuple[Formula, Formula]:
         """Return both sides of a velocity equation, or of a closure (two scalars or two vectors)."""
         try:
-            left, right = formulas.parse_equation(text, vectors=closure)
+            left, right = formula_reader.parse_equation(text, vectors=closure)
         except FormulaFault as fault:
             self.say(path, fault.message + ".", fault.column)
             return _ZERO, _ZERO
@@ -98,7 +97,7 @@ class Parts:
     def formula(self, path: Path, text: str, kind: Kind, scope: str = "geometry") -> Formula:
         """Return one formula with every name resolved; a fault leaves zero in its place."""
         try:
-            tree = formulas.parse(text, vectors=scope == "geometry")
+            tree = formula_reader.parse(text, vectors=scope == "geometry")
         except FormulaFault as fault:
             self.say(path, fault.message + ".", fault.column)
             return _ZERO

@@ -6,6 +6,7 @@ Enters: a path, or text.  Leaves: a frozen `Variant`.  Raises `InputError`.
 from __future__ import annotations
 
 import copy
+import itertools
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
@@ -102,7 +103,7 @@ def _law(section: str, key: str, value: Any, parts: Parts) -> Law:
     path = (section, key)
     if isinstance(value, schema.Pieces):
         pieces = tuple((parts.number(path, at, "s"), parts.formula(path, text, "scalar", scope)) for at, text in value.pieces)
-        if any(later <= earlier for (earlier, _), (later, _) in zip(pieces, pieces[1:], strict=False)):
+        if any(later <= earlier for (earlier, _), (later, _) in itertools.pairwise(pieces)):
             parts.say(path, "the times of the pieces must grow.")
         return Law(name, pieces=pieces)
     if isinstance(value, schema.Table):
@@ -270,7 +271,7 @@ def _schema_fault(entry: Any, path: tuple[str | int, ...], source: Source) -> Fa
     if entry["type"] == "extra_forbidden":
         parent = source.data
         for part in path[:-1]:
-            parent = parent[part]
+            parent = parent[part]  # type: ignore[index]  # the path leads through tables and lists alike
         known = sorted(_known_keys(path[:-1]))
         return source.fault(path, f'the key "{key}" is not known here.{closest(key, known)} Known keys: {", ".join(known)}.')
     if entry["type"] == "missing":

@@ -6,6 +6,7 @@ Enters: the name of the table.  Leaves: rows of (argument, value).  Used by `rea
 from __future__ import annotations
 
 import csv
+import itertools
 import math
 
 from coursework.errors import Fault
@@ -45,7 +46,7 @@ def read_table(name: str, source: Source, path: tuple[str | int, ...], faults: l
         rows.append((argument, value))
     if len(rows) < _FEWEST_NODES:
         return say(f"{name}: {len(rows)} nodes; the five-point formulas need at least {_FEWEST_NODES}.")
-    steps = [later[0] - earlier[0] for earlier, later in zip(rows, rows[1:], strict=False)]
+    steps = [later[0] - earlier[0] for earlier, later in itertools.pairwise(rows)]
     if min(steps) <= 0:
         return say(f"{name}: the arguments must grow from row to row (row {steps.index(min(steps)) + 3} does not).")
     if max(steps) - min(steps) > 1e-6 * max(steps):

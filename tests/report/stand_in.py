@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 
 from coursework.checks.result import Check
-from coursework.formula import Formula, parse, parse_equation
+from coursework.formula import Formula
+from coursework.formula_reader import parse, parse_equation
 from coursework.motion import Motion, Stop
 from coursework.variant.record import Coordinate, Frame, Given, Law, Time, Variant
 
@@ -107,6 +108,8 @@ class Run:
     group: str | None = None
     date: str | None = None
     graph: Graph | None = None
+    project: int = 0
+    gain: float = 0.0
 
 
 def velocities(t: float, q: Any) -> Any:

@@ -1,0 +1,108 @@
+"""The ways to the motion that are compared, each with its settings, evaluations and rows.
+
+Enters: a scene.  Leaves: trials to run.  To add one, add a function here and a line in `trials`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.accuracy.trace import trace
+from coursework.adaptive import integrate_adaptive
+from coursework.closure import Closure
+from coursework.exact import follow_closure
+from coursework.integrate import Correction, march
+from coursework.loops import Loop, generate_loop
+from coursework.rates import Rates
+from coursework.schemes import SCHEMES
+
+Array = NDArray[np.float64]
+# Steps a row: up to 4096 for Euler (98 304 steps for 24 rows), where its error has fallen by three orders.
+SUBSTEPS = {"euler": (1, 2, 4, 8, 16, 64, 256, 1024, 4096)}
+USUAL_SUBSTEPS = (1, 2, 4, 8, 16, 64)
+PROJECTED_SUBSTEPS = (1, 2, 4, 8)
+TOLERANCES = (1e-3, 1e-5, 1e-7, 1e-9, 1e-11)
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """What a trial needs: rates, start, row distance h (s), number of rows, closure if known."""
+
+    rates: Rates
+    start: Sequence[float]
+    step: float
+    rows: int
+    closure: Closure | None
+
+    @property
+    def times(self) -> Array:
+        """Return the times of the rows (s)."""
+        return np.arange(self.rows + 1).astype(np.float64) * self.step
+
+
+@dataclass(frozen=True, slots=True)
+class Trial:
+    """One method at one setting; `run` returns the rows (rows*fine + 1, m) and the evaluations of the right-hand side.
+
+    A Newton correction counts as one evaluation (residual and Jacobian).
+    """
+
+    method: str
+    setting: str
+    fine: int
+    run: Callable[[], tuple[Array, int]]
+
+
+def trials(scene: Scene) -> Iterator[Trial]:
+    """Yield every trial, method after method."""
+    for name, scheme in SCHEMES.items():
+        loop = generate_loop(scheme.step, scene.rates)
+        for substeps in SUBSTEPS.get(name, USUAL_SUBSTEPS):
+            count = scene.rows * substeps
+
+            yield Trial(scheme.title, f"{count}", 1, partial(_by_loop, scene, loop, substeps, count * scheme.slopes))
+    if scene.closure is not None and scene.closure.complete:
+        for newton in (1, 2):
+            for substeps in PROJECTED_SUBSTEPS:
+                plural = "s" if newton > 1 else ""
+                setting = f"{scene.rows * substeps}"
+                yield Trial(
+                    f"Euler + {newton} Newton projection{plural}", setting, substeps, partial(_projected, scene, newton, substeps)
+                )
+    for tolerance in TOLERANCES:
+        yield Trial("Dormand-Prince 5(4)", f"tol {tolerance:.0e}", 1, partial(_adaptive, scene, tolerance))
+    if scene.closure is not None and scene.closure.complete:
+        yield Trial("position closure (Newton)", f"{scene.rows}", 1, partial(_closed, scene))
+
+
+def _by_loop(scene: Scene, loop: Loop, substeps: int, cost: int) -> tuple[Array, int]:
+    return trace(loop, scene.start, scene.step, scene.rows, substeps), cost
+
+
+def _projected(scene: Scene, newton: int, substeps: int) -> tuple[Array, int]:
+    motion = march(
+        scene.rates, "euler", scene.start, scene.step / substeps, scene.step * scene.rows, Correction(scene.closure, newton)
+    )
+    steps = scene.rows * substeps
+    return motion.coordinates, steps * (1 + newton)
+
+
+def _adaptive(scene: Scene, tolerance: float) -> tuple[Array, int]:
+    size = len(scene.start)
+
+    def field(t: float, q: Array) -> Array:
+        return np.array(scene.rates.evaluate(t, *q.tolist())[:size])
+
+    return integrate_adaptive(field, np.array(scene.start, dtype=float), scene.times, tolerance)
+
+
+def _closed(scene: Scene) -> tuple[Array, int]:
+    assert scene.closure is not None
+    positions = follow_closure(scene.closure, scene.rates, scene.times)
+    # Sixteen slopes predict each row; the Newton corrections behind them are counted as four.
+    return positions, scene.rows * 20

@@ -1,0 +1,122 @@
+"""What the study says to a student, in words computed from its rows.
+
+Enters: rows and orders.  Leaves: sentences.  Used by `study.py`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Protocol
+
+from coursework.schemes import SCHEMES
+
+
+class Row(Protocol):
+    """One line of the study."""
+
+    @property
+    def method(self) -> str: ...
+    @property
+    def steps_or_tolerance(self) -> str: ...
+    @property
+    def evaluations(self) -> int: ...
+    @property
+    def max_error(self) -> float: ...
+    @property
+    def end_error(self) -> float: ...
+    @property
+    def seconds(self) -> float | None: ...
+    @property
+    def failed(self) -> str: ...
+
+
+def sentences_of(
+    rows: Sequence[Row], orders: Mapping[str, float], end_orders: Mapping[str, float], own: Row, unit: str
+) -> tuple[str, ...]:
+    """Return the findings: the own step, the better scheme at the same step, what equal accuracy costs, the end-row trap."""
+    best = _first(rows, SCHEMES["rk4"].title)
+    euler = _first(rows, SCHEMES["euler"].title)
+    told = [f"{own.steps_or_tolerance} steps of {own.method}: {_size(own.max_error, unit)} off at worst{_time(own)}."]
+    told.append(
+        f"The same {best.steps_or_tolerance} steps of {best.method} are {_size(best.max_error, unit)} off: "
+        f"{_round(euler.max_error / best.max_error)} times less error than Euler for {best.evaluations / euler.evaluations:.3g} times "
+        f"the evaluations{_ratio(best, euler)}."
+    )
+    if steps := _steps_for(rows, best.max_error):
+        ratio = steps / best.evaluations
+        told.append(
+            f"To be as good as {best.steps_or_tolerance} steps of {best.method}, Euler needs about {_round(steps)} steps: "
+            f"{_round(ratio)} times the evaluations{_predicted(rows, steps, best)}."
+        )
+    projected = [row for row in rows if "1 Newton" in row.method and not row.failed]
+    if projected:
+        told.append(
+            f"Euler with one Newton projection a step, {projected[0].steps_or_tolerance} steps: {_size(projected[0].max_error, unit)}, "
+            f"{_round(euler.max_error / projected[0].max_error)} times less than without it."
+        )
+    closed = [row for row in rows if row.method.startswith("position closure") and not row.failed]
+    if closed:
+        told.append("Where positions are known in closed form or by Newton, the exact answer costs no more than a good scheme.")
+    told.append(
+        f"The last row alone understates: there Euler is {_size(euler.end_error, unit)} off, "
+        f"{euler.max_error / max(euler.end_error, 1e-300):.2g} times less than at its worst row."
+    )
+    for name, order in orders.items():
+        if name in end_orders and end_orders[name] - order > 0.5 and any(name == s.title for s in SCHEMES.values()):
+            told.append(
+                f"Measured at the last row only, {name} would seem to have order {end_orders[name]:.1f}; over the whole grid it is {order:.1f}."
+            )
+    return tuple(told)
+
+
+def _first(rows: Sequence[Row], method: str) -> Row:
+    return next(row for row in rows if row.method == method)
+
+
+def _steps_for(rows: Sequence[Row], error: float) -> float | None:
+    """Return the Euler steps that reach `error`: from the finest row on, the error falls as 1/steps."""
+    euler = [row for row in rows if row.method == SCHEMES["euler"].title and not row.failed]
+    last = euler[-1]
+    if not (0 < error < last.max_error):
+        enough = [row for row in euler if row.max_error <= error]
+        return float(enough[0].evaluations) if enough else None
+    return last.evaluations * last.max_error / error
+
+
+def _size(value: float, unit: str) -> str:
+    if unit == "rad" and value >= 1e-3:
+        return f"{value:.3g} rad ({math.degrees(value):.2g}°)"
+    return f"{value:.3g} {unit or 'rad or m'}"
+
+
+def _round(value: float) -> str:
+    """Return a number with two digits, thousands apart."""
+    if not math.isfinite(value) or value <= 0:
+        return "many"
+    digits = max(0, int(math.floor(math.log10(value))) - 1)
+    return f"{round(value / 10**digits) * 10**digits:,.0f}".replace(",", " ") if value >= 10 else f"{value:.2g}"
+
+
+def _time(row: Row) -> str:
+    return f", {_clock(row.seconds)}" if row.seconds is not None else ""
+
+
+def _ratio(row: Row, other: Row) -> str:
+    return f" and {row.seconds / other.seconds:.2g} times the time" if row.seconds and other.seconds else ""
+
+
+def _predicted(rows: Sequence[Row], steps: float, best: Row) -> str:
+    finest = [row for row in rows if row.method == SCHEMES["euler"].title and row.seconds][-1:]
+    if not finest or not best.seconds or not finest[0].seconds:
+        return ""
+    spent = steps * finest[0].seconds / finest[0].evaluations
+    return f", about {_clock(spent)} and {_round(spent / best.seconds)} times the time"
+
+
+def _clock(value: float | None) -> str:
+    value = value or 0.0
+    for scale, unit in ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs")):
+        if value >= scale:
+            return f"{value / scale:.2g} {unit}"
+    return f"{value / 1e-9:.2g} ns"

@@ -1,0 +1,117 @@
+"""The work-precision study of one scene.
+
+Enters: a scene, its exact motion, the mismatch of its period.  Leaves: frozen `AccuracyStudy`.
+Protocol (numerics.md 2.2): error = maximum over the coursework's grid and all coordinates against a reference that is
+independent of the schemes; the error of the last row alone is kept beside it because it understates.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.accuracy.methods import Scene, trials
+from coursework.accuracy.sentences import sentences_of
+from coursework.accuracy.timing import seconds
+from coursework.accuracy.trace import errors, slope
+from coursework.exact import follow_closure, refine
+from coursework.motion import Motion
+from coursework.schemes import SCHEMES
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class StudyRow:
+    """One method at one setting; errors in rad or m, `seconds` None where not timed, `failed` a sentence if it did."""
+
+    method: str
+    steps_or_tolerance: str
+    evaluations: int
+    max_error: float
+    end_error: float
+    seconds: float | None
+    failed: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class AccuracyStudy:
+    """`rows`; measured `orders` by method (`end_orders` from the last row alone); the coursework's `own` point
+    (method, evaluations, error, seconds); round-off `floor`; `reference_label`; `budget` of the last row per coordinate
+    (name, unit, total, scheme, period, round-off); `sentences`; `overhead` (what, seconds).
+    """
+
+    rows: tuple[StudyRow, ...]
+    orders: Mapping[str, float]
+    end_orders: Mapping[str, float]
+    own: tuple[str, int, float, float | None] | None
+    floor: float
+    reference_label: str
+    budget: Sequence[tuple[str, str, float, float, float, float]]
+    sentences: Sequence[str]
+    overhead: Sequence[tuple[str, float]]
+    seconds_shown: bool
+
+
+def make_study(
+    scene: Scene, exact: Motion, budget: Sequence[tuple[str, str, float, float, float, float]], scheme: str,
+    *, timed: bool = False, overhead: Sequence[tuple[str, float]] = (), progress: Callable[[str], None] | None = None,
+) -> AccuracyStudy:  # fmt: skip
+    """Return the study; with `timed` every trial is also timed (some 0.4 s each)."""
+    reference = exact.coordinates
+    other, gap, _ = refine(scene.rates, scene.start, scene.times)
+    agreement = float(np.max(np.abs(other - reference)))
+    floor = 64 * float(np.finfo(float).eps) * max(1.0, float(np.max(np.abs(reference))))
+    fine = {1: reference}
+    rows = []
+    for trial in trials(scene):
+        if progress:
+            progress(f"{trial.method}, {trial.setting}")
+        try:
+            positions, evaluations = trial.run()
+            if trial.fine not in fine:
+                fine[trial.fine] = _finer(scene, trial.fine)
+            found = errors(positions, fine[trial.fine])
+        except (ArithmeticError, ValueError, np.linalg.LinAlgError) as error:
+            rows.append(
+                StudyRow(trial.method, trial.setting, 0, np.nan, np.nan, None, f"did not finish ({type(error).__name__})")
+            )
+            continue
+        spent = seconds(trial.run) if timed else None
+        rows.append(StudyRow(trial.method, trial.setting, evaluations, found.grid, found.end, spent))
+    orders, end_orders = _orders(rows, floor), _orders(rows, floor, end=True)
+    title = SCHEMES[scheme].title
+    own_row = next(row for row in rows if row.method == title)
+    own = (title, own_row.evaluations, own_row.max_error, own_row.seconds)
+    label = f"{exact.label}; a refined Runge-Kutta run (itself settled to {gap:.0e}) differs from it by {agreement:.1e}"
+    unit = "rad" if all(name_unit[1] == "rad" for name_unit in budget) else ""
+    told = sentences_of(rows, orders, end_orders, own_row, unit)
+    return AccuracyStudy(tuple(rows), orders, end_orders, own, floor, label, tuple(budget), told, tuple(overhead), timed)
+
+
+def _finer(scene: Scene, fine: int) -> Array:
+    """Return the exact positions on the own rows of a projected run."""
+    assert scene.closure is not None
+    return follow_closure(scene.closure, scene.rates, np.arange(scene.rows * fine + 1).astype(np.float64) * (scene.step / fine))
+
+
+def _orders(rows: Sequence[StudyRow], floor: float, *, end: bool = False) -> dict[str, float]:
+    """Return the measured order of each fixed-step method by its cost in evaluations."""
+    found = {}
+    for method in dict.fromkeys(row.method for row in rows):
+        own = [row for row in rows if row.method == method and not row.failed and row.steps_or_tolerance.isdigit()]
+        measured = slope([row.evaluations for row in own], [row.end_error if end else row.max_error for row in own], floor)
+        if measured is not None:
+            found[method] = measured
+    return found
+
+
+def time_of(work: Callable[[], object]) -> float:
+    """Return the time of one call made once (s): for imports and reductions, which have no second first time."""
+    begun = time.perf_counter()
+    work()
+    return time.perf_counter() - begun

@@ -1,0 +1,53 @@
+"""Rows of a scheme on the coursework's grid with many steps between them, and their error.
+
+Enters: a generated loop, the grid, a reference.  Leaves: positions (rows, m), errors.  Used by the study and by --step auto.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.loops import Loop
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Errors:
+    """Largest |coordinate - reference| (rad or m): over the whole grid, and in the last row only."""
+
+    grid: float
+    end: float
+
+
+def trace(loop: Loop, start: Sequence[float], step: float, rows: int, substeps: int) -> Array:
+    """Return the positions at t = 0, step, … (rows + 1, m) with `substeps` steps a row."""
+    q = tuple(start)
+    found = [q]
+    h = step / substeps
+    for row in range(rows):
+        q = loop(row * step, substeps, h, *q)
+        found.append(q)
+    return np.array(found)
+
+
+def errors(positions: Array, reference: Array) -> Errors:
+    """Return the errors of some rows against the same rows of the reference."""
+    gaps = np.max(np.abs(positions - reference), axis=1)
+    return Errors(float(np.max(gaps)), float(gaps[-1]))
+
+
+def slope(costs: Sequence[float], found: Sequence[float], floor: float) -> float | None:
+    """Return the order of accuracy measured by least squares of log error on log steps.
+
+    Only points between ten times the round-off `floor` and 0.1 count; None where fewer than two remain.
+    """
+    kept = [(np.log(cost), np.log(error)) for cost, error in zip(costs, found, strict=True) if 10 * floor < error < 0.1]
+    if len(kept) < 2:
+        return None
+    x, y = np.array(kept).T
+    return float(-np.polyfit(x, y, 1)[0])

@@ -1,0 +1,30 @@
+"""How names are spelt: Greek letters written out, subscripts as digits, letters of other alphabets found.
+
+Enters: a name as an author wrote it.  Leaves: the tool's own spelling.  Used while files and formulas are read.
+"""
+
+from __future__ import annotations
+
+import unicodedata
+
+_GREEK = {
+    "α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "ε": "eps", "ζ": "zeta", "η": "eta", "θ": "theta",
+    "ϑ": "theta", "λ": "lam", "μ": "mu", "ν": "nu", "ξ": "xi", "π": "pi", "ρ": "rho", "σ": "sigma", "τ": "tau",
+    "φ": "phi", "ϕ": "phi", "χ": "chi", "ψ": "psi", "ω": "w", "Δ": "Delta", "Φ": "Phi", "Ψ": "Psi", "Ω": "Omega",
+    "Θ": "Theta", "Γ": "Gamma",
+}  # fmt: skip
+_SUBSCRIPTS = {ord("₀") + digit: str(digit) for digit in range(10)}
+
+
+def spell(name: str) -> str:
+    """Return a name in the tool's own spelling: Greek letters written out, subscripts as digits."""
+    plain = "".join(_GREEK.get(letter, letter) for letter in unicodedata.normalize("NFC", name))
+    return plain.translate(_SUBSCRIPTS)
+
+
+def foreign_letter(name: str) -> tuple[int, str] | None:
+    """Return position and description of a letter from another alphabet, or None."""
+    for position, letter in enumerate(name):
+        if letter.isalpha() and not letter.isascii() and letter not in _GREEK:
+            return position, f"{unicodedata.name(letter, 'unknown letter').lower()} “{letter}”"
+    return None

@@ -1,0 +1,96 @@
+"""What `import coursework` offers: load a variant, solve it, and its exact motion.
+
+Enters: a name, a path or a `Variant`.  Leaves: `Run`, tables.  Raises `InputError`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from coursework.catalogue import find
+from coursework.errors import InputError, closest
+from coursework.graph import Values
+from coursework.quantities import ASKABLE, DEFAULT, QUANTITIES
+from coursework.run import Run, gather
+from coursework.settings import Settings
+from coursework.variant.reader import MAX_ROWS, read_variant
+from coursework.variant.record import Variant
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+
+def load(path_or_name: str | Path) -> Variant:
+    """Return the variant of a file or of the catalogue.  Raises `InputError` with every fault."""
+    return read_variant(find(path_or_name))
+
+
+def solve(
+    variant: Variant | str | Path,
+    scheme: str = "euler",
+    step: float | None = None,
+    end: float | None = None,
+    *,
+    quantities: Iterable[str] | None = None,
+    project: int = 0,
+    gain: float = 0.0,
+    student: str | None = None,
+    group: str | None = None,
+    date: str | None = None,
+) -> Run:
+    """Return a run of a variant.
+
+    `scheme` one of `SCHEMES`; `step` and `end` in s (those of the file where None); `quantities` asked for (those of the
+    file where None; names of columns restrict the table to them); `project` Newton corrections a step; `gain` of
+    Baumgarte's correction in 1/s.  Raises `InputError`.
+    """
+    chosen = load(variant) if isinstance(variant, (str, Path)) else variant
+    chosen = _timed(chosen, step, end)
+    asked, columns = _sorted(chosen, quantities)
+    settings = Settings(scheme, project, gain, columns).checked(chosen.time.step)
+    values = Values(QUANTITIES, {"variant": chosen, "settings": settings})
+    return Run(chosen, settings, asked, values, student, group, date)
+
+
+def exact(
+    variant: Variant | str | Path, step: float | None = None, end: float | None = None, *, quantities: Iterable[str] | None = None
+) -> pd.DataFrame:
+    """Return the table of the exact motion (index t), with the same columns as `solve(variant).table`."""
+    import pandas as pd
+
+    run = solve(variant, step=step, end=end, quantities=quantities)
+    motion = run.exact
+    # The quantities of a motion do not care which motion it is: they are computed for the exact rows here.
+    values = Values(QUANTITIES, {**run.values.values, "motion": motion})
+    names, rows = gather(motion, run.asked, values)
+    return pd.DataFrame(rows, index=pd.Index(motion.t, name="t"), columns=list(names))
+
+
+def _timed(variant: Variant, step: float | None, end: float | None) -> Variant:
+    h = step if step is not None else variant.time.step
+    last = end if end is not None else variant.time.end
+    if not (np.isfinite(h) and h > 0):
+        raise InputError(f"the step must be greater than 0, found {h:g} s.")
+    if not (np.isfinite(last) and last >= h * (1 - 1e-9)):
+        raise InputError(f"the end ({last:g} s) must be at least one step ({h:g} s).")
+    if last / h > MAX_ROWS:
+        raise InputError(f"{last / h:.3g} rows are asked for; at most {MAX_ROWS} are computed. Take a larger step.")
+    return variant.timed(h, last)
+
+
+def _sorted(variant: Variant, quantities: Iterable[str] | None) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Split what is asked for into quantities and columns of the table."""
+    listed = tuple(quantities) if quantities is not None else variant.ask or DEFAULT
+    columns = tuple(name for name in listed if name in variant.columns)
+    asked = tuple(name for name in listed if name not in columns)
+    unknown = [name for name in asked if name not in ASKABLE]
+    if unknown:
+        known = ", ".join(ASKABLE)
+        raise InputError(
+            f'there is no quantity "{unknown[0]}".{closest(unknown[0], [*ASKABLE, *variant.columns])} Known: {known}.'
+        )
+    return asked or ("table",), columns

@@ -1,0 +1,103 @@
+"""Tables beside the results table: analogs and invariants of a crank-driven motion, ready for a page.
+
+Enters: a motion with its accelerations.  Leaves: `ExtraTable`.  Computed on request only.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.errors import InputError
+from coursework.kinematics.analogs import acceleration_analog, velocity_analog
+from coursework.kinematics.invariants import from_true
+from coursework.motion import Motion
+from coursework.variant.record import Coordinate, Variant
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class ExtraTable:
+    """`rows` (n, len(names)) in `units`; the first column is t or the crank angle."""
+
+    title: str
+    names: tuple[str, ...]
+    units: tuple[str, ...]
+    rows: Array
+
+
+def analog_table(variant: Variant, motion: Motion, second: Array) -> ExtraTable:
+    """Return dq/dφ1 and d²q/dφ1² of every coordinate but the crank's; `second` (n, k) accelerations of the motion.
+
+    Raises `InputError` where the mechanism has not exactly one driven coordinate, or the crank stands still.
+    """
+    crank = _crank(variant)
+    omega, epsilon = _crank_motion(crank, motion, second)
+    names, units, columns = [crank.name], ["rad"], [motion.column(crank.name)]
+    for coordinate in variant.coordinates:
+        if coordinate.name == crank.name:
+            continue
+        place = motion.velocity_names.index(coordinate.rate)
+        first = velocity_analog(motion.velocities[:, place], omega)
+        names += [f"d{coordinate.name}/d{crank.name}", f"d2{coordinate.name}/d{crank.name}2"]
+        units += ["m/rad", "m/rad²"] if coordinate.unit == "m" else ["", "1/rad"]
+        columns += [first, acceleration_analog(motion.velocities[:, place], second[:, place], omega, epsilon)]
+    return ExtraTable("Velocity and acceleration analogs (exact motion)", tuple(names), tuple(units), np.array(columns).T)
+
+
+def invariant_table(variant: Variant, motion: Motion, second: Array) -> ExtraTable:
+    """Return k, a_k, b_k, c_k of the slider over its longest one-way stretch of rows.
+
+    The stroke S and the crank angle Φ are those of the stretch.  Raises `InputError` where there is no slider or crank.
+    """
+    crank = _crank(variant)
+    sliders = [c for c in variant.coordinates if c.unit == "m" and c.rate not in variant.known_rates]
+    if not sliders:
+        raise InputError("invariants need a coordinate that is a length (a slider); this variant has none.")
+    slider = sliders[-1]
+    rows = _longest_way(motion.column(slider.name))
+    s, phi = motion.column(slider.name)[rows], motion.column(crank.name)[rows]
+    omega, epsilon = (part[rows] for part in _crank_motion(crank, motion, second))
+    place = motion.velocity_names.index(slider.rate)
+    way, turn = float(s[-1] - s[0]), float(phi[-1] - phi[0])
+    sign = np.sign(way) or 1.0
+    found = from_true(
+        sign * (s - s[0]), sign * motion.velocities[rows, place], sign * second[rows, place],
+        stroke=abs(way), angle=abs(turn), omega_1=omega, epsilon_1=epsilon,
+    )  # fmt: skip
+    k = (phi - phi[0]) / turn
+    title = (
+        f"Invariants of {slider.name} over rows {rows.start + 1} to {rows.stop} (exact motion): "
+        f"S = {abs(way):.9g} m, Φ = {abs(turn):.9g} rad"
+    )
+    return ExtraTable(title, ("k", "a_k", "b_k", "c_k"), ("", "", "", ""), np.array([k, found.a, found.b, found.c]).T)
+
+
+def _crank(variant: Variant) -> Coordinate:
+    driven = [c for c in variant.coordinates if c.rate in variant.known_rates]
+    if len(driven) != 1:
+        raise InputError(
+            f"analogs and invariants need one driven crank (its rate in [drive]); this variant has {len(driven)}. "
+            'Take "analogs" and "invariants" out of [ask] or --quantities.'
+        )
+    return driven[0]
+
+
+def _crank_motion(crank: Coordinate, motion: Motion, second: Array) -> tuple[Array, Array]:
+    place = motion.velocity_names.index(crank.rate)
+    omega = motion.velocities[:, place]
+    if not np.all(omega):
+        row = int(np.argmin(np.abs(omega)))
+        raise InputError(f"the crank stands still in row {row + 1} (t = {motion.t[row]:.6g} s); analogs mean nothing there.")
+    return omega, second[:, place]
+
+
+def _longest_way(values: Array) -> slice:
+    """Return the longest stretch of rows over which the slider moves one way."""
+    signs = np.sign(np.diff(values))
+    edges = [0, *(np.flatnonzero(np.diff(signs)) + 1).tolist(), len(signs)]
+    begin, end = max(zip(edges, edges[1:], strict=False), key=lambda pair: pair[1] - pair[0])
+    return slice(begin, end + 1)
