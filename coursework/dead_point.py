@@ -18,8 +18,10 @@ from numpy.typing import NDArray
 
 from coursework.adaptive import dormand_prince, next_length
 from coursework.equations import VelocityEquations
+from coursework.errors import InputError
 from coursework.reduction import Reduction
 from coursework.system import LinearSystem, compile_system
+from coursework.tabulated import OutsideTable
 
 Array = NDArray[np.float64]
 # The event time is wanted to 1e-8 s; the local tolerance leaves three digits for the sum of all steps.
@@ -28,6 +30,8 @@ TOLERANCE = 1e-12
 AT_REST = 1e-5
 # The flow has stalled in a dead point that time alone approaches (the determinant depends on t only).
 STALLED = 1e-10
+# Part of the run below which a rest before its end is not looked at.
+NEAR_END = 1e-9
 MAX_STEPS = 20_000
 
 
@@ -142,7 +146,16 @@ def find_event(scene: Flow, start: Sequence[float], end: float, begin: float = 0
         if nearest != block or length == 0.0:
             length = max(end - begin, 1e-12) / 200 / abs(scaled[nearest]) if length == 0.0 else length
             block = nearest
-        step = dormand_prince(field_of, 0.0, state, slope, length)
+        try:
+            step = dormand_prince(field_of, 0.0, state, slope, length)
+        except (OutsideTable, ArithmeticError, ValueError) as error:
+            # A law need not exist beyond the end of the run: come closer to the end in shorter steps.
+            length /= 4
+            if length * abs(scaled[nearest]) < NEAR_END * end:
+                if end - state[-1] < 100 * NEAR_END * end:
+                    return None
+                raise InputError(f"the equations cannot be computed beyond t = {state[-1]:.6g} s: {error}") from error
+            continue
         ratio = float(np.max(np.abs(step.error) / (TOLERANCE * _sizes(state, end))))
         if not np.isfinite(ratio) or ratio > 1.0:
             length = next_length(length, ratio if np.isfinite(ratio) else 1e10)

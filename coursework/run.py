@@ -177,13 +177,13 @@ class Run:
     @property
     def versions(self) -> dict[str, str]:
         """Return the versions that made the numbers."""
-        import sympy
+        from importlib.metadata import version
 
         import coursework
 
         return {
             "coursework": coursework.__version__, "python": platform.python_version(),
-            "numpy": np.__version__, "sympy": sympy.__version__,
+            "numpy": np.__version__, "sympy": version("sympy"),
         }  # fmt: skip
 
     def _repr_html_(self) -> str:

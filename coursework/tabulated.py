@@ -25,7 +25,7 @@ class TableLaw:
     """`method` "five-point": nodal derivatives by the five-point formulas, quartic between nodes; "spline": cubic."""
 
     def __init__(self, name: str, rows: tuple[tuple[float, float], ...], method: str) -> None:
-        from coursework.kinematics.five_point import five_point_derivative
+        from coursework.five_point import five_point_derivative
 
         self.name = name
         self.nodes: Array = np.array([row[0] for row in rows])

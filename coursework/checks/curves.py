@@ -114,6 +114,4 @@ def rows_enough(evidence: Evidence) -> Check:
     sentence = f"The drive's fastest oscillation ({evidence.drive_frequency:.6g} rad/s) has {rows:.4g} rows a period" + (
         "." if verdict else f"; take a step of at most {2 * np.pi / ROWS_A_PERIOD / evidence.drive_frequency:.3g} s."
     )
-    return Check(
-        "STEP", "Step and drive", "PASS" if verdict else "FAIL", sentence, float(rows), float(ROWS_A_PERIOD), "rows"
-    )
+    return Check("STEP", "Step and drive", "PASS" if verdict else "FAIL", sentence, float(rows), float(ROWS_A_PERIOD), "rows")

@@ -6,7 +6,7 @@ Running times differ from run to run, so this is the one section whose bytes do 
 
 from __future__ import annotations
 
-from coursework.report.accuracy_figures import PANELS_HEIGHT, Bar, Method, Panels, bars, panels
+from coursework.report.accuracy_figures import Bar, Method, Panels, bars, panels
 from coursework.report.desk import Desk
 from coursework.report.figures import WIDTH
 from coursework.report.lettering import LONGEST_NAME, clean, numeral, runs
@@ -59,7 +59,8 @@ def _figure(desk: Desk, study: AccuracyStudy) -> Figure:
     caption += " " + say("accuracy.caption_rest", floor=floor)
     caption += " " + say("accuracy.reference", label=clean(study.reference_label).rstrip("."))
     alt = say("accuracy.alt", methods=say.listing([method.name for method in methods]))
-    return Figure(panels("accuracy", page), WIDTH, PANELS_HEIGHT, alt, desk.lettered(caption))
+    svg, height = panels("accuracy", page)
+    return Figure(svg, WIDTH, height, alt, desk.lettered(caption))
 
 
 def _order_text(desk: Desk, study: AccuracyStudy, name: str) -> str:
@@ -75,8 +76,12 @@ def _table(desk: Desk, study: AccuracyStudy) -> Table:
         for key in keys
     ]  # fmt: skip
     rows: list[list[Cell]] = []
-    strong = []
+    strong, rules = [], []
+    before = ""
     for row in _finished(study):
+        if rows and row.method != before:
+            rules.append(len(rows) - 1)
+        before = row.method
         own = study.own is not None and (row.method, row.evaluations) == (study.own[0], study.own[1])
         if own:
             strong.append(len(rows))
@@ -94,7 +99,7 @@ def _table(desk: Desk, study: AccuracyStudy) -> Table:
     if study.orders:
         orders = ", ".join(f"{clean(name, LONGEST_NAME)} {_order_text(desk, study, name)}" for name in study.orders)
         notes.append(desk.words("accuracy.orders", orders=orders))
-    return Table(columns, rows, desk.say("accuracy.study"), strong, runs(" ".join(notes)))
+    return Table(columns, rows, desk.say("accuracy.study"), strong, rules, runs(" ".join(notes)))
 
 
 def _failures(desk: Desk, study: AccuracyStudy) -> list[Part]:
@@ -122,8 +127,8 @@ def _budget(desk: Desk, study: AccuracyStudy) -> list[Part]:
     heads = ("coordinate", "total", *BUDGET_PARTS)
     columns = [Column(desk.say(f"accuracy.{key}"), words=key == "coordinate") for key in heads]
     rows: list[list[Cell]] = [
-        [desk.symbol_runs([line[0]]), *(numeral(with_unit(numbers.scalar(value, 4), line[1])) for value in line[2:6])]
-        for line in study.budget
+        [desk.symbol_runs([name]), *(numeral(with_unit(numbers.scalar(value, 4), unit)) for value in values)]
+        for name, unit, *values in study.budget
     ]
     return [*parts, Table(columns, rows)]
 

@@ -17,10 +17,14 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure as Drawing
 
-PANELS_HEIGHT = 105.0  # mm
+PLOT_HEIGHT = 82.0  # mm of the axes with their labels
+LEGEND_COLUMNS = 3
+OTHER_ENTRIES = 3  # of the legend: the own step, the last row, round-off
+LEGEND_LINE = 4.4  # mm of one line of the legend
 BAR_HEIGHT = 4.2  # mm of paper for one bar
 HATCHES = ("", "////", "....")
 FILLS = ("#9ecae1", "#fdd0a2", "#d9d9d9")
+NEAR = 3.0  # triangles closer than this factor of cost (its square in error) would overlap
 SMALLEST = 1e-17  # an error of exactly 0 has no place on a logarithmic axis; it is drawn here
 
 
@@ -78,32 +82,35 @@ def _plain_axes(axes: Axes) -> None:
         axes.spines[side].set_visible(False)
 
 
-def panels(name: str, page: Panels) -> str:
-    """Return error against evaluations and, where times are shown, against seconds; both share the error axis."""
+def panels(name: str, page: Panels) -> tuple[str, float]:
+    """Return error against evaluations and, where times are shown, against seconds, sharing the error axis; and mm high."""
     with drawing(name):
-        figure = _sheet(PANELS_HEIGHT)
-        places = ((0.09, 0.235, 0.43, 0.75), (0.555, 0.235, 0.43, 0.75)) if page.timed else ((0.09, 0.235, 0.895, 0.75),)
-        first = figure.add_axes(places[0])
+        legend = LEGEND_LINE * -(-(len(page.methods) + OTHER_ENTRIES) // LEGEND_COLUMNS)
+        height = PLOT_HEIGHT + legend
+        figure = _sheet(height)
+        below, tall = (legend + 11.0) / height, (PLOT_HEIGHT - 12.5) / height
+        first = figure.add_axes((0.09, below, 0.43 if page.timed else 0.895, tall))
         first.set_ylabel(page.error_label, parse_math=False)
         _panel(first, page, timed=False)
         if page.timed:
-            second = figure.add_axes(places[1], sharey=first)
+            second = figure.add_axes((0.555, below, 0.43, tall), sharey=first)
             second.tick_params(labelleft=False)
             _panel(second, page, timed=True)
         handles, words = first.get_legend_handles_labels()
         figure.legend(
-            handles, words, loc="lower left", bbox_to_anchor=(0.07, 0.0), ncols=4, frameon=False, fontsize=8,
+            handles, words, loc="lower left", bbox_to_anchor=(0.07, 0.0), ncols=LEGEND_COLUMNS, frameon=False, fontsize=8,
             handlelength=3.2, columnspacing=1.4, handletextpad=0.5, borderaxespad=0.2,
         )  # fmt: skip
-        return svg_text(figure, WIDTH, PANELS_HEIGHT)
+        return svg_text(figure, WIDTH, height), height
 
 
 def _panel(axes: Axes, page: Panels, *, timed: bool) -> None:
     axes.set_xscale("log")
     axes.set_yscale("log")
     _plain_axes(axes)
+    triangles: list[tuple[float, float]] = []
     for index, method in enumerate(page.methods):
-        _line(axes, method, index, timed=timed)
+        _line(axes, method, index, triangles, timed=timed)
     if page.own is not None:
         evaluations, seconds, error = page.own
         cost = seconds if timed else evaluations
@@ -125,7 +132,7 @@ def _shown(error: float) -> float:
     return max(abs(error), SMALLEST)
 
 
-def _line(axes: Axes, method: Method, index: int, *, timed: bool) -> None:
+def _line(axes: Axes, method: Method, index: int, triangles: list[tuple[float, float]], *, timed: bool) -> None:
     colour, dashes, mark = STYLES[index % len(STYLES)]
     costs = method.seconds if timed else method.evaluations
     points = sorted(
@@ -143,10 +150,12 @@ def _line(axes: Axes, method: Method, index: int, *, timed: bool) -> None:
     if any(math.isfinite(value) for value in end):
         axes.plot(x, end, color=colour, linewidth=0.7, linestyle=(0, (4, 2)), zorder=2)
     if method.order is not None and not timed:
-        _slope(axes, x, y, method, colour)
+        _slope(axes, x, y, method, colour, triangles)
 
 
-def _slope(axes: Axes, x: tuple[float, ...], y: tuple[float, ...], method: Method, colour: str) -> None:
+def _slope(
+    axes: Axes, x: tuple[float, ...], y: tuple[float, ...], method: Method, colour: str, triangles: list[tuple[float, float]]
+) -> None:
     """Draw a triangle with the measured slope above a line, towards its cheap-to-dear end where lines are apart."""
     if method.order is None or len(x) < 3:
         return
@@ -154,6 +163,9 @@ def _slope(axes: Axes, x: tuple[float, ...], y: tuple[float, ...], method: Metho
     left, right = x[start], x[start] * min(x[start + 1] / x[start], 4.0)
     top = y[start] * 3
     bottom = top * (right / left) ** -method.order
+    if any(max(right / x0, x0 / right) < NEAR and max(top / y0, y0 / top) < NEAR**2 for x0, y0 in triangles):
+        return  # two labels would lie on each other; the note of the table has every order
+    triangles.append((right, top))
     axes.fill([left, right, right], [top, top, bottom], facecolor="none", edgecolor=colour, linewidth=0.8, zorder=4)
     axes.annotate(
         method.order_text, (right, math.sqrt(top * bottom)), xytext=(2.5, 0), textcoords="offset points", ha="left",

@@ -13,7 +13,7 @@ from coursework.report.parts import Cell, Checks, Judged, Paragraph, Part, Runs
 from coursework.report.tables import thinned
 
 MOST_LINES = 30  # further lines of one check; more are thinned
-SHORT_UNIT = 6  # letters of a unit that stands behind its number; a longer one stands below
+SHORT_UNIT = 12  # letters of a unit that stands behind its number; a longer one stands below
 ORDER = ("PASS", "FAIL", "SKIP", "ERROR")
 
 
@@ -61,9 +61,15 @@ def _lines(desk: Desk, check: Check) -> tuple[list[str], list[list[Cell]]]:
     parts = [label.partition(": ") for label, _, _ in check.rows]
     columns = list(dict.fromkeys(tail for _, _, tail in parts))
     rows = list(dict.fromkeys(head for head, _, _ in parts))
-    values = {(head, tail): _amount(desk, row) for (head, _, tail), row in zip(parts, check.rows, strict=True)}
-    if len(columns) > 1 and all(columns) and len(values) == len(check.rows) == len(columns) * len(rows):
-        table = [[_label(desk, head), *(values[head, tail] for tail in columns)] for head in rows]
+    values = {(head, tail): numeral(desk.numbers.scalar(row[1])) for (head, _, tail), row in zip(parts, check.rows, strict=True)}
+    units = {head: {row[2] for (own, _, _), row in zip(parts, check.rows, strict=True) if own == head} for head in rows}
+    complete = len(columns) > 1 and all(columns) and len(values) == len(check.rows) == len(columns) * len(rows)
+    if complete and all(len(found) == 1 for found in units.values()):
+        table: list[list[Cell]] = []
+        for head in rows:
+            unit = unit_text(next(iter(units[head])))
+            label = [*_label(desk, head), *([{"t": f", {unit}"}] if unit else [])]
+            table.append([label, *(values[head, tail] for tail in columns)])
         return ["", *(clean(column) for column in columns)], table
     kept = [check.rows[index] for index in thinned(len(check.rows), most=MOST_LINES)]
     return [], [[_label(desk, row[0]), _amount(desk, row)] for row in kept]

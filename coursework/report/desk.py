@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from coursework.report.lettering import LONGEST, clean, runs
+from coursework.motion import Motion
+from coursework.report.lettering import LONGEST, clean, derivative, runs
 from coursework.report.numbers import Numbers, with_unit
 from coursework.report.parts import Runs
 from coursework.report.source import Run
@@ -31,6 +32,11 @@ class Desk:
         return self.words.numbers
 
     @property
+    def exact(self) -> Motion | None:
+        """Return the exact motion where the plots ask for it; looking at it computes it."""
+        return self.run.exact if "plots" in self.run.asked else None
+
+    @property
     def rates(self) -> frozenset[str]:
         """Return the velocities whose derivative is written with a dot."""
         return frozenset(self.run.motion.velocity_names)
@@ -43,8 +49,11 @@ class Desk:
         """Return "ω₁, ω₂" as runs, `after` behind them."""
         found: Runs = []
         for name in names:
-            one = self.symbol(name)
             found += [{"t": ", "}] if found else []
+            if "/" in name:
+                found += derivative(name)
+                continue
+            one = self.symbol(name)
             found.append({"t": one.head} if one.is_word and not one.subscript else {"v": one.head, "s": one.subscript})
         return [*found, *runs(after)]
 

@@ -33,6 +33,7 @@ GREY = "#8c8c8c"
 STYLES = (
     ("#0072b2", "-", "o"), ("#d55e00", "--", "s"), ("#009e73", "-.", "^"), ("#000000", ":", "D"),
     ("#cc79a7", (0, (5, 1, 1, 1, 1, 1)), "v"), ("#e69f00", (0, (8, 2)), "P"), ("#56b4e9", (0, (3, 1)), "X"),
+    ("#7b3294", "-", "*"), ("#8c510a", "--", "<"), ("#000000", "-.", ">"),
 )  # fmt: skip
 MOST_MARKS = 30  # marks on one curve; more would merge into a band
 MOST_POINTS = 2000  # points of one curve; finer than any printer at this width
@@ -71,7 +72,8 @@ def drawing(name: str) -> Iterator[None]:
     """Set matplotlib up for one figure, alone; `name` salts its ids, so that figures can share a page."""
     import matplotlib
 
-    with _LOCK, matplotlib.rc_context({**SETTINGS, "svg.hashsalt": name}):
+    settings: Any = {**SETTINGS, "svg.hashsalt": name}
+    with _LOCK, matplotlib.rc_context(settings):
         yield
 
 
@@ -175,7 +177,8 @@ def time_plot(
 ) -> str:  # fmt: skip
     """Return curves over time as SVG, `WIDTH` by `HEIGHT` mm.
 
-    Parameters: `name` of the figure (salts its ids); labels as they stand; `stop` time of a dead point, s, and `stop_label` its kind.
+    Parameters: `name` of the figure (salts its ids); labels as they stand; `stop` time of a dead point (s) and
+    `stop_label` its kind.
     """
     with drawing(name):
         return _sheet().draw(curves, x_label, y_label, thin_label, None if stop is None else (stop, stop_label))

@@ -9,6 +9,7 @@ import re
 import unicodedata
 from collections.abc import Iterable
 
+from coursework.report.numbers import superscript
 from coursework.report.symbols import GREEK, symbol
 
 LONGEST = 2000  # characters of one text: a word of 1 MB would take Typst half a minute
@@ -41,6 +42,9 @@ ITALIC = ("\ue000", "\ue001")  # around a letter of our own words; `clean` remov
 _RAISED = re.compile("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]")
 _NAMELIKE = re.compile(r"\d|(?<=.)[A-Z]")  # w3, VMx: no word of a sentence looks like that
 _TIMES = re.compile(r"(?<=[\w)])\*(?=[\w(])")
+_POWER = re.compile(r"(?<![\w.])(\d+(?:\.\d+)?)[eE]([+-]?\d+)(?!\w)")
+_NEGATIVE = re.compile(r"(?<![\w.)])-(?=\d)")
+_COMPONENT = re.compile(r"(?<![\w.])[A-Z]\d?\.[va]?[xy](?!\w)")  # A.x, B2.vy
 _PLAIN_DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "01234567890123456789−")
 
 
@@ -66,13 +70,24 @@ def runs(text: str, names: Iterable[str] = ()) -> list[Run]:
     return found
 
 
+def derivative(name: str) -> list[Run]:
+    """Return "dphi2/dphi1" or "d2phi2/dphi12" as runs: dφ₂/dφ₁, d²φ₂/dφ₁²."""
+    above, _, below = name.partition("/")
+    twice = above.startswith("d2")
+    above, below = above[2 if twice else 1 :], below[1:-1] if twice else below[1:]
+    raised = "²" if twice else ""
+    return runs(f"d{raised}\u2009{symbol(above).text}/d\u2009{symbol(below).text}{raised}")
+
+
 def numeral(text: str) -> str | list[Run]:
     """Return a formatted number for a cell: as it is, or as runs where it holds a power of ten."""
     return runs(text) if _RAISED.search(text) else text
 
 
 def _spelt(text: str, names: Iterable[str]) -> str:
-    text = _TIMES.sub("·", text)
+    text = _TIMES.sub("·", _POWER.sub(lambda m: f"{m[1]}·10{superscript(str(int(m[2])))}", text))
+    text = _NEGATIVE.sub("−", text)
+    text = _COMPONENT.sub(lambda match: symbol(match[0]).text, text)
     sure = {name for name in names if len(name) > 1 and (name in GREEK or _NAMELIKE.search(name))}
     if not sure:
         return text

@@ -13,10 +13,8 @@ from coursework.report.desk import Desk
 from coursework.report.lettering import LONGEST_NAME, clean
 from coursework.report.parts import Figure, Part, Section, Table
 from coursework.report.sections import all_sections
-from coursework.report.source import Run as Shown
-from coursework.report.subject import subject
+from coursework.report.source import Run
 from coursework.report.words import Words, load_words
-from coursework.run import Run
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,21 +38,20 @@ class ReportModel:
         }
 
 
-def build_model(run: Run | Shown, language: str = "en") -> ReportModel:
+def build_model(run: Run, language: str = "en") -> ReportModel:
     """Return the report of a run: the sections that have something to say, and those only if asked for.
 
     Raises `InputError` where the language is not there.
     """
     words = load_words(language)
-    shown = subject(run, words) if isinstance(run, Run) else run
-    desk = Desk(shown, words)
-    variant = shown.variant
+    desk = Desk(run, words)
+    variant = run.variant
     heading = words("title.heading", name=clean(variant.name, LONGEST_NAME), title=clean(variant.title, LONGEST_NAME))
     return ReportModel(
         language=language,
         kind=words("title.kind"),
         heading=heading.rstrip(": "),
-        author=clean(shown.student or "", LONGEST_NAME),
+        author=clean(run.student or "", LONGEST_NAME),
         sections=tuple(_numbered(all_sections(desk), words)),
     )
 

@@ -71,12 +71,16 @@ class Column:
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """Rows of strings; `strong` rows (counted from 0) are set bold; `note` stands below; `label` is "Table 1"."""
+    """Rows of strings; `strong` rows (counted from 0) are set bold, after `rules` a thin line is drawn.
+
+    `note` stands below; `label` is "Table 1".
+    """
 
     columns: list[Column]
     rows: list[list[Cell]]
     caption: Runs = field(default_factory=list)
     strong: list[int] = field(default_factory=list)
+    rules: list[int] = field(default_factory=list)
     note: Runs = field(default_factory=list)
     label: str = ""
     kind: str = field(default="table", init=False)

@@ -31,7 +31,7 @@ def plots(desk: Desk) -> list[Part]:
 
 
 def _curve(desk: Desk, name: str) -> Curve:
-    motion, exact = desk.run.motion, desk.run.exact
+    motion, exact = desk.run.motion, desk.exact
     if exact is None or name not in exact.names:
         return Curve(desk.symbol(name), motion.t, motion.column(name))
     return Curve(desk.symbol(name), motion.t, motion.column(name), exact.t, exact.column(name))
@@ -54,8 +54,8 @@ def _figure(desk: Desk, names: Sequence[str], unit: str, number: int) -> Figure:
     what, symbols = say(f"plots.what.{known}"), desk.symbol_list(names)
     step = desk.quantity(run.step, "s")
     caption = say("plots.caption", what=what, symbols=symbols, scheme=run.scheme_title, step=step)
-    if run.exact is not None and any(curve.thin.size for curve in curves):
-        label = clean(run.exact.label) or say("plots.exact_label")
+    if desk.exact is not None and any(curve.thin.size for curve in curves):
+        label = clean(desk.exact.label) or say("plots.exact_label")
         caption += " " + say("plots.exact", label=label.rstrip("."))
     if run.stop is not None:
         caption += " " + say("plots.stop", kind=clean(run.stop.kind), time=desk.quantity(run.stop.time, "s"))

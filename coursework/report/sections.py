@@ -171,13 +171,13 @@ def method(desk: Desk) -> list[Part]:
         say("method.meaning", coordinates=desk.symbol_list(coordinates), rates=desk.symbol_list(rates)),
         say("method.time", step=desk.quantity(run.step, "s"), evaluations=desk.numbers.whole(run.motion.evaluations)),
     ]
-    if run.project:
-        sentences.append(say.count("method.project", run.project))
-    if run.gain:
-        product = desk.numbers.plain(run.gain * run.step)
-        sentences.append(say("method.gain", gain=desk.quantity(run.gain, "1/s"), product=product))
-    if run.exact is not None:
-        label = run.exact.label or say("plots.exact_label")
+    if run.settings.project:
+        sentences.append(say.count("method.project", run.settings.project))
+    if run.settings.gain:
+        product = desk.numbers.plain(run.settings.gain * run.step)
+        sentences.append(say("method.gain", gain=desk.quantity(run.settings.gain, "1/s"), product=product))
+    if desk.exact is not None:
+        label = desk.exact.label or say("plots.exact_label")
         sentences.append(say("method.exact", label=clean(label).rstrip(".")))
     parts.append(Paragraph(desk.lettered(" ".join(sentences))))
     if run.motion.notes:
@@ -209,7 +209,9 @@ def all_sections(desk: Desk) -> Iterator[Section]:
     yield from _written_by(OPENING, desk)
     for quantity, extra in desk.run.extra_tables.items():
         if quantity in desk.run.asked:
-            yield Section(quantity, clean(extra.title, LONGEST_NAME), extra_parts(desk, extra))
+            known = f"section.{quantity}"
+            heading = desk.words(known) if desk.words.has(known) else clean(extra.title, LONGEST_NAME)
+            yield Section(quantity, heading, extra_parts(desk, extra))
     yield from _written_by(CLOSING, desk)
 
 

@@ -56,7 +56,7 @@ class Reduction(Protocol):
 
 
 class ExtraTable(Protocol):
-    """A table of a quantity asked for: `rows` (n, len(names)) in SI."""
+    """A table of a quantity asked for: `rows` (n, len(names)) in `units`; the first column may be t."""
 
     @property
     def title(self) -> str: ...
@@ -119,6 +119,15 @@ class GraphCheck(Protocol):
     def rows(self) -> Sequence[tuple[str, float, float, float, str]]: ...
 
 
+class Settings(Protocol):
+    """`project` Newton corrections a step; `gain` of Baumgarte's correction in 1/s."""
+
+    @property
+    def project(self) -> int: ...
+    @property
+    def gain(self) -> float: ...
+
+
 class Run(Protocol):
     """One variant, reduced, marched and judged."""
 
@@ -163,6 +172,4 @@ class Run(Protocol):
     @property
     def graph(self) -> GraphCheck | None: ...
     @property
-    def project(self) -> int: ...
-    @property
-    def gain(self) -> float: ...
+    def settings(self) -> Settings: ...

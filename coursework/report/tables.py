@@ -7,16 +7,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from coursework.report.desk import Desk
-from coursework.report.lettering import numeral, runs
+from coursework.report.lettering import clean, numeral, runs
 from coursework.report.numbers import unit_text
 from coursework.report.parts import Cell, Column, Paragraph, Part, Table
 from coursework.report.source import ExtraTable
 
 MOST_ROWS = 200  # rows printed; a longer table is thinned, table.csv holds it whole
 MOST_COLUMNS = 10  # columns beside row and time that fit 170 mm at a readable size
+RULE = 5  # rows from one thin line to the next
 MARK = "▸"
 
 
@@ -46,6 +48,24 @@ def row_at(desk: Desk, place: float) -> str:
     return desk.words("stop.between", row=math.floor(place) + 1, next=math.floor(place) + 2)
 
 
+@dataclass(frozen=True, slots=True)
+class Grid:
+    """Columns of a table: names, units, rows (n, names)."""
+
+    names: Sequence[str]
+    units: Sequence[str]
+    rows: Any
+
+    def part(self, first: int, last: int | None = None) -> Grid:
+        """Return some of the columns."""
+        return Grid(self.names[first:last], self.units[first:last], self.rows[:, first:last])
+
+
+def rules_for(rows: int) -> list[int]:
+    """Return after which rows a thin line helps the eye: every fifth of a long table, not the last."""
+    return list(range(RULE - 1, rows - 1, RULE)) if rows > 2 * RULE else []
+
+
 def motion_parts(desk: Desk) -> list[Part]:
     """Return the table of the motion and the sentences that belong to it."""
     run, say = desk.run, desk.words
@@ -59,46 +79,57 @@ def motion_parts(desk: Desk) -> list[Part]:
     if run.stop is not None:
         time = desk.quantity(run.stop.time, "s")
         notes.append(say("table.stopped", row=len(run.motion.t), time=time))
-    return _split(desk, names, units, run.motion.rows, caption, notes)
+    return _by_row(desk, Grid(names, units, run.motion.rows), run.motion.t, caption, " ".join(notes))
 
 
 def extra_parts(desk: Desk, extra: ExtraTable) -> list[Part]:
-    """Return the table of a further quantity; beside row and time where it has a line for every row."""
-    if len(extra.rows) == len(desk.run.motion.t) and "t" not in extra.names:
-        return _split(desk, tuple(extra.names), list(extra.units), extra.rows, "", [])
-    columns = [Column(desk.symbol_runs([n]), unit_text(u)) for n, u in zip(extra.names, extra.units, strict=True)]
-    kept = thinned(len(extra.rows))
-    texts = [_cells(desk, extra.rows[kept, index]) for index in range(len(columns))]
-    rows: list[list[Cell]] = [list(row) for row in zip(*texts, strict=True)]
-    return [Table(columns, rows)]
+    """Return the table of a further quantity; with row and time where it has a line for every row."""
+    caption = clean(extra.title).rstrip(".") + "."
+    whole = Grid(extra.names, extra.units, extra.rows)
+    if extra.names[0] == "t":
+        return _by_row(desk, whole.part(1), whole.rows[:, 0], caption, "")
+    if len(extra.rows) == len(desk.run.motion.t):
+        return _by_row(desk, whole, desk.run.motion.t, caption, "")
+    columns, texts = _columns(desk, whole, thinned(len(extra.rows)))
+    return [Table(columns, [list(row) for row in zip(*texts, strict=True)], desk.lettered(caption))]
 
 
-def _cells(desk: Desk, values: Any) -> list[Cell]:
-    return [numeral(text) for text in desk.numbers.column(values)]
+def _columns(desk: Desk, grid: Grid, kept: list[int]) -> tuple[list[Column], list[list[Cell]]]:
+    heads = [Column(desk.symbol_runs([n]), unit_text(u)) for n, u in zip(grid.names, grid.units, strict=True)]
+    texts = [desk.numbers.column(grid.rows[kept, index]) for index in range(len(heads))]
+    return heads, [[numeral(text) for text in column] for column in texts]
 
 
-def _split(desk: Desk, names: Sequence[str], units: Sequence[str], values: Any, caption: str, notes: list[str]) -> list[Part]:
+def _by_row(desk: Desk, grid: Grid, t: Any, caption: str, note: str) -> list[Part]:
     """Return one table, or as many as the columns need; each repeats row and time."""
-    t = desk.run.motion.t
     check_row = desk.run.variant.time.check_row
     kept = thinned(len(t), keep=[check_row - 1] if check_row else [])
-    heads = [Column(runs(desk.words("table.row"))), Column(desk.symbol_runs(["t"]), "s")]
-    labels = [f"{MARK} {row + 1}" if row + 1 == check_row else str(row + 1) for row in kept]
+    labels: list[Cell] = [f"{MARK} {row + 1}" if row + 1 == check_row else str(row + 1) for row in kept]
     times = desk.numbers.times([float(t[row]) for row in kept])
-    strong = [kept.index(check_row - 1)] if check_row and check_row <= len(t) else []
-    texts = [_cells(desk, values[kept, index]) for index in range(len(names))]
-    count = max(math.ceil(len(names) / MOST_COLUMNS), 1)
-    width = math.ceil(len(names) / count)
+    strong = [kept.index(check_row - 1)] if check_row and check_row - 1 in kept else []
     parts: list[Part] = []
     if pace_of(len(t)) > 1:
-        step = pace_of(len(t))
-        rows_of = {"step": step, "printed": len(kept), "rows": desk.numbers.whole(len(t))}
+        rows_of = {"step": pace_of(len(t)), "printed": len(kept), "rows": desk.numbers.whole(len(t))}
         parts.append(Paragraph(desk.say("table.thinned", **rows_of)))
-    for part in range(count):
-        some = slice(part * width, (part + 1) * width)
-        columns = heads + [Column(desk.symbol_runs([n]), unit_text(u)) for n, u in zip(names[some], units[some], strict=True)]
-        rows: list[list[Cell]] = [list(row) for row in zip(labels, times, *texts[some], strict=True)]
-        which = desk.words("table.part", part=part + 1, parts=count) if count > 1 else ""
-        note = " ".join(notes) if part == count - 1 else ""
-        parts.append(Table(columns, rows, runs(f"{caption} {which}".strip()), strong, runs(note)))
+    pieces = _pieces(grid.names)
+    for number, (first, last) in enumerate(pieces, start=1):
+        heads, texts = _columns(desk, grid.part(first, last), kept)
+        columns = [Column(runs(desk.words("table.row"))), Column(desk.symbol_runs(["t"]), "s"), *heads]
+        rows = [list(row) for row in zip(labels, times, *texts, strict=True)]
+        which = desk.words("table.part", part=number, parts=len(pieces)) if len(pieces) > 1 else ""
+        below = runs(note) if number == len(pieces) else []
+        parts.append(Table(columns, rows, desk.lettered(f"{caption} {which}".strip()), strong, rules_for(len(rows)), below))
     return parts
+
+
+def _pieces(names: Sequence[str]) -> list[tuple[int, int]]:
+    """Return (first, last) of the columns of each table: about alike in width, those of a point ("A.x", "A.vx") together."""
+    owners = [name.partition(".")[0] if "." in name else "" for name in names]
+    begins = [i for i, owner in enumerate(owners) if i == 0 or not owner or owner != owners[i - 1]]
+    blocks = list(zip(begins, [*begins[1:], len(names)], strict=True))
+    width = max([math.ceil(len(names) / max(math.ceil(len(names) / MOST_COLUMNS), 1)), *(b - a for a, b in blocks)])
+    cuts = [0]
+    for begin, end in blocks:
+        if end - cuts[-1] > width and begin > cuts[-1]:
+            cuts.append(begin)
+    return list(zip(cuts, [*cuts[1:], len(names)], strict=True))

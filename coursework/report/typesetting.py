@@ -9,7 +9,6 @@ from __future__ import annotations
 import atexit
 import importlib.util
 import json
-import os
 import shutil
 import tempfile
 from functools import lru_cache
@@ -72,7 +71,7 @@ def _faces() -> Path:
 
 def _link(source: Path, target: Path) -> None:
     try:
-        os.symlink(source, target)
+        target.symlink_to(source)
     except OSError:  # Windows lets only administrators
         shutil.copyfile(source, target)
 

@@ -13,11 +13,10 @@ from coursework.files import write_bytes
 from coursework.report.html import render_html
 from coursework.report.model import ReportModel, build_model
 from coursework.report.pdf import render_pdf
-from coursework.report.source import Run as Shown
-from coursework.run import Run
+from coursework.report.source import Run
 
 
-def write_report(run: Run | Shown, *paths: Path | str, language: str = "en") -> None:
+def write_report(run: Run, *paths: Path | str, language: str = "en") -> None:
     """Write the report of a run to each path; the suffix, .html or .pdf, decides the kind.
 
     The model (and its figures) is built once.  All kinds are rendered before the first file is touched.

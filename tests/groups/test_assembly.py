@@ -28,8 +28,8 @@ from coursework.groups import (
 )
 
 REFERENCE = Path(__file__).parents[1] / "reference"
-O = Pair((0.0, 0.0))  # noqa: E741  the origin
-X_AXIS = Guide(O, 0.0)
+ORIGIN = Pair((0.0, 0.0))
+X_AXIS = Guide(ORIGIN, 0.0)
 
 
 def hard_case(number: str) -> dict[str, dict[str, object]]:
@@ -45,7 +45,7 @@ def row_of_pins(*places: float) -> Pair:
 def test_rrr_too_short_names_row_and_shortage() -> None:
     places = np.linspace(1.0, 1.9132, 13)
     with pytest.raises(CannotAssemble) as caught:
-        rrr(O, row_of_pins(*places), lengths=(1.0, 0.8), mode=1)
+        rrr(ORIGIN, row_of_pins(*places), lengths=(1.0, 0.8), mode=1)
     assert str(caught.value) == (
         "RRR cannot be assembled at row 11: B and D are 1.8371 m apart, the two links reach 1.8000 m; "
         "together they are 0.0371 m too short. So does 1 later row."
@@ -54,7 +54,7 @@ def test_rrr_too_short_names_row_and_shortage() -> None:
     assert caught.value.shortage == pytest.approx(places[11] - 1.8, abs=1e-15)
 
     with pytest.raises(CannotAssemble) as caught:
-        rrr(O, Pair((1.9132, 0.0)), lengths=(1.0, 0.8), mode=1)
+        rrr(ORIGIN, Pair((1.9132, 0.0)), lengths=(1.0, 0.8), mode=1)
     assert str(caught.value) == (
         "RRR cannot be assembled at row 0: B and D are 1.9132 m apart, the two links reach 1.8000 m; "
         "together they are 0.1132 m too short."
@@ -63,7 +63,7 @@ def test_rrr_too_short_names_row_and_shortage() -> None:
 
 def test_rrr_too_long_to_fold() -> None:
     with pytest.raises(CannotAssemble) as caught:
-        rrr(O, row_of_pins(1.0, 0.18), lengths=(0.8, 1.0), mode=-1)
+        rrr(ORIGIN, row_of_pins(1.0, 0.18), lengths=(0.8, 1.0), mode=-1)
     assert str(caught.value) == (
         "RRR cannot be assembled at row 1: B and D are 0.1800 m apart, the links differ by 0.2000 m; "
         "the longer link is 0.0200 m too long to fold."
@@ -79,7 +79,7 @@ def test_rrp_and_rpr_out_of_reach() -> None:
         "it is 0.0200 m too short."
     )
     with pytest.raises(CannotAssemble) as caught:
-        rpr(row_of_pins(1.0, 0.0999), O, offset=-0.1)
+        rpr(row_of_pins(1.0, 0.0999), ORIGIN, offset=-0.1)
     assert str(caught.value) == (
         "RPR cannot be assembled at row 1: B and D are 0.0999 m apart, the offset is 0.1000 m; it is 0.0001 m too long."
     )
@@ -107,13 +107,13 @@ def test_nearly_parallel_guides_are_solved() -> None:
 
 DEAD: dict[str, tuple[Callable[..., GroupMotion], str, tuple[float, float]]] = {
     "RRR stretched": (
-        lambda **more: rrr(O, Pair((1.8, 0.0), (0.0, 1.0)), lengths=(1.0, 0.8), mode=1, **more),
+        lambda **more: rrr(ORIGIN, Pair((1.8, 0.0), (0.0, 1.0)), lengths=(1.0, 0.8), mode=1, **more),
         "RRR is at a dead point at row 0: B, C and D lie on one line, the links are stretched. The determinant is 0, "
         "so velocities are not defined there; pass positions_only=True for the positions alone.",
         (0.0, np.pi),
     ),
     "RRR folded": (
-        lambda **more: rrr(O, Pair((0.25, 0.0)), lengths=(1.0, 0.75), mode=-1, **more),
+        lambda **more: rrr(ORIGIN, Pair((0.25, 0.0)), lengths=(1.0, 0.75), mode=-1, **more),
         "RRR is at a dead point at row 0: B, C and D lie on one line, the links are folded.",
         (0.0, 0.0),
     ),
@@ -123,7 +123,7 @@ DEAD: dict[str, tuple[Callable[..., GroupMotion], str, tuple[float, float]]] = {
         (-np.pi / 2, 2.0),
     ),
     "RPR": (
-        lambda **more: rpr(Pair((0.1, 0.0)), O, offset=0.1, **more),
+        lambda **more: rpr(Pair((0.1, 0.0)), ORIGIN, offset=0.1, **more),
         "RPR is at a dead point at row 0: the block is level with the pivot D, s = 0.",
         (-np.pi / 2, 0.0),
     ),
@@ -149,11 +149,11 @@ def test_dead_points_give_positions_but_no_velocities(name: str) -> None:
 
 def test_no_position_where_the_links_may_turn_freely() -> None:
     with pytest.raises(AtDeadPoint, match=r"B and D coincide and the links are equal\. .*nor is the position"):
-        rrr(O, row_of_pins(1.0, 0.0), lengths=(1.0, 1.0), mode=1, positions_only=True)
+        rrr(ORIGIN, row_of_pins(1.0, 0.0), lengths=(1.0, 1.0), mode=1, positions_only=True)
     with pytest.raises(AtDeadPoint, match="B lies on D and the rod may point anywhere"):
-        rpr(O, row_of_pins(1.0, 0.0), positions_only=True)
+        rpr(ORIGIN, row_of_pins(1.0, 0.0), positions_only=True)
     with pytest.raises(CannotAssemble, match=r"0\.0000 m apart, the links differ by 0\.5000 m"):
-        rrr(O, O, lengths=(1.0, 0.5), mode=1)
+        rrr(ORIGIN, ORIGIN, lengths=(1.0, 0.5), mode=1)
 
 
 @pytest.mark.parametrize("mode", [1, -1])
@@ -161,7 +161,7 @@ def test_grashof_neutral_linkage_folds_at_any_scale(mode: int) -> None:
     lengths = hard_case("H05")["data"]
     a, b, c, d = (float(str(lengths[name])) for name in "abcd")
     for scale in (*np.arange(1, 2001) / 1000, 1e-9, 1e9, 1 / 3, np.pi):
-        pin = crank(O, length=a * scale, angle=[0.0, 2.0], rate=1.0).meets
+        pin = crank(ORIGIN, length=a * scale, angle=[0.0, 2.0], rate=1.0).meets
         ground = Pair((d * scale, 0.0))
         with pytest.raises(AtDeadPoint):
             rrr(pin, ground, lengths=(b * scale, c * scale), mode=mode)
@@ -184,15 +184,15 @@ def test_an_excess_beyond_rounding_is_never_clipped(r_i: float, r_j: float, scal
         return
     lengths = (r_i * scale, r_j * scale)
     with pytest.raises(CannotAssemble):
-        rrr(O, Pair((limit + step, 0.0)), lengths=lengths, mode=1, positions_only=True)
-    inside = rrr(O, Pair((limit - step, 0.0)), lengths=lengths, mode=1)
+        rrr(ORIGIN, Pair((limit + step, 0.0)), lengths=lengths, mode=1, positions_only=True)
+    inside = rrr(ORIGIN, Pair((limit - step, 0.0)), lengths=lengths, mode=1)
     assert inside.rates is not None
     assert inside.determinant[0] < 0.0
 
 
 def test_both_assemblies_of_the_hard_case() -> None:
     expected = hard_case("H32")["expected"]
-    pin = crank(O, length=1.0, angle=0.7, rate=1.0).meets
+    pin = crank(ORIGIN, length=1.0, angle=0.7, rate=1.0).meets
     for mode, branch in ((1, "branch +: phi_b,phi_c,det"), (-1, "branch -")):
         phi_b, phi_c, det = (float(str(part)) for part in expected[branch])  # type: ignore[attr-defined]
         solved = rrr(pin, Pair((2.5, 0.0)), lengths=(3.0, 2.0), mode=mode)

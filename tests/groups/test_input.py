@@ -7,10 +7,10 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from coursework.groups import GroupMotion, Guide, Pair, crank, rpp, rpr, rrp, rrr
+from coursework.groups import Guide, Pair, crank, rpp, rpr, rrp, rrr
 
-O = Pair((0.0, 0.0))  # noqa: E741  the origin
-X_AXIS = Guide(O, 0.0)
+ORIGIN = Pair((0.0, 0.0))
+X_AXIS = Guide(ORIGIN, 0.0)
 
 
 def row_of_pins(*places: float) -> Pair:
@@ -21,58 +21,58 @@ def row_of_pins(*places: float) -> Pair:
     ("call", "sentence"),
     [
         (
-            lambda: rrr(O, O, lengths=(1.0, 1.0), mode=0),
+            lambda: rrr(ORIGIN, ORIGIN, lengths=(1.0, 1.0), mode=0),
             "RRR: assembly mode 0 does not exist. Modes: +1 (C to the left",
         ),
         (
-            lambda: rrp(O, X_AXIS, length=1.0, mode=2),
+            lambda: rrp(ORIGIN, X_AXIS, length=1.0, mode=2),
             "RRP: assembly mode 2 does not exist. Modes: +1 (the larger s), -1",
         ),
-        (lambda: rpr(O, O, mode=-2), "RPR: assembly mode -2 does not exist."),
+        (lambda: rpr(ORIGIN, ORIGIN, mode=-2), "RPR: assembly mode -2 does not exist."),
         (
-            lambda: rrr(O, O, lengths=(-1.0, 1.0), mode=1),
+            lambda: rrr(ORIGIN, ORIGIN, lengths=(-1.0, 1.0), mode=1),
             "RRR, the link from B: a finite length above zero was expected, found -1.",
         ),
         (
-            lambda: rrr(O, O, lengths=(1.0, [1.0, 0.0]), mode=1),
+            lambda: rrr(ORIGIN, ORIGIN, lengths=(1.0, [1.0, 0.0]), mode=1),
             "RRR, the link from D: a finite length above zero was expected, found 0 at row 1.",
         ),
         (
-            lambda: rrp(O, X_AXIS, length=np.inf, mode=1),
+            lambda: rrp(ORIGIN, X_AXIS, length=np.inf, mode=1),
             "RRP, the rod: a finite length above zero was expected",
         ),
         (
-            lambda: rpr(O, O, end_length=np.nan),
+            lambda: rpr(ORIGIN, ORIGIN, end_length=np.nan),
             "RPR, the rod to its end: a finite length above zero was expected",
         ),
-        (lambda: rpr(O, O, offset=np.nan), "RPR, the offset: a finite number was expected, found nan."),
-        (lambda: rpp(O, X_AXIS, slide_angle=np.inf), "RPP, the slide angle: a finite number was expected"),
+        (lambda: rpr(ORIGIN, ORIGIN, offset=np.nan), "RPR, the offset: a finite number was expected, found nan."),
+        (lambda: rpp(ORIGIN, X_AXIS, slide_angle=np.inf), "RPP, the slide angle: a finite number was expected"),
         (
-            lambda: crank(O, length=0.0, angle=0.0, rate=1.0),
+            lambda: crank(ORIGIN, length=0.0, angle=0.0, rate=1.0),
             "crank, its length: a finite length above zero was",
         ),
         (
-            lambda: crank(O, length=(1.0, 2.0), angle=0.0, rate=1.0),
+            lambda: crank(ORIGIN, length=(1.0, 2.0), angle=0.0, rate=1.0),
             "crank, its length: a varying length is (value, rate, second rate), found 2 entries.",
         ),
         (
-            lambda: crank(O, length=(1.0, [1.0, 2.0], [1.0, 2.0, 3.0]), angle=0.0, rate=1.0),
+            lambda: crank(ORIGIN, length=(1.0, [1.0, 2.0], [1.0, 2.0, 3.0]), angle=0.0, rate=1.0),
             "crank, its length: value, rate and second rate have different numbers of rows, [2, 3].",
         ),
         (
-            lambda: crank(O, length="1 m", angle=0.0, rate=1.0),
+            lambda: crank(ORIGIN, length="1 m", angle=0.0, rate=1.0),
             "crank, its length: a number was expected, found '1 m'.",
         ),
         (
-            lambda: crank(O, length=1.0, angle=[0.0, None], rate=1.0),
+            lambda: crank(ORIGIN, length=1.0, angle=[0.0, None], rate=1.0),  # type: ignore[arg-type]
             "crank, angle: a number was expected, found None at row 1.",
         ),
         (
-            lambda: crank(O, length=1.0, angle=[[0.0]], rate=1.0),
+            lambda: crank(ORIGIN, length=1.0, angle=[[0.0]], rate=1.0),
             "crank, angle: one number, or one number a row, was",
         ),
         (
-            lambda: crank(O, length=1.0, angle=[[0.0], [1.0, 2.0]], rate=1.0),
+            lambda: crank(ORIGIN, length=1.0, angle=[[0.0], [1.0, 2.0]], rate=1.0),
             "crank, angle: one number, or one number",
         ),
         (
@@ -87,27 +87,26 @@ def row_of_pins(*places: float) -> Pair:
         (
             lambda: Pair([(0.0, 1.0), (2.0,)]),
             "position: rows of (x, y) were expected, found [(0.0, 1.0), (2.0,)].",
-        ),  # type: ignore[list-item]
-        (lambda: Pair(("a", 1.0)), "position: numbers were expected, found ('a', 1.0)."),  # type: ignore[arg-type]
+        ),
+        (lambda: Pair(("a", 1.0)), "position: numbers were expected, found ('a', 1.0)."),
         (
             lambda: Pair([(0.0, 0.0)] * 2, [(0.0, 0.0)] * 3),
             "pair: the same number of rows was expected everywhere",
         ),
         (
-            lambda: Guide(O, [0.0, 1.0], [0.0, 1.0, 2.0]),
+            lambda: Guide(ORIGIN, [0.0, 1.0], [0.0, 1.0, 2.0]),
             "guide: the same number of rows was expected everywhere",
         ),
     ],
 )
-def test_wrong_input_is_named(call: object, sentence: str) -> None:
-    assert callable(call)
+def test_wrong_input_is_named(call: Callable[[], object], sentence: str) -> None:
     with pytest.raises(ValueError, match=r"\.$") as caught:
         call()
     assert str(caught.value).startswith(sentence)
 
 
 def test_velocities_of_a_pair_must_be_known() -> None:
-    first = rrr(O, Pair((1.0, 0.0)), lengths=(1.0, 1.0), mode=1, positions_only=True)
+    first = rrr(ORIGIN, Pair((1.0, 0.0)), lengths=(1.0, 1.0), mode=1, positions_only=True)
     second = rrr(first.meets, Pair((1.5, 0.0)), lengths=(1.0, 1.0), mode=1, positions_only=True)
     assert second.coordinates.shape == (1, 2)
     with pytest.raises(ValueError, match="RRR, pair B: velocity and acceleration are not known; the group before"):
@@ -117,11 +116,11 @@ def test_velocities_of_a_pair_must_be_known() -> None:
 @pytest.mark.filterwarnings("ignore:overflow", "ignore:invalid")
 def test_numbers_too_large_do_not_leave_as_infinity() -> None:
     with pytest.raises(ValueError, match="RRR: the numbers at row 0 are too large to compute with"):
-        rrr(O, Pair((1.0, 0.0), (1e200, 0.0)), lengths=(1.0, 1.0), mode=1)
+        rrr(ORIGIN, Pair((1.0, 0.0), (1e200, 0.0)), lengths=(1.0, 1.0), mode=1)
 
 
 def test_one_row_of_a_pair_goes_with_many_of_a_guide() -> None:
-    guide = Guide(O, 0.0, rate=np.array([0.0, 1.0, 2.0]))
+    guide = Guide(ORIGIN, 0.0, rate=np.array([0.0, 1.0, 2.0]))
     solved = rrp(Pair((0.0, 0.3)), guide, length=0.5, mode=-1)
     assert solved.rates is not None
     assert solved.coordinates.shape == solved.rates.shape == solved.meets.position.shape == (3, 2)
@@ -131,7 +130,7 @@ def test_one_row_of_a_pair_goes_with_many_of_a_guide() -> None:
 
 
 def test_no_rows_in_no_rows_out() -> None:
-    pin = crank(O, length=0.4, angle=np.zeros(0), rate=10.0).meets
+    pin = crank(ORIGIN, length=0.4, angle=np.zeros(0), rate=10.0).meets
     assert rrr(pin, Pair((1.2, 0.0)), lengths=(1.0, 0.7), mode=1).coordinates.shape == (0, 2)
 
 
@@ -140,7 +139,7 @@ def test_records_are_read_only_and_keep_their_own_numbers() -> None:
     pair = Pair(place)
     place[0, 0] = 9.0
     assert pair.position[0, 0] == 1.0
-    solved = rrr(O, pair, lengths=(1.0, 1.0), mode=1)
+    solved = rrr(ORIGIN, pair, lengths=(1.0, 1.0), mode=1)
     for array in (pair.position, solved.coordinates, solved.determinant, solved.meets.position, X_AXIS.angle):
         with pytest.raises(ValueError, match="read-only"):
             array[0] = 1.0

@@ -87,6 +87,12 @@ class Graph:
 
 
 @dataclass(frozen=True)
+class Settings:
+    project: int = 0
+    gain: float = 0.0
+
+
+@dataclass(frozen=True)
 class Run:
     variant: Variant
     motion: Motion
@@ -108,8 +114,7 @@ class Run:
     group: str | None = None
     date: str | None = None
     graph: Graph | None = None
-    project: int = 0
-    gain: float = 0.0
+    settings: Settings = field(default_factory=lambda: Settings())
 
 
 def velocities(t: float, q: Any) -> Any:
@@ -244,7 +249,8 @@ def study(seconds_shown: bool = True) -> Study:
           ((48, 3.93e-3), (96, 7.73e-4), (192, 1.67e-4), (768, 9.22e-6), (3072, 5.73e-7), (49152, 2.24e-9))),
         *(StudyRow("RK4", str(n // 4), n, e, e / 6, n * 1.33e-6) for n, e in
           ((96, 1.07e-5), (192, 7.25e-7), (384, 4.73e-8), (768, 3.02e-9), (1536, 1.9e-10), (6144, 7.5e-13), (24576, 8.4e-15))),
-        StudyRow("RK45 adaptive", "1e-5", 56, 4.4e-4, 2.2e-4, 1.1e-3), StudyRow("RK45 adaptive", "1e-9", 260, 3.3e-8, 1e-8, 4.4e-3),
+        StudyRow("RK45 adaptive", "1e-5", 56, 4.4e-4, 2.2e-4, 1.1e-3),
+        StudyRow("RK45 adaptive", "1e-9", 260, 3.3e-8, 1e-8, 4.4e-3),
         StudyRow("exact closure", "Newton", 175, 1.3e-15, 1e-15, 2e-4),
         StudyRow("Euler, 1 projection", "3", 6, float("nan"), float("nan"), None, "Newton did not come to rest at row 2"),
     ]  # fmt: skip

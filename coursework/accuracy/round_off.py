@@ -1,0 +1,48 @@
+"""The lesson of single precision: with ever smaller steps round-off takes back what the scheme gains.
+
+Enters: a scene with its exact end.  Leaves: rows of the V-shaped curve, for t = i*h and for t += h.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.precision import march_in
+from coursework.rates import Rates
+
+Array = NDArray[np.float64]
+# Steps a row: from the coursework's step to where t += h in single precision has lost more than the scheme gained.
+SUBSTEPS = (1, 4, 16, 64, 256, 1024, 4096)
+
+
+@dataclass(frozen=True, slots=True)
+class RoundOffRow:
+    """Error of the last row (rad or m) with `steps` steps: doubles, single precision, single precision with t += h."""
+
+    steps: int
+    double: float
+    single: float
+    running: float
+
+
+def round_off_curve(
+    rates: Rates, scheme: str, start: Sequence[float], step: float, rows: int, end: Array
+) -> Iterator[RoundOffRow]:
+    """Yield the curve, coarse to fine; some seconds in all."""
+    from coursework.loops import generate_loop
+    from coursework.schemes import SCHEMES
+
+    loop = generate_loop(SCHEMES[scheme].step, rates)
+    for substeps in SUBSTEPS:
+        count, h = rows * substeps, step / substeps
+        double = np.array(loop(0.0, count, h, *start))
+        found = [
+            march_in(np.float32, rates, scheme, start, h, count, every=count, running_time=running)[-1].astype(float)
+            for running in (False, True)
+        ]
+        gaps = [float(np.max(np.abs(position - end))) for position in (double, *found)]
+        yield RoundOffRow(count, *gaps)

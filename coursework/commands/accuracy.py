@@ -1,0 +1,66 @@
+"""`coursework accuracy`: the study of one variant with wall time, on a page and in words."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import click
+
+from coursework.accuracy.methods import Scene
+from coursework.accuracy.study import AccuracyStudy, make_study, time_of
+from coursework.api import load, solve
+from coursework.commands.run import check_formats
+from coursework.errors import InputError
+from coursework.run import Run
+
+
+def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...]) -> int:
+    """Return 0 after writing the page, 1 where the motion stops and there is nothing to study."""
+    check_formats(formats)
+    chosen = load(variant)
+    run = solve(chosen, quantities=("accuracy",))
+    if run.stop is not None:
+        click.echo(f"The motion stops, so there is no accuracy to study: {run.stop.sentence}")
+        return 1
+    run.values.values["accuracy"] = timed_study(run)
+    folder = out or Path(f"coursework-{chosen.name}")
+    pages = [folder / f"accuracy.{kind}" for kind in ("html", "pdf") if kind in formats]
+    if pages:
+        from coursework.report import write_report
+
+        write_report(run, *pages)
+    study: AccuracyStudy = run.values["accuracy"]
+    click.echo(f"{run.variant.title}  ({run.variant.name}): error against cost")
+    for sentence in study.sentences:
+        click.echo(f"  {sentence}")
+    for name, order in study.orders.items():
+        click.echo(f"  measured order of {name}: {order:.2f}")
+    for label, spent in study.overhead:
+        click.echo(f"  {label}: {spent:.2f} s")
+    click.echo(f"Reference: {study.reference_label}")
+    click.echo(f"Written to {folder}: {', '.join(page.name for page in pages)}" if pages else "Nothing written.")
+    return 0
+
+
+def timed_study(run: Run) -> AccuracyStudy:
+    """Return the study with seconds, and what importing and reducing cost beside them."""
+    values = run.values
+    time = run.variant.time
+    if values["closure"] is None and run.exact.evaluations == 0:
+        raise InputError("there is no reference to measure errors against.")
+    scene = Scene(values["rates"], values["start"], time.step, len(run.exact.t) - 1, values["closure"])
+    command = [sys.executable, "-c", "import numpy, sympy"]
+    overhead = (
+        ("starting Python, importing NumPy and SymPy", time_of(lambda: subprocess.run(command, check=True))),
+        (
+            "reading, differentiating, reducing, compiling",
+            sum(values.seconds[name] for name in ("equations", "reduction", "rates")),
+        ),
+    )
+    with click.progressbar(length=45, label="Measuring", file=sys.stderr) as bar:
+        return make_study(
+            scene, run.exact, values["budget"], run.settings.scheme,
+            timed=True, overhead=overhead, progress=lambda _label: bar.update(1),
+        )  # fmt: skip

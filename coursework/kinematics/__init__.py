@@ -1,0 +1,1 @@
+"""What follows from a motion on request: accelerations, points, analogs, invariants, instantaneous centres."""
