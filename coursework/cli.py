@@ -6,6 +6,7 @@ Only click is imported at start; everything else inside the command that needs i
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Callable
 from functools import wraps
@@ -30,6 +31,10 @@ def _guarded(command: Callable[..., int]) -> Callable[..., None]:
         except CourseworkError as error:
             click.echo(str(error), err=True)
             sys.exit(WRONG_INPUT)
+        except BrokenPipeError:
+            # The reader of our output (head, a pager) has left; what was written stays.
+            sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115, PTH123
+            sys.exit(PASSED)
         except (click.ClickException, click.exceptions.Exit, SystemExit):
             raise
         except Exception:

@@ -124,7 +124,7 @@ def flow(equations: VelocityEquations, reduction: Reduction) -> Flow:
     return Flow(system, places, [block.largest for block in reduction.blocks], rates)
 
 
-def find_event(scene: Flow, start: Sequence[float], end: float, begin: float = 0.0) -> Event | None:
+def find_event(scene: Flow, start: Sequence[float], end: float, begin: float = 0.0, tolerance: float = TOLERANCE) -> Event | None:
     """Follow the true motion from `start` at t = `begin` until `end` (s); return the first dead or change point, if any."""
     state = np.array([*start, begin], dtype=float)
     scaled = scene.scaled(begin, state[:-1])
@@ -156,7 +156,7 @@ def find_event(scene: Flow, start: Sequence[float], end: float, begin: float = 0
                     return None
                 raise InputError(f"the equations cannot be computed beyond t = {state[-1]:.6g} s: {error}") from error
             continue
-        ratio = float(np.max(np.abs(step.error) / (TOLERANCE * _sizes(state, end))))
+        ratio = float(np.max(np.abs(step.error) / (tolerance * _sizes(state, end))))
         if not np.isfinite(ratio) or ratio > 1.0:
             length = next_length(length, ratio if np.isfinite(ratio) else 1e10)
             continue

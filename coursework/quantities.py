@@ -20,7 +20,7 @@ from coursework.dead_point import flow as build_flow
 from coursework.drive import refuse_aliasing
 from coursework.equations import VelocityEquations, differentiate
 from coursework.errors import InputError
-from coursework.exact import NotReached, exact_motion
+from coursework.exact_motion import NotReached, exact_motion
 from coursework.explain import explain
 from coursework.integrate import Correction, march
 from coursework.mechanism import Mechanism, build
@@ -96,6 +96,15 @@ def stop(event: Event | None, equations: VelocityEquations, reduction: Reduction
 
     found = branches_at(flow, event) if event.kind == "change point" else ()
     return explain(event, equations, reduction, variant.time.step, found)
+
+
+def phases(event: Event | None, equations: VelocityEquations, reduction: Reduction, start: list[float]) -> str:
+    """For a motion that stops: the phases of the drive with which the whole motion would be possible, in a sentence."""
+    if event is None:
+        return ""
+    from coursework.phases import phase_sentence
+
+    return phase_sentence(equations, reduction, start)
 
 
 def motion(
@@ -306,7 +315,7 @@ def budget(
 QUANTITIES: dict[str, Any] = {
     rule.__name__: rule
     for rule in (
-        mechanism, equations, start, closure, reduction, rates, flow, event, stop, motion, table, half, exact, wide, checks,
+        mechanism, equations, start, closure, reduction, rates, flow, event, stop, phases, motion, table, half, exact, wide, checks,
         plots, accelerations, points, point_accelerations, exact_accelerations, analogs, invariants,
         budget, accuracy,
     )

@@ -12,14 +12,14 @@ from dataclasses import dataclass
 import sympy as sp
 
 from coursework.equations import VelocityEquation, VelocityEquations
-from coursework.formula import Formula
+from coursework.formula import Formula, number
 from coursework.independent import choose
 from coursework.magnitude import largest
 from coursework.matching import blocks as block_order
 from coursework.matching import match
 from coursework.meaning import meaning
 from coursework.symbolic import symbol
-from coursework.tidy import as_formula, is_polynomial, quotient
+from coursework.tidy import as_formula, product, quotient
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,14 +114,15 @@ def _block(
     bare = Block(tuple(unknowns), names, matrix, right_side, None, (), "")
     determinant = bare.symbolic_determinant
     order = equations.order
+    bottom = product(determinant, order)
     solution = []
     for name, numerator in zip(unknowns, bare.numerators, strict=True):
-        plain = quotient(numerator, determinant, order)
-        inserted = numerator.xreplace(before)
-        other = quotient(inserted, determinant, order) if inserted != numerator else plain
-        shown = other if _size(other) < _size(plain) else plain
-        solution.append((name, shown))
-        if is_polynomial(sp.fraction(sp.together(numerator / determinant))[1]) and len(unknowns) == 1:
+        plain = quotient(numerator, bottom, order)
+        if before and before.keys() & numerator.free_symbols:
+            other = quotient(numerator.xreplace(before), bottom, order)
+            plain = other if _size(other) < _size(plain) else plain
+        solution.append((name, plain))
+        if len(unknowns) == 1 and not _divisor(plain).names():
             before[symbol(name)] = sp.expand(numerator / determinant)
     shown_determinant = as_formula(determinant, order)
     return Block(
@@ -134,6 +135,12 @@ def _moved(equation: VelocityEquation, unknowns: list[str]) -> sp.Expr:
     """Return the right side with the terms of earlier velocities moved over."""
     earlier = [slope * symbol(name) for name, slope in equation.coefficients.items() if name not in unknowns]
     return sp.Add(equation.right_side, *[-term for term in earlier])
+
+
+def _divisor(tree: Formula) -> Formula:
+    """Return what a shown solution is divided by."""
+    inner = tree.args[0] if tree.op == "neg" else tree
+    return inner.args[1] if inner.op == "/" else number(1)
 
 
 def _size(tree: Formula) -> int:

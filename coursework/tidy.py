@@ -82,9 +82,9 @@ def product(expr: sp.Expr, order: Order) -> Product:
     return Product(content, tuple(common.items()), () if len(terms) == 1 else tuple(terms))
 
 
-def quotient(above: sp.Expr, below: sp.Expr, order: Order) -> Formula:
-    """Return above / below with common factors cancelled."""
-    top, bottom = product(above, order), product(below, order)
+def quotient(above: sp.Expr, bottom: Product, order: Order) -> Formula:
+    """Return above / bottom with common factors cancelled."""
+    top = product(above, order)
     atoms = dict(top.atoms)
     for atom, power in bottom.atoms:
         atoms[atom] = atoms.get(atom, 0) - power
@@ -98,13 +98,10 @@ def as_formula(expr: sp.Expr, order: Order) -> Formula:
     """Return an expression as a formula, tidied."""
     if expr.count_ops() > MAX_OPERATIONS:
         return _plain(expr, order)
-    above, below = sp.fraction(expr if expr.is_Add else sp.together(expr))
-    return quotient(above, below, order)
-
-
-def is_polynomial(below: sp.Expr) -> bool:
-    """Return whether a divisor is a mere number."""
-    return not below.free_symbols
+    # Bringing to one denominator costs more than all the rest; most expressions have none.
+    divided = any(power.exp.is_negative for power in expr.atoms(sp.Pow))
+    above, below = sp.fraction(sp.together(expr)) if divided else (expr, sp.S.One)
+    return quotient(above, product(below, order), order)
 
 
 def _lcm(a: int, b: int) -> int:

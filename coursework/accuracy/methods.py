@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from coursework.accuracy.trace import trace
 from coursework.adaptive import integrate_adaptive
 from coursework.closure import Closure
-from coursework.exact import follow_closure
+from coursework.exact_motion import follow_closure
 from coursework.integrate import Correction, march
 from coursework.loops import Loop, generate_loop
 from coursework.rates import Rates

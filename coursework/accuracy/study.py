@@ -18,7 +18,7 @@ from coursework.accuracy.methods import Scene, trials
 from coursework.accuracy.sentences import sentences_of
 from coursework.accuracy.timing import seconds
 from coursework.accuracy.trace import errors, slope
-from coursework.exact import follow_closure, refine
+from coursework.exact_motion import follow_closure, refine
 from coursework.motion import Motion
 from coursework.schemes import SCHEMES
 

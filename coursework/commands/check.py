@@ -45,6 +45,8 @@ def check_variant(variant: str) -> int:
         click.echo(f"The whole motion, 0 to {chosen.time.end:g} s, is possible: no dead point.")
         return 0
     click.echo(f"Not the whole motion is possible ({stop.kind}): {stop.sentence}")
+    if values["phases"]:
+        click.echo(values["phases"])
     return 1
 
 

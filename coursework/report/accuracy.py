@@ -9,11 +9,11 @@ from __future__ import annotations
 from coursework.report.accuracy_figures import Bar, Method, Panels, bars, panels
 from coursework.report.desk import Desk
 from coursework.report.figures import WIDTH
-from coursework.report.lettering import LONGEST_NAME, clean, numeral, runs
+from coursework.report.lettering import LONGEST_NAME, clean, numeral, printed, runs
 from coursework.report.numbers import NOTHING, with_unit
 from coursework.report.parts import Bullets, Cell, Column, Figure, Paragraph, Part, Table
 from coursework.report.source import AccuracyStudy, StudyRow
-from coursework.report.tables import MARK
+from coursework.report.tables import MARK, ONE_PAGE
 
 ERROR_DIGITS = 3  # an error needs no more
 BUDGET_PARTS = ("scheme", "period", "roundoff")
@@ -57,7 +57,7 @@ def _figure(desk: Desk, study: AccuracyStudy) -> Figure:
     floor = with_unit(desk.numbers.scalar(study.floor, 2), _unit(desk))
     caption = say("accuracy.caption_two" if page.timed else "accuracy.caption_one")
     caption += " " + say("accuracy.caption_rest", floor=floor)
-    caption += " " + say("accuracy.reference", label=clean(study.reference_label).rstrip("."))
+    caption += " " + say("accuracy.reference", label=printed(clean(study.reference_label)).rstrip("."))
     alt = say("accuracy.alt", methods=say.listing([method.name for method in methods]))
     svg, height = panels("accuracy", page)
     return Figure(svg, WIDTH, height, alt, desk.lettered(caption))
@@ -99,7 +99,7 @@ def _table(desk: Desk, study: AccuracyStudy) -> Table:
     if study.orders:
         orders = ", ".join(f"{clean(name, LONGEST_NAME)} {_order_text(desk, study, name)}" for name in study.orders)
         notes.append(desk.words("accuracy.orders", orders=orders))
-    return Table(columns, rows, desk.say("accuracy.study"), strong, rules, runs(" ".join(notes)))
+    return Table(columns, rows, desk.say("accuracy.study"), strong, rules, runs(" ".join(notes)), whole=len(rows) <= ONE_PAGE)
 
 
 def _failures(desk: Desk, study: AccuracyStudy) -> list[Part]:
@@ -120,16 +120,18 @@ def _budget(desk: Desk, study: AccuracyStudy) -> list[Part]:
     for unit in dict.fromkeys(line[1] for line in study.budget):
         lines = [line for line in study.budget if line[1] == unit]
         labels = [desk.symbol(line[0]) for line in lines]
-        groups = [Bar(say(f"accuracy.{key}"), tuple(line[3 + index] for line in lines)) for index, key in enumerate(BUDGET_PARTS)]
+        groups = [
+            Bar(say(f"accuracy.{key}"), tuple(line[3:6][index] for line in lines)) for index, key in enumerate(BUDGET_PARTS)
+        ]
         svg, height = bars(f"budget-{len(parts) + 1}", labels, groups, say("accuracy.difference", unit=unit))
         alt = say("accuracy.budget_alt", names=desk.symbol_list([line[0] for line in lines]))
         parts.append(Figure(svg, WIDTH, height, alt, desk.say("accuracy.budget")))
     heads = ("coordinate", "total", *BUDGET_PARTS)
     columns = [Column(desk.say(f"accuracy.{key}"), words=key == "coordinate") for key in heads]
-    rows: list[list[Cell]] = [
-        [desk.symbol_runs([name]), *(numeral(with_unit(numbers.scalar(value, 4), unit)) for value in values)]
-        for name, unit, *values in study.budget
-    ]
+    rows: list[list[Cell]] = []
+    for line in study.budget:
+        amounts = [numeral(with_unit(numbers.scalar(value, 4), line[1])) for value in (line[2], line[3], line[4], line[5])]
+        rows.append([desk.symbol_runs([line[0]]), *amounts])
     return [*parts, Table(columns, rows)]
 
 

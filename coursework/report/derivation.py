@@ -8,6 +8,7 @@ from __future__ import annotations
 from coursework.formula import Formula
 from coursework.report import equations
 from coursework.report.desk import Desk
+from coursework.report.display import math_equation
 from coursework.report.lettering import clean, runs
 from coursework.report.parts import Bullets, Display, Equations, Paragraph, Part, Runs
 from coursework.report.source import Block
@@ -64,7 +65,7 @@ def _tabulated(desk: Desk, law: Law) -> str:
 
 def _display(desk: Desk, left: Formula, right: Formula, name: str = "", before: Runs | None = None) -> Display:
     return Display(
-        equations.math_equation(left, right, desk.rates),
+        math_equation(left, right, desk.rates),
         equations.text_equation(left, right, desk.rates),
         name=clean(name, 40),
         before=before or [],
@@ -75,7 +76,7 @@ def constraints(desk: Desk) -> list[Part]:
     """Every velocity equation with its reason; redundant ones say so."""
     shown = []
     for equation in desk.run.equations:
-        reason = desk.rich(equation.because)
+        reason = desk.rich(equation.because) if equation.derived else desk.quoted(equation.because)
         if equation.derived:
             remark = desk.words("constraints.derived")
             reason = [*reason, {"t": f" ({remark})" if reason else f"({remark})"}]

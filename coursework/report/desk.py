@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from coursework.motion import Motion
-from coursework.report.lettering import LONGEST, clean, derivative, runs
+from coursework.report.lettering import LONGEST, clean, derivative, printed, runs
 from coursework.report.numbers import Numbers, with_unit
 from coursework.report.parts import Runs
 from coursework.report.source import Run
@@ -62,7 +62,11 @@ class Desk:
         return self.words.listing([self.symbol(name).text for name in names])
 
     def rich(self, text: str, longest: int = LONGEST) -> Runs:
-        """Return a sentence of a file or of the tool, cleaned, its symbols set."""
+        """Return a sentence of the tool, cleaned, its numbers and symbols set."""
+        return self.lettered(printed(clean(text, longest)))
+
+    def quoted(self, text: str, longest: int = LONGEST) -> Runs:
+        """Return a sentence of a file, cleaned, its symbols set and nothing else changed."""
         return self.lettered(clean(text, longest))
 
     def lettered(self, text: str) -> Runs:

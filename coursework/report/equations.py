@@ -14,8 +14,6 @@ from coursework.formula import Formula
 from coursework.report.numbers import MINUS, TIMES, superscript
 from coursework.report.symbols import symbol
 
-LINE = 78  # characters of text form that fit a line of the printed page; longer sums continue on the next
-
 
 class Level(IntEnum):
     """How tightly a piece holds together; a looser piece inside a tighter place takes parentheses."""
@@ -204,42 +202,3 @@ def math(tree: Formula, rates: frozenset[str] = frozenset()) -> str:
 def text_equation(left: Formula, right: Formula, rates: frozenset[str] = frozenset()) -> str:
     """Return "left = right" as plain text."""
     return f"{text(left, rates)} = {text(right, rates)}"
-
-
-def math_equation(left: Formula, right: Formula, rates: frozenset[str] = frozenset()) -> str:
-    """Return "left = right" as Typst math; a sum too long for a line continues below, aligned behind its start."""
-    typst, plain = Setter(typst=True, rates=rates), Setter(typst=False, rates=rates)
-    if _width(left, plain) + _width(right, plain) + 3 <= LINE:
-        return f"{typst.set(left).source} = {typst.set(right).source}"
-    parts: list[tuple[int, str]] = []
-    for side, tree in enumerate((left, right)):
-        for position, (sign, piece) in enumerate(typst.terms(tree)):
-            lead = sign if position or sign != "+" else ""
-            width = _width_of(plain.terms(tree)[position][1].source)
-            parts.append((width + 3, f"{'= ' if side and not position else ''}{lead} {piece.source}".strip()))
-    return _folded(parts)
-
-
-def _folded(parts: list[tuple[int, str]]) -> str:
-    lines: list[list[str]] = [[]]
-    room = LINE
-    for width, source in parts:
-        if lines[-1] and width > room:
-            lines.append([])
-            room = LINE - 4
-        lines[-1].append(source)
-        room -= width
-    return r" \ ".join(("& " if row == 0 else "& quad ") + " ".join(line) for row, line in enumerate(lines))
-
-
-def _width(tree: Formula, plain: Setter) -> int:
-    """Estimate the printed width in characters; a fraction is as wide as its wider part."""
-    if tree.op == "/":
-        return max(_width(arg, plain) for arg in tree.args)
-    if tree.op in {"+", "-", "*"}:
-        return sum(_width(arg, plain) for arg in tree.args) + (0 if tree.op == "*" else 3)
-    return _width_of(plain.set(tree).source)
-
-
-def _width_of(source: str) -> int:
-    return len(re.sub(r"[₀-₉⁰-⁹ _]", "", source))

@@ -107,10 +107,11 @@ class _Sheet:
 
         self.figure = Drawing(figsize=(WIDTH * MM, HEIGHT * MM))
         FigureCanvasSVG(self.figure)
-        self.axes: Axes = self.figure.add_axes((0.085, 0.13, 0.9, 0.76))
+        self.axes: Axes = self.figure.add_axes((0.095, 0.13, 0.89, 0.76))
         self.axes.grid(visible=True, linewidth=0.3, color="#c8c8c8")
         self.axes.set_axisbelow(True)
         self.axes.tick_params(length=2.5)
+        self.axes.yaxis.set_label_coords(0.008, 0.51, transform=self.figure.transFigure)
         for side in ("top", "right"):
             self.axes.spines[side].set_visible(False)
         self.stop_line = self.axes.axvline(0, color="black", linewidth=0.9, linestyle=(0, (6, 3)), zorder=1.5)
@@ -142,7 +143,7 @@ class _Sheet:
         self.stop_line.set_visible(stop is not None)
         self.stop_line.set_xdata([stop[0] if stop else 0.0] * 2)
         self.axes.set_xlabel(x_label, parse_math=False, labelpad=2)
-        self.axes.set_ylabel(y_label, parse_math=False, labelpad=3)
+        self.axes.set_ylabel(y_label, parse_math=False, verticalalignment="top")
         self._limits(curves, stop[0] if stop else None)
         handles, labels = list(marked), [label_text(curve.symbol) for curve in curves]
         if thin:
@@ -150,7 +151,7 @@ class _Sheet:
         if stop:
             handles, labels = [*handles, self.stop_line], [*labels, stop[1].replace("$", r"\$")]
         self.axes.legend(
-            handles, labels, loc="lower left", bbox_to_anchor=(0, 1.0), ncols=min(len(labels), 8), frameon=False,
+            handles, labels, loc="lower left", bbox_to_anchor=(0.05, 1.0), ncols=min(len(labels), 8), frameon=False,
             borderaxespad=0.2, handlelength=3.2, columnspacing=1.6, handletextpad=0.5, fontsize=8.5,
         )  # fmt: skip
         return svg_text(self.figure, WIDTH, HEIGHT)

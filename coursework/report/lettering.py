@@ -70,6 +70,13 @@ def runs(text: str, names: Iterable[str] = ()) -> list[Run]:
     return found
 
 
+def printed(text: str) -> str:
+    """Return a sentence of the tool as a printer sets it: 1.5e-07 as a power of ten, "2*r" with a dot, "A.x" as x_A."""
+    text = _POWER.sub(lambda match: f"{match[1]}·10{superscript(str(int(match[2])))}", text)
+    text = _NEGATIVE.sub("−", _TIMES.sub("·", text))
+    return _COMPONENT.sub(lambda match: symbol(match[0]).text, text)
+
+
 def derivative(name: str) -> list[Run]:
     """Return "dphi2/dphi1" or "d2phi2/dphi12" as runs: dφ₂/dφ₁, d²φ₂/dφ₁²."""
     above, _, below = name.partition("/")
@@ -85,9 +92,6 @@ def numeral(text: str) -> str | list[Run]:
 
 
 def _spelt(text: str, names: Iterable[str]) -> str:
-    text = _TIMES.sub("·", _POWER.sub(lambda m: f"{m[1]}·10{superscript(str(int(m[2])))}", text))
-    text = _NEGATIVE.sub("−", text)
-    text = _COMPONENT.sub(lambda match: symbol(match[0]).text, text)
     sure = {name for name in names if len(name) > 1 and (name in GREEK or _NAMELIKE.search(name))}
     if not sure:
         return text

@@ -16,15 +16,18 @@ from coursework.report.sections import all_sections
 from coursework.report.source import Run
 from coursework.report.words import Words, load_words
 
+LONGEST_RUNNING = 48  # characters of title and name above a later page: together one line
+
 
 @dataclass(frozen=True, slots=True)
 class ReportModel:
-    """One report: its language, titles, and sections in order."""
+    """One report: its language, titles, and sections in order; `running` stands above the later pages."""
 
     language: str
     kind: str
     heading: str
     author: str
+    running: str
     sections: tuple[Section, ...]
 
     def plain(self) -> dict[str, Any]:
@@ -34,6 +37,7 @@ class ReportModel:
             "kind": self.kind,
             "heading": self.heading,
             "author": self.author,
+            "running": self.running,
             "sections": [section.plain() for section in self.sections],
         }
 
@@ -47,11 +51,14 @@ def build_model(run: Run, language: str = "en") -> ReportModel:
     desk = Desk(run, words)
     variant = run.variant
     heading = words("title.heading", name=clean(variant.name, LONGEST_NAME), title=clean(variant.title, LONGEST_NAME))
+    author = clean(run.student or "", LONGEST_NAME)
+    running = [clean(text, LONGEST_RUNNING) for text in (heading.rstrip(": "), author) if text]
     return ReportModel(
         language=language,
         kind=words("title.kind"),
         heading=heading.rstrip(": "),
-        author=clean(run.student or "", LONGEST_NAME),
+        author=author,
+        running=" – ".join(running),
         sections=tuple(_numbered(all_sections(desk), words)),
     )
 

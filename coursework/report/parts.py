@@ -73,7 +73,7 @@ class Column:
 class Table:
     """Rows of strings; `strong` rows (counted from 0) are set bold, after `rules` a thin line is drawn.
 
-    `note` stands below; `label` is "Table 1".
+    `note` stands below; `whole` tables are kept on one page; `label` is "Table 1".
     """
 
     columns: list[Column]
@@ -82,6 +82,7 @@ class Table:
     strong: list[int] = field(default_factory=list)
     rules: list[int] = field(default_factory=list)
     note: Runs = field(default_factory=list)
+    whole: bool = True
     label: str = ""
     kind: str = field(default="table", init=False)
 

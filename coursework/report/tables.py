@@ -18,6 +18,7 @@ from coursework.report.source import ExtraTable
 
 MOST_ROWS = 200  # rows printed; a longer table is thinned, table.csv holds it whole
 MOST_COLUMNS = 10  # columns beside row and time that fit 170 mm at a readable size
+ONE_PAGE = 32  # rows of a table that fits on one page whatever stands around it
 RULE = 5  # rows from one thin line to the next
 MARK = "▸"
 
@@ -91,7 +92,9 @@ def extra_parts(desk: Desk, extra: ExtraTable) -> list[Part]:
     if len(extra.rows) == len(desk.run.motion.t):
         return _by_row(desk, whole, desk.run.motion.t, caption, "")
     columns, texts = _columns(desk, whole, thinned(len(extra.rows)))
-    return [Table(columns, [list(row) for row in zip(*texts, strict=True)], desk.lettered(caption))]
+    return [
+        Table(columns, [list(row) for row in zip(*texts, strict=True)], desk.lettered(caption), whole=len(extra.rows) <= ONE_PAGE)
+    ]
 
 
 def _columns(desk: Desk, grid: Grid, kept: list[int]) -> tuple[list[Column], list[list[Cell]]]:
@@ -118,7 +121,17 @@ def _by_row(desk: Desk, grid: Grid, t: Any, caption: str, note: str) -> list[Par
         rows = [list(row) for row in zip(labels, times, *texts, strict=True)]
         which = desk.words("table.part", part=number, parts=len(pieces)) if len(pieces) > 1 else ""
         below = runs(note) if number == len(pieces) else []
-        parts.append(Table(columns, rows, desk.lettered(f"{caption} {which}".strip()), strong, rules_for(len(rows)), below))
+        parts.append(
+            Table(
+                columns,
+                rows,
+                desk.lettered(f"{caption} {which}".strip()),
+                strong,
+                rules_for(len(rows)),
+                below,
+                whole=len(rows) <= ONE_PAGE,
+            )
+        )
     return parts
 
 

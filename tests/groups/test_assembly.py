@@ -26,6 +26,7 @@ from coursework.groups import (
     rrp,
     rrr,
 )
+from coursework.groups.plane import angle_of
 
 REFERENCE = Path(__file__).parents[1] / "reference"
 ORIGIN = Pair((0.0, 0.0))
@@ -188,6 +189,18 @@ def test_an_excess_beyond_rounding_is_never_clipped(r_i: float, r_j: float, scal
     inside = rrr(ORIGIN, Pair((limit - step, 0.0)), lengths=lengths, mode=1)
     assert inside.rates is not None
     assert inside.determinant[0] < 0.0
+
+
+@pytest.mark.parametrize("mode", [1, -1])
+@pytest.mark.parametrize("zero", [0.0, -0.0])
+def test_a_half_turn_is_plus_pi_whatever_the_sign_of_zero(mode: int, zero: float) -> None:
+    left = rrr(ORIGIN, Pair((-1.75, zero)), lengths=(1.0, 0.75), mode=mode, positions_only=True)
+    assert left.coordinates[0].tolist() == [np.pi, 0.0]
+    right = rrr(ORIGIN, Pair((1.75, zero)), lengths=(1.0, 0.75), mode=mode, positions_only=True)
+    assert right.coordinates[0].tolist() == [0.0, np.pi]
+    block = rpr(Pair((-1.0, zero)), ORIGIN, mode=1)
+    assert block.coordinates[0].tolist() == [np.pi, 1.0]
+    assert angle_of(np.array([complex(-1.0, zero)])).tolist() == [np.pi]
 
 
 def test_both_assemblies_of_the_hard_case() -> None:

@@ -11,8 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from coursework.groups import AtDeadPoint, CannotAssemble, Guide, Pair, crank, rrp
 from coursework.five_point import derivative, second_derivative
+from coursework.groups import AtDeadPoint, CannotAssemble, Guide, Pair, crank, rrp
 from coursework.kinematics.variable_crank import (
     CrankLaw,
     SliderAnalogs,

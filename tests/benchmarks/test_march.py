@@ -1,0 +1,116 @@
+"""The march and the reduction against yardsticks measured in the same process: ratios, never seconds."""
+
+import ctypes
+import math
+import shutil
+import subprocess
+import time
+
+import pytest
+import sympy as sp
+
+import coursework
+from coursework.loops import generate_loop
+from coursework.reduction import reduce
+from coursework.schemes import SCHEMES
+
+STEPS = 20_000
+START = (1.63, 3.37, 2.87)
+C_SOURCE = """
+#include <math.h>
+void euler(long n, double h, double *q) {
+    double p1 = q[0], p2 = q[1], p3 = q[2];
+    for (long i = 0; i < n; i++) {
+        double t = i*h, v = 4.5*sin(13.08*t + 4.35);
+        double s3 = sin(p3), c3 = cos(p3), s1 = sin(p1), c1 = cos(p1), s2 = sin(p2), c2 = cos(p2);
+        double w3 = v/(0.457*(2*c3 + s3)), w4 = 2*w3*(c3 - 2*s3);
+        double a = 0.953*s1, b = 0.847*s2, c = -0.953*c1, d = -0.847*c2;
+        double e = 0.5*0.457*w4 - 0.457*w3*c3, f = -0.457*w3*s3, det = a*d - b*c;
+        p1 += h*(e*d - b*f)/det; p2 += h*(a*f - e*c)/det; p3 += h*w3;
+    }
+    q[0] = p1; q[1] = p2; q[2] = p3;
+}
+"""
+
+
+def best(work, repeats=9):
+    times = []
+    for _ in range(repeats):
+        begun = time.perf_counter()
+        work()
+        times.append(time.perf_counter() - begun)
+    return min(times)
+
+
+def slopes(t, phi1, phi2, phi3):
+    """The right-hand side as a careful student writes it."""
+    v = 4.5 * math.sin(13.08 * t + 4.35)
+    s3, c3 = math.sin(phi3), math.cos(phi3)
+    w3 = v / (0.457 * (2 * c3 + s3))
+    w4 = 2 * w3 * (c3 - 2 * s3)
+    a, b = 0.953 * math.sin(phi1), 0.847 * math.sin(phi2)
+    c, d = -0.953 * math.cos(phi1), -0.847 * math.cos(phi2)
+    e, f = 0.5 * 0.457 * w4 - 0.457 * w3 * c3, -0.457 * w3 * s3
+    det = a * d - b * c
+    return (e * d - b * f) / det, (a * f - e * c) / det, w3
+
+
+def step_by_hand(t, q, h):
+    w = slopes(t, *q)
+    return [x + h * y for x, y in zip(q, w, strict=True)]
+
+
+def by_hand(steps, h):
+    q = list(START)
+    for i in range(steps):
+        q = step_by_hand(i * h, q, h)
+    return q
+
+
+@pytest.fixture(scope="module")
+def loop():
+    return generate_loop(SCHEMES["euler"].step, coursework.solve("31", quantities=["table"]).values["rates"])
+
+
+def test_generated_loop_against_a_function_call_a_step(loop):
+    h = 0.48 / STEPS
+    assert max(abs(a - b) for a, b in zip(loop(0.0, STEPS, h, *START), by_hand(STEPS, h), strict=True)) < 1e-11
+    assert best(lambda: by_hand(STEPS, h)) >= 1.3 * best(lambda: loop(0.0, STEPS, h, *START))
+
+
+def test_generated_loop_against_c(loop, tmp_path):
+    compiler = next((found for name in ("cc", "gcc", "clang") if (found := shutil.which(name))), None)
+    if compiler is None:
+        return  # the ratio to C means something only where there is a C compiler
+    (tmp_path / "euler.c").write_text(C_SOURCE, encoding="utf-8")
+    library = tmp_path / "euler.so"
+    subprocess.run([compiler, "-O2", "-shared", "-fPIC", str(tmp_path / "euler.c"), "-o", str(library), "-lm"], check=True)
+    euler = ctypes.CDLL(str(library)).euler
+    euler.argtypes = [ctypes.c_long, ctypes.c_double, ctypes.POINTER(ctypes.c_double)]
+    h = 0.48 / STEPS
+    state = (ctypes.c_double * 3)(*START)
+    euler(STEPS, h, state)
+    assert max(abs(a - b) for a, b in zip(loop(0.0, STEPS, h, *START), state, strict=True)) < 1e-11
+    assert best(lambda: loop(0.0, STEPS, h, *START)) <= 10 * best(lambda: euler(STEPS, h, (ctypes.c_double * 3)(*START)))
+
+
+def test_reduction_against_a_bare_linear_eq_to_matrix():
+    values = coursework.solve("31", quantities=["table"]).values
+    equations = values["equations"]
+    rows = [
+        sp.Add(*[c * sp.Symbol(n, real=True) for n, c in e.coefficients.items()]) - e.right_side for e in equations.equations
+    ]
+    unknowns = [sp.Symbol(name, real=True) for name in equations.unknowns]
+    start = values["start"]
+    reduce(equations, start)
+    sp.linear_eq_to_matrix(rows, unknowns)
+
+    def uncached(work):
+        def run():
+            sp.core.cache.clear_cache()
+            work()
+
+        return run
+
+    ours = best(uncached(lambda: reduce(equations, start)), 15)
+    assert ours <= 20 * best(uncached(lambda: sp.linear_eq_to_matrix(rows, unknowns)), 15)
