@@ -73,6 +73,8 @@ class Values:
 
     def __getitem__(self, name: str) -> Any:
         """Return a quantity, computing it and its ancestors where needed."""
+        if name in self.values:
+            return self.values[name]
         for step in make_plan(self.rules, [name], self.values).order:
             rule = self.rules[step]
             arguments = [self.values[needed] for needed in needs(rule)]

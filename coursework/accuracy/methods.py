@@ -24,6 +24,9 @@ from coursework.schemes import SCHEMES
 Array = NDArray[np.float64]
 # Steps a row: up to 4096 for Euler (98 304 steps for 24 rows), where its error has fallen by three orders.
 SUBSTEPS = {"euler": (1, 2, 4, 8, 16, 64, 256, 1024, 4096)}
+MOST_SUBSTEPS = 4096
+# A page made beside a run takes the rows that are cheap; the rest continues the same straight line.
+CHEAP_SUBSTEPS = 256
 USUAL_SUBSTEPS = (1, 2, 4, 8, 16, 64)
 PROJECTED_SUBSTEPS = (1, 2, 4, 8)
 TOLERANCES = (1e-3, 1e-5, 1e-7, 1e-9, 1e-11)
@@ -58,11 +61,11 @@ class Trial:
     run: Callable[[], tuple[Array, int]]
 
 
-def trials(scene: Scene) -> Iterator[Trial]:
-    """Yield every trial, method after method."""
+def trials(scene: Scene, most: int = MOST_SUBSTEPS) -> Iterator[Trial]:
+    """Yield every trial with at most `most` steps a row, method after method."""
     for name, scheme in SCHEMES.items():
         loop = generate_loop(scheme.step, scene.rates)
-        for substeps in SUBSTEPS.get(name, USUAL_SUBSTEPS):
+        for substeps in (n for n in SUBSTEPS.get(name, USUAL_SUBSTEPS) if n <= most):
             count = scene.rows * substeps
 
             yield Trial(scheme.title, f"{count}", 1, partial(_by_loop, scene, loop, substeps, count * scheme.slopes))

@@ -61,9 +61,10 @@ def choose_step(rates: Rates, scheme: str, start: Sequence[float], step: float, 
     """Return the largest step end/N whose error over its N + 1 rows stays under `wish`."""
     if not (np.isfinite(wish) and wish >= LEAST_ERROR):
         raise InputError(f"an error of {wish:g} cannot be asked for: from {LEAST_ERROR:g} down round-off decides. Ask for more.")
-    needs = {name: _need(name, rates, start, step, end, wish) for name in SCHEMES if name != scheme}
     own = _need(scheme, rates, start, step, end, wish)
-    others = sorted(needs.values(), key=lambda need: need.evaluations)
+    # Only a scheme of the same or a higher order can be cheaper.
+    rivals = [name for name, rival in SCHEMES.items() if name != scheme and rival.order >= SCHEMES[scheme].order]
+    others = sorted((_need(name, rates, start, step, end, wish) for name in rivals), key=lambda need: need.evaluations)
     return StepChoice(end / own.steps, own, tuple(others))
 
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.accuracy.methods import Scene, trials
+from coursework.accuracy.methods import CHEAP_SUBSTEPS, MOST_SUBSTEPS, Scene, trials
 from coursework.accuracy.sentences import sentences_of
 from coursework.accuracy.timing import seconds
 from coursework.accuracy.trace import errors, slope
@@ -68,7 +68,7 @@ def make_study(
     floor = 64 * float(np.finfo(float).eps) * max(1.0, float(np.max(np.abs(reference))))
     fine = {1: reference}
     rows = []
-    for trial in trials(scene):
+    for trial in trials(scene, MOST_SUBSTEPS if timed else CHEAP_SUBSTEPS):
         if progress:
             progress(f"{trial.method}, {trial.setting}")
         try:

@@ -179,7 +179,9 @@ class Setter:
         return Piece(f"{head}{space}({inside})", Level.APPLIED, opens="function")
 
     def _polar(self, tree: Formula) -> Piece:
-        length, angle = (self._wrapped(self.set(arg), Level.APPLIED) for arg in tree.args)
+        length, angle = (
+            self._wrapped(self.set(arg), level) for arg, level in zip(tree.args, (Level.PRODUCT, Level.APPLIED), strict=True)
+        )
         return Piece(f"{length.source} {'angle' if self.typst else '∠'} {angle.source}", Level.QUOTIENT, opens=length.opens)
 
     def _part(self, tree: Formula) -> Piece:

@@ -16,7 +16,7 @@ from coursework.report.sections import all_sections
 from coursework.report.source import Run
 from coursework.report.words import Words, load_words
 
-LONGEST_RUNNING = 48  # characters of title and name above a later page: together one line
+LONGEST_RUNNING = (70, 36)  # characters of title and name above a later page: together one line
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +52,8 @@ def build_model(run: Run, language: str = "en") -> ReportModel:
     variant = run.variant
     heading = words("title.heading", name=clean(variant.name, LONGEST_NAME), title=clean(variant.title, LONGEST_NAME))
     author = clean(run.student or "", LONGEST_NAME)
-    running = [clean(text, LONGEST_RUNNING) for text in (heading.rstrip(": "), author) if text]
+    pair = zip((heading.rstrip(": "), author), LONGEST_RUNNING, strict=True)
+    running = [clean(text, longest) for text, longest in pair if text]
     return ReportModel(
         language=language,
         kind=words("title.kind"),

@@ -88,7 +88,7 @@ def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | No
         tuple((parts.names.canonical(key), parts.unit(("unknowns", key), unit)) for key, unit in file.unknowns.items()),
         functions, _time(file.time, parts), constraints, groups, points,
         tuple(_link(key, entry, parts) for key, entry in file.links.items()), _frame(file.frame, parts),
-        file.closure.driven, holds, tuple(file.ask.quantities),
+        file.closure.driven, holds, tuple(file.ask.quantities), tuple(file.remarks),
     )  # fmt: skip
 
 

@@ -151,6 +151,7 @@ class Variant:
     driven: str | None
     holds: tuple[Formula, ...]
     ask: tuple[str, ...]
+    remarks: tuple[str, ...] = ()
 
     @property
     def values(self) -> dict[str, float]:

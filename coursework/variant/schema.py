@@ -134,6 +134,7 @@ class VariantFile(_Section):
     title: Short = ""
     source: Short = ""
     teaches: Short = ""
+    remarks: Annotated[list[Text], Field(max_length=20, description="paragraphs printed on the page of this variant")] = []
     given: dict[Name, Value] = {}
     drive: dict[Name, Value | Pieces] = {}
     coordinates: Annotated[dict[Name, Coordinate], Field(min_length=1, max_length=200)]

@@ -1,0 +1,215 @@
+"""The graph-analytical check: one row drawn to scale, angular velocities by instantaneous centres, beside the table.
+
+Enters: velocity equations, the rows of a scheme and the exact rows.  Leaves: `GraphCheck`.  Computed on request only.
+From the row it takes the positions and the driven velocity, nothing else (`instant_centres.py`); the drawing is made when
+somebody looks at it (`drawing.py`).
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from coursework.equations import VelocityEquations
+from coursework.errors import InputError, listing
+from coursework.jets import jets
+from coursework.kinematics.instant_centres import Body, Centre, Findings, construct
+from coursework.kinematics.scene import Rail, Sketch, read_scene
+from coursework.motion import Motion
+from coursework.variant.record import Variant
+
+# A link longer or shorter than at the start by less than this share of the mechanism is round-off, not drift.
+RIGID = 1e-9
+
+GraphRow = tuple[str, float, float, float, str]
+
+
+@dataclass(frozen=True, slots=True)
+class GraphCheck:
+    """The check of one `row` (from 1) at `time` (s).
+
+    `rows` (name, measured, table value, measured - table, unit): angular velocities, speeds of joints, centres; nan where
+    the table has no such value.  `exact` (name, exact value, table - exact, unit) is the scheme's error in that row.
+    `notes` are sentences: how each centre was found, what the drawing does not determine, how far the row does not close.
+    """
+
+    row: int
+    time: float
+    sketch: Sketch
+    findings: Findings
+    rows: tuple[GraphRow, ...]
+    exact: tuple[tuple[str, float, float, str], ...]
+    notes: tuple[str, ...]
+
+    @property
+    def svg(self) -> str:
+        """Return the drawing, true to scale, with width and height in mm."""
+        from coursework.kinematics.drawing import draw
+
+        return draw(self.sketch, self.findings, self.row, self.time)
+
+    @property
+    def scale(self) -> float:
+        """Return the denominator of the drawing's scale: 10 for 1:10."""
+        from coursework.kinematics.layout import lay_out
+
+        return lay_out(self.sketch, self.findings).scale
+
+
+def check_graph(equations: VelocityEquations, motion: Motion, exact: Motion) -> GraphCheck | None:
+    """Return the check of the variant's check row, None where the motion stops before it.
+
+    Raises `InputError` where the file lacks what a drawing needs.
+    """
+    variant = equations.variant
+    row = _required_row(variant, motion)
+    if row > len(motion.t) and motion.stop is not None:
+        return None
+    if row > len(motion.t):
+        raise InputError(
+            f"the graph-analytical check belongs to row {row}, but the table has {len(motion.t)} rows. "
+            'Take a later end, or "graph_check" out of [ask] or --quantities.'
+        )
+    read = read_scene(equations)
+    sketch = read(motion, row - 1)
+    findings = construct(sketch.scene)
+    measured = _measured(sketch, findings)
+    tabled = _tabled(equations, motion, row - 1, sketch, findings)
+    rows = tuple(
+        (name, value, tabled.get(name, math.nan), value - tabled.get(name, math.nan), unit)
+        for name, (value, unit) in measured.items()
+    )
+    true: dict[str, tuple[float, str]] = {}
+    if row <= len(exact.t):
+        perfect = read(exact, row - 1)
+        true = _measured(perfect, construct(perfect.scene))
+    errors = tuple((name, true[name][0], table - true[name][0], unit) for name, _, table, _, unit in rows if name in true)
+    notes = (*_how(sketch, findings), *sketch.notes, *_drift(sketch, variant))
+    return GraphCheck(row, float(motion.t[row - 1]), sketch, findings, rows, errors, notes)
+
+
+def _required_row(variant: Variant, motion: Motion) -> int:
+    """Return the check row.  Raises `InputError` naming all that is missing."""
+    wanted = (
+        ("[points]", variant.points or variant.groups),
+        ("[links]", variant.links),
+        ("a hinge or rail in [frame]", variant.frame.hinges or variant.frame.rails or variant.frame.circles),
+        ("check_row in [time]", variant.time.check_row),
+    )
+    missing = [name for name, there in wanted if not there]
+    if missing:
+        raise InputError(
+            f"the graph-analytical check needs {listing(missing)}; this variant has none. "
+            'Add it, or take "graph_check" out of [ask] or --quantities.'
+        )
+    if len(motion.coordinate_names) < len(variant.coordinates):
+        raise InputError("the graph-analytical check needs every coordinate; ask for the whole table.")
+    assert variant.time.check_row is not None
+    return variant.time.check_row
+
+
+def omega_name(body: Body) -> str:
+    """Return how the angular velocity of a link is called: ω₃ for the rate w3, else the name of its rate or link."""
+    short = re.fullmatch(r"(?:w|omega)_?(\d+)", body.rate or "")
+    if short or (body.rate is None and body.name.isdecimal() and body.name.isascii()):
+        digits = short[1] if short else body.name
+        return "ω" + digits.translate(str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉"))
+    return body.rate or f"ω of link {body.name}"
+
+
+def _sought(sketch: Sketch, findings: Findings) -> list[Body]:
+    """Return the links whose angular velocity the drawing yields: no sliders, no driven cranks, each rate once."""
+    named: dict[str, Body] = {}
+    for body in sketch.scene.bodies:
+        if body.name in findings.omegas and not body.guide and body.rate not in sketch.scene.rates:
+            named.setdefault(omega_name(body), body)
+    return list(named.values())
+
+
+def _drawn_centres(findings: Findings) -> dict[str, complex]:
+    """Return the centres that had to be found, by the name of the link."""
+    return {name: c.at for name, c in findings.centres.items() if c.lines and c.at is not None}
+
+
+def _measured(sketch: Sketch, findings: Findings) -> dict[str, tuple[float, str]]:
+    """Return what is read off the drawing: name -> (value, unit)."""
+    found = {omega_name(body): (findings.omegas[body.name], "rad/s") for body in _sought(sketch, findings)}
+    for name in sketch.moving:
+        if name in findings.velocities and name not in sketch.scene.velocities:
+            found[f"V_{name}"] = (abs(findings.velocities[name]), "m/s")
+    for name, at in _drawn_centres(findings).items():
+        found[f"P{name}.x"], found[f"P{name}.y"] = (at.real, "m"), (at.imag, "m")
+    return found
+
+
+def _tabled(
+    equations: VelocityEquations, motion: Motion, row: int, sketch: Sketch, findings: Findings
+) -> dict[str, float]:  # fmt: skip
+    """Return the same quantities from the table: its rates, the speeds and centres that follow from them."""
+    names = list(sketch.moving)
+    components = [part for name in names for part in equations.symbols.vectors[name]]
+    only = slice(row, row + 1)
+    rows = (motion.t[only], motion.coordinates[only], motion.velocities[only])
+    flat = jets(equations, components, 1)[1](*rows)[0] if components else np.zeros(0)
+    velocities = {name: complex(x, y) for name, x, y in zip(names, flat[::2], flat[1::2], strict=True)}
+    found = {f"V_{name}": abs(velocity) for name, velocity in velocities.items()}
+    centres = _drawn_centres(findings)
+    for body in sketch.scene.bodies:
+        if body.rate not in motion.velocity_names or body.guide:
+            continue
+        omega = float(motion.column(body.rate or "")[row])
+        found[omega_name(body)] = omega
+        carried = next((name for name in body.points if name in velocities), None)
+        if body.name in centres and carried and omega:
+            centre = sketch.scene.positions[carried] + 1j * velocities[carried] / omega
+            found[f"P{body.name}.x"], found[f"P{body.name}.y"] = centre.real, centre.imag
+    return found
+
+
+def _how(sketch: Sketch, findings: Findings) -> list[str]:
+    """Return how each link was dealt with, in the order of the file."""
+    sentences = []
+    for body in sketch.scene.bodies:
+        centre = findings.centres.get(body.name)
+        if body.name in findings.missing:
+            sentences.append(f"Link {body.name} is not determined by the drawing.")
+        elif centre is not None and not body.guide:
+            sentences.append(_story(body, centre, sketch.wheels))
+    return sentences
+
+
+def _story(body: Body, centre: Centre, wheels: Mapping[str, tuple[str, str]]) -> str:
+    if centre.lines and centre.at is None:
+        return f"Link {body.name} translates: the velocities of {listing(centre.lines)} are parallel."
+    if len(centre.lines) == 1:
+        return f"P{body.name} follows from the known rate of link {body.name} and the velocity of {centre.lines[0]}."
+    if centre.lines:
+        return f"P{body.name} is where the perpendiculars to the velocities of {listing(centre.lines)} meet."
+    if body.name in wheels and centre.point == wheels[body.name][1]:
+        return f"Link {body.name} rolls: its instantaneous centre is the contact {centre.point}."
+    return f"Link {body.name} turns about {centre.point}."
+
+
+def _drift(sketch: Sketch, variant: Variant) -> list[str]:
+    """Return which links and rails the row does not keep: there the drawing and the table differ by as much."""
+    now, start = sketch.scene.positions, sketch.start
+    allowed = RIGID * sketch.scene.size
+    sentences = []
+    for link in variant.links:
+        joints = dict.fromkeys((*link.points, *((link.wheel,) if link.wheel else ())))
+        for a, b in itertools.combinations(joints, 2):
+            length, first = abs(now[a] - now[b]), abs(start[a] - start[b])
+            if abs(length - first) > allowed:
+                sentences.append(
+                    f"The row does not close: {a}{b} of link {link.name} measures {length:.4g} m, {first:.4g} m at the start."
+                )
+    return sentences + [_off(rail, sketch) for rail in sketch.rails if abs(rail.off) > allowed]
+
+
+def _off(rail: Rail, sketch: Sketch) -> str:
+    return f"The row does not close: {rail.point} stands {1e3 * abs(rail.off):.3g} mm off its rail."

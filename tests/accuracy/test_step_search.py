@@ -1,0 +1,60 @@
+"""--step auto: the smallest number of steps for a wish; single precision; refusals."""
+
+import numpy as np
+import pytest
+
+import coursework
+from coursework.accuracy.round_off import RoundOffRow
+from coursework.accuracy.step_search import choose_step
+from coursework.errors import InputError
+from coursework.precision import march_in
+
+
+@pytest.fixture(scope="module")
+def values():
+    return coursework.solve("31", quantities=["table"]).values
+
+
+@pytest.mark.parametrize(("scheme", "wish"), [("euler", 0.01), ("heun", 1e-4), ("rk4", 1e-6)])
+def test_smallest_number_of_steps(values, scheme, wish):
+    """At the step found the exact motion confirms the error; with one step less it is larger."""
+    choice = choose_step(values["rates"], scheme, values["start"], 0.02, 0.48, wish)
+
+    def error(steps):
+        run = coursework.solve("31", scheme, step=0.48 / steps, quantities=["table"])
+        return np.max(np.abs(run.motion.coordinates - run.exact.coordinates))
+
+    assert error(choice.need.steps) <= wish * 1.001
+    assert error(choice.need.steps - 1) > wish * 0.999
+    assert choice.step == 0.48 / choice.need.steps
+
+
+def test_the_cheaper_alternatives_are_told(values):
+    choice = choose_step(values["rates"], "euler", values["start"], 0.02, 0.48, 0.001)
+    assert choice.others[0].evaluations < choice.need.evaluations / 20
+    assert "Runge-Kutta 4 needs" in " ".join(choice.sentences)
+
+
+def test_what_would_take_minutes_is_refused_with_the_time(values):
+    with pytest.raises(InputError, match=r"would need about .* steps .* (min|h|s) for the march alone"):
+        choose_step(values["rates"], "euler", values["start"], 0.02, 0.48, 1e-9)
+
+
+@pytest.mark.parametrize("wish", [0.0, -1.0, float("nan"), 1e-14])
+def test_wishes_below_round_off_are_refused(values, wish):
+    with pytest.raises(InputError, match="round-off decides"):
+        choose_step(values["rates"], "euler", values["start"], 0.02, 0.48, wish)
+
+
+def test_adding_up_the_time_spoils_single_precision(values):
+    """With t += h the error in single precision is larger at 24 576 steps than at 6144; with t = i*h it goes on falling."""
+    end = coursework.solve("31", quantities=["table"]).exact.coordinates[-1]
+
+    def error(steps, running):
+        rows = march_in(np.float32, values["rates"], "euler", values["start"], 0.48 / steps, steps, every=steps, running_time=running)
+        assert rows.dtype == np.float32
+        return float(np.max(np.abs(rows[-1].astype(float) - end)))
+
+    coarse, fine = (RoundOffRow(n, 0.0, error(n, False), error(n, True)) for n in (6144, 24576))
+    assert fine.running > 1.5 * coarse.running
+    assert fine.single < coarse.single / 2

@@ -1,0 +1,79 @@
+"""What each thing asked for costs: processor time of variant 31 from its file to the result, imports apart.
+
+    python -m tests.benchmarks.cost_of_asking            prints the table of README.md
+    python -m tests.benchmarks.cost_of_asking cost.svg   draws it too
+"""
+
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import coursework
+from coursework.output import write_table
+
+
+def _write(quantities: list[str], *kinds: str) -> None:
+    run = coursework.solve("31", quantities=quantities)
+    with tempfile.TemporaryDirectory() as folder:
+        write_table(run, Path(folder) / "table.csv")
+        if "checks" in quantities:
+            _ = run.checks
+        if kinds:
+            coursework.write_report(run, *(Path(folder) / f"report.{kind}" for kind in kinds))
+        elif "accuracy" in quantities:
+            _ = run.accuracy
+
+
+SCENES: dict[str, Callable[[], None]] = {
+    "one column (phi3)": lambda: _write(["phi3"]),
+    "table": lambda: _write(["table"]),
+    "+ accelerations": lambda: _write(["table", "accelerations"]),
+    "+ points": lambda: _write(["table", "accelerations", "points"]),
+    "table + checks": lambda: _write(["table", "checks"]),
+    "table + accuracy": lambda: _write(["table", "accuracy"]),
+    "HTML report (table, plots, checks)": lambda: _write(["table", "plots", "checks"], "html"),
+    "HTML and PDF": lambda: _write(["table", "plots", "checks"], "html", "pdf"),
+    "everything the file asks for": lambda: _write(["table", "plots", "checks", "accuracy"], "html", "pdf"),
+}
+
+
+def measure(repeats: int = 7) -> dict[str, float]:
+    """Return the least processor time (s) of each scene."""
+    found = {}
+    for name, work in SCENES.items():
+        work()
+        times = []
+        for _ in range(repeats):
+            begun = time.process_time()
+            work()
+            times.append(time.process_time() - begun)
+        found[name] = min(times)
+    return found
+
+
+def draw(found: dict[str, float], path: Path) -> None:
+    """Write the chart."""
+    import matplotlib
+    from matplotlib.figure import Figure
+
+    matplotlib.rcParams["svg.hashsalt"] = "cost"
+    figure = Figure(figsize=(7.2, 3.2))
+    axes = figure.add_axes((0.36, 0.16, 0.6, 0.8))
+    names = list(found)[::-1]
+    bars = axes.barh(names, [1e3 * found[name] for name in names], color="0.75", edgecolor="black")
+    axes.bar_label(bars, fmt="%.0f", padding=3)
+    axes.set_xlabel("processor time, ms (variant 31, imports apart)")
+    axes.margins(x=0.12)
+    figure.savefig(path, metadata={"Date": None})
+
+
+if __name__ == "__main__":
+    measured = measure()
+    base = measured["table"]
+    print(f"{'asked for':<38} {'ms':>7} {'times a table':>14}")
+    for scene, seconds in measured.items():
+        print(f"{scene:<38} {seconds * 1e3:>7.0f} {seconds / base:>14.1f}")
+    if len(sys.argv) > 1:
+        draw(measured, Path(sys.argv[1]))

@@ -1,0 +1,65 @@
+"""A real browser shows the page without a complaint, fetches nothing, and prints it on A4."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pymupdf
+import pytest
+
+from coursework.report import build_model, render_html
+
+pytestmark = pytest.mark.browser
+SVG = (
+    '<svg xmlns="http://www.w3.org/2000/svg" width="170mm" height="60mm" viewBox="0 0 170 60">'
+    '<line x1="10" y1="30" x2="110" y2="30" stroke="#010203" stroke-width="0.4"/></svg>'
+)
+
+
+@pytest.fixture(scope="module")
+def address(stand_in: ModuleType, tmp_path_factory: pytest.TempPathFactory) -> str:
+    asked = ("table", "plots", "checks", "graph_check", "accuracy")
+    run = stand_in.run(asked=asked, accuracy=stand_in.study(), graph=stand_in.Graph(SVG), student="Olena Kovalchuk")
+    path: Path = tmp_path_factory.mktemp("page") / "report.html"
+    path.write_text(render_html(build_model(run)), encoding="utf-8")
+    return path.as_uri()
+
+
+@pytest.mark.parametrize("width", [1200, 390])
+def test_it_is_shown_without_a_complaint(browser: Any, address: str, width: int) -> None:
+    page = browser.new_page(viewport={"width": width, "height": 900})
+    said: list[str] = []
+    fetched: list[str] = []
+    page.on("console", lambda message: said.append(message.text))
+    page.on("pageerror", lambda error: said.append(str(error)))
+    page.on("request", lambda request: fetched.append(request.url))
+    page.goto(address)
+    assert said == []
+    assert fetched == [address]
+    assert page.title() == "Variant 31: Rolling wheel, right-angled link, crank and rod"
+    assert page.locator("h2").count() == 10
+    assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth")
+    # Every equation is a picture with a height of its own.
+    heights = page.eval_on_selector_all(".formula svg", "all => all.map(one => one.getBoundingClientRect().height)")
+    assert len(heights) == 14
+    assert min(heights) > 8
+    page.close()
+
+
+def test_it_prints_on_a4_true_to_scale(browser: Any, address: str) -> None:
+    page = browser.new_page()
+    page.goto(address)
+    printed = page.pdf(prefer_css_page_size=True)
+    page.close()
+    with pymupdf.open(stream=printed, filetype="pdf") as document:
+        assert 5 <= len(document) <= 9
+        for sheet in document:
+            assert (round(sheet.rect.width / 72 * 25.4), round(sheet.rect.height / 72 * 25.4)) == (210, 297)
+            blocks = [block for block in sheet.get_text("blocks")]
+            assert all(block[2] < sheet.rect.width - 15 / 25.4 * 72 for block in blocks)
+        lines = [path for sheet in document for path in sheet.get_drawings() if path["color"]]
+        bar = [p["rect"].width / 72 * 25.4 for p in lines if max(abs(a - b / 255) for a, b in zip(p["color"], (1, 2, 3), strict=True)) < 1e-3]
+        assert len(bar) == 1
+        assert abs(bar[0] - 100) < 0.05

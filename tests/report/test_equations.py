@@ -1,0 +1,125 @@
+"""Equations mean what the formula means, in text and in Typst, and look like the textbook."""
+
+from __future__ import annotations
+
+import math
+import random
+from types import ModuleType
+
+import pytest
+
+from coursework.formula import Formula, FormulaFault, evaluate
+from coursework.formula_reader import parse, parse_equation
+from coursework.report import display, equations
+from coursework.report.formulas import draw
+
+NAMES = ("r1", "r3", "w3", "phi1", "phi3", "VMx", "alpha", "t", "speed", "speed2", "AB", "wA", "p")
+
+
+def random_tree(dice: random.Random, depth: int) -> Formula:
+    if depth == 0 or dice.random() < 0.15:
+        if dice.random() < 0.3:
+            return Formula("number", name=dice.choice(("2", "0.5", "3", "1e-3", "2.5e2", "1")))
+        return Formula("name", name=dice.choice(NAMES))
+    kind = dice.choice(("+", "-", "*", "*", "*", "/", "/", "neg", "^", "call", "call"))
+    if kind == "neg":
+        return Formula("neg", (random_tree(dice, depth - 1),))
+    if kind == "call":
+        name = dice.choice(("sin", "cos", "tan", "sin", "cos", "sqrt", "abs", "exp", "log", "atan", "atan2"))
+        count = 2 if name == "atan2" else 1
+        return Formula("call", tuple(random_tree(dice, depth - 1) for _ in range(count)), name)
+    if kind == "^":
+        exponent = dice.choice((parse("2"), parse("3"), parse("-1"), parse("1/2"), parse("1"), parse("-(1/2)")))
+        return Formula("^", (random_tree(dice, depth - 1), exponent))
+    return Formula(kind, (random_tree(dice, depth - 1), random_tree(dice, depth - 1)))
+
+
+@pytest.mark.parametrize("typst", [False, True], ids=["text", "typst"])
+def test_an_equation_reads_back_to_the_same_number(reading: ModuleType, typst: bool) -> None:
+    dice = random.Random(31)
+    compared = 0
+    for _ in range(4000):
+        tree = random_tree(dice, dice.randint(1, 5))
+        values = {name: dice.uniform(0.3, 2.0) for name in NAMES}
+        source = equations.math(tree) if typst else equations.text(tree)
+        try:
+            expected = evaluate(tree, values)
+            found = reading.value_of(source, values, typst=typst)
+        except (FormulaFault, ValueError, ArithmeticError):
+            continue  # the root or logarithm of a negative number, 0 as a divisor
+        assert isinstance(found, float), source
+        if abs(expected) < 1e9:
+            assert found == pytest.approx(expected, rel=1e-6, abs=1e-9), (source, tree)
+            compared += 1
+    assert compared > 2000
+
+
+def test_every_random_equation_is_typst() -> None:
+    dice = random.Random(7)
+    trees = [random_tree(dice, 4) for _ in range(150)]
+    assert len(draw([equations.math(tree) for tree in trees]).pictures) > 100
+
+
+@pytest.mark.parametrize(
+    ("formula", "text", "typst"),
+    [
+        ("VMy/(r3*(2*cos(phi3)+sin(phi3)))", "V_My / (r₃ (2 cos φ₃ + sin φ₃))", "frac(V_(M y), r_3 (2 cos φ_3 + sin φ_3))"),
+        ("-0.5*r3*w4 + r1*w1*sin(phi1)", "−0.5 r₃ ω₄ + r₁ ω₁ sin φ₁", "-0.5 r_3 ω_4 + r_1 ω_1 sin φ_1"),
+        ("sin(phi1 - phi2)^2", "sin²(φ₁ − φ₂)", "sin^(2) (φ_1 - φ_2)"),
+        ("sin(a)^2*cos(b)", "sin² a cos b", "sin^(2) a cos b"),
+        ("sin(a)*b", "sin a · b", "sin a dot b"),
+        ("a/b*c", "(a / b) c", "frac(a, b) c"),
+        ("a/b/c", "(a / b) / c", "frac(frac(a, b), c)"),
+        ("a-(b-c)", "a − (b − c)", "a - (b - c)"),
+        ("a-(-b)", "a + b", "a + b"),
+        ("a*(-b)", "a (−b)", "a (-b)"),
+        ("(-a)^2", "(−a)²", "(-a)^(2)"),
+        ("-a^2", "−a²", "-a^(2)"),
+        ("2*3", "2 · 3", "2 dot 3"),
+        ("sin(x)^(-1)", "(sin x)⁻¹", "(sin x)^(-1)"),
+        ("x^(1/2)", "x^(1 / 2)", "x^(1 slash 2)"),
+        ("asin(a)+atan(b)", "arcsin a + arctan b", "arcsin a + arctan b"),
+        ("1e-3*x", "10⁻³ x", "10^(-3) x"),
+    ],
+)
+def test_equations_look_like_the_textbook(formula: str, text: str, typst: str) -> None:
+    tree = parse(formula)
+    assert equations.text(tree) == text
+    assert equations.math(tree) == typst
+
+
+def test_points_are_set_as_vectors() -> None:
+    tree = parse("B + 2*r3 @ phi3", vectors=True)
+    assert equations.text(tree) == "B + 2 r₃ ∠ φ₃"
+    assert equations.text(parse("(C - (0, r3/2)).x", vectors=True)) == "(C − (0, r₃ / 2))_x"
+    assert equations.text(parse("C.y", vectors=True)) == "y_C"
+    assert len(draw([equations.math(tree), equations.math(parse("(C - (0, 1)).x", vectors=True))]).pictures) == 2
+
+
+def test_a_derivative_takes_a_dot_only_where_it_is_one() -> None:
+    assert equations.text(Formula("name", name="dw1")) == "ω̇₁"
+    assert equations.text(Formula("name", name="du"), frozenset({"u"})) == "u̇"
+    assert equations.text(Formula("name", name="du")) == "du"
+    assert equations.math(Formula("name", name="dw1")) == "dot(ω)_1"
+
+
+def test_a_long_sum_continues_on_the_next_line() -> None:
+    terms = " + ".join(f"r{i}*w{i}*cos(phi{i})*sin(phi{i} - phi1)" for i in range(1, 12))
+    source = display.math_equation(*parse_equation(f"{terms} = 0"))
+    lines = source.split(r" \ ")
+    assert len(lines) >= 4
+    assert all(line.startswith("& ") for line in lines)
+    assert lines[-1].endswith("= 0")
+    draw([source])
+
+
+def test_a_wide_quotient_becomes_a_short_one_before_brackets(reading: ModuleType) -> None:
+    terms = " + ".join(f"r{i}*w{i}*cos(phi{i} - phi{i + 1})*sin(alpha)" for i in range(1, 9))
+    tree = parse(f"-r1*({terms})/(r2*sin(phi1 - phi2))")
+    source = display.math_equation(parse("w4"), tree)
+    assert r" \ & quad " in source
+    assert "-frac(r_1, r_2 sin(φ_1 - φ_2)) [ r_1 ω_1" in source
+    draw([source])
+    plain = source.removeprefix("& ω_4 = ").replace("[", "(").replace("]", ")").replace(r"\ & quad", "")
+    values = {name: math.sin(7 * place) + 1.5 for place, name in enumerate(tree.names())}
+    assert reading.value_of(plain, values, typst=True) == pytest.approx(evaluate(tree, values))

@@ -1,0 +1,210 @@
+"""The model says everything, in order, in finished strings; the templates only place it."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import tomllib
+from dataclasses import replace
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+import pytest
+
+from coursework.data import folder
+from coursework.errors import InputError
+from coursework.motion import Motion, Stop
+from coursework.report import build_model
+from coursework.report.words import load_words
+
+GOLDEN = Path(__file__).parent / "model31.json"
+ALL = ("table", "plots", "checks", "graph_check", "points", "accuracy")
+SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="170mm" height="110mm" viewBox="0 0 170 110"></svg>'
+
+
+def parts(run: Any, section: str) -> list[dict[str, Any]]:
+    """Return the parts of a section as plain dicts."""
+    found = [s for s in build_model(run).plain()["sections"] if s["name"] == section]
+    assert found, f"no section {section}"
+    return list(found[0]["parts"])
+
+
+def text_of(thing: Any) -> str:
+    """Return all text inside a part, runs joined."""
+    if isinstance(thing, str):
+        return thing
+    if isinstance(thing, dict):
+        keys = ("t", "v", "s", "p") if set(thing) <= {"t", "v", "s", "p"} else thing
+        return "".join(text_of(thing.get(key, "")) for key in keys)
+    return " ".join(text_of(x) for x in thing) if isinstance(thing, list | tuple) and not is_runs(thing) else (
+        "".join(text_of(x) for x in thing) if isinstance(thing, list | tuple) else ""
+    )  # fmt: skip
+
+
+def is_runs(thing: Any) -> bool:
+    return bool(thing) and all(isinstance(x, dict) and set(x) <= {"t", "v", "s", "p"} for x in thing)
+
+
+def test_the_golden_model(stand_in: ModuleType) -> None:
+    """Everything the page of variant 31 says.  After a wanted change: UPDATE_GOLDEN=1 pytest tests/report, and read the diff."""
+    run = stand_in.run(student="Olena Kovalchuk", group="MT-21", date="20 November 2026")
+    found = build_model(run).plain()
+    for section in found["sections"]:
+        for part in section["parts"]:
+            part.pop("svg", None)
+    text = json.dumps(found, indent=1, ensure_ascii=False) + "\n"
+    if os.environ.get("UPDATE_GOLDEN"):
+        GOLDEN.write_text(text, encoding="utf-8")
+    assert text == GOLDEN.read_text(encoding="utf-8")
+
+
+def test_sections_in_order_and_only_those_asked_for(stand_in: ModuleType) -> None:
+    def names(**changes: Any) -> list[str]:
+        return [section.name for section in build_model(stand_in.run(**changes)).sections]
+
+    always = ["title", "given", "drive", "constraints", "derivation"]
+    assert names(asked=("table",)) == [*always, "table", "method"]
+    assert names(asked=("checks", "plots")) == [*always, "plots", "checks", "method"]
+    extras = {"points": stand_in.ExtraTable("Points", ("t", "A.x"), ("s", "m"), np.ones((25, 2)))}
+    everything = names(asked=ALL, extra_tables=extras, accuracy=stand_in.study(), graph=stand_in.Graph(SVG))
+    assert everything == [*always, "table", "plots", "checks", "graph_check", "points", "accuracy", "method"]
+    stopped = [section.name for section in build_model(stand_in.stopped()).sections]
+    assert stopped == [*always, "table", "plots", "dead_point", "checks", "method"]
+
+
+def test_what_is_not_asked_for_is_not_looked_at(stand_in: ModuleType) -> None:
+    class Shy:
+        def __init__(self, run: Any) -> None:
+            self.run = run
+
+        def __getattr__(self, name: str) -> Any:
+            assert name not in {"exact", "checks", "accuracy", "graph"}, f"{name} was not asked for"
+            return getattr(self.run, name)
+
+    build_model(Shy(stand_in.run(asked=("table",))))  # type: ignore[arg-type]
+
+
+def test_the_model_holds_strings_and_no_numbers(stand_in: ModuleType) -> None:
+    """Numbers that remain are sizes in mm and places of rows, never something to print."""
+    allowed = {"width", "height", "strong", "rules"}
+
+    def walk(thing: Any, key: str) -> None:
+        if isinstance(thing, dict):
+            for name, inner in thing.items():
+                walk(inner, name)
+        elif isinstance(thing, list | tuple):
+            for inner in thing:
+                walk(inner, key)
+        else:
+            assert isinstance(thing, str | bool) or key in allowed, (key, thing)
+
+    walk(build_model(stand_in.run(asked=ALL, accuracy=stand_in.study(), graph=stand_in.Graph(SVG))).plain(), "")
+
+
+def test_long_tables_are_thinned_and_say_so(stand_in: ModuleType) -> None:
+    note, table = parts(stand_in.run(motion=stand_in.euler(999), exact=None), "table")
+    assert text_of(note["text"]) == (
+        "One row in 5 is printed, with the first, the last and any marked one (202 of 1000); table.csv holds them all."
+    )
+    first = [text_of(row[0]) for row in table["rows"]]
+    assert first[:4] == ["1", "▸ 4", "6", "11"]
+    assert first[-2:] == ["996", "1000"]
+    assert [text_of(row[0]) for i, row in enumerate(table["rows"]) if i in table["strong"]] == ["▸ 4"]
+
+
+def test_wide_tables_are_split_and_points_stay_whole(stand_in: ModuleType) -> None:
+    names = ("t", *(f"{point}.{part}" for point in "ABC" for part in ("x", "y", "vx", "vy")))
+    extra = stand_in.ExtraTable("Points", names, ("s",) + ("m",) * 12, np.ones((25, 13)))
+    tables = parts(stand_in.run(asked=("points",), extra_tables={"points": extra}), "points")
+    heads = [[text_of(column["head"]) for column in table["columns"]] for table in tables]
+    assert heads == [
+        ["row", "t", "xA", "yA", "vAx", "vAy"], ["row", "t", "xB", "yB", "vBx", "vBy"], ["row", "t", "xC", "yC", "vCx", "vCy"],
+    ]  # fmt: skip
+    assert text_of(tables[1]["caption"]) == "Points. Part 2 of 3."
+
+
+def test_a_stop_is_told_with_rows_counted_as_the_table_counts_them(stand_in: ModuleType) -> None:
+    callout, facts = parts(stand_in.stopped(), "dead_point")
+    assert callout["lead"] == "Dead point at t = 0.11688925\u00a0s"
+    assert "up to row 6" in text_of(callout["text"])
+    told = {name: text_of(value) for name, value in facts["items"]}
+    assert told["Place in the table"] == "between row 6 and row 7 of the table"
+    assert told["Velocities not found"] == "ω3"
+    assert told["Cause"] == "r3 (2 cos φ3 + sin φ3) becomes zero."
+    assert text_of(parts(stand_in.stopped(), "title")[0]["items"]).count("stops at t = 0.11688925\u00a0s") == 1
+
+
+def test_a_stop_at_the_first_row_with_branches(stand_in: ModuleType) -> None:
+    bare = np.zeros((0, 3))
+    nothing = Motion(
+        np.zeros(0), bare, np.zeros((0, 4)), bare.copy(), bare.copy(), stand_in.COORDINATES, stand_in.VELOCITIES, "euler", 0.02, 0
+    )
+    stop = Stop("change point", 0.0, 0.0, ("w1",), {}, "Two motions meet.", "", ({"w1": 1.0}, {"w1": -0.5}))
+    run = stand_in.run(motion=nothing, exact=nothing, stop=stop)
+    told = [text_of(item) for item in parts(run, "dead_point")[1]["items"]]
+    assert told[0] == "Place in the table at row 1 of the table"
+    assert told[-3:-1] == ["Possible there ω1 = 1\u00a0rad/s", "Possible there ω1 = −0.5\u00a0rad/s"]
+    assert "plots" not in [section.name for section in build_model(run).sections]
+
+
+def test_redundant_and_derived_equations_say_so(stand_in: ModuleType) -> None:
+    equations = (replace(stand_in.EQUATIONS[0], used=False), replace(stand_in.EQUATIONS[1], derived=True, because=""))
+    shown = parts(stand_in.run(equations=equations), "constraints")[1]["items"]
+    assert text_of(shown[0]["after"]) == "not needed to find the velocities; kept as a check"
+    assert text_of(shown[1]["before"]) == "(differentiated from the positions)"
+
+
+def test_a_large_block_is_told_in_words(stand_in: ModuleType) -> None:
+    block = stand_in.Block(("w1", "w2", "w3"), ("1", "2", "3"), (), None, "the determinant of the 3 equations 1, 2, 3 is zero")
+    told = text_of(parts(stand_in.run(reduction=stand_in.Reduction((block,))), "derivation")[1]["text"])
+    assert told.startswith("The 3 velocities ω1, ω2 and ω3 follow together from equations (1), (2) and (3)")
+
+
+def test_check_lines_become_a_small_table(stand_in: ModuleType) -> None:
+    period = parts(stand_in.run(), "checks")[1]["items"][1]
+    assert period["heads"] == ["", "scheme error", "T ≠ period", "round-off"]
+    assert [text_of(cell) for cell in period["lines"][0]] == ["φ1, rad", "−0.08333", "5.79·10−4", "1.00·10−16"]
+
+
+def test_the_accuracy_section(stand_in: ModuleType) -> None:
+    told = parts(stand_in.run(asked=("accuracy",), accuracy=stand_in.study()), "accuracy")
+    words = " ".join(text_of(part) for part in told)
+    for expected in (
+        "understate", "The ring is the step of this coursework", "Did not finish:", "Newton did not come to rest at row 2",
+        "Measured orders: Euler 0.98, Heun 2.04, RK4 3.99.", "▸ Euler", "running time", "35.0\u00a0µs", "importing",
+    ):  # fmt: skip
+        assert expected in words, expected
+    quiet = " ".join(text_of(part) for part in parts(stand_in.run(asked=("accuracy",), accuracy=stand_in.study(False)), "accuracy"))
+    assert "µs" not in quiet.replace("35 µs", "")
+    assert "importing" not in quiet
+
+
+def test_every_word_is_used_and_none_is_missing() -> None:
+    """Each key of the words file stands in the code (or is put together there), so no translation is made for nothing."""
+    code = "\n".join(path.read_text(encoding="utf-8") for path in (folder("reports").parent / "coursework/report").glob("*.py"))
+    words = tomllib.loads((folder("reports") / "words.en.toml").read_text(encoding="utf-8"))
+    families = {"section", "count", "checks", "plots", "drive", "accuracy", "derivation", "given", "stop", "title", "graph", "label"}
+
+    def keys(table: dict[str, Any], path: str) -> list[str]:
+        found = []
+        for name, entry in table.items():
+            found += keys(entry, f"{path}{name}.") if isinstance(entry, dict) else [f"{path}{name}"]
+        return found
+
+    unused = []
+    for key in keys(words, ""):
+        head, _, last = key.rpartition(".")
+        stem = head.rpartition(".")[2] if last in {"one", "many"} else last
+        named = key in code or head in code and last in {"one", "many"}
+        assembled = key.partition(".")[0] in families and (f'"{stem}"' in code or f".{{{''}" in code and re.search(rf"\b{stem}\b", code))
+        if not (named or assembled or key.split(".")[0] in {"checks", "plots", "section", "count", "drive"}):
+            unused.append(key)
+    assert not unused
+
+
+def test_an_unknown_language_is_refused_with_the_known_ones() -> None:
+    with pytest.raises(InputError, match=r'no words for the language "xx" .* There is: en'):
+        load_words("xx")

@@ -1,0 +1,70 @@
+"""Numbers carry the digits they deserve; none is rounded to a false zero."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from coursework.report.numbers import Numbers, unit_text, with_unit
+
+N = Numbers()
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (0.0, "0"), (-0.0, "0"), (0.0833, "0.08330"), (12.3, "12.30"), (-16.654151, "−16.65"), (1.3e-15, "1.30·10⁻¹⁵"),
+        (9.9999e-4, "1.00·10⁻³"), (0.001, "0.001000"), (99999.6, "100000"), (1e5, "1.00·10⁵"), (-2.5e7, "−2.50·10⁷"),
+        (math.inf, "∞"), (-math.inf, "−∞"), (math.nan, "–"), (None, "–"), (9.99996, "10.00"),
+    ],
+)  # fmt: skip
+def test_a_number_on_its_own(value: float | None, text: str) -> None:
+    assert N.scalar(value) == text
+
+
+def test_a_column_has_one_number_of_decimals_and_no_false_zero() -> None:
+    assert N.column([1.63, 1.5985, -0.00001234, 0.0]) == ["1.6300", "1.5985", "−1.23·10⁻⁵", "0"]
+    assert N.column([-16.654151, 0.511]) == ["−16.654", "0.511"]
+    assert N.column([0.0, 0.0]) == ["0", "0"]
+    assert N.column([]) == []
+    assert N.column([123456.7, 1.0]) == ["123457", "1"]
+    assert N.column([math.nan, 1.0]) == ["–", "1.0000"]
+
+
+def test_times_show_just_the_decimals_they_need() -> None:
+    assert N.times([0.0, 0.02, 0.48]) == ["0.00", "0.02", "0.48"]
+    assert N.times([i * 0.1 for i in range(4)]) == ["0.0", "0.1", "0.2", "0.3"]
+    assert N.times([0.0, 1.0]) == ["0", "1"]
+    assert N.times([1 / 3]) == ["0.33333333"]
+
+
+def test_data_limits_counts_and_durations() -> None:
+    assert N.plain(0.953) == "0.953"
+    assert N.plain(math.pi / 6) == "0.523599"
+    assert N.plain(0.11688925461, 8) == "0.11688925"
+    assert N.limit(0.1) == "0.1"
+    assert N.limit(1e-12) == "1·10⁻¹²"
+    assert N.limit(100.0) == "100"
+    assert N.limit(None) == "–"
+    assert N.whole(6144) == "6144"
+    assert N.whole(410000) == "410\u202f000"
+    assert N.duration(35e-6) == "35.0\u00a0µs"
+    assert N.duration(0.0081) == "8.10\u00a0ms"
+    assert N.duration(2.0) == "2.00\u00a0s"
+
+
+def test_another_language_has_another_decimal_sign() -> None:
+    comma = Numbers(",")
+    assert comma.scalar(-0.5) == "−0,5000"
+    assert comma.limit(0.5) == "0,5"
+    assert comma.column([1.5]) == ["1,5000"]
+
+
+def test_units() -> None:
+    assert with_unit("4.5", "m/s^2") == "4.5\u00a0m/s²"
+    assert with_unit("30", "deg") == "30°"
+    assert with_unit("5", "deg/s") == "5\u00a0deg/s"
+    assert with_unit("2", "1") == "2"
+    assert with_unit("–", "m") == "–"
+    assert unit_text("1/s") == "1/s"

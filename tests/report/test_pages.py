@@ -1,0 +1,201 @@
+"""HTML and PDF: the same numbers, the same bytes every time, nothing fetched, nothing executed."""
+
+from __future__ import annotations
+
+import hashlib
+import importlib.util
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pymupdf
+import pytest
+
+from coursework.data import folder
+from coursework.errors import OutputError
+from coursework.report import build_model, formulas, render_html, render_pdf, typesetting
+
+HERE = Path(__file__).parent
+HOSTILE = (
+    "<script>alert(1)</script> $x_$ $\\frac{$ #eval(\"1+1\") #read(\"/etc/passwd\") *b* `c` @label \\ {{7*7}} {student} %s "
+    "]) & \"q\" 'q' abc\u202egfed\u202c \x00\x07\u0000 \ud800 "
+)  # fmt: skip
+LONG = "W" * 300
+SVG = (
+    '<svg xmlns="http://www.w3.org/2000/svg" width="170mm" height="60mm" viewBox="0 0 170 60">'
+    '<line x1="10" y1="30" x2="110" y2="30" stroke="#010203" stroke-width="0.4"/></svg>'
+)
+
+
+def full(stand_in: ModuleType, **changes: Any) -> Any:
+    """Return a run that shows every kind of part."""
+    asked = ("table", "plots", "checks", "graph_check", "accuracy")
+    return stand_in.run(asked=asked, accuracy=stand_in.study(False), graph=stand_in.Graph(SVG), **changes)
+
+
+def test_numbers_of_pdf_and_html_are_the_same(stand_in: ModuleType, reading: ModuleType) -> None:
+    model = build_model(full(stand_in, student="Olena Kovalchuk"))
+    page, paper = reading.html_text(render_html(model)), reading.pdf_text(render_pdf(model))
+    on_page, on_paper = reading.numbers(page), reading.numbers(paper)
+    assert sum(on_page.values()) > 200
+    # Tables that run over a page repeat their head, and no number stands there.
+    assert on_page == on_paper
+    for section in model.plain()["sections"]:
+        assert section["title"] in page
+        assert section["title"] in paper
+
+
+def test_two_processes_write_the_same_bytes(tmp_path: Path) -> None:
+    code = (
+        "import importlib.util, hashlib, sys\n"
+        f"spec = importlib.util.spec_from_file_location('stand_in', {str(HERE / 'stand_in.py')!r})\n"
+        "m = importlib.util.module_from_spec(spec); sys.modules['stand_in'] = m; spec.loader.exec_module(m)\n"
+        "from coursework.report import build_model, render_html, render_pdf\n"
+        "run = m.run(student='O. K.', asked=('table', 'plots', 'checks', 'accuracy'), accuracy=m.study(False))\n"
+        "model = build_model(run)\n"
+        "for made in (render_html(model).encode(), render_pdf(model)): print(hashlib.sha256(made).hexdigest())\n"
+    )
+    found = set()
+    for seed in ("1", "2"):
+        environment = {**os.environ, "PYTHONHASHSEED": seed}
+        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment, cwd=tmp_path)
+        assert done.returncode == 0, done.stderr
+        found.add(done.stdout)
+    assert len(found) == 1
+
+
+def test_the_same_model_twice_is_the_same_bytes_whatever_was_drawn_between(stand_in: ModuleType) -> None:
+    first = render_html(build_model(stand_in.run()))
+    build_model(stand_in.stopped())
+    build_model(stand_in.run(motion=stand_in.euler(300), exact=None))
+    assert render_html(build_model(stand_in.run())) == first
+
+
+def test_hostile_text_is_shown_and_never_obeyed(stand_in: ModuleType, reading: ModuleType) -> None:
+    equations = tuple(stand_in.Equation(e.name, HOSTILE, e.left, e.right) for e in stand_in.EQUATIONS)
+    variant = stand_in.variant(title=HOSTILE, source=HOSTILE)
+    model = build_model(full(stand_in, student=HOSTILE, group=HOSTILE, date=HOSTILE, variant=variant, equations=equations))
+    page = render_html(model)
+    assert "<script" not in page
+    assert "&lt;script&gt;alert(1)&lt;/script&gt;" in page
+    assert "\u202e" not in page
+    assert "\x07" not in page
+    paper = reading.pdf_text(render_pdf(model))
+    for shown in (reading.html_text(page), paper):
+        packed = shown.replace(" ", "")
+        for text in ("<script>alert(1)</script>", '#eval("1+1")', "$x_$", '#read("/etc/passwd")', "{{7*7}}", "{student}", "*b*"):
+            assert packed.count(text.replace(" ", "")) >= 6, text
+        assert "root:" not in packed
+
+
+def test_a_word_of_300_letters_stays_on_the_page(stand_in: ModuleType) -> None:
+    check = stand_in.Check("K01", LONG, "PASS", LONG, 1.0, 2.0, "", ((LONG, 1.0, "rad"),))
+    equation = stand_in.Equation(LONG[:80], LONG, stand_in.EQUATIONS[0].left, stand_in.EQUATIONS[0].right)
+    run = stand_in.run(student=LONG, variant=stand_in.variant(title=LONG), checks=(check,), equations=(equation,))
+    with pymupdf.open(stream=render_pdf(build_model(run)), filetype="pdf") as document:
+        for sheet in document:
+            right = sheet.rect.width - 20 / 25.4 * 72
+            assert all(block[2] <= right + 1 for block in sheet.get_text("blocks")), sheet.number
+
+
+def test_names_in_other_scripts_do_not_stop_the_page(stand_in: ModuleType) -> None:
+    assert render_pdf(build_model(stand_in.run(student="李小龙 مرحبا Ґалаґан 😀"))).startswith(b"%PDF")
+
+
+@pytest.mark.parametrize("kind", ["full", "stopped"])
+def test_the_pdf_is_pdf_ua_without_a_warning(stand_in: ModuleType, kind: str) -> None:
+    import json
+
+    import typst
+
+    model = build_model(full(stand_in) if kind == "full" else stand_in.stopped())
+    place = folder("reports")
+    made, warnings = typst.compile_with_warnings(
+        str(place / "report.typ"), root=str(place), font_paths=typesetting._fonts(False), format="pdf", timestamp=0,
+        pdf_standards=["ua-1"], sys_inputs={"data": json.dumps(model.plain())},
+    )  # fmt: skip
+    assert warnings == []
+    assert made == render_pdf(model)
+    with pymupdf.open(stream=made, filetype="pdf") as document:
+        assert "<pdfuaid:part>1</pdfuaid:part>" in document.get_xml_metadata()
+        assert document.metadata["title"] == model.heading
+        assert [entry[1] for entry in document.get_toc()] == [
+            f"{section.number} {section.title}" for section in model.sections if section.title
+        ]
+
+
+def test_the_bar_of_the_drawing_measures_100_mm_on_paper(stand_in: ModuleType) -> None:
+    with pymupdf.open(stream=render_pdf(build_model(full(stand_in))), filetype="pdf") as document:
+        assert [round(length, 2) for length in bars(document)] == [100.0]
+
+
+def bars(document: Any) -> list[float]:
+    """Return the lengths in mm of the lines in the colour of the bar."""
+    colour = tuple(value / 255 for value in (1, 2, 3))
+    found = [path for sheet in document for path in sheet.get_drawings() if path["color"]]
+    return [
+        path["rect"].width / 72 * 25.4 for path in found if all(abs(a - b) < 1e-3 for a, b in zip(path["color"], colour, strict=True))
+    ]
+
+
+def test_the_page_fetches_nothing(stand_in: ModuleType) -> None:
+    page = render_html(build_model(full(stand_in)))
+    assert "default-src 'none'" in page
+    for pattern in (r"<link", r"<script", r"@import", r"url\((?!#)", r'\ssrc="', r'href="(?!#)'):
+        assert not re.search(pattern, page), pattern
+    ids = re.findall(r'\sid="([^"]+)"', page)
+    assert len(ids) == len(set(ids))
+    referred = set(re.findall(r'href="#([^"]+)"', page)) | set(re.findall(r"url\(#([^)]+)\)", page))
+    assert referred <= set(ids)
+
+
+def test_without_typst_the_page_still_has_its_equations(stand_in: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "typst", None)
+    monkeypatch.setattr(formulas, "_cache", {})
+    model = build_model(stand_in.run())
+    page = render_html(model)
+    assert ">ω₃ = V_My / (r₃ (2 cos φ₃ + sin φ₃))</div>" in page
+    assert not typesetting.is_available()
+    with pytest.raises(OutputError, match=r'pip install typst.*or write the report as HTML and print it'):
+        render_pdf(model)
+
+
+def test_equations_are_set_once_a_process(stand_in: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
+    model = build_model(stand_in.run())
+    render_html(model)
+    monkeypatch.setattr(formulas, "typeset", lambda *_: pytest.fail("set again"))
+    render_html(model)
+
+
+def test_what_typst_refuses_is_told(stand_in: ModuleType) -> None:
+    from dataclasses import replace
+
+    from coursework.report.parts import Display, Equations, Section
+
+    model = build_model(stand_in.run())
+    broken = Section("broken", "Broken", [Equations([Display("frac(", "text")])])
+    with pytest.raises(OutputError, match="could not be set.*Typst says"):
+        render_pdf(replace(model, sections=(broken,)))
+
+
+def test_nothing_heavy_is_loaded_with_the_package() -> None:
+    code = "import coursework.report, sys; print([m for m in ('matplotlib', 'typst', 'jinja2', 'pandas') if m in sys.modules])"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
+
+
+def test_reports_travel_with_the_package() -> None:
+    assert importlib.util.find_spec("coursework") is not None
+    names = {path.name for path in folder("reports").iterdir()}
+    assert {"report.html.j2", "report.css", "report.typ", "equation.typ", "words.en.toml"} <= names
+
+
+def test_pdf_and_html_of_one_run_are_small(stand_in: ModuleType) -> None:
+    model = build_model(stand_in.run())
+    assert len(render_html(model)) < 300_000
+    assert len(render_pdf(model)) < 400_000
+    assert hashlib.sha256(render_pdf(model)).digest() == hashlib.sha256(render_pdf(model)).digest()

@@ -1,0 +1,74 @@
+"""Names become the textbook's symbols; text on its way to a page is cleaned and set."""
+
+from __future__ import annotations
+
+import pytest
+
+from coursework.report.lettering import LONGEST, clean, derivative, printed, runs
+from coursework.report.symbols import symbol
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "typst"),
+    [
+        ("phi1", "φ₁", "φ_1"), ("w3", "ω₃", "ω_3"), ("w", "ω", "ω"), ("omega_3", "ω₃", "ω_3"), ("VMx", "V_Mx", "V_(M x)"),
+        ("r1", "r₁", "r_1"), ("psi4", "ψ₄", "ψ_4"), ("alpha", "α", "α"), ("alpha0", "α₀", "α_0"), ("dw1", "ω̇₁", "dot(ω)_1"),
+        ("dphi2", "φ̇₂", "dot(φ)_2"), ("AB", "AB", "A B"), ("speed", "speed", '"speed"'), ("speed1", "speed₁", '"speed"_1'),
+        ("s_max", "s_max", 's_"max"'), ("a_b_c", "a_b_c", 'a_"b c"'), ("lift", "lift", '"lift"'), ("pin", "pin", '"pin"'),
+        ("A.x", "x_A", "x_A"), ("B1.vy", "v_B1y", "v_(B 1 y)"), ("phi12", "φ₁₂", "φ_12"), ("phiA", "φ_A", "φ_A"), ("t", "t", "t"),
+    ],
+)  # fmt: skip
+def test_names(name: str, text: str, typst: str) -> None:
+    assert symbol(name).text == text
+    assert symbol(name).typst == typst
+
+
+@pytest.mark.parametrize("text", ["", "a b", 'x"', "#eval", "a.b.c", "a-b", "$x$", "x\\"])
+def test_what_is_no_name_never_becomes_source(text: str) -> None:
+    with pytest.raises(ValueError, match="no name"):
+        symbol(text)
+
+
+def test_sentences_are_split_into_runs() -> None:
+    assert runs("V_Cy = 0 along M-B-C") == [{"v": "V", "s": "Cy"}, {"t": " = 0 along M-B-C"}]
+    assert runs("φ₃ = 1.2·10⁻⁷ m/s²") == [
+        {"v": "φ", "s": "3"}, {"t": " = 1.2·10"}, {"p": "−7"}, {"t": " m/s"}, {"p": "2"},
+    ]  # fmt: skip
+    assert runs("my_file_name") == [{"t": "my_file_name"}]
+    assert runs("w3 and phi1, not w33 or a word", ["w3", "phi1", "a"]) == [
+        {"v": "ω", "s": "3"}, {"t": " and "}, {"v": "φ", "s": "1"}, {"t": ", not w33 or a word"},
+    ]  # fmt: skip
+
+
+def test_sentences_of_the_tool_are_printed_properly() -> None:
+    assert printed("1.07e-05 rad, -0.5 m, 2*cos(x)") == "1.07·10⁻⁵ rad, −0.5 m, 2·cos(x)"
+    assert printed("C.y drifts; B1.vx too; see v1.0, file A.txt") == "y_C drifts; v_B1x too; see v1.0, file A.txt"
+
+
+def test_derivatives_by_the_crank() -> None:
+    assert "".join(run.get("t", run.get("v", "") + run.get("s", "")) for run in derivative("dphi2/dphi1")) == "d\u2009φ2/d\u2009φ1"
+    assert {"p": "2"} in derivative("d2phi2/dphi12")
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("a\u202eb\u200fc", "abc"),
+        ("a\x00\x07b\tc\nd", "ab c d"),
+        ("\ud800x", "x"),
+        ("\ue000x\ue001", "x"),
+        ("e\u0301", "é"),
+        ("  spaced   out ", "spaced out"),
+        ("0.5\u00a0m", "0.5\u00a0m"),
+    ],
+)
+def test_cleaning(text: str, expected: str) -> None:
+    assert clean(text) == expected
+
+
+def test_long_words_get_places_to_break_and_long_texts_an_end() -> None:
+    word = clean("W" * 300)
+    assert max(len(part) for part in word.split("\u200b")) < 24
+    assert word.replace("\u200b", "") == "W" * 300
+    assert len(clean("x y " * 5000)) <= LONGEST
+    assert clean("Internationalisierung") == "Internationalisierung"
