@@ -102,7 +102,7 @@ def _law(section: str, key: str, value: Any, parts: Parts) -> Law:
     name = parts.names.canonical(key)
     path = (section, key)
     if isinstance(value, schema.Pieces):
-        pieces = tuple((parts.number(path, at, "s"), parts.formula(path, text, "scalar", scope)) for at, text in value.pieces)
+        pieces = tuple((parts.number(path, at, "s"), parts.formula(path, str(text), "scalar", scope)) for at, text in value.pieces)
         if any(later <= earlier for (earlier, _), (later, _) in itertools.pairwise(pieces)):
             parts.say(path, "the times of the pieces must grow.")
         return Law(name, pieces=pieces)

@@ -16,6 +16,9 @@ Name = Annotated[str, StringConstraints(max_length=40, min_length=1)]
 Value = Annotated[Text | int | float, Field(description='"value unit", such as "0.953 m", or a bare number in SI')]
 
 
+Piece = Annotated[list[Value], Field(min_length=2, max_length=2, description="from this time on, this formula")]
+
+
 class _Section(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, strict=True)
 
@@ -23,7 +26,7 @@ class _Section(BaseModel):
 class Pieces(_Section):
     """A drive or function given piece by piece; the integration is split at the times between them."""
 
-    pieces: Annotated[list[tuple[Value, Text]], Field(min_length=1, max_length=200)]
+    pieces: Annotated[list[Piece], Field(min_length=1, max_length=200)]
 
 
 class Table(_Section):

@@ -57,9 +57,13 @@ def test_it_prints_on_a4_true_to_scale(browser: Any, address: str) -> None:
         assert 5 <= len(document) <= 9
         for sheet in document:
             assert (round(sheet.rect.width / 72 * 25.4), round(sheet.rect.height / 72 * 25.4)) == (210, 297)
-            blocks = [block for block in sheet.get_text("blocks")]
+            blocks = list(sheet.get_text("blocks"))
             assert all(block[2] < sheet.rect.width - 15 / 25.4 * 72 for block in blocks)
         lines = [path for sheet in document for path in sheet.get_drawings() if path["color"]]
-        bar = [p["rect"].width / 72 * 25.4 for p in lines if max(abs(a - b / 255) for a, b in zip(p["color"], (1, 2, 3), strict=True)) < 1e-3]
+        bar = [
+            p["rect"].width / 72 * 25.4
+            for p in lines
+            if max(abs(a - b / 255) for a, b in zip(p["color"], (1, 2, 3), strict=True)) < 1e-3
+        ]
         assert len(bar) == 1
         assert abs(bar[0] - 100) < 0.05

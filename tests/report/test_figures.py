@@ -14,14 +14,16 @@ from coursework.report.symbols import symbol
 T = np.linspace(0, 0.48, 25)
 
 
-def plot(name: str = "plot-1", *, y_label: str = "angle, rad", stop_label: str = "", stop: float | None = None, count: int = 3) -> str:
+def plot(
+    name: str = "plot-1", *, y_label: str = "angle, rad", stop_label: str = "", stop: float | None = None, count: int = 3
+) -> str:
     curves = [Curve(symbol(f"phi{i}"), T, np.sin(9 * T + i), T, np.sin(9 * T + i + 0.05)) for i in range(1, count + 1)]
     return time_plot(name, curves, x_label="time t, s", y_label=y_label, thin_label="exact", stop=stop, stop_label=stop_label)
 
 
 def test_no_date_no_metadata_and_its_size_in_mm() -> None:
     svg = plot()
-    assert svg.startswith('<svg')
+    assert svg.startswith("<svg")
     assert "metadata" not in svg
     assert not re.search(r"20\d\d-\d\d", svg)
     assert 'width="170mm"' in svg

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import re
-import tomllib
 from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
@@ -14,14 +12,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from coursework.data import folder
 from coursework.errors import InputError
+from coursework.formula_reader import parse
 from coursework.motion import Motion, Stop
 from coursework.report import build_model
-from coursework.report.words import load_words
+from coursework.report.words import Words, load_words
+from coursework.variant.record import Law
 
 GOLDEN = Path(__file__).parent / "model31.json"
-ALL = ("table", "plots", "checks", "graph_check", "points", "accuracy")
+EXTRAS = ("points", "accelerations", "analogs", "invariants")
+ALL = ("table", "plots", "checks", "graph_check", *EXTRAS, "accuracy")
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="170mm" height="110mm" viewBox="0 0 170 110"></svg>'
 
 
@@ -177,32 +177,94 @@ def test_the_accuracy_section(stand_in: ModuleType) -> None:
         "Measured orders: Euler 0.98, Heun 2.04, RK4 3.99.", "▸ Euler", "running time", "35.0\u00a0µs", "importing",
     ):  # fmt: skip
         assert expected in words, expected
-    quiet = " ".join(text_of(part) for part in parts(stand_in.run(asked=("accuracy",), accuracy=stand_in.study(False)), "accuracy"))
+    quiet = " ".join(
+        text_of(part) for part in parts(stand_in.run(asked=("accuracy",), accuracy=stand_in.study(False)), "accuracy")
+    )
     assert "µs" not in quiet.replace("35 µs", "")
     assert "importing" not in quiet
 
 
-def test_every_word_is_used_and_none_is_missing() -> None:
-    """Each key of the words file stands in the code (or is put together there), so no translation is made for nothing."""
-    code = "\n".join(path.read_text(encoding="utf-8") for path in (folder("reports").parent / "coursework/report").glob("*.py"))
-    words = tomllib.loads((folder("reports") / "words.en.toml").read_text(encoding="utf-8"))
-    families = {"section", "count", "checks", "plots", "drive", "accuracy", "derivation", "given", "stop", "title", "graph", "label"}
+def unusual(stand_in: ModuleType) -> list[Any]:
+    """Return runs that between them make the report say everything it can say."""
+    wide = Variety(stand_in)
+    return [
+        stand_in.run(asked=ALL, accuracy=stand_in.study(), graph=stand_in.Graph(SVG, (("w1", 1.2, 1.21, 0.01, "rad/s"),)),
+                     student="S", group="G", date="D", extra_tables=wide.extras),
+        stand_in.run(asked=ALL, accuracy=stand_in.study(False), checks=wide.many(3), settings=stand_in.Settings(1, 0.0)),
+        stand_in.run(checks=wide.many(1), settings=stand_in.Settings(2, 0.0), exact=replace(stand_in.exact(), label="")),
+        stand_in.run(checks=wide.each(1), settings=stand_in.Settings(0, 5.0), motion=stand_in.euler(0), exact=None),
+        stand_in.run(checks=wide.each(2), motion=stand_in.euler(999), exact=None, scheme="unknown"),
+        wide.of_lengths(), wide.of_groups(), stand_in.run(reduction=wide.large), stand_in.run(equations=wide.equations),
+        stand_in.stopped(), wide.at_a_row(),
+    ]  # fmt: skip
 
-    def keys(table: dict[str, Any], path: str) -> list[str]:
-        found = []
-        for name, entry in table.items():
-            found += keys(entry, f"{path}{name}.") if isinstance(entry, dict) else [f"{path}{name}"]
-        return found
 
-    unused = []
-    for key in keys(words, ""):
-        head, _, last = key.rpartition(".")
-        stem = head.rpartition(".")[2] if last in {"one", "many"} else last
-        named = key in code or head in code and last in {"one", "many"}
-        assembled = key.partition(".")[0] in families and (f'"{stem}"' in code or f".{{{''}" in code and re.search(rf"\b{stem}\b", code))
-        if not (named or assembled or key.split(".")[0] in {"checks", "plots", "section", "count", "drive"}):
-            unused.append(key)
-    assert not unused
+class Variety:
+    """Unusual pieces of a run."""
+
+    def __init__(self, stand_in: ModuleType) -> None:
+        self.made = stand_in
+        names = tuple(f"{point}.{part}" for point in "ABC" for part in ("x", "y", "vx", "vy"))
+        self.extras = {
+            name: stand_in.ExtraTable(f"All {name}", ("t", *names), ("s",) + ("m",) * 12, np.ones((25, 13)))
+            for name in EXTRAS
+        }
+        block = stand_in.Block(("w1", "w2", "w3"), ("1", "2", "3"), (), None, "the determinant is zero")
+        small = stand_in.Block(("w4",), ("4",), (("w4", parse("2*w3")),), parse("r3"), "")
+        first = stand_in.Block(("w1", "w2"), ("4", "5"), (("w1", parse("2")), ("w2", parse("3"))), parse("r3"), "r3 is zero")
+        self.large = stand_in.Reduction((block, small))
+        self.equations = (
+            replace(stand_in.EQUATIONS[0], used=False, derived=True), *stand_in.EQUATIONS[1:],
+        )  # fmt: skip
+        self.alone = stand_in.Reduction((first,))
+
+    def many(self, count: int) -> Any:
+        return self.made.CHECKS[:1] * count
+
+    def each(self, count: int) -> Any:
+        return tuple(check for check in self.made.CHECKS[1:] for _ in range(count))
+
+    def of_lengths(self) -> Any:
+        coordinates = tuple(
+            replace(c, unit=unit) for c, unit in zip(self.made.variant().coordinates, ("m", "m", "A"), strict=True)
+        )
+        laws = (
+            Law("r", parse("0.1277 - 0.0255*phi1")), Law("s", table=((0.0, 1.0), (1.0, 2.0)), of="phi1", method="five-point"),
+            Law("u", table=((0.0, 1.0), (1.0, 2.0)), of="phi1", method="spline"),
+        )  # fmt: skip
+        return self.made.run(variant=self.made.variant(coordinates=coordinates, functions=laws), reduction=self.alone, asked=ALL, accuracy=self.made.study())
+
+    def of_groups(self) -> Any:
+        drive = (Law("w1", pieces=((0.0, parse("10")), (0.2, parse("12")))),)
+        variant = self.made.variant(driven=None, drive=drive, given=())
+        coordinates = tuple(replace(c, start=None) for c in variant.coordinates)
+        other = replace(variant, coordinates=coordinates, drive=())
+        assert build_model(self.made.run(variant=variant))
+        motion = replace(self.made.euler(), coordinate_names=("phi1", "phi2", "other"))
+        return self.made.run(variant=other, motion=motion, exact=None, asked=("table",))
+
+    def at_a_row(self) -> Any:
+        stop = Stop("change point", 0.1, 5.0, ("w1",), {"phi1": 1.0}, "Two motions meet.", "Choose.", ({"w1": 1.0}, {"w1": 2.0}))
+        return self.made.run(motion=self.made.euler(5), exact=None, stop=stop)
+
+
+def test_every_word_can_be_said(stand_in: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
+    """No key is missing for whatever can be asked, and no sentence is translated for nothing."""
+    said: set[str] = set()
+    speak = Words.__call__
+
+    def recorded(self: Words, key: str, **values: object) -> str:
+        said.add(key)
+        return speak(self, key, **values)
+
+    def keys(table: dict[str, Any], path: str = "") -> set[str]:
+        inner = (keys(v, f"{path}{k}.") if isinstance(v, dict) else {f"{path}{k}"} for k, v in table.items())
+        return set().union(*inner)
+
+    monkeypatch.setattr(Words, "__call__", recorded)
+    for run in unusual(stand_in):
+        build_model(run)
+    assert sorted(keys(load_words().entries) - said) == []
 
 
 def test_an_unknown_language_is_refused_with_the_known_ones() -> None:

@@ -45,8 +45,8 @@ def test_numbers_of_pdf_and_html_are_the_same(stand_in: ModuleType, reading: Mod
     # Tables that run over a page repeat their head, and no number stands there.
     assert on_page == on_paper
     for section in model.plain()["sections"]:
-        assert section["title"] in page
-        assert section["title"] in paper
+        assert reading.normal(section["title"]) in page
+        assert reading.normal(section["title"]) in paper
 
 
 def test_two_processes_write_the_same_bytes(tmp_path: Path) -> None:
@@ -81,7 +81,7 @@ def test_hostile_text_is_shown_and_never_obeyed(stand_in: ModuleType, reading: M
     model = build_model(full(stand_in, student=HOSTILE, group=HOSTILE, date=HOSTILE, variant=variant, equations=equations))
     page = render_html(model)
     assert "<script" not in page
-    assert "&lt;script&gt;alert(1)&lt;/script&gt;" in page
+    assert "&lt;script&gt;alert(1)&lt;/script&gt;" in page.replace("\u200b", "")
     assert "\u202e" not in page
     assert "\x07" not in page
     paper = reading.pdf_text(render_pdf(model))
@@ -98,8 +98,9 @@ def test_a_word_of_300_letters_stays_on_the_page(stand_in: ModuleType) -> None:
     run = stand_in.run(student=LONG, variant=stand_in.variant(title=LONG), checks=(check,), equations=(equation,))
     with pymupdf.open(stream=render_pdf(build_model(run)), filetype="pdf") as document:
         for sheet in document:
+            # Full stops and commas may hang into the margin.
             right = sheet.rect.width - 20 / 25.4 * 72
-            assert all(block[2] <= right + 1 for block in sheet.get_text("blocks")), sheet.number
+            assert all(block[2] <= right + 3 for block in sheet.get_text("blocks")), sheet.number
 
 
 def test_names_in_other_scripts_do_not_stop_the_page(stand_in: ModuleType) -> None:
@@ -138,7 +139,9 @@ def bars(document: Any) -> list[float]:
     colour = tuple(value / 255 for value in (1, 2, 3))
     found = [path for sheet in document for path in sheet.get_drawings() if path["color"]]
     return [
-        path["rect"].width / 72 * 25.4 for path in found if all(abs(a - b) < 1e-3 for a, b in zip(path["color"], colour, strict=True))
+        path["rect"].width / 72 * 25.4
+        for path in found
+        if all(abs(a - b) < 1e-3 for a, b in zip(path["color"], colour, strict=True))
     ]
 
 
@@ -160,7 +163,7 @@ def test_without_typst_the_page_still_has_its_equations(stand_in: ModuleType, mo
     page = render_html(model)
     assert ">ω₃ = V_My / (r₃ (2 cos φ₃ + sin φ₃))</div>" in page
     assert not typesetting.is_available()
-    with pytest.raises(OutputError, match=r'pip install typst.*or write the report as HTML and print it'):
+    with pytest.raises(OutputError, match=r"pip install typst.*or write the report as HTML and print it"):
         render_pdf(model)
 
 
@@ -178,7 +181,7 @@ def test_what_typst_refuses_is_told(stand_in: ModuleType) -> None:
 
     model = build_model(stand_in.run())
     broken = Section("broken", "Broken", [Equations([Display("frac(", "text")])])
-    with pytest.raises(OutputError, match="could not be set.*Typst says"):
+    with pytest.raises(OutputError, match=r"could not be set.*Typst says"):
         render_pdf(replace(model, sections=(broken,)))
 
 

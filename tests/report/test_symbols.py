@@ -46,7 +46,9 @@ def test_sentences_of_the_tool_are_printed_properly() -> None:
 
 
 def test_derivatives_by_the_crank() -> None:
-    assert "".join(run.get("t", run.get("v", "") + run.get("s", "")) for run in derivative("dphi2/dphi1")) == "d\u2009φ2/d\u2009φ1"
+    assert (
+        "".join(run.get("t", run.get("v", "") + run.get("s", "")) for run in derivative("dphi2/dphi1")) == "d\u2009φ2/d\u2009φ1"
+    )
     assert {"p": "2"} in derivative("d2phi2/dphi12")
 
 

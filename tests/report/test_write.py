@@ -37,7 +37,7 @@ def test_a_full_disk_leaves_the_old_file_and_nothing_else(
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
     monkeypatch.setattr(os, "fsync", full)
-    with pytest.raises(OutputError, match="the disk is full. Free some space"):
+    with pytest.raises(OutputError, match=r"the disk is full\. Free some space"):
         write_report(stand_in.run(asked=("table",)), target)
     assert [path.name for path in tmp_path.iterdir()] == ["a.html"]
     assert target.read_text() == "before"

@@ -1,0 +1,189 @@
+"""A sheet of paper in millimetres: lines, circles, arrows, and labels that keep out of each other's way.
+
+Enters: points in mm as complex numbers, x to the right and y **down**.  Leaves: SVG, one user unit = 1 mm.
+Used by `drawing.py`; knows nothing of mechanisms.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterable, Sequence
+from html import escape
+
+FONT = "'DejaVu Sans', Verdana, 'Segoe UI', sans-serif"
+LETTER = 3.2  # mm, 9 pt
+SMALL = 2.3
+WIDE = 0.68  # width of a letter in its own heights, on the generous side
+LONGEST = 24  # letters of a name; what is longer would run over the drawing
+DIRECTIONS = 16  # in which a place is looked for
+Rectangle = tuple[float, float, float, float]
+Word = tuple[str, str]  # text and what is set lower
+
+
+def plain(text: str, longest: int = LONGEST) -> str:
+    """Return text fit for SVG: printable letters only, escaped, not too long."""
+    kept = "".join(letter for letter in text if letter.isprintable())
+    return escape(kept if len(kept) <= longest else kept[: longest - 1] + "…")
+
+
+def number(value: float) -> str:
+    """Return a coordinate to 0.1 µm, without a minus before zero."""
+    text = f"{value:.4f}".rstrip("0").rstrip(".")
+    return "0" if text == "-0" else text
+
+
+def inside(a: complex, b: complex, box: Rectangle) -> tuple[complex, complex] | None:
+    """Return the part of a segment within a rectangle (left, top, right, bottom), None where there is none."""
+    low, high = 0.0, 1.0
+    step = b - a
+    for at, rate, least, most in ((a.real, step.real, box[0], box[2]), (a.imag, step.imag, box[1], box[3])):
+        if rate == 0:
+            if not least <= at <= most:
+                return None
+            continue
+        first, second = sorted(((least - at) / rate, (most - at) / rate))
+        low, high = max(low, first), min(high, second)
+    return (a + low * step, a + high * step) if low < high else None
+
+
+class Sheet:
+    """What is drawn so far, and which room it takes."""
+
+    def __init__(self, width: float, height: float, field: Rectangle) -> None:
+        self.width, self.height, self.field = width, height, field
+        self.items: list[str] = []
+        self.segments: list[tuple[complex, complex]] = []
+        self.boxes: list[Rectangle] = []
+
+    def line(self, a: complex, b: complex, pen: str, data: str = "") -> None:
+        """Draw a segment, clipped to the drawing field."""
+        if part := inside(a, b, self.field):
+            a, b = part
+            ends = f'x1="{number(a.real)}" y1="{number(a.imag)}" x2="{number(b.real)}" y2="{number(b.imag)}"'
+            self.items.append(f"<line {ends} {pen}{data}/>")
+            self.segments.append((a, b))
+
+    def path(self, points: Sequence[complex], look: str, *, closed: bool = False, blocks: bool = True) -> None:
+        """Draw a line through points; `look` says stroke and fill."""
+        text = "L".join(f"{number(p.real)} {number(p.imag)}" for p in points)
+        self.items.append(f'<path d="M{text}{"Z" if closed else ""}" {look}/>')
+        if blocks:
+            self.segments += list(zip(points, points[1:], strict=False))
+
+    def circle(self, at: complex, radius: float, look: str, data: str = "", *, rim: bool = False) -> None:
+        """Draw a circle; small ones keep labels off their disc, a `rim` off the line only."""
+        self.items.append(f'<circle cx="{number(at.real)}" cy="{number(at.imag)}" r="{number(radius)}" {look}{data}/>')
+        if rim:
+            turn = [at + cmath.rect(radius, math.tau * k / 32) for k in range(33)]
+            self.segments += list(zip(turn, turn[1:], strict=False))
+        else:
+            self.boxes.append((at.real - radius, at.imag - radius, at.real + radius, at.imag + radius))
+
+    def arrow(self, a: complex, b: complex, pen: str, data: str = "", head: float = 2.6) -> None:
+        """Draw an arrow from a to b with a filled head."""
+        along = (b - a) / abs(b - a)
+        neck = b - along * min(head, abs(b - a))
+        self.line(a, neck, pen, data)
+        side = 0.32 * head * 1j * along
+        self.path([b, neck + side, neck - side], 'fill="black" stroke="none"', closed=True)
+
+    def hatch(self, line: Sequence[complex], away: complex) -> None:
+        """Hatch one side of a line: short strokes every 1.6 mm, leaning towards `away` (a direction)."""
+        strokes = []
+        for a, b in zip(line, line[1:], strict=False):
+            count = max(1, round(abs(b - a) / 1.6))
+            along = (b - a) / count
+            lean = (away / abs(away) - along / abs(along)) * 1.3
+            strokes += [(a + (k + 0.5) * along, a + (k + 0.5) * along + lean) for k in range(count)]
+        kept = [(p, q) for p, q in strokes if inside(p, q, self.field)]
+        text = "".join(f"M{number(p.real)} {number(p.imag)}L{number(q.real)} {number(q.imag)}" for p, q in kept)
+        self.items.append(f'<path d="{text}" fill="none" stroke="black" stroke-width="0.15"/>')
+        self.segments += kept
+
+    def label(self, word: Word, near: complex, away: complex, gap: float = 1.6, *, bold: bool = False, turn: int = 0) -> complex:
+        """Write a word near a point, rather in the direction `away`, where it covers least; return its middle.
+
+        `turn` +1 or -1 puts an arc with an arrow before the word: counter-clockwise or clockwise.
+        """
+        text, low = plain(word[0]), plain(word[1])
+        lead = 6.6 if turn else 0.0
+        width = lead + WIDE * (LETTER * len(word[0][:LONGEST]) + SMALL * len(word[1][:LONGEST]))
+        height = 5.8 if turn else LETTER * 0.95 + (0.6 if low else 0)
+        middle = self._room(width, height, near, away, gap)
+        left, top = middle.real - width / 2, middle.imag - height / 2
+        self.boxes.append((left, top, left + width, top + height))
+        if turn:
+            self.sense(complex(left + 3, middle.imag), turn)
+        base = middle.imag + LETTER * 0.37 - (0.3 if low else 0)
+        self.text(complex(left + lead, base), text, low, 'font-weight="bold"' if bold else "")
+        return middle
+
+    def text(self, at: complex, text: str, low: str = "", look: str = "", size: float = LETTER) -> None:
+        """Write escaped text, the base line beginning at a point, on a white halo."""
+        below = f'<tspan dy="0.8" font-size="{SMALL}">{low}</tspan>' if low else ""
+        halo = 'stroke="white" stroke-width="0.9" stroke-linejoin="round" paint-order="stroke"'
+        place = f'x="{number(at.real)}" y="{number(at.imag)}" font-size="{size}"'
+        self.items.append(f"<text {place} {halo}{' ' if look else ''}{look}>{text}{below}</text>")
+
+    def sense(self, at: complex, turn: int, radius: float = 2.3) -> None:
+        """Draw the sense of a rotation: an arc of 250 degrees with an arrowhead, +1 counter-clockwise as seen."""
+        angles = [math.radians(90 + turn * (-125 + 250 * k / 20)) for k in range(21)]
+        arc = [at + radius * cmath.exp(1j * angle).conjugate() for angle in angles]
+        self.path(arc, 'fill="none" stroke="black" stroke-width="0.3"', blocks=False)
+        along = (arc[-1] - arc[-2]) / abs(arc[-1] - arc[-2])
+        tip = arc[-1] + 1.3 * along
+        self.path([tip, arc[-1] + 0.75j * along, arc[-1] - 0.75j * along], 'fill="black" stroke="none"', closed=True, blocks=False)
+
+    def _room(self, width: float, height: float, near: complex, away: complex, gap: float) -> complex:
+        """Return the middle of the freest of the rectangles around a point."""
+        toward = cmath.phase(away) if away else -math.pi / 4
+        best, found = math.inf, near
+        for ring in (0.0, 2.0, 4.5, 8.0):
+            for k in range(DIRECTIONS):
+                turned = math.tau * k / DIRECTIONS
+                unit = cmath.rect(1.0, toward + turned)
+                # The rectangle touches the circle of radius `gap + ring` about the point.
+                reach = min(width / 2 / max(abs(unit.real), 1e-9), height / 2 / max(abs(unit.imag), 1e-9))
+                middle = near + unit * (gap + ring + reach)
+                cost = self._covered(middle, width, height) + 0.5 * ring + 0.6 * (1 - math.cos(turned))
+                if cost < best - 1e-9:
+                    best, found = cost, middle
+        return found
+
+    def _covered(self, middle: complex, width: float, height: float) -> float:
+        """Return how much a rectangle covers: mm of lines, and more for other labels and for leaving the field."""
+        margin = 0.5
+        left, top = middle.real - width / 2 - margin, middle.imag - height / 2 - margin
+        box = (left, top, left + width + 2 * margin, top + height + 2 * margin)
+        cost = 0.0
+        for a, b in self.segments:
+            if part := inside(a, b, box):
+                cost += 1.0 + abs(part[1] - part[0])
+        for other in self.boxes:
+            across = min(box[2], other[2]) - max(box[0], other[0])
+            down = min(box[3], other[3]) - max(box[1], other[1])
+            if across > 0 and down > 0:
+                cost += 6.0 + 3.0 * across * down
+        field = self.field
+        beyond = (field[0] - box[0], field[1] - box[1], box[2] - field[2], box[3] - field[3])
+        return cost + 30.0 * sum(max(0.0, part) for part in beyond)
+
+    def svg(self, *, turned: bool) -> str:
+        """Return the drawing; `turned` stands it on its left side, for a sheet wider than the page."""
+        wide, high = (self.height, self.width) if turned else (self.width, self.height)
+        size = f'width="{number(wide)}mm" height="{number(high)}mm" viewBox="0 0 {number(wide)} {number(high)}"'
+        around = f' transform="translate(0 {number(high)}) rotate(-90)"' if turned else ""
+        return "\n".join((
+            f'<svg xmlns="http://www.w3.org/2000/svg" {size}>',
+            f'<g{around} font-family="{FONT}" fill="black" stroke-linecap="round">',
+            *self.items,
+            "</g>",
+            "</svg>",
+        ))  # fmt: skip
+
+
+def middle_of(points: Iterable[complex]) -> complex:
+    """Return the mean of points."""
+    listed = list(points)
+    return sum(listed, 0j) / len(listed) if listed else 0j
