@@ -11,8 +11,10 @@ _GREEK = {
     "α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "ε": "eps", "ζ": "zeta", "η": "eta", "θ": "theta",
     "ϑ": "theta", "λ": "lam", "μ": "mu", "ν": "nu", "ξ": "xi", "π": "pi", "ρ": "rho", "σ": "sigma", "τ": "tau",
     "φ": "phi", "ϕ": "phi", "χ": "chi", "ψ": "psi", "ω": "w", "Δ": "Delta", "Φ": "Phi", "Ψ": "Psi", "Ω": "Omega",
-    "Θ": "Theta", "Γ": "Gamma",
+    "Θ": "Theta", "Γ": "Gamma", "κ": "kappa", "ϵ": "eps", "ϱ": "rho", "µ": "mu", "Λ": "Lam", "Ξ": "Xi", "Π": "Pi", "Σ": "Sigma",
 }  # fmt: skip
+# Letters that a keyboard left in another alphabet types and no eye can tell from the Latin ones.
+_LOOK_ALIKE = dict(zip("асеорхуіјѕАВЕКМНОРСТХІЅοιυΑΒΕΖΗΙΚΜΝΟΡΤΥΧ", "aceopxyijsABEKMHOPCTXISoiuABEZHIKMNOPTYX", strict=True))
 _SUBSCRIPTS = {ord("₀") + digit: str(digit) for digit in range(10)}
 
 
@@ -26,5 +28,7 @@ def foreign_letter(name: str) -> tuple[int, str] | None:
     """Return position and description of a letter from another alphabet, or None."""
     for position, letter in enumerate(name):
         if letter.isalpha() and not letter.isascii() and letter not in _GREEK:
-            return position, f"{unicodedata.name(letter, 'unknown letter').lower()} “{letter}”"
+            name = unicodedata.name(letter, "unknown letter").capitalize()
+            advice = f', which looks like the Latin "{_LOOK_ALIKE[letter]}"' if letter in _LOOK_ALIKE else ""
+            return position, f"{name} “{letter}”{advice}"
     return None

@@ -69,7 +69,8 @@ def start_values(equations: VelocityEquations) -> list[float]:
         if coordinate.start is not None and abs(coordinate.start - value) > START_TOLERANCE:
             message = (
                 f"{coordinate.name} starts at {coordinate.start:.9g} {coordinate.unit}, but the chain closes at "
-                f"{value:.15g} {coordinate.unit} in the assembly mode given. Write that value, leave `start` out, or change `mode`."
+                f"{value:.15g} {coordinate.unit} in the assembly mode given. "
+                "Write that value, leave `start` out, or change `mode`."
             )
             faults.append(Fault(message, str(variant.path or variant.name)))
     if faults:

@@ -109,8 +109,8 @@ class Flow:
         return float(1.0 / max(np.prod(np.linalg.norm(matrix[np.ix_(rows, columns)], axis=0)), 1e-300))
 
 
-def flow(equations: VelocityEquations, reduction: Reduction) -> Flow:
-    """Return the flow of a scene."""
+def flow(equations: VelocityEquations, reduction: Reduction, start: Sequence[float] | None = None) -> Flow:
+    """Return the flow of a scene; `start` (that of the file if None) scales determinants whose largest value is unknown."""
     used = [equation for equation in equations.equations if equation.name in reduction.used]
     system = compile_system(equations, used)
     names = list(system.names)
@@ -121,7 +121,13 @@ def flow(equations: VelocityEquations, reduction: Reduction) -> Flow:
         (rate in system.known, (system.known if rate in system.known else system.unknowns).index(rate))
         for rate in equations.variant.rates
     ]
-    return Flow(system, places, [block.largest for block in reduction.blocks], rates)
+    begin = list(start) if start is not None else [c.start or 0.0 for c in equations.variant.coordinates]
+    matrix, _, _ = system.matrix(0.0, begin)
+    largest = []
+    for block, (rows, columns) in zip(reduction.blocks, places, strict=True):
+        at_start = abs(_determinant(matrix[np.ix_(rows, columns)])) if block.size <= 2 else 0.0
+        largest.append(block.largest or at_start)
+    return Flow(system, places, largest, rates)
 
 
 def find_event(scene: Flow, start: Sequence[float], end: float, begin: float = 0.0, tolerance: float = TOLERANCE) -> Event | None:

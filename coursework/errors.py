@@ -29,7 +29,7 @@ class Fault:
         where = self.file + (f":{self.line}" if self.line else "")
         if self.column:
             where += f":{self.column}"
-        return "  ".join(part for part in (where, f"{self.place}: {self.message}".lstrip(": ")) if part)
+        return visible("  ".join(part for part in (where, f"{self.place}: {self.message}".lstrip(": ")) if part))
 
 
 class InputError(CourseworkError):
@@ -45,9 +45,14 @@ class OutputError(CourseworkError):
     """A result could not be written; nothing half-written is left."""
 
 
-def closest(word: str, known: Sequence[str]) -> str:
-    """Return ' Did you mean "…"?' with the closest known word, or an empty string."""
-    found = difflib.get_close_matches(word, list(known), n=1, cutoff=0.6)
+def visible(text: str) -> str:
+    """Return text with every letter that does not print (colour codes, reversed writing …) as its code."""
+    return "".join(letter if letter.isprintable() else f"\\u{ord(letter):04x}" for letter in text)
+
+
+def closest(word: str, known: Sequence[str], alike: float = 0.6) -> str:
+    """Return ' Did you mean "…"?' with the closest known word, or an empty string; `alike` is 1 for the same word."""
+    found = difflib.get_close_matches(word, list(known), n=1, cutoff=alike)
     return f' Did you mean "{found[0]}"?' if found else ""
 
 

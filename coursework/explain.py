@@ -23,19 +23,22 @@ def explain(
     block = reduction.blocks[event.block]
     coordinates = {c.name: float(value) for c, value in zip(equations.variant.coordinates, event.position, strict=True)}
     row = event.time / step
-    where = f"At t = {event.time:.6g} s (row {row:.2f}, rows counted from 0)"
+    last = math.floor(row) + 1
+    where = f"At t = {event.time:.6g} s, between rows {last} and {last + 1},"
     if event.time <= 1e-12:
-        where = "At the very first row (t = 0)"
-    cause = f"{where} the equations for {listing(block.unknowns)} become singular{_equation(block, equations)}{_angles(block, equations, coordinates)}."
+        where = "At the very first row, t = 0,"
+    which = _equation(block, equations) + _angles(block, equations, coordinates)
+    cause = f"{where} the equations for {listing(block.unknowns)} become singular{which}."
     if event.kind == "dead point":
         meaning = (
-            f"This is a dead point: {block.meaning}. The drive asks for {event.demanded:.4g} m/s there in a direction in which the "
-            f"links can give none, so the mechanism cannot follow it. Rows after row {math.floor(row)} are not computed."
+            f"This is a dead point: {block.meaning}. The drive asks for {event.demanded:.4g} m/s there in a direction in which "
+            f"the links can give none, so the mechanism cannot follow it. Rows after row {last} are not computed."
         )
     else:
         meaning = (
             f"This is a change point: {block.meaning}. The equations stay consistent, two motions meet here and nothing in "
-            f"the data says which one follows{_branches(branches)}. The tool does not guess; rows after row {math.floor(row)} are not computed."
+            f"the data says which one follows{_branches(branches)}. The tool does not guess; rows after row {last} "
+            "are not computed."
         )
     return Stop(event.kind, event.time, row, block.unknowns, coordinates, cause, meaning, branches)
 

@@ -8,10 +8,13 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
+# A part of a formula made of numbers only lies between 1/LARGEST and LARGEST, or is 0: exp(exp(99)) or ((9^8)^8)^8 would
+# keep exact arithmetic busy for ever.
+LARGEST = 1e100
 FUNCTIONS = dict.fromkeys(("sin", "cos", "tan", "asin", "acos", "atan", "sqrt", "exp", "log", "abs"), 1) | {"atan2": 2}
 
 
@@ -118,17 +121,35 @@ def evaluate(tree: Formula, values: Mapping[str, float]) -> float:
 
 
 def _evaluate(tree: Formula, values: Mapping[str, float]) -> float:
-    args = [_evaluate(arg, values) for arg in tree.args]
-    match tree.op:
-        case "number":
-            return float(tree.name)
-        case "name":
-            return values[tree.name]
-        case "neg":
-            return -args[0]
-        case "call":
-            return float(abs(args[0]) if tree.name == "abs" else getattr(math, tree.name)(*args))
+    if tree.op in {"number", "name"}:
+        return float(tree.name) if tree.op == "number" else values[tree.name]
+    return _applied(tree, [_evaluate(arg, values) for arg in tree.args])
+
+
+def _applied(tree: Formula, args: Sequence[float]) -> float:
+    if tree.op == "neg":
+        return -args[0]
+    if tree.op == "call":
+        return float(abs(args[0]) if tree.name == "abs" else getattr(math, tree.name)(*args))
     return float(_ARITHMETIC[tree.op](*args))
+
+
+def bounded(tree: Formula, args: Sequence[float]) -> float:
+    """Return the value of one node from the values of its arguments, all of them numbers of the text itself.
+
+    Raises `FormulaFault` where it is no number, or too large or too small to be worked with exactly.
+    """
+    try:
+        value = _applied(tree, args)
+    except OverflowError:
+        value = math.inf
+    except (ArithmeticError, ValueError, TypeError) as error:
+        why = "is a division by zero" if isinstance(error, ZeroDivisionError) else "is no real number"
+        raise FormulaFault(tree.column or 1, f'"{spelled(tree)[:60]}" {why}') from error
+    vanished = tree.op in {"^", "*", "/"} and all(args) and abs(value) < 1 / LARGEST
+    if vanished or not abs(value) <= LARGEST:
+        raise FormulaFault(tree.column or 1, f'the value of "{spelled(tree)[:60]}" is beyond any number that can be meant')
+    return value
 
 
 _ARITHMETIC: dict[str, Callable[[float, float], float]] = {

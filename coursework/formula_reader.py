@@ -9,9 +9,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import pi
 
 from coursework.alphabet import foreign_letter, spell
-from coursework.formula import FUNCTIONS, Formula, FormulaFault, constant
+from coursework.formula import FUNCTIONS, LARGEST, Formula, FormulaFault, bounded, constant
 
 # Sizes are bounded before any work (see also `variant.MAX_BYTES`): formulas of coursework stay far below.
 MAX_CHARACTERS = 2000
@@ -24,6 +25,10 @@ _FUNCTION_ALIASES = {
     "tg": "tan", "arctg": "atan", "arctan": "atan", "arcsin": "asin", "arccos": "acos", "ln": "log",
 }  # fmt: skip
 _SIGNS = {"·": "*", "⋅": "*", "∙": "*", "×": "*", "−": "-", "–": "-", "÷": "/", "∕": "/", "²": "^2", "³": "^3"}
+_ADVICE = {
+    "[": "use round parentheses", "]": "use round parentheses", "{": "use round parentheses", "}": "use round parentheses",
+    "√": "write sqrt(…)", "|": "write abs(…)", "°": "angles in formulas are radians: 30*pi/180",
+}  # fmt: skip
 _TOKEN = re.compile(r"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>[^\W\d]\w*)|(?P<sign>\*\*|[-+*/^@(),.=]))")
 
 
@@ -43,7 +48,8 @@ def parse_equation(text: str, *, vectors: bool = False) -> tuple[Formula, Formul
     """Read `left = right`; raises `FormulaFault` where the sign of equality is missing or doubled."""
     if text.count("=") != 1:
         found = "none" if "=" not in text else str(text.count("="))
-        raise FormulaFault(1, f'an equation "left = right" needs exactly one "=" ({found} found)')
+        second = text.find("=", text.find("=") + 1) + 1
+        raise FormulaFault(max(second, 1), f'an equation "left = right" needs exactly one "=" ({found} found)')
     reader = _Reader(text, vectors)
     left = reader.expression()
     reader.take("=", 'the "=" of the equation')
@@ -71,7 +77,10 @@ def _tokens(text: str) -> list[_Token]:
         match = _TOKEN.match(plain, position)
         if not match:
             start = position + len(plain[position:]) - len(plain[position:].lstrip())
-            raise FormulaFault(columns[start] + 1, f"the sign “{plain[start]}” has no meaning in a formula")
+            advice = _ADVICE.get(plain[start], "signs are + - * / ^ ( ) and the comma of atan2(y, x)")
+            # Kept for later: what stands before it may be the greater fault.
+            message = f"the sign “{plain[start]}” has no meaning in a formula; {advice}"
+            return [*tokens, _Token("fault", message, columns[start] + 1)]
         kind = str(match.lastgroup)
         column = columns[match.start(kind)] + 1
         word = match.group(kind)
@@ -97,13 +106,19 @@ class _Reader:
         self.position = 0
         self.nodes = 0
         self.depth = 0
+        self.numbers: dict[int, tuple[Formula, float]] = {}  # by identity: the parts made of numbers only, and their values
 
     def peek(self) -> _Token:
-        return self.tokens[self.position] if self.position < len(self.tokens) else _Token("end", "", self.end)
+        token = self.tokens[self.position] if self.position < len(self.tokens) else _Token("end", "", self.end)
+        if token.kind == "fault":
+            raise FormulaFault(token.column, token.text)
+        return token
 
     def take(self, text: str, what: str) -> _Token:
         token = self.peek()
         if token.text != text:
+            if text == ")" and token.text:
+                self.misplaced(token)
             found = f'"{token.text}"' if token.text else "the end"
             raise FormulaFault(token.column, f"{what} was expected here (found {found})")
         self.position += 1
@@ -113,7 +128,13 @@ class _Reader:
         self.nodes += 1
         if self.nodes > MAX_NODES:
             raise FormulaFault(column, f"the formula has more than {MAX_NODES} parts; split it")
-        return Formula(op, args, name, column)
+        tree = Formula(op, args, name, column)
+        values = [self.numbers[id(arg)][1] for arg in args if id(arg) in self.numbers]
+        if op == "number" or (op == "name" and name == "pi"):
+            self.numbers[id(tree)] = tree, pi if op == "name" else float(name)
+        elif args and len(values) == len(args) and op not in {"@", "pair"}:
+            self.numbers[id(tree)] = tree, bounded(tree, values)
+        return tree
 
     def deeper(self, rule: Callable[[], Formula]) -> Formula:
         self.depth += 1
@@ -125,13 +146,16 @@ class _Reader:
 
     def expect_end(self) -> None:
         token = self.peek()
-        if token.kind == "end":
-            return
+        if token.kind != "end":
+            self.misplaced(token)
+            raise FormulaFault(token.column, f'"{token.text}" was not expected here')
+
+    def misplaced(self, token: _Token) -> None:
+        """Raise for what stands where an operator was expected, where the reason can be told."""
         if token.kind in {"name", "number"} or token.text == "(":
             raise FormulaFault(token.column, f'an operator is missing before "{token.text}"; a product is written with *')
         if token.text == ",":
             raise FormulaFault(token.column, "a comma has no meaning here; decimals are written with a point (0.5)")
-        raise FormulaFault(token.column, f'"{token.text}" was not expected here')
 
     def expression(self) -> Formula:
         left = self.term()
@@ -191,6 +215,8 @@ class _Reader:
         if token.kind == "number":
             if not float(token.text) <= MAX_NUMBER:
                 raise FormulaFault(token.column, f"the number {token.text[:20]} is larger than {MAX_NUMBER:g}")
+            if float(token.text) < 1 / LARGEST and re.search("[1-9]", re.split("[eE]", token.text)[0]):
+                raise FormulaFault(token.column, f"the number {token.text[:20]} is too small to be told from 0")
             return self.node("number", (), token.column, token.text)
         if token.kind == "name":
             return self.call(token) if self.peek().text == "(" else self.symbol(token)
@@ -206,15 +232,17 @@ class _Reader:
 
     def call(self, token: _Token) -> Formula:
         name = _FUNCTION_ALIASES.get(token.text, token.text)
+        if name not in FUNCTIONS and name not in {"ctg", "cot"}:
+            known = ", ".join(FUNCTIONS)
+            raise FormulaFault(token.column, f'"{token.text}(…)" is not allowed; the functions are {known}; a product needs *')
         arguments = self.arguments()
         if name in {"ctg", "cot"} and len(arguments) == 1:
             above, below = (self.node("call", arguments, token.column, part) for part in ("cos", "sin"))
             return self.node("/", (above, below), token.column)
-        if name not in FUNCTIONS:
-            known = ", ".join(FUNCTIONS)
-            raise FormulaFault(token.column, f'"{token.text}(…)" is not allowed; the functions are {known}; a product needs *')
-        if len(arguments) != FUNCTIONS[name]:
-            raise FormulaFault(token.column, f"{name} takes {FUNCTIONS[name]} argument(s), {len(arguments)} given")
+        wanted = FUNCTIONS.get(name, 1)
+        if len(arguments) != wanted:
+            plural = "s" if wanted > 1 else ""
+            raise FormulaFault(token.column, f"{name} takes {wanted} argument{plural}, {len(arguments)} given")
         return self.node("call", arguments, token.column, name)
 
     def arguments(self) -> tuple[Formula, ...]:

@@ -135,8 +135,9 @@ def _crossed(
         old, new = before[first + place], after[first + place]
         if old * new <= 0 and old != 0:
             cause = (
-                f"Between rows {index - 1} and {index} (t = {t - step:.6g} s to {t:.6g} s) the scheme stepped over a dead point: "
-                f"a determinant went from {old:.3g} to {new:.3g}. The true motion has none there; the step {step:g} s is too large."
+                f"Between rows {index} and {index + 1} (t = {t - step:.6g} s to {t:.6g} s) the scheme stepped over a dead "
+                f"point: a determinant went from {old:.3g} to {new:.3g}. The true motion has none there; the step {step:g} s "
+                "is too large."
             )
             return Stop("step too large", t, float(index), (), _named(rates, q), cause, "Take a smaller step or a better scheme.")
     return None
@@ -144,14 +145,14 @@ def _crossed(
 
 def _too_wide(name: str, turned: float, index: int, t: float, step: float, q: Array, rates: Rates) -> Stop:
     cause = (
-        f"At row {index} (t = {t:.6g} s) one step of {step:g} s would turn {name} by {turned:.3g} rad ({np.degrees(turned):.0f}°); "
-        f"beyond {WIDEST_STEP:g} rad a dead point can be crossed unseen."
+        f"At row {index + 1} (t = {t:.6g} s) one step of {step:g} s would turn {name} by {turned:.3g} rad "
+        f"({np.degrees(turned):.0f}°); beyond {WIDEST_STEP:g} rad a dead point can be crossed unseen."
     )
     return Stop("step too large", t, float(index), (), _named(rates, q), cause, "Take a smaller step.")
 
 
 def _broken(what: str, index: int, t: float, step: float, q: Array, rates: Rates) -> Stop:
-    cause = f"At row {index} (t = {t:.6g} s) the velocities cannot be computed: {what}."
+    cause = f"At row {index + 1} (t = {t:.6g} s) the velocities cannot be computed: {what}."
     return Stop("not finite", t, float(index), (), {}, cause, f"The rows before it are kept (step {step:g} s).")
 
 

@@ -24,12 +24,13 @@ def generate_loop(step: StepFunction, rates: Rates) -> Loop:
     position = _Vector(recorder, [identifier(name) for name in rates.coordinates])
     result = step(recorder.slopes, _Scalar(recorder, "t"), position, _Scalar(recorder, "h"))
     state = ", ".join(position.names)
+    comma = "," if len(position.names) == 1 else ""
     lines = [
         f"def loop(begin, steps, h, {state}):",
         "    for i in range(steps):",
         "        t = begin + i*h",
         *(f"        {line}" for line in recorder.lines),
-        f"        {state}{',' if len(position.names) == 1 else ''} = {', '.join(result.names)}{',' if len(position.names) == 1 else ''}",
+        f"        {state}{comma} = {', '.join(result.names)}{comma}",
         f"    return ({state},)",
     ]
     return build("\n".join(lines), "loop", rates.body)

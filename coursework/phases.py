@@ -31,7 +31,7 @@ def phase_sentence(equations: VelocityEquations, reduction: Reduction, start: li
 
     def possible(value: float) -> bool:
         changed = replace(variant, given=tuple(replace(g, value=value) if g.name == name else g for g in variant.given))
-        scene = flow(replace(equations, variant=changed), reduction)
+        scene = flow(replace(equations, variant=changed), reduction, start)
         return find_event(scene, start, variant.time.end, tolerance=TOLERANCE) is None
 
     intervals = _intervals(possible)

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from coursework.checks.evidence import Evidence
     from coursework.checks.result import Check
     from coursework.kinematics.extra import ExtraTable
+    from coursework.kinematics.graph_check import GraphCheck
 
 Array = NDArray[np.float64]
 Budget = tuple[tuple[str, str, float, float, float, float], ...]
@@ -74,9 +75,9 @@ def rates(equations: VelocityEquations, reduction: Reduction, settings: Settings
     return compile_rates(equations, reduction, settings.columns or None)
 
 
-def flow(equations: VelocityEquations, reduction: Reduction) -> Flow:
+def flow(equations: VelocityEquations, reduction: Reduction, start: list[float]) -> Flow:
     """The determinant-scaled flow that finds dead points."""
-    return build_flow(equations, reduction)
+    return build_flow(equations, reduction, start)
 
 
 def event(flow: Flow, start: list[float], variant: Variant) -> Event | None:
@@ -144,8 +145,8 @@ def _scaled(rows: Motion, rates: Rates, reduction: Reduction, flow: Flow) -> Arr
     """Return the dimensionless determinants of the rows (n, blocks evaluated)."""
     scaled = np.zeros_like(rows.determinants)
     for place, index in enumerate(rates.blocks):
-        if reduction.blocks[index].largest > 0:
-            scaled[:, place] = rows.determinants[:, place] / reduction.blocks[index].largest
+        if flow.largest[index] > 0:
+            scaled[:, place] = rows.determinants[:, place] / flow.largest[index]
         elif len(rates.coordinates) == len(flow.rates):
             values = [flow.scaled(t, q)[index] for t, q in zip(rows.t.tolist(), rows.coordinates, strict=True)]
             scaled[:, place] = values
@@ -286,6 +287,13 @@ def invariants(variant: Variant, exact: Motion, exact_accelerations: Array) -> E
     return invariant_table(variant, exact, exact_accelerations)
 
 
+def graph_check(equations: VelocityEquations, motion: Motion, exact: Motion) -> GraphCheck | None:
+    """The check row drawn to scale: instantaneous centres and velocities beside the table."""
+    from coursework.kinematics.graph_check import check_graph
+
+    return check_graph(equations, motion, exact)
+
+
 def accuracy(
     variant: Variant, rates: Rates, start: list[float], closure: Closure | None, exact: Motion, stop: Stop | None,
     settings: Settings, budget: Budget,
@@ -317,9 +325,9 @@ QUANTITIES: dict[str, Any] = {
     for rule in (
         mechanism, equations, start, closure, reduction, rates, flow, event, stop, phases, motion, table, half, exact, wide, checks,
         plots, accelerations, points, point_accelerations, exact_accelerations, analogs, invariants,
-        budget, accuracy,
+        budget, accuracy, graph_check,
     )
 }  # fmt: skip
 # What a file or a user may ask for by name; the others are steps on the way.
-ASKABLE = ("table", "plots", "checks", "accelerations", "points", "analogs", "invariants", "accuracy")
+ASKABLE = ("table", "plots", "checks", "accelerations", "points", "analogs", "invariants", "accuracy", "graph_check")
 DEFAULT = ("table", "plots", "checks")

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from coursework.accuracy.study import AccuracyStudy
     from coursework.checks.result import Check
     from coursework.kinematics.extra import ExtraTable
+    from coursework.kinematics.graph_check import GraphCheck
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,6 +79,12 @@ class Run:
     def stop(self) -> Stop | None:
         """Return why the motion ended before its time."""
         return self.motion.stop
+
+    @property
+    def phases(self) -> str:
+        """Return with which phases of the drive a motion that stops would be possible, "" where nothing can be said."""
+        phases: str = self.values["phases"]
+        return phases
 
     @property
     def passed(self) -> bool:
@@ -165,9 +172,10 @@ class Run:
         return study
 
     @property
-    def graph(self) -> None:
-        """Return the graph-analytical check."""
-        return None
+    def graph(self) -> GraphCheck | None:
+        """Return the graph-analytical check, None where it was not asked for or the motion stops before its row."""
+        check: GraphCheck | None = self.values["graph_check"] if "graph_check" in self.asked else None
+        return check
 
     @property
     def plan(self) -> Plan:
@@ -189,7 +197,8 @@ class Run:
     def _repr_html_(self) -> str:
         shown = self.table.head(60).to_html(float_format=lambda value: f"{value:.6g}")
         note = f"<p>{_escaped(self.stop.sentence)}</p>" if self.stop else ""
-        return f"<h3>{_escaped(self.variant.title)}</h3><p>{SCHEMES[self.settings.scheme].title}, h = {self.motion.step:g} s</p>{note}{shown}"
+        title = _escaped(self.variant.title)
+        return f"<h3>{title}</h3><p>{self.scheme_title}, h = {self.motion.step:g} s</p>{note}{shown}"
 
 
 def _escaped(text: str) -> str:

@@ -26,6 +26,7 @@ UNITS: dict[str, tuple[Fraction, str]] = {
     "1": (Fraction(1), "1"),
 }  # fmt: skip
 
+MAX_NUMBER = 1e12  # far beyond anything a task sheet says in SI
 _VALUE = re.compile(r"\s*(?P<number>[-+−]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(?P<unit>[^\d\s].*?|1/s(?:\^2)?)?\s*$")
 
 
@@ -48,17 +49,16 @@ def read(text: str | int | float) -> Quantity:
     if isinstance(text, bool):
         raise UnitFault(f"a value with a unit was expected, found {str(text).lower()}.")
     if isinstance(text, (int, float)):
-        return Quantity(_finite(float(text), str(text)), "", "", f"{text}")
+        return Quantity(_finite(text, str(text)), "", "", f"{text}")
     match = _VALUE.match(text)
-    if not match:
-        hint = " Decimals are written with a point." if re.match(r"\s*-?\d+,\d", text) else ""
-        raise UnitFault(f'a value with a unit was expected, found "{text[:40]}".{hint}')
-    unit = (match["unit"] or "").replace(" ", "").replace("**", "^").replace("²", "^2")
-    if unit and unit not in UNITS:
-        raise UnitFault(f'a value with a unit was expected, found "{text[:40]}".{closest(unit, list(UNITS)) or _known()}')
+    unit = (match["unit"] or "").replace(" ", "").replace("**", "^").replace("²", "^2") if match else ""
+    if not match or (unit and unit not in UNITS):
+        raise UnitFault(f'a value with a unit was expected, found "{text[:40]}".{_advice(text, unit)}')
     factor, si = UNITS[unit] if unit else (Fraction(1), "")
     number = match["number"].replace("−", "-")
-    _finite(float(number), text)
+    value = _finite(float(number), text)
+    if value == 0 and re.search("[1-9]", re.split("[eE]", number)[0]):
+        raise UnitFault(f'the number "{text[:40]}" is too small to be told from 0.')
     return Quantity(float(Fraction(number) * factor), unit, si, match["number"])
 
 
@@ -68,11 +68,17 @@ def is_quantity(text: str) -> bool:
     return match is not None and not set((match["unit"] or "").replace("1/s", "").replace("/s", "")) & set("+*()")
 
 
-def _known() -> str:
-    return f" Known units: {', '.join(UNITS)}."
+def _advice(text: str, unit: str) -> str:
+    if re.match(r"\s*[-+−]?\d+,\d", text):
+        return " Decimals are written with a point: 0.5."
+    if unit:
+        # "km" is not "m" written wrongly: only a word that is nearly a unit is taken for it.
+        return closest(unit, list(UNITS), 0.7) or f" Known units: {', '.join(UNITS)}."
+    return ' Write the number, then its unit: "0.5 m".'
 
 
 def _finite(value: float, text: str) -> float:
-    if not math.isfinite(value) or abs(value) > 1e12:
-        raise UnitFault(f'a finite number of at most 1e12 was expected, found "{text[:40]}".')
-    return value
+    # Compared before it becomes a double: a TOML integer may have thousands of digits.
+    if value != value or abs(value) > MAX_NUMBER:
+        raise UnitFault(f'a finite number of at most {MAX_NUMBER:g} was expected, found "{text[:40]}".')
+    return float(value)

@@ -40,8 +40,8 @@ def sentences_of(
     told = [f"{own.steps_or_tolerance} steps of {own.method}: {_size(own.max_error, unit)} off at worst{_time(own)}."]
     told.append(
         f"The same {best.steps_or_tolerance} steps of {best.method} are {_size(best.max_error, unit)} off: "
-        f"{_round(euler.max_error / best.max_error)} times less error than Euler for {best.evaluations / euler.evaluations:.3g} times "
-        f"the evaluations{_ratio(best, euler)}."
+        f"{_round(euler.max_error / best.max_error)} times less error than Euler for "
+        f"{best.evaluations / euler.evaluations:.3g} times the evaluations{_ratio(best, euler)}."
     )
     if steps := _steps_for(rows, best.max_error):
         ratio = steps / best.evaluations
@@ -52,7 +52,8 @@ def sentences_of(
     projected = [row for row in rows if "1 Newton" in row.method and not row.failed]
     if projected:
         told.append(
-            f"Euler with one Newton projection a step, {projected[0].steps_or_tolerance} steps: {_size(projected[0].max_error, unit)}, "
+            f"Euler with one Newton projection a step, {projected[0].steps_or_tolerance} steps: "
+            f"{_size(projected[0].max_error, unit)}, "
             f"{_round(euler.max_error / projected[0].max_error)} times less than without it."
         )
     closed = [row for row in rows if row.method.startswith("position closure") and not row.failed]
@@ -65,7 +66,8 @@ def sentences_of(
     for name, order in orders.items():
         if name in end_orders and end_orders[name] - order > 0.5 and any(name == s.title for s in SCHEMES.values()):
             told.append(
-                f"Measured at the last row only, {name} would seem to have order {end_orders[name]:.1f}; over the whole grid it is {order:.1f}."
+                f"Measured at the last row only, {name} would seem to have order {end_orders[name]:.1f}; "
+                f"over the whole grid it is {order:.1f}."
             )
     return tuple(told)
 
@@ -94,7 +96,7 @@ def _round(value: float) -> str:
     """Return a number with two digits, thousands apart."""
     if not math.isfinite(value) or value <= 0:
         return "many"
-    digits = max(0, int(math.floor(math.log10(value))) - 1)
+    digits = max(0, math.floor(math.log10(value)) - 1)
     return f"{round(value / 10**digits) * 10**digits:,.0f}".replace(",", " ") if value >= 10 else f"{value:.2g}"
 
 

@@ -47,10 +47,12 @@ class StepChoice:
         """Return the finding in words."""
         own = self.need
         told = [
-            f"{own.title} needs {own.steps} steps of {self.step:.6g} s for an error of {own.error:.3g}: {own.evaluations} evaluations."
+            f"{own.title} needs {own.steps} steps of {self.step:.6g} s for an error of {own.error:.3g}: "
+            f"{own.evaluations} evaluations."
         ]
         told += [
-            f"{other.title} needs {other.steps} steps ({other.evaluations} evaluations, {own.evaluations / other.evaluations:.2g} times fewer)."
+            f"{other.title} needs {other.steps} steps ({other.evaluations} evaluations, "
+            f"{own.evaluations / other.evaluations:.2g} times fewer)."
             for other in self.others
             if other.evaluations < own.evaluations
         ]
@@ -83,8 +85,8 @@ def _need(name: str, rates: Rates, start: Sequence[float], step: float, end: flo
     if guess > MOST_STEPS:
         spent = guess * seconds(lambda: loop(0.0, 1000, end / 1000, *start), repeats=1) / 1000
         raise InputError(
-            f"{scheme.title} would need about {guess:.2g} steps for an error of {wish:g}, about {_duration(spent)} for the march alone "
-            f"(at most {MOST_STEPS} steps are searched). Take a scheme of higher order: --scheme rk4."
+            f"{scheme.title} would need about {guess:.2g} steps for an error of {wish:g}, about {_duration(spent)} "
+            f"for the march alone (at most {MOST_STEPS} steps are searched). Take a scheme of higher order: --scheme rk4."
         )
     steps, reached = _smallest(error, first, found, int(guess), wish)
     return Need(scheme.title, steps, steps * scheme.slopes, reached)

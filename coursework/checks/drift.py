@@ -1,4 +1,4 @@
-"""STOP, START and DRIFT: the motion reaches its end; the start closes; the positions keep the mechanism closed as far as the scheme can."""
+"""STOP, START and DRIFT: the motion reaches its end; the start closes; positions stay closed as far as the scheme can."""
 
 from __future__ import annotations
 
@@ -87,5 +87,18 @@ def drift_rows(evidence: Evidence) -> tuple[Array, Array]:
         residual, jacobian = closure.residual(t, motion.coordinates[index], kept[index])
         residuals.append(residual)
         scale = 1 + np.max(np.abs(kept[index]), initial=0.0)
-        allowed.append(SAFETY * np.abs(jacobian) @ sizes[index, list(closure.free)] + _ROUND_OFF * scale)
+        driven = _driven_part(evidence, index, t, residual, kept[index], sizes[index])
+        allowed.append(SAFETY * np.abs(jacobian) @ sizes[index, list(closure.free)] + SAFETY * driven + _ROUND_OFF * scale)
     return np.array(residuals), np.array(allowed)
+
+
+def _driven_part(evidence: Evidence, index: int, t: float, residual: Array, kept: Array, sizes: Array) -> Array:
+    """Return what the error of the driven coordinates (a crank that speeds up) does to the position equations (k,)."""
+    closure = evidence.closure
+    assert closure is not None
+    part = np.zeros(len(residual))
+    for place in closure.driven:
+        shifted = evidence.motion.coordinates[index].copy()
+        shifted[place] -= sizes[place]
+        part += np.abs(closure.residual(t, shifted, kept)[0] - residual)
+    return part

@@ -23,7 +23,8 @@ Array = NDArray[np.float64]
 class Evidence:
     """`motion` judged; `half` the same scheme with half the step; `exact` and `wide` (extended numbers) where known.
 
-    `used` names the equations solved for the velocities; `drive_frequency` rad/s of the fastest sine in the drive, `sinusoidal` whether the drive is made of sines alone.
+    `used` names the equations solved for the velocities; `drive_frequency` rad/s of the fastest sine in the drive,
+    `sinusoidal` whether the drive is made of sines alone.
     """
 
     variant: Variant

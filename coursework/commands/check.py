@@ -19,7 +19,8 @@ def check_variant(variant: str) -> int:
     equations, reduction = values["equations"], values["reduction"]
     count = len(chosen.sought)
     click.echo(
-        f"{count} unknown velocities ({', '.join(chosen.sought)}), {len(equations.equations)} equations, {len(chosen.drive)} drive(s)"
+        f"{count} unknown velocities ({', '.join(chosen.sought)}), {len(equations.equations)} equations, "
+        f"{len(chosen.drive)} drive(s)"
     )
     _tell_mobility(run)
     closure = values["closure"]
@@ -55,4 +56,13 @@ def _tell_mobility(run: Run) -> None:
     if mobility is None:
         return
     sum_of = f"3·{mobility.links} − 2·{mobility.lower_pairs} − {mobility.higher_pairs}"
-    click.echo(f"Mobility W = {sum_of} = {mobility.degrees} of the links as listed")
+    drives = (2 if run.variant.driven else 0) + len(run.variant.known_rates)
+    verdict = f"as many as the {drives} freedom(s) driven"
+    if drives and mobility.degrees != drives:
+        verdict = (
+            f"but {drives} are driven. The equations decide and determine every velocity; either [links] and [frame] leave out a "
+            "pair (a sleeve, a rack), or the mechanism moves only by its special dimensions"
+        )
+    if not drives:
+        verdict = "of the links as listed"
+    click.echo(f"Mobility W = {sum_of} = {mobility.degrees}, {verdict}.")

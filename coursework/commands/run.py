@@ -83,8 +83,9 @@ def tell_round_off(run: Run) -> int:
         curve.append(row)
         click.echo(f"{row.steps:>8} {row.double:>12.2e} {row.single:>12.2e} {row.running:>15.2e}")
     best, spoilt = min(curve, key=lambda row: row.single), min(curve, key=lambda row: row.running)
-    click.echo(f"Single precision is best with {best.steps} steps ({best.single:.1e}); adding up t += h, already with {spoilt.steps}")
-    click.echo(f"({spoilt.running:.1e}), and with {curve[-1].steps} steps it is {curve[-1].running / curve[-1].double:.0f} times worse than doubles.")
+    worse = curve[-1].running / curve[-1].double
+    click.echo(f"Single precision is best with {best.steps} steps ({best.single:.1e}); with t += h already with {spoilt.steps}")
+    click.echo(f"({spoilt.running:.1e}), and with {curve[-1].steps} steps t += h is {worse:.0f} times worse than doubles.")
     return 0
 
 

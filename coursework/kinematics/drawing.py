@@ -7,12 +7,13 @@ Everything a file may name is escaped (`sheet.plain`).
 from __future__ import annotations
 
 import cmath
+import itertools
 import math
 
 from coursework.kinematics.instant_centres import Body, Centre, Findings, cross, dot
 from coursework.kinematics.layout import FOOT, Layout, lay_out
-from coursework.kinematics.scene import Rail, Sketch
-from coursework.kinematics.sheet import Sheet, inside, middle_of, plain
+from coursework.kinematics.scene import Rail, Sketch, Track
+from coursework.kinematics.sheet import PITCH, Place, Sheet, Word, inside, middle_of, plain
 from coursework.variant.record import Link
 
 BAR = 100.0  # mm, printed; a test reads it back from the PDF
@@ -25,7 +26,8 @@ CONSTRUCTION = 'stroke="black" stroke-width="0.15" stroke-dasharray="2.4 1 0.4 1
 OUTLINE = 'fill="none" stroke="black" stroke-width="0.35"'
 RING = 'fill="white" stroke="black" stroke-width="0.35"'
 DOT = 'fill="black" stroke="none"'
-SHORTEST = 0.5  # mm: a shorter arrow would hide in the joint
+SHORTEST = 0.5  # mm: a shorter arrow is none
+SMALL = 4.0  # mm: a shorter arrow hides in the joint, so its value is written
 GUIDE = 13.0  # mm of a rail to each side
 BLOCK = (4.2, 2.4)  # mm, half length and half height of a slider
 
@@ -45,24 +47,30 @@ class _Drawing:
         self.at = {name: layout.put(z) for name, z in sketch.scene.positions.items()}
         self.sheet = Sheet(layout.width, layout.height, layout.field)
         self.points = list(dict.fromkeys(name for body in sketch.scene.bodies for name in body.points))
+        self.marks: list[tuple[Word, list[Place]]] = []
         self.middle = middle_of(self.at[name] for name in self.points)
 
     def svg(self, title: str) -> str:
         for name, centre in self.findings.centres.items():
             self.construction(name, centre)
-        for centre, radius in self.sketch.circles:
-            self.round_rail(centre, radius)
+        for track in self.sketch.tracks:
+            self.track(track)
         for rail in self.sketch.rails:
             self.rail(rail)
         for name in self.sketch.hinges:
             self.hinge(name)
+        for rail in self.sketch.rails:
+            if rail.point and not rail.rolls:
+                self.block(self.at[rail.point], rail.along.conjugate())
         for link in self.sketch.links:
             self.link(link)
-        tips = [(name, tip) for name in self.points if (tip := self.velocity(name)) is not None]
         for name in self.points:
             self.joint(name)
-        marked = [(name, at) for name, centre in self.findings.centres.items() if (at := self.cross(name, centre)) is not None]
-        self.names(tips, marked)
+        for name in self.points:
+            self.velocity(name)
+        for name, centre in self.findings.centres.items():
+            self.cross(name, centre)
+        self.names()
         self.foot(title)
         return self.sheet.svg(turned=self.layout.turned)
 
@@ -78,30 +86,29 @@ class _Drawing:
         if rail.point and not rail.rolls:
             at += side * BLOCK[1]
         half = max([GUIDE, *(1.25 * abs(self.at[p] - self.at[c]) for c, p in self.sketch.wheels.values() if p == rail.point)])
-        ends = [at - along * half, at + along * half]
-        if part := inside(*ends, self.sheet.field):
+        if part := inside(at - along * half, at + along * half, self.sheet.field):
             self.sheet.line(*part, FRAME)
-            self.sheet.hatch(part, side)
+            self.sheet.hatch(*part, side)
 
     def _beside(self, rail: Rail, others: list[complex]) -> list[complex]:
         wheel = [self.at[centre] for centre, contact in self.sketch.wheels.values() if contact == rail.point]
         return wheel or others
 
-    def round_rail(self, centre: complex, radius: float) -> None:
-        """Draw the part of a fixed circle on which a wheel rolls."""
-        mm = 1000 / self.layout.scale * radius
-        middle = self.layout.put(centre)
-        for wheel, contact in self.sketch.wheels.values():
-            out = self.at[contact] - middle
-            if not out or abs(abs(out) - mm) > 1.0:
-                continue
-            half = min(math.pi, 35.0 / mm)
-            arc = [middle + out * cmath.exp(1j * half * (k / 24 - 1)) for k in range(49)]
-            kept = [p for p in arc if inside(p - 0.01, p + 0.01, self.sheet.field)]
-            self.sheet.path(kept, OUTLINE)
-            inner = dot(self.at[wheel] - self.at[contact], out) > 0
-            for a, b in zip(kept, kept[1:], strict=False):
-                self.sheet.hatch((a, b), (middle - a) if inner else (a - middle))
+    def track(self, track: Track) -> None:
+        """Draw the part of a fixed circle near its contact, hatched inside the solid."""
+        middle, out = self.layout.put(track.centre), self.at[track.point] - self.layout.put(track.centre)
+        radius = track.radius * 1000 / self.layout.scale
+        if not out or not radius:
+            return
+        half = min(math.pi, max(35.0 / radius, 0.5))
+        steps = math.ceil(2 * half * radius / PITCH)
+        arc = [middle + radius * out / abs(out) * cmath.exp(1j * half * (2 * k / steps - 1)) for k in range(steps + 1)]
+        kept = [p for p in arc if inside(p - 0.01, p + 0.01, self.sheet.field)]
+        self.sheet.path(kept, OUTLINE)
+        wheel = next(self.at[centre] for centre, contact in self.sketch.wheels.values() if contact == track.point)
+        inward = 1 if abs(wheel - middle) > radius else -1
+        for a, b in itertools.pairwise(kept):
+            self.sheet.hatch(a, b, inward * (middle - a))
 
     def hinge(self, name: str) -> None:
         """Draw a hinge of the frame: a triangle on hatched ground, on the side away from the links."""
@@ -112,9 +119,8 @@ class _Drawing:
         side = 1j * down
         foot = at + 5.0 * down
         self.sheet.path([at, foot + 2.9 * side, foot - 2.9 * side], RING, closed=True)
-        ground = [foot - 4.6 * side, foot + 4.6 * side]
-        self.sheet.line(*ground, FRAME)
-        self.sheet.hatch(ground, down)
+        self.sheet.line(foot - 4.6 * side, foot + 4.6 * side, FRAME)
+        self.sheet.hatch(foot - 4.6 * side, foot + 4.6 * side, down)
         self.sheet.boxes.append(_around(at + 3.5 * down, 4.0))
 
     # what moves
@@ -130,9 +136,9 @@ class _Drawing:
             corners = [centre, *(name for name in link.points if name != centre)]
         else:
             corners = list(link.points)
-        if body.guide:
-            self.block(body)
-        for a, b in zip(corners, corners[1:], strict=False):
+        if body.name in self.sketch.racks:
+            self.rack(body)
+        for a, b in itertools.pairwise(corners):
             self.sheet.line(self.at[a], self.at[b], LINK, f'{data} data-from="{plain(a)}" data-to="{plain(b)}"')
         for a, b, c in zip(corners, corners[1:], corners[2:], strict=False):
             self.corner(a, b, c)
@@ -144,15 +150,20 @@ class _Drawing:
             tips = [self.at[b] + arm / abs(arm) * min(5.0, abs(arm)) for arm in arms]
             self.sheet.path([self.at[b], *tips], 'fill="#999" stroke="none"', closed=True)
 
-    def block(self, body: Body) -> None:
-        """Draw the block of a slider, and the bar of a rack as far as its gear."""
-        at, along = self.at[body.points[0]], body.guide.conjugate()
+    def block(self, at: complex, along: complex) -> None:
+        """Draw the block of a slider."""
         long, high = BLOCK[0] * along, BLOCK[1] * 1j * along
         self.sheet.path([at + long + high, at - long + high, at - long - high, at + long - high], RING, closed=True)
-        if contact := self.sketch.racks.get(body.name):
-            way = self.at[contact] - at
-            end = self.at[contact] + (along if dot(way, along) > 0 else -along) * 12
-            self.sheet.line(at, end, LINK, f' data-link="{plain(body.name)}"')
+
+    def rack(self, body: Body) -> None:
+        """Draw a rack as a bar from its joint beyond its gear, on the side away from the gear."""
+        contact = self.sketch.racks[body.name]
+        at, touch = self.at[body.points[0]], self.at[contact]
+        along = body.guide.conjugate() * (1 if dot(touch - at, body.guide.conjugate()) > 0 else -1)
+        gear = next(self.at[centre] for centre, other in self.sketch.wheels.values() if other == contact)
+        side = 1j * along * BLOCK[1] * (1 if dot(1j * along, gear - touch) < 0 else -1)
+        end = touch + 12 * along
+        self.sheet.path([at, end, end + side, at + side], RING, closed=True)
 
     def joint(self, name: str) -> None:
         """Draw a joint as a ring, a mere point of a link as a dot."""
@@ -167,14 +178,18 @@ class _Drawing:
 
     # what was found
 
-    def velocity(self, name: str) -> complex | None:
-        """Draw the velocity of a point; return its tip."""
-        arrow = self.layout.arrow(self.findings.velocities.get(name, 0j))
-        if abs(arrow) < SHORTEST:
-            return None
+    def velocity(self, name: str) -> None:
+        """Draw the velocity of a point; one too short to be seen is written beside its point."""
+        velocity = self.findings.velocities.get(name)
+        if velocity is None or name in self.sketch.scene.fixed:
+            return
+        arrow = self.layout.arrow(velocity)
         tip = self.at[name] + arrow
-        self.sheet.arrow(self.at[name], tip, VELOCITY, f' data-velocity="{plain(name)}"')
-        return tip
+        if abs(arrow) > SHORTEST:
+            self.sheet.arrow(self.at[name], tip, VELOCITY, f' data-velocity="{plain(name)}"', head=min(2.6, 0.6 * abs(arrow)))
+        value = f" = {abs(velocity):.3g} m/s" if abs(arrow) < SMALL else ""
+        away = arrow or self.at[name] - self.middle
+        self.marks.append((("V", name, value), [(tip, away, 1.0 if abs(arrow) > SMALL else 2.0)]))
 
     def construction(self, link: str, centre: Centre) -> None:
         """Draw the lines that lead from two points to a centre, or to where they leave the sheet."""
@@ -182,51 +197,50 @@ class _Drawing:
             for name in centre.lines:
                 self.sheet.line(self.at[name], self.layout.put(centre.at), CONSTRUCTION)
 
-    def cross(self, link: str, centre: Centre) -> complex | None:
-        """Mark a centre with a cross, a far one with an arrow at the border; return the place for its name."""
+    def cross(self, link: str, centre: Centre) -> None:
+        """Mark a centre with a cross and its name; a far one with arrows at the border and its coordinates."""
         if centre.at is None or not centre.lines:
-            return None
+            return
         at = self.layout.put(centre.at)
         if link in self.layout.near:
             for arm in (1.5 + 1.5j, 1.5 - 1.5j):
                 self.sheet.line(at - arm, at + arm, 'stroke="black" stroke-width="0.4"')
-            return at
-        start = self.at[centre.lines[0]]
-        part = inside(start, at, self.sheet.field)
-        if part is None:
-            return None
-        along = (at - start) / abs(at - start)
-        self.sheet.arrow(part[1] - 6 * along, part[1], VELOCITY, head=2.2)
-        return part[1] - 3 * along
+            self.marks.append((("P", link, ""), [(at, at - self.middle, 2.2)]))
+            return
+        places = []
+        for name in centre.lines:
+            if part := inside(self.at[name], at, self.sheet.field):
+                along = (at - self.at[name]) / abs(at - self.at[name])
+                self.sheet.arrow(part[1] - 5 * along, part[1], CONSTRUCTION, head=2.6)
+                places.append((part[1] - 6 * along, self.middle - part[1], 1.4))
+        where = f" ({centre.at.real:.3f}; {centre.at.imag:.3f}) m".replace("-", "−")
+        self.marks.append((("P", link, where), places))
 
     # words
 
-    def names(self, tips: list[tuple[str, complex]], marked: list[tuple[str, complex]]) -> None:
-        """Write all labels: points, tips of velocities, centres, links with the sense of their rotation."""
+    def names(self) -> None:
+        """Write all labels: points, velocities, centres, links with the sense of their rotation."""
         for name in self.points:
-            self.sheet.label((name, ""), self.at[name], self.at[name] - self.middle)
-        for name, tip in tips:
-            self.sheet.label(("V", name), tip, tip - self.at[name], 1.0)
-        for link, at in marked:
-            word = ("P", link)
-            if link not in self.layout.near:
-                centre = self.findings.centres[link].at or 0j
-                word = (f"P{link} ({centre.real:.4g}; {centre.imag:.4g}) m".replace("-", "−"), "")
-            self.sheet.label(word, at, at - self.middle, 2.2)
+            self.sheet.label((name, "", ""), [(self.at[name], self.at[name] - self.middle, 1.6)])
+        for word, places in self.marks:
+            if places:
+                self.sheet.label(word, places)
         for link in self.sketch.links:
             self.link_name(link)
 
     def link_name(self, link: Link) -> None:
+        """Write the name of a link beside its longest part, with the sense in which it turns."""
         body, omega = self.bodies[link.name], self.findings.omegas.get(link.name)
         if link.name in self.sketch.wheels:
-            near, gap = self.at[self.sketch.wheels[link.name][0]], 4.0
+            centre, contact = (self.at[name] for name in self.sketch.wheels[link.name])
+            near, gap = centre, 4.0 if abs(contact - centre) > 12 else abs(contact - centre) + 1.0
         elif len(link.points) > 1:
             a, b = max(zip(link.points, link.points[1:], strict=False), key=lambda p: abs(self.at[p[0]] - self.at[p[1]]))
             near, gap = (self.at[a] + self.at[b]) / 2, 1.5
         else:
             near, gap = self.at[link.points[0]], 4.0
         turn = 0 if body.guide or not omega else (1 if omega > 0 else -1)
-        self.sheet.label((link.name, ""), near, near - self.middle, gap, bold=True, turn=turn)
+        self.sheet.label((link.name, "", ""), [(near, near - self.middle, gap)], bold=True, turn=turn)
 
     def foot(self, title: str) -> None:
         """Draw the bar by which a print is checked, and say the scales."""
@@ -238,17 +252,17 @@ class _Drawing:
         for k in range(11):
             tick = 2.4 if k % 5 == 0 else 1.4
             self.sheet.line(complex(left + 10 * k, base), complex(left + 10 * k, base - tick), FRAME)
-        self.sheet.text(complex(left, base - 4.2), plain(f"100 mm: {BAR_WORDS}", 99), size=2.9)
+        self.sheet.text(complex(left, base - 4.2), (f"{BAR:g} mm: {BAR_WORDS}", "", ""), size=2.9)
         lines = (f"scale {layout.scale_text}", f"velocities: 1 mm = {layout.speed:g} m/s", title)
         for k, line in enumerate(lines):
-            self.sheet.text(complex(left + BAR + 7, layout.height - FOOT + 4.6 + 4.2 * k), plain(line, 99), size=2.9)
+            self.sheet.text(complex(left + BAR + 7, layout.height - FOOT + 4.6 + 4.2 * k), (line, "", ""), size=2.9)
         self.axes(complex(layout.width - 12, layout.height - 4.5))
 
     def axes(self, at: complex) -> None:
         """Draw the directions of x and y."""
         for way, name, shift in ((8 + 0j, "x", 0.6 + 0.8j), (-8j, "y", -2.6 + 0.5j)):
             self.sheet.arrow(at, at + way, 'stroke="black" stroke-width="0.2"', head=1.6)
-            self.sheet.text(at + way + shift, name, look='font-style="italic"', size=2.6)
+            self.sheet.text(at + way + shift, (name, "", ""), look='font-style="italic"', size=2.6)
 
 
 def _around(at: complex, half: float) -> tuple[float, float, float, float]:

@@ -7,10 +7,7 @@ somebody looks at it (`drawing.py`).
 
 from __future__ import annotations
 
-import itertools
 import math
-import re
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,13 +15,11 @@ import numpy as np
 from coursework.equations import VelocityEquations
 from coursework.errors import InputError, listing
 from coursework.jets import jets
-from coursework.kinematics.instant_centres import Body, Centre, Findings, construct
-from coursework.kinematics.scene import Rail, Sketch, read_scene
+from coursework.kinematics.graph_words import drift, how_found, omega_name
+from coursework.kinematics.instant_centres import Body, Findings, construct
+from coursework.kinematics.scene import Sketch, read_scene
 from coursework.motion import Motion
 from coursework.variant.record import Variant
-
-# A link longer or shorter than at the start by less than this share of the mechanism is round-off, not drift.
-RIGID = 1e-9
 
 GraphRow = tuple[str, float, float, float, str]
 
@@ -89,7 +84,7 @@ def check_graph(equations: VelocityEquations, motion: Motion, exact: Motion) -> 
         perfect = read(exact, row - 1)
         true = _measured(perfect, construct(perfect.scene))
     errors = tuple((name, true[name][0], table - true[name][0], unit) for name, _, table, _, unit in rows if name in true)
-    notes = (*_how(sketch, findings), *sketch.notes, *_drift(sketch, variant))
+    notes = (*how_found(sketch, findings), *sketch.notes, *drift(sketch))
     return GraphCheck(row, float(motion.t[row - 1]), sketch, findings, rows, errors, notes)
 
 
@@ -111,15 +106,6 @@ def _required_row(variant: Variant, motion: Motion) -> int:
         raise InputError("the graph-analytical check needs every coordinate; ask for the whole table.")
     assert variant.time.check_row is not None
     return variant.time.check_row
-
-
-def omega_name(body: Body) -> str:
-    """Return how the angular velocity of a link is called: ω₃ for the rate w3, else the name of its rate or link."""
-    short = re.fullmatch(r"(?:w|omega)_?(\d+)", body.rate or "")
-    if short or (body.rate is None and body.name.isdecimal() and body.name.isascii()):
-        digits = short[1] if short else body.name
-        return "ω" + digits.translate(str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉"))
-    return body.rate or f"ω of link {body.name}"
 
 
 def _sought(sketch: Sketch, findings: Findings) -> list[Body]:
@@ -169,47 +155,3 @@ def _tabled(
             centre = sketch.scene.positions[carried] + 1j * velocities[carried] / omega
             found[f"P{body.name}.x"], found[f"P{body.name}.y"] = centre.real, centre.imag
     return found
-
-
-def _how(sketch: Sketch, findings: Findings) -> list[str]:
-    """Return how each link was dealt with, in the order of the file."""
-    sentences = []
-    for body in sketch.scene.bodies:
-        centre = findings.centres.get(body.name)
-        if body.name in findings.missing:
-            sentences.append(f"Link {body.name} is not determined by the drawing.")
-        elif centre is not None and not body.guide:
-            sentences.append(_story(body, centre, sketch.wheels))
-    return sentences
-
-
-def _story(body: Body, centre: Centre, wheels: Mapping[str, tuple[str, str]]) -> str:
-    if centre.lines and centre.at is None:
-        return f"Link {body.name} translates: the velocities of {listing(centre.lines)} are parallel."
-    if len(centre.lines) == 1:
-        return f"P{body.name} follows from the known rate of link {body.name} and the velocity of {centre.lines[0]}."
-    if centre.lines:
-        return f"P{body.name} is where the perpendiculars to the velocities of {listing(centre.lines)} meet."
-    if body.name in wheels and centre.point == wheels[body.name][1]:
-        return f"Link {body.name} rolls: its instantaneous centre is the contact {centre.point}."
-    return f"Link {body.name} turns about {centre.point}."
-
-
-def _drift(sketch: Sketch, variant: Variant) -> list[str]:
-    """Return which links and rails the row does not keep: there the drawing and the table differ by as much."""
-    now, start = sketch.scene.positions, sketch.start
-    allowed = RIGID * sketch.scene.size
-    sentences = []
-    for link in variant.links:
-        joints = dict.fromkeys((*link.points, *((link.wheel,) if link.wheel else ())))
-        for a, b in itertools.combinations(joints, 2):
-            length, first = abs(now[a] - now[b]), abs(start[a] - start[b])
-            if abs(length - first) > allowed:
-                sentences.append(
-                    f"The row does not close: {a}{b} of link {link.name} measures {length:.4g} m, {first:.4g} m at the start."
-                )
-    return sentences + [_off(rail, sketch) for rail in sketch.rails if abs(rail.off) > allowed]
-
-
-def _off(rail: Rail, sketch: Sketch) -> str:
-    return f"The row does not close: {rail.point} stands {1e3 * abs(rail.off):.3g} mm off its rail."

@@ -1,11 +1,13 @@
 """One row of a motion -> what stands on the paper before anything is constructed.
 
 Enters: velocity equations (for the formulas of points, rails and drives) and a row.  Leaves: `Sketch`.
-Used by the graph-analytical check only.
+Used by the graph-analytical check only.  What slides or rolls where is read from names in [links] and [frame]; a point that
+merely happens to lie on a rail slides on nothing.
 """
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
@@ -17,15 +19,15 @@ from coursework.motion import Motion
 from coursework.symbolic import symbol
 from coursework.variant.record import Link, Variant
 
-# A point lies on a line or circle where the file puts it there; the start row is exact, so round-off is all it may miss by.
-INCIDENT = 1e-9
-# Below this cosine a single component of a driven velocity says nothing about the speed along a rail.
+# A contact touches what it touches at the start, where positions are exact but for rounded data of a task sheet.
+INCIDENT = 1e-6
+# Below this cosine one component of a driven velocity says nothing about the speed along a rail.
 STEEP = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
 class Rail:
-    """A straight guide through `at` (m) along the unit vector `along`; `point` slides or rolls on it, `off` m beside it."""
+    """A straight guide through `at` (m) along a unit vector; `point` slides or `rolls` on it and has left it by `off` m."""
 
     at: complex
     along: complex
@@ -35,21 +37,31 @@ class Rail:
 
 
 @dataclass(frozen=True, slots=True)
+class Track:
+    """A fixed circle (m) on which the contact `point` of a wheel rolls; it has left it by `off` m."""
+
+    centre: complex
+    radius: float
+    point: str
+    off: float
+
+
+@dataclass(frozen=True, slots=True)
 class Sketch:
     """The position: `scene` for the construction, and what only the drawing needs.
 
-    `wheels` link -> (centre, contact); `circles` (centre, radius) of the frame; `start` the positions of row 1; `racks` link ->
-    contact; `moving` points of links that are not at rest.
+    `start` holds the positions of row 1; `wheels` link -> (centre, contact); `racks` link -> contact with its gear;
+    `moving` the points of links, contacts apart, that are not at rest.
     """
 
     scene: Scene
     rails: tuple[Rail, ...]
-    circles: tuple[tuple[complex, float], ...]
+    tracks: tuple[Track, ...]
     hinges: tuple[str, ...]
     links: tuple[Link, ...]
+    start: Mapping[str, complex]
     wheels: Mapping[str, tuple[str, str]]
     racks: Mapping[str, str]
-    start: Mapping[str, complex]
     moving: tuple[str, ...]
     notes: tuple[str, ...]
 
@@ -59,64 +71,124 @@ def read_scene(equations: VelocityEquations) -> Callable[[Motion, int], Sketch]:
     variant, symbols = equations.variant, equations.symbols
     wanted: dict[str, Any] = {}
 
-    def pair(key: str, vector: Any) -> None:
-        wanted[f"{key}.x"], wanted[f"{key}.y"] = vector
+    def vector(key: str, components: Any) -> None:
+        wanted[f"{key}.x"], wanted[f"{key}.y"] = components
 
-    for name in symbols.vectors:
-        pair(f"point {name}", symbols.vectors[name])
+    for name, components in symbols.vectors.items():
+        vector(name, components)
     for index, (through, angle) in enumerate(variant.frame.rails):
-        pair(f"rail {index}", symbols.vector(through))
+        vector(f"rail {index}", symbols.vector(through))
         wanted[f"angle {index}"] = symbols.scalar(angle)
     for index, (centre, radius) in enumerate(variant.frame.circles):
-        pair(f"circle {index}", symbols.vector(centre))
+        vector(f"circle {index}", symbols.vector(centre))
         wanted[f"radius {index}"] = symbols.scalar(radius)
     for law in variant.drive:
         wanted[f"drive {law.name}"] = symbol(law.name)
     rows = compile_rows(equations, list(wanted.values()), 0)
+    names = tuple(symbols.vectors)
 
     def read(motion: Motion, row: int) -> Sketch:
-        at = [0, row]
-        values = rows(motion.t[at], motion.coordinates[at])
-        first, here = (dict(zip(wanted, map(float, line), strict=True)) for line in values)
-        return _sketch(variant, tuple(symbols.vectors), first, here)
+        both = [0, row]
+        values = rows(motion.t[both], motion.coordinates[both])
+        first, here = (_Values(dict(zip(wanted, map(float, line), strict=True))) for line in values)
+        return _Reader(variant, names, first, here).sketch()
 
     return read
 
 
-def _pair(values: Mapping[str, float], key: str) -> complex:
-    return complex(values[f"{key}.x"], values[f"{key}.y"])
+@dataclass(frozen=True, slots=True)
+class _Values:
+    """The numbers of one row, by key."""
+
+    by_key: Mapping[str, float]
+
+    def scalar(self, key: str) -> float:
+        return self.by_key[key]
+
+    def vector(self, key: str) -> complex:
+        return complex(self.by_key[f"{key}.x"], self.by_key[f"{key}.y"])
 
 
-def _sketch(variant: Variant, names: tuple[str, ...], first: Mapping[str, float], here: Mapping[str, float]) -> Sketch:
-    positions = {name: _pair(here, f"point {name}") for name in names}
-    start = {name: _pair(first, f"point {name}") for name in names}
-    bodies = [_body(link) for link in variant.links]
-    contacts = {link.contact for link in variant.links if link.contact}
-    rails, notes = _rails(variant, bodies, contacts, first, here)
-    guided = {rail.point: rail.along for rail in rails if rail.point and not rail.rolls}
-    bodies = [replace(b, guide=guided[b.points[0]]) if _is_slider(b, guided) else b for b in bodies]
-    circles = tuple((_pair(here, f"circle {i}"), here[f"radius {i}"]) for i in range(len(variant.frame.circles)))
-    size = Scene(start, tuple(bodies), frozenset(), {}, {}, {}).size
-    resting = {link.contact for link in variant.links if link.contact and _rests(link, variant, rails, first, start, size)}
-    racks: dict[str, str] = {}
-    for link in variant.links:
-        if link.contact and link.contact not in resting:
-            touching = [b for b in bodies if b.guide and abs(cross(start[link.contact] - start[b.points[0]], b.guide)) <= INCIDENT * size]
-            if len(touching) == 1:
-                racks[touching[0].name] = link.contact
-                notes.append(f"Link {touching[0].name} touches wheel {link.name} at {link.contact}: both have one velocity there.")
-    bodies = [replace(b, points=(*b.points, racks[b.name])) if b.name in racks else b for b in bodies]
-    fixed = frozenset(variant.frame.hinges) | {name for name in resting if name}
-    drive = {law.name: here[f"drive {law.name}"] for law in variant.drive}
-    driven = {name: v for name in names if (v := _driven(name, drive, guided)) is not None and name not in fixed}
-    rates = {rate: drive[rate] for rate in variant.known_rates}
-    scene = Scene(positions, tuple(bodies), fixed, guided, driven, rates)
-    moving = dict.fromkeys(p for link in variant.links for p in (*link.points, *((link.wheel,) if link.wheel else ())))
-    return Sketch(
-        scene, rails, circles, tuple(dict.fromkeys(variant.frame.hinges)), variant.links,
-        {link.name: (link.wheel, link.contact) for link in variant.links if link.wheel and link.contact},
-        racks, start, tuple(name for name in moving if name not in fixed), tuple(notes),
-    )  # fmt: skip
+class _Reader:
+    """Puts names and numbers of one row together."""
+
+    def __init__(self, variant: Variant, names: tuple[str, ...], first: _Values, here: _Values) -> None:
+        self.variant, self.here = variant, here
+        self.first = first
+        self.names = names
+        self.start = {name: first.vector(name) for name in names}
+        self.bodies = [_body(link) for link in variant.links]
+        self.near = INCIDENT * Scene(self.start, tuple(self.bodies), frozenset(), {}, {}, {}).size
+        self.wheels = {link.name: (link.wheel, link.contact) for link in variant.links if link.wheel and link.contact}
+        self.contacts = {contact for _, contact in self.wheels.values()}
+        self.notes: list[str] = []
+
+    def sketch(self) -> Sketch:
+        rails = self.rails()
+        guided = {rail.point: rail.along for rail in rails if rail.point and not rail.rolls}
+        tracks = self.tracks()
+        resting = {r.point for r in rails if r.rolls} | {t.point for t in tracks} | self.on_plain_rails(rails)
+        resting -= {contact for centre, contact in self.wheels.values() if centre in self.variant.frame.hinges}
+        bodies = [replace(b, guide=guided[b.points[0]]) if _is_slider(b, guided) else b for b in self.bodies]
+        racks = self.racks(bodies, resting)
+        bodies = [replace(b, points=(*b.points, racks[b.name])) if b.name in racks else b for b in bodies]
+        hinges = tuple(dict.fromkeys(self.variant.frame.hinges))
+        fixed = frozenset({*hinges, *resting})
+        drive = {law.name: self.here.scalar(f"drive {law.name}") for law in self.variant.drive}
+        driven = {name: v for name in self.names if (v := _driven(name, drive, guided)) is not None and name not in fixed}
+        rates = {rate: drive[rate] for rate in self.variant.known_rates}
+        positions = {name: self.here.vector(name) for name in self.names}
+        moving = dict.fromkeys(name for body in self.bodies for name in body.points if name not in fixed | self.contacts)
+        return Sketch(
+            Scene(positions, tuple(bodies), fixed, guided, driven, rates), rails, tracks, hinges, self.variant.links,
+            self.start, self.wheels, racks, tuple(moving), tuple(self.notes),
+        )  # fmt: skip
+
+    def rails(self) -> tuple[Rail, ...]:
+        """Return the rails; what slides or rolls on one is the point it goes `through`."""
+        known = {name for body in self.bodies for name in body.points}
+        found = []
+        for index, (through, _) in enumerate(self.variant.frame.rails):
+            along = cmath.rect(1.0, self.here.scalar(f"angle {index}"))
+            at, begin = self.here.vector(f"rail {index}"), self.first.vector(f"rail {index}")
+            point = through.name if through.op == "name" and through.name in known else ""
+            if not point:
+                self.notes.append(
+                    f"Rail {index + 1} goes through no point of a link, so the drawing does not know what slides on it. "
+                    "Name that point in through."
+                )
+            found.append(Rail(at, along, point, point in self.contacts, cross(along, at - begin) if point else 0.0))
+        return tuple(found)
+
+    def on_plain_rails(self, rails: tuple[Rail, ...]) -> set[str]:
+        """Return the contacts that lie on a rail which is given by a fixed point."""
+        plain = [(self.first.vector(f"rail {index}"), rail.along) for index, rail in enumerate(rails) if not rail.point]
+        return {name for name in self.contacts for at, along in plain if abs(cross(self.start[name] - at, along)) <= self.near}
+
+    def tracks(self) -> tuple[Track, ...]:
+        """Return the circles of the frame with the contact that lies on each."""
+        found = []
+        for index in range(len(self.variant.frame.circles)):
+            centre, radius = self.here.vector(f"circle {index}"), abs(self.here.scalar(f"radius {index}"))
+            for _, contact in self.wheels.values():
+                if abs(abs(self.start[contact] - self.first.vector(f"circle {index}")) - radius) <= self.near:
+                    off = abs(self.here.vector(contact) - centre) - radius
+                    found.append(Track(centre, radius, contact, off))
+        return tuple(found)
+
+    def racks(self, bodies: list[Body], resting: set[str]) -> dict[str, str]:
+        """Return the racks: a contact that lies on nothing fixed belongs to the one slider whose rail runs through it."""
+        found: dict[str, str] = {}
+        for link, (_, contact) in self.wheels.items():
+            shared = sum(contact in body.points for body in bodies) > 1
+            touching = [
+                body for body in bodies
+                if body.guide and abs(cross(self.start[contact] - self.start[body.points[0]], body.guide)) <= self.near
+            ]  # fmt: skip
+            if contact not in resting and not shared and len(touching) == 1:
+                found[touching[0].name] = contact
+                self.notes.append(f"Link {touching[0].name} drives wheel {link} at {contact}: there both have one velocity.")
+        return found
 
 
 def _body(link: Link) -> Body:
@@ -129,50 +201,6 @@ def _is_slider(body: Body, guided: Mapping[str, complex]) -> bool:
     return body.rate is None and len(body.points) == 1 and body.points[0] in guided
 
 
-def _rails(
-    variant: Variant, bodies: list[Body], contacts: set[str], first: Mapping[str, float], here: Mapping[str, float]
-) -> tuple[tuple[Rail, ...], list[str]]:  # fmt: skip
-    """Return the rails; what slides or rolls on one is the point it is said to go `through`."""
-    known = {name for body in bodies for name in body.points}
-    rails, notes = [], []
-    for index, (through, _) in enumerate(variant.frame.rails):
-        angle = here[f"angle {index}"]
-        along = _unit(angle)
-        at, begin = _pair(here, f"rail {index}"), _pair(first, f"rail {index}")
-        point = through.name if through.op == "name" and through.name in known else ""
-        if not point:
-            notes.append(
-                f"Rail {index + 1} goes through no point of a link, so the drawing does not know what slides on it. "
-                "Name that point in `through`."
-            )
-        rails.append(Rail(at, along, point, point in contacts, cross(along, at - begin) if point else 0.0))
-    return tuple(rails), notes
-
-
-def _unit(angle: float) -> complex:
-    import cmath
-
-    return cmath.rect(1.0, angle)
-
-
-def _rests(
-    link: Link, variant: Variant, rails: tuple[Rail, ...], first: Mapping[str, float], start: Mapping[str, complex], size: float
-) -> bool:  # fmt: skip
-    """Return whether the contact of a wheel lies on a rail or circle of the frame, where it is momentarily at rest."""
-    assert link.contact is not None
-    if link.wheel in variant.frame.hinges:
-        return False
-    at, near = start[link.contact], INCIDENT * size
-    for index, rail in enumerate(rails):
-        on_it = abs(cross(at - _pair(first, f"rail {index}"), rail.along)) <= near
-        if rail.point == link.contact or (not rail.point and on_it):
-            return True
-    return any(
-        abs(abs(at - _pair(first, f"circle {index}")) - abs(first[f"radius {index}"])) <= near
-        for index in range(len(variant.frame.circles))
-    )
-
-
 def _driven(name: str, drive: Mapping[str, float], guided: Mapping[str, complex]) -> complex | None:
     """Return the velocity a drive gives to a point: both components, or one along its rail."""
     x, y = drive.get(f"V{name}x"), drive.get(f"V{name}y")
@@ -182,5 +210,3 @@ def _driven(name: str, drive: Mapping[str, float], guided: Mapping[str, complex]
     if x is not None and abs(along.real) > STEEP:
         return along * (x / along.real)
     return along * (y / along.imag) if y is not None and abs(along.imag) > STEEP else None
-
-

@@ -7,18 +7,21 @@ Used by `drawing.py`; knows nothing of mechanisms.
 from __future__ import annotations
 
 import cmath
+import itertools
 import math
 from collections.abc import Iterable, Sequence
 from html import escape
 
 FONT = "'DejaVu Sans', Verdana, 'Segoe UI', sans-serif"
 LETTER = 3.2  # mm, 9 pt
-SMALL = 2.3
+SIZES = (LETTER, 2.3, 2.7)  # mm: of a word, of what is set lower, of what follows
 WIDE = 0.68  # width of a letter in its own heights, on the generous side
-LONGEST = 24  # letters of a name; what is longer would run over the drawing
+LONGEST = 60  # letters of a text; what is longer would run over the drawing
+PITCH = 1.6  # mm between the strokes of a hatch
 DIRECTIONS = 16  # in which a place is looked for
 Rectangle = tuple[float, float, float, float]
-Word = tuple[str, str]  # text and what is set lower
+Word = tuple[str, str, str]  # text, what is set lower, what follows
+Place = tuple[complex, complex, float]  # beside this point, rather in this direction, at this distance
 
 
 def plain(text: str, longest: int = LONGEST) -> str:
@@ -69,14 +72,14 @@ class Sheet:
         text = "L".join(f"{number(p.real)} {number(p.imag)}" for p in points)
         self.items.append(f'<path d="M{text}{"Z" if closed else ""}" {look}/>')
         if blocks:
-            self.segments += list(zip(points, points[1:], strict=False))
+            self.segments += itertools.pairwise(points)
 
     def circle(self, at: complex, radius: float, look: str, data: str = "", *, rim: bool = False) -> None:
         """Draw a circle; small ones keep labels off their disc, a `rim` off the line only."""
         self.items.append(f'<circle cx="{number(at.real)}" cy="{number(at.imag)}" r="{number(radius)}" {look}{data}/>')
         if rim:
             turn = [at + cmath.rect(radius, math.tau * k / 32) for k in range(33)]
-            self.segments += list(zip(turn, turn[1:], strict=False))
+            self.segments += itertools.pairwise(turn)
         else:
             self.boxes.append((at.real - radius, at.imag - radius, at.real + radius, at.imag + radius))
 
@@ -88,43 +91,43 @@ class Sheet:
         side = 0.32 * head * 1j * along
         self.path([b, neck + side, neck - side], 'fill="black" stroke="none"', closed=True)
 
-    def hatch(self, line: Sequence[complex], away: complex) -> None:
-        """Hatch one side of a line: short strokes every 1.6 mm, leaning towards `away` (a direction)."""
-        strokes = []
-        for a, b in zip(line, line[1:], strict=False):
-            count = max(1, round(abs(b - a) / 1.6))
-            along = (b - a) / count
-            lean = (away / abs(away) - along / abs(along)) * 1.3
-            strokes += [(a + (k + 0.5) * along, a + (k + 0.5) * along + lean) for k in range(count)]
+    def hatch(self, a: complex, b: complex, away: complex) -> None:
+        """Hatch one side of a segment: short strokes that lean towards `away` (a direction)."""
+        count = max(1, round(abs(b - a) / PITCH))
+        along = (b - a) / count
+        lean = (away / abs(away) - along / abs(along)) * 1.3
+        strokes = [(a + (k + 0.5) * along, a + (k + 0.5) * along + lean) for k in range(count)]
         kept = [(p, q) for p, q in strokes if inside(p, q, self.field)]
         text = "".join(f"M{number(p.real)} {number(p.imag)}L{number(q.real)} {number(q.imag)}" for p, q in kept)
         self.items.append(f'<path d="{text}" fill="none" stroke="black" stroke-width="0.15"/>')
         self.segments += kept
 
-    def label(self, word: Word, near: complex, away: complex, gap: float = 1.6, *, bold: bool = False, turn: int = 0) -> complex:
-        """Write a word near a point, rather in the direction `away`, where it covers least; return its middle.
+    def label(self, word: Word, places: Iterable[Place], *, bold: bool = False, turn: int = 0) -> None:
+        """Write a word beside the place where it covers least.
 
         `turn` +1 or -1 puts an arc with an arrow before the word: counter-clockwise or clockwise.
         """
-        text, low = plain(word[0]), plain(word[1])
         lead = 6.6 if turn else 0.0
-        width = lead + WIDE * (LETTER * len(word[0][:LONGEST]) + SMALL * len(word[1][:LONGEST]))
-        height = 5.8 if turn else LETTER * 0.95 + (0.6 if low else 0)
-        middle = self._room(width, height, near, away, gap)
+        width = lead + sum(WIDE * size * len(part[:LONGEST]) for part, size in zip(word, SIZES, strict=True))
+        height = 5.8 if turn else LETTER * 0.95 + (0.6 if word[1] else 0)
+        _, middle = min((self._room(width, height, place) for place in places), key=lambda found: found[0])
         left, top = middle.real - width / 2, middle.imag - height / 2
         self.boxes.append((left, top, left + width, top + height))
         if turn:
             self.sense(complex(left + 3, middle.imag), turn)
-        base = middle.imag + LETTER * 0.37 - (0.3 if low else 0)
-        self.text(complex(left + lead, base), text, low, 'font-weight="bold"' if bold else "")
-        return middle
+        base = middle.imag + LETTER * 0.37 - (0.3 if word[1] else 0)
+        self.text(complex(left + lead, base), word, 'font-weight="bold"' if bold else "")
 
-    def text(self, at: complex, text: str, low: str = "", look: str = "", size: float = LETTER) -> None:
-        """Write escaped text, the base line beginning at a point, on a white halo."""
-        below = f'<tspan dy="0.8" font-size="{SMALL}">{low}</tspan>' if low else ""
+    def text(self, at: complex, word: Word, look: str = "", size: float = LETTER) -> None:
+        """Write a word, its base line beginning at a point, on a white halo."""
+        head, low, tail = (plain(part) for part in word)
+        below = f'<tspan dy="0.8" font-size="{SIZES[1]}">{low}</tspan>' if low else ""
+        beside = (
+            f'<tspan{" dy=" + chr(34) + "-0.8" + chr(34) if low else ""} font-size="{SIZES[2]}">{tail}</tspan>' if tail else ""
+        )
         halo = 'stroke="white" stroke-width="0.9" stroke-linejoin="round" paint-order="stroke"'
         place = f'x="{number(at.real)}" y="{number(at.imag)}" font-size="{size}"'
-        self.items.append(f"<text {place} {halo}{' ' if look else ''}{look}>{text}{below}</text>")
+        self.items.append(f"<text {place} {halo}{' ' if look else ''}{look}>{head}{below}{beside}</text>")
 
     def sense(self, at: complex, turn: int, radius: float = 2.3) -> None:
         """Draw the sense of a rotation: an arc of 250 degrees with an arrowhead, +1 counter-clockwise as seen."""
@@ -132,11 +135,12 @@ class Sheet:
         arc = [at + radius * cmath.exp(1j * angle).conjugate() for angle in angles]
         self.path(arc, 'fill="none" stroke="black" stroke-width="0.3"', blocks=False)
         along = (arc[-1] - arc[-2]) / abs(arc[-1] - arc[-2])
-        tip = arc[-1] + 1.3 * along
-        self.path([tip, arc[-1] + 0.75j * along, arc[-1] - 0.75j * along], 'fill="black" stroke="none"', closed=True, blocks=False)
+        tip = arc[-1] + 1.7 * along
+        self.path([tip, arc[-1] + 0.9j * along, arc[-1] - 0.9j * along], 'fill="black" stroke="none"', closed=True, blocks=False)
 
-    def _room(self, width: float, height: float, near: complex, away: complex, gap: float) -> complex:
-        """Return the middle of the freest of the rectangles around a point."""
+    def _room(self, width: float, height: float, place: Place) -> tuple[float, complex]:
+        """Return what the freest of the rectangles around a point covers, and its middle."""
+        near, away, gap = place
         toward = cmath.phase(away) if away else -math.pi / 4
         best, found = math.inf, near
         for ring in (0.0, 2.0, 4.5, 8.0):
@@ -149,7 +153,7 @@ class Sheet:
                 cost = self._covered(middle, width, height) + 0.5 * ring + 0.6 * (1 - math.cos(turned))
                 if cost < best - 1e-9:
                     best, found = cost, middle
-        return found
+        return best, found
 
     def _covered(self, middle: complex, width: float, height: float) -> float:
         """Return how much a rectangle covers: mm of lines, and more for other labels and for leaving the field."""

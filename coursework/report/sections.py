@@ -52,11 +52,17 @@ def title(desk: Desk) -> list[Part]:
         ("group", run.group),
         ("variant", run.variant.name),
         ("source", run.variant.source),
+        ("teaches", run.variant.teaches),
         ("date", run.date),
     ]
     facts = [(say(f"title.{key}"), _plain(value)) for key, value in lines if value]
     facts += [(say("title.method"), runs(method)), (say("title.result"), runs(_result(desk)))]
     return [Facts(facts)]
+
+
+def remarks(desk: Desk) -> list[Part]:
+    """What the author of the variant has to say about it."""
+    return [Paragraph(desk.rich(text)) for text in desk.run.variant.remarks]
 
 
 def _plain(text: str) -> Runs:
@@ -129,6 +135,8 @@ def dead_point(desk: Desk) -> list[Part]:
         facts.append((say("stop.configuration"), runs(_values(desk, stop.coordinates))))
     facts += [(say("stop.branches"), runs(_values(desk, branch))) for branch in stop.branches]
     facts += [(say(f"stop.{key}"), desk.rich(text)) for key, text in (("cause", stop.cause), ("meaning", stop.meaning)) if text]
+    if desk.run.phases:
+        facts.append((say("stop.phases"), desk.rich(desk.run.phases)))
     kept = say("stop.kept", row=len(desk.run.motion.t))
     kind = clean(stop.kind)
     lead = say("stop.lead", kind=kind[:1].upper() + kind[1:], time=time)
@@ -188,6 +196,7 @@ def method(desk: Desk) -> list[Part]:
 
 OPENING: tuple[tuple[Writer, str], ...] = (
     (title, ""),
+    (remarks, ""),
     (given, ""),
     (drive, ""),
     (constraints, ""),

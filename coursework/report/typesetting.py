@@ -9,6 +9,7 @@ from __future__ import annotations
 import atexit
 import importlib.util
 import json
+import os
 import shutil
 import tempfile
 from functools import lru_cache
@@ -61,12 +62,17 @@ def _faces() -> Path:
     source = Path(found.origin).parent / "mpl-data" / "fonts" / "ttf"
     try:
         place = Path(tempfile.mkdtemp(prefix="coursework-fonts-"))
-        atexit.register(shutil.rmtree, place, ignore_errors=True)
+        atexit.register(_removed, place, os.getpid())
         for face in FACES:
             _link(source / face, place / face)
     except OSError:
         return source  # no room for temporary files: the whole folder serves as well
     return place
+
+
+def _removed(place: Path, owner: int) -> None:
+    if os.getpid() == owner:  # a forked child must not take the fonts away from its parent
+        shutil.rmtree(place, ignore_errors=True)
 
 
 def _link(source: Path, target: Path) -> None:

@@ -1,55 +1,134 @@
-"""Text of a TOML file -> the line and column of every key, which the standard reader does not keep.
+"""Text of a TOML file -> the line and column of every key and value, which the standard reader does not keep.
 
-Enters: TOML that the standard reader has accepted.  Leaves: `Positions`.  Used by `reader.py` only.
+Enters: TOML that the standard reader has accepted.  Leaves: `Positions`.  Used by `source.py` only.
 """
 
 from __future__ import annotations
 
 import re
+from bisect import bisect_right
 from dataclasses import dataclass, field
 
-_HEADER = re.compile(r"\s*(\[\[?)\s*([^\]]+?)\s*\]\]?")
-_KEY = re.compile(r"""\s*((?:"[^"]*"|'[^']*'|[\w-]+)(?:\s*\.\s*(?:"[^"]*"|'[^']*'|[\w-]+))*)\s*=\s*""")
-_INNER_KEY = re.compile(r"""[{,]\s*("[^"]*"|'[^']*'|[\w-]+)\s*=\s*""")
+_BLANK = re.compile(r"(?:[ \t\n]+|#[^\n]*)*")
+_KEY_PART = re.compile(r"""[ \t]*(?:"((?:\\.|[^"\\\n])*)"|'([^'\n]*)'|([\w-]+))[ \t]*""")
+_STRING = re.compile(
+    r'''"""(?:\\.|[^\\])*?"{3,5}|\'\'\'.*?\'{3,5}|"(?:\\.|[^"\\\n])*"|'[^'\n]*\'''', re.DOTALL
+)  # fmt: skip
+_BARE = re.compile(r"[^,\]}#\n]+")
 
 Path = tuple[str | int, ...]
 
 
 @dataclass(slots=True)
 class Positions:
-    """Line, column of the value (both from 1) of each key path; list entries are counted from 0."""
+    """Line and column (from 1) of each path: of its value in `values`, of its key in `keys`; lists are counted from 0."""
 
-    places: dict[Path, tuple[int, int]] = field(default_factory=dict)
+    values: dict[Path, tuple[int, int]] = field(default_factory=dict)
+    keys: dict[Path, tuple[int, int]] = field(default_factory=dict)
 
-    def find(self, path: Path) -> tuple[int, int]:
-        """Return (line, column) of the nearest known ancestor of `path`, (0, 0) if there is none."""
+    def find(self, path: Path, *, key: bool = False) -> tuple[int, int]:
+        """Return (line, column) of the value at `path`, of its `key`, or of the nearest known ancestor; else (0, 0)."""
         while path:
-            if path in self.places:
-                return self.places[path]
+            for places in (self.keys, self.values) if key else (self.values, self.keys):
+                if path in places:
+                    return places[path]
             path = path[:-1]
         return (0, 0)
 
 
 def locate(text: str) -> Positions:
-    """Return the positions of all keys of `text`."""
-    positions = Positions()
-    table: Path = ()
-    counts: dict[Path, int] = {}
-    for number, line in enumerate(text.splitlines(), start=1):
-        if header := _HEADER.match(line):
-            table = _split(header[2])
-            if header[1] == "[[":
-                counts[table] = counts.get(table, -1) + 1
-                table = (*table, counts[table])
-            positions.places.setdefault(table, (number, header.start(2) + 1))
-        elif key := _KEY.match(line):
-            path = (*table, *_split(key[1]))
-            positions.places.setdefault(path, (number, key.end() + 1))
-            for inner in _INNER_KEY.finditer(line, key.end()):
-                positions.places.setdefault((*path, *_split(inner[1])), (number, inner.end() + 1))
-    return positions
+    """Return the positions of all keys and values of `text`."""
+    return _Scanner(text).document()
 
 
-def _split(dotted: str) -> Path:
-    parts = re.findall(r"""\s*(?:"([^"]*)"|'([^']*)'|([\w-]+))\s*""", dotted)
-    return tuple(next(word for word in part if word) if any(part) else "" for part in parts)
+class _Scanner:
+    """One pass from left to right; every step moves on, whatever the text."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.at = 0
+        self.found = Positions()
+        self.starts = [0, *(match.end() for match in re.finditer("\n", text))]
+        self.counts: dict[Path, int] = {}
+
+    def document(self) -> Positions:
+        table: Path = ()
+        while self.blank():
+            if self.text.startswith("[", self.at):
+                table = self.header()
+            else:
+                self.pair(table)
+        return self.found
+
+    def blank(self) -> bool:
+        """Step over spaces and remarks; return whether anything is left."""
+        self.at = self._end(_BLANK)
+        return self.at < len(self.text)
+
+    def header(self) -> Path:
+        several = self.text.startswith("[[", self.at)
+        self.at += 1 + several
+        begin = self.place()
+        path: Path = ()
+        names = self.key()
+        for number, name in enumerate(names, start=1):
+            path = (*path, name)
+            if several and number == len(names):
+                self.counts[path] = self.counts.get(path, -1) + 1
+            if path in self.counts:
+                path = (*path, self.counts[path])
+        self.found.keys.setdefault(path, begin)
+        self.at = self.text.find("\n", self.at) if "\n" in self.text[self.at :] else len(self.text)
+        return path
+
+    def pair(self, table: Path) -> None:
+        begin = self.place()
+        path = (*table, *self.key())
+        self.found.keys.setdefault(path, begin)
+        self.at = min(len(self.text), self.text.find("=", self.at) + 1 or len(self.text))
+        self.value(path)
+
+    def key(self) -> Path:
+        names: Path = ()
+        while match := _KEY_PART.match(self.text, self.at):
+            names = (*names, next(part for part in (*match.groups(), "") if part is not None))
+            self.at = match.end()
+            if not self.text.startswith(".", self.at):
+                return names
+            self.at += 1
+        self.at += 1
+        return names
+
+    def value(self, path: Path) -> None:
+        self.blank()
+        # The text of a long string begins after three quotation marks; columns are counted from one.
+        shift = 2 if self.text.startswith(('"""', "'''"), self.at) else 0
+        line, column = self.place()
+        self.found.values.setdefault(path, (line, column + shift))
+        opening = self.text[self.at : self.at + 1]
+        if opening in {"[", "{"}:
+            self.inside(path, "]" if opening == "[" else "}")
+        else:
+            self.at = max(self.at + 1, self._end(_STRING if opening in {'"', "'"} else _BARE))
+
+    def inside(self, path: Path, closing: str) -> None:
+        """Step through a list or an inline table."""
+        self.at += 1
+        entry = 0
+        while self.blank() and not self.text.startswith(closing, self.at):
+            if self.text.startswith(",", self.at):
+                self.at += 1
+            elif closing == "}":
+                self.pair(path)
+            else:
+                self.value((*path, entry))
+                entry += 1
+        self.at += 1
+
+    def place(self) -> tuple[int, int]:
+        line = bisect_right(self.starts, self.at)
+        return line, self.at - self.starts[line - 1] + 1
+
+    def _end(self, pattern: re.Pattern[str]) -> int:
+        match = pattern.match(self.text, self.at)
+        return match.end() if match else self.at

@@ -51,7 +51,8 @@ def test_adding_up_the_time_spoils_single_precision(values):
     end = coursework.solve("31", quantities=["table"]).exact.coordinates[-1]
 
     def error(steps, running):
-        rows = march_in(np.float32, values["rates"], "euler", values["start"], 0.48 / steps, steps, every=steps, running_time=running)
+        rates, start = values["rates"], values["start"]
+        rows = march_in(np.float32, rates, "euler", start, 0.48 / steps, steps, every=steps, running_time=running)
         assert rows.dtype == np.float32
         return float(np.max(np.abs(rows[-1].astype(float) - end)))
 

@@ -1,5 +1,6 @@
 """The study of variant 31 against independently computed errors and counts."""
 
+import itertools
 import json
 from pathlib import Path
 
@@ -72,7 +73,7 @@ def test_ratios_over_the_grid_and_at_the_end(found):
     def ratios(method, end):
         steps = [24, 48, 96, 192, 384]
         values = [getattr(found[method, str(n)][1], "end" if end else "grid") for n in steps]
-        return [a / b for a, b in zip(values, values[1:], strict=False)]
+        return [a / b for a, b in itertools.pairwise(values)]
 
     assert ratios("explicit Euler", False) == pytest.approx(expected["euler_ratios_max_err (24->48->96->192->384)"], abs=0.006)
     assert ratios("Heun", False) == pytest.approx(expected["heun_ratios_max_err"], abs=0.01)
@@ -111,7 +112,11 @@ def test_a_method_that_fails_is_listed_not_dropped(run):
 
 def test_budget_of_the_last_row(run):
     """Last row minus first: scheme error, period, round-off (numerics.md 1.3)."""
-    expected = {"phi1": (-0.082754, -0.083332, 0.000579), "phi2": (-0.036865, -0.037128, 0.000263), "phi3": (0.046754, 0.048785, -0.002031)}
+    expected = {
+        "phi1": (-0.082754, -0.083332, 0.000579),
+        "phi2": (-0.036865, -0.037128, 0.000263),
+        "phi3": (0.046754, 0.048785, -0.002031),
+    }
     for name, _, total, scheme, period, roundoff in run.values["budget"]:
         assert (total, scheme, period) == pytest.approx(expected[name], abs=2e-6)
         assert abs(roundoff) < 1e-14

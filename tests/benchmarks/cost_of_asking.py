@@ -1,7 +1,7 @@
 """What each thing asked for costs: processor time of variant 31 from its file to the result, imports apart.
 
-    python -m tests.benchmarks.cost_of_asking            prints the table of README.md
-    python -m tests.benchmarks.cost_of_asking cost.svg   draws it too
+python -m tests.benchmarks.cost_of_asking            prints the table of README.md
+python -m tests.benchmarks.cost_of_asking cost.svg   draws it too
 """
 
 import sys

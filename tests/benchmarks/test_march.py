@@ -97,9 +97,7 @@ def test_generated_loop_against_c(loop, tmp_path):
 def test_reduction_against_a_bare_linear_eq_to_matrix():
     values = coursework.solve("31", quantities=["table"]).values
     equations = values["equations"]
-    rows = [
-        sp.Add(*[c * sp.Symbol(n, real=True) for n, c in e.coefficients.items()]) - e.right_side for e in equations.equations
-    ]
+    rows = [sp.Add(*[c * sp.Symbol(n, real=True) for n, c in e.coefficients.items()]) - e.right_side for e in equations.equations]
     unknowns = [sp.Symbol(name, real=True) for name in equations.unknowns]
     start = values["start"]
     reduce(equations, start)

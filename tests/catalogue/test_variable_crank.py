@@ -14,7 +14,8 @@ REFERENCE = json.loads((Path(__file__).parent.parent / "reference" / "pasika.jso
 def exact(name: str, rows: int):
     variant = coursework.load(name)
     end = REFERENCE["interval_invariants"]["T_s"]
-    return coursework.exact(variant, step=variant.time.end / rows, end=variant.time.end, quantities=["table", "accelerations"]), end
+    step = variant.time.end / rows
+    return coursework.exact(variant, step=step, end=variant.time.end, quantities=["table", "accelerations"]), end
 
 
 def test_printed_polynomial():

@@ -106,6 +106,7 @@ class Run:
     exact: Motion | None = None
     checks: tuple[Check, ...] = ()
     stop: Stop | None = None
+    phases: str = ""
     asked: tuple[str, ...] = ("table", "plots", "checks")
     extra_tables: dict[str, ExtraTable] = field(default_factory=dict)
     accuracy: Study | None = None
@@ -168,7 +169,7 @@ def variant(**changes: Any) -> Variant:
     )  # fmt: skip
     made = Variant(
         name="31", path=None, title="Rolling wheel, right-angled link, crank and rod",
-        source="B. B. Ponomarev, coursework guide, Irkutsk 1995, variant 31", teaches="", given=given,
+        source="B. B. Ponomarev, coursework guide, Irkutsk 1995, variant 31", teaches="a chain is solved from one end", remarks=("The phase is 4.35 rad.",), given=given,
         drive=(Law("VMx", parse("0")), Law("VMy", parse("V1*sin(p*t + alpha)"))),
         coordinates=tuple(
             Coordinate(name, rate, start, "rad", str(start), "rad")

@@ -100,7 +100,7 @@ def test_a_word_of_300_letters_stays_on_the_page(stand_in: ModuleType) -> None:
         for sheet in document:
             # Full stops and commas may hang into the margin.
             right = sheet.rect.width - 20 / 25.4 * 72
-            assert all(block[2] <= right + 3 for block in sheet.get_text("blocks")), sheet.number
+            assert all(word[2] <= right + 3 for word in sheet.get_text("words")), sheet.number
 
 
 def test_names_in_other_scripts_do_not_stop_the_page(stand_in: ModuleType) -> None:

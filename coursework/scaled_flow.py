@@ -1,0 +1,210 @@
+"""The determinant-scaled flow: the motion with the nearest determinant for its clock instead of time.
+
+Enters: the linear system and its blocks.  Leaves: `Flow`.  Used by `dead_point.py`, `change_point.py`, the rows' determinants.
+
+Near a dead point the velocities grow without bound, so time is the wrong parameter.  With dt/ds = D (the determinant of one
+block, dimensionless) and dq/ds = D u = adj(A) b nothing is divided by D.  Source: numerics.md 3.1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.equations import VelocityEquations
+from coursework.reduction import Reduction
+from coursework.system import LinearSystem, compile_system
+from coursework.tabulated import OutsideTable
+
+Array = NDArray[np.float64]
+# Positions and times at which a determinant without a known largest value is looked at; any positive scale of its size does.
+_LOOKS = 16
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where one block stands in the values of the linear system.
+
+    `entries` of its matrix row by row (-1 for zero); `rights` of its right side; `earlier` per row the terms (entry, unknown)
+    of velocities found before; `unknowns` the columns it determines.
+    """
+
+    entries: tuple[int, ...]
+    rights: tuple[int, ...]
+    earlier: tuple[tuple[tuple[int, int], ...], ...]
+    unknowns: tuple[int, ...]
+
+
+@dataclass(slots=True)
+class Flow:
+    """The determinant-scaled flow of one scene.
+
+    `largest` scales the determinant of each block; `rates` says per coordinate whether its rate is driven, and its place
+    among the driven or the unknown ones; `evaluations` counts right-hand sides; `fastest` per coordinate (largest rate, when)
+    of the motion followed last.
+    """
+
+    system: LinearSystem
+    places: tuple[Place, ...]
+    largest: tuple[float, ...]
+    rates: tuple[tuple[bool, int], ...]
+    evaluations: int = field(default=0)
+    fastest: tuple[tuple[float, float], ...] = field(default=())
+
+    def scaled(self, t: float, q: Sequence[float]) -> Array:
+        """Return the dimensionless determinants of all blocks at one time (s) and position."""
+        values = self.system.scalar(t, *q)
+        return np.array([_determinant(values, place) / size for place, size in zip(self.places, self.largest, strict=True)])
+
+    def slopes(self, t: float, q: Sequence[float], block: int) -> tuple[list[float], float]:
+        """Return (dq/ds, with dt/ds last) for the clock of `block`, and the length of adj(A) b of its unknowns.
+
+        Raises `ArithmeticError` where another block is singular.
+        """
+        self.evaluations += 1
+        values = self.system.scalar(t, *q)
+        u = [0.0] * len(self.system.unknowns)
+        scale, demanded = 1.0, 0.0
+        for index, place in enumerate(self.places):
+            rest = _rest(values, place, u, scale)
+            if index != block:
+                for column, value in zip(place.unknowns, _solve(values, place, rest), strict=True):
+                    u[column] = value
+                continue
+            size = self.largest[index]
+            scale = _determinant(values, place) / size
+            u = [value * scale for value in u]
+            for column, value in zip(place.unknowns, _adjugate(values, place, rest), strict=True):
+                u[column] = value / size
+                demanded += (value / size) ** 2
+        known = values[len(self.system.places) + len(self.system.names) :]
+        motion = [known[place] * scale if driven else u[place] for driven, place in self.rates]
+        motion.append(scale)
+        return motion, demanded**0.5
+
+    def part(self, t: float, q: Sequence[float], block: int) -> tuple[Array, Array, Array]:
+        """Return A (k, k) and b (k,) of one block with earlier velocities moved over, and the velocities (m,) known so far."""
+        values = self.system.scalar(t, *q)
+        u = [0.0] * len(self.system.unknowns)
+        for place in self.places[:block]:
+            for column, value in zip(place.unknowns, _solve(values, place, _rest(values, place, u, 1.0)), strict=True):
+                u[column] = value
+        place = self.places[block]
+        size = len(place.unknowns)
+        matrix = np.array([values[entry] if entry >= 0 else 0.0 for entry in place.entries]).reshape(size, size)
+        known = values[len(self.system.places) + len(self.system.names) :]
+        velocities = np.array([known[index] if driven else u[index] for driven, index in self.rates])
+        return matrix, np.array(_rest(values, place, u, 1.0)), velocities
+
+    def velocities(self, t: float, q: Sequence[float], block: int, chosen: Sequence[float]) -> list[float | None]:
+        """Return every unknown velocity where those of `block` are `chosen`; None from a later block that is singular."""
+        values = self.system.scalar(t, *q)
+        u: list[float | None] = [0.0] * len(self.system.unknowns)
+        for index, place in enumerate(self.places):
+            involved = [u[column] for row in place.earlier for _, column in row]
+            found: Sequence[float | None] = chosen
+            if index != block:
+                try:
+                    known = [value or 0.0 for value in u]
+                    size = abs(_determinant(values, place)) / self.largest[index]
+                    solvable = None not in involved and size > 1e-6
+                    found = _solve(values, place, _rest(values, place, known, 1.0)) if solvable else [None] * len(place.unknowns)
+                except ArithmeticError:
+                    found = [None] * len(place.unknowns)
+            for column, value in zip(place.unknowns, found, strict=True):
+                u[column] = value
+        return u
+
+    def demand(self, t: float, q: Sequence[float], block: int) -> float:
+        """Return how much the drive asks of a singular block that its links cannot give (in the units of the equations)."""
+        matrix, right, _ = self.part(t, q, block)
+        left = np.linalg.svd(matrix)[0][:, -1]
+        return float(abs(left @ right))
+
+
+def compile_flow(equations: VelocityEquations, reduction: Reduction, start: Sequence[float] | None = None) -> Flow:
+    """Return the flow of a scene; `start` (that of the file if None) scales determinants whose largest value is unknown."""
+    used = [equation for equation in equations.equations if equation.name in reduction.used]
+    system = compile_system(equations, used)
+    names = list(system.names)
+    entry_at = {place: entry for entry, place in enumerate(system.places)}
+    count = len(system.places)
+    places = []
+    for block in reduction.blocks:
+        rows = [names.index(name) for name in block.equations]
+        columns = [system.unknowns.index(unknown) for unknown in block.unknowns]
+        entries = tuple(entry_at.get((row, column), -1) for row in rows for column in columns)
+        earlier = tuple(
+            tuple((entry, column) for (other, column), entry in entry_at.items() if other == row and column not in columns)
+            for row in rows
+        )
+        places.append(Place(entries, tuple(count + row for row in rows), earlier, tuple(columns)))
+    rates = tuple(
+        (rate in system.known, (system.known if rate in system.known else system.unknowns).index(rate))
+        for rate in equations.variant.rates
+    )
+    begin = list(start) if start is not None else [c.start or 0.0 for c in equations.variant.coordinates]
+    largest = tuple(
+        block.largest or _largest_seen(system, place, begin, equations.variant.time.end)
+        for block, place in zip(reduction.blocks, places, strict=True)
+    )
+    return Flow(system, tuple(places), largest, rates)
+
+
+def _largest_seen(system: LinearSystem, place: Place, begin: Sequence[float], end: float) -> float:
+    """Return the largest |determinant| at the start and at some positions and times around it, 1 where none is found."""
+    found = 0.0
+    for look in range(_LOOKS):
+        # Any fixed irrational shifts do; the first look is the start itself.
+        q = [value + 0.5 * look * (0.618 * (i + 1) % 1.0) / _LOOKS for i, value in enumerate(begin)]
+        try:
+            found = max(found, abs(_determinant(system.scalar(look / _LOOKS * end, *q), place)))
+        except (ArithmeticError, ValueError, OutsideTable):
+            continue
+    return found if 0.0 < found < float("inf") else 1.0
+
+
+def _rest(values: Sequence[float], place: Place, u: Sequence[float], share: float) -> list[float]:
+    return [
+        share * values[right] - sum([values[entry] * u[column] for entry, column in earlier])
+        for right, earlier in zip(place.rights, place.earlier, strict=True)
+    ]
+
+
+def _determinant(values: Sequence[float], place: Place) -> float:
+    entries = place.entries
+    if len(entries) == 1:
+        return values[entries[0]]
+    if len(entries) == 4:
+        a, b, c, d = [values[entry] if entry >= 0 else 0.0 for entry in entries]
+        return a * d - b * c
+    return float(np.linalg.det(_matrix(values, place)))
+
+
+def _matrix(values: Sequence[float], place: Place) -> Array:
+    size = len(place.unknowns)
+    return np.array([values[entry] if entry >= 0 else 0.0 for entry in place.entries]).reshape(size, size)
+
+
+def _adjugate(values: Sequence[float], place: Place, rest: Sequence[float]) -> Sequence[float]:
+    """Return adj(A) rest, also where A is singular."""
+    if len(rest) == 1:
+        return rest
+    if len(rest) == 2:
+        a, b, c, d = [values[entry] if entry >= 0 else 0.0 for entry in place.entries]
+        return d * rest[0] - b * rest[1], a * rest[1] - c * rest[0]
+    u, sizes, v = np.linalg.svd(_matrix(values, place))
+    others = np.array([np.prod(np.delete(sizes, i)) for i in range(len(sizes))])
+    found: list[float] = (np.linalg.det(u) * np.linalg.det(v) * (v.T * others) @ (u.T @ np.array(rest))).tolist()
+    return found
+
+
+def _solve(values: Sequence[float], place: Place, rest: Sequence[float]) -> Sequence[float]:
+    if len(rest) > 2:
+        found: list[float] = np.linalg.solve(_matrix(values, place), np.array(rest)).tolist()
+        return found
+    determinant = _determinant(values, place)
+    return [value / determinant for value in _adjugate(values, place, rest)]
