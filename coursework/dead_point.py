@@ -1,264 +1,182 @@
-"""Whether the whole motion is possible, and where it ends if not: the determinant-scaled flow.
+"""Whether the whole motion is possible, and where it ends if not.
 
-Enters: the linear system, the blocks, the start.  Leaves: None or a `Stop`, located without regard to any scheme or step.
+Enters: the determinant-scaled flow, the start.  Leaves: None or an `Event`, located without regard to any scheme or step.
 
-Near a dead point the velocities grow without bound, so time is the wrong parameter.  With dt/ds = D (the determinant of the
-block that is nearest to zero) and dq/ds = D u = adj(A) b nothing is divided by D: the flow is smooth through the fold, and
-the dead point is the maximum of t(s).  Where adj(A) b vanishes together with D the flow comes to rest: a change point, where
-two motions meet.  Source: numerics.md 3.1.
+The flow is smooth through a fold, and a dead point is the maximum of t(s): a determinant changes its sign.  Two changes
+inside one step leave no trace at its ends, so a step in whose middle a determinant is smallest is looked into.  A change
+point is where the flow comes to rest; it is searched for as soon as the flow comes near (`change_point.py`).
+Source: numerics.md 3.1.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.adaptive import dormand_prince, next_length
-from coursework.equations import VelocityEquations
+from coursework.adaptive import Step, dormand_prince, next_length
+from coursework.change_point import nearest_change_point
 from coursework.errors import InputError
-from coursework.reduction import Reduction
-from coursework.system import LinearSystem, compile_system
+from coursework.scaled_flow import Flow
 from coursework.tabulated import OutsideTable
 
 Array = NDArray[np.float64]
-# The event time is wanted to 1e-8 s; with this local tolerance variant 31 at alpha = 0.02 is found to 3e-11 s.
-TOLERANCE = 1e-10
-# A determinant of this part of its largest value, reached with velocities that stay bounded, is a change point.
-AT_REST = 1e-5
+# The event time is wanted to 1e-8 s; the local tolerance leaves three digits for the sum of all steps.
+TOLERANCE = 1e-12
+# A start whose determinant is this small leaves fewer than six digits of any velocity.
+SINGULAR = 1e-10
+# A motion that is off by TOLERANCE a step passes a change point at the square root of that sum: nearer than this it is searched.
+NEAR = 1e-4
+# The part of a length by which a motion may miss a change point and still be called at it: nobody cuts a link to 1e-9.
+MISSED = 1e-9
 # The flow has stalled in a dead point that time alone approaches (the determinant depends on t only).
 STALLED = 1e-10
-# Part of the run below which a rest before its end is not looked at.
+# Determinants below this are looked at for a minimum inside a step; at a minimum as flat as the second it is zero.
+DIP, TOUCH = 0.1, 1e-12
+# Part of the run before a break of the drive at which the old formula is left.
+BEFORE_BREAK = 1e-12
 NEAR_END = 1e-9
 MAX_STEPS = 20_000
+# Runge-Kutta halvings of a step to the smallest determinant inside it.
+_HALVINGS = 40
 
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """Where D of block number `block` vanishes: `time` (s), `position`; `demanded` is what b asks beyond the range of A."""
+    """Where D of block number `block` vanishes: `time` (s), `position`; `demanded` is what b asks beyond the range of A.
+
+    `together`: all blocks that become singular there, the first of them is `block`.
+    """
 
     kind: str
     block: int
     time: float
     position: Array
     demanded: float
+    together: tuple[int, ...] = ()
 
 
-@dataclass(slots=True)
-class Flow:
-    """The determinant-scaled flow of one scene; `evaluations` counts its right-hand sides."""
+def find_event(
+    scene: Flow, start: Sequence[float], end: float, *, tolerance: float = TOLERANCE, breaks: Sequence[float] = ()
+) -> Event | None:
+    """Follow the true motion from `start` at t = 0 until `end` (s); return the first dead or change point, if any.
 
-    system: LinearSystem
-    places: list[tuple[list[int], list[int]]]
-    largest: list[float]
-    rates: list[tuple[bool, int]]
-    evaluations: int = field(default=0)
-
-    def scaled(self, t: float, q: Array) -> Array:
-        """Return the dimensionless determinants of all blocks at one time and position."""
-        matrix, _, _ = self.system.matrix(t, q.tolist())
-        return np.array([self._scaled(matrix, block) for block in range(len(self.places))])
-
-    def _scaled(self, matrix: Array, block: int) -> float:
-        rows, columns = self.places[block]
-        part = matrix[np.ix_(rows, columns)]
-        if self.largest[block] > 0:
-            return _determinant(part) / self.largest[block]
-        # Hadamard: a determinant is at most the product of the lengths of its columns.
-        bound = float(np.prod(np.linalg.norm(part, axis=0)))
-        return _determinant(part) / bound if bound > 0 else 0.0
-
-    def slopes(self, t: float, q: Array, block: int) -> tuple[Array, float, float]:
-        """Return (dq/ds with dt/ds last), the scaled determinant of `block`, and |adj(A) b| of its unknowns."""
-        self.evaluations += 1
-        matrix, right, known = self.system.matrix(t, q.tolist())
-        rows, columns = self.places[block]
-        scale = self._scaled(matrix, block)
-        unit = scale / _determinant(matrix[np.ix_(rows, columns)]) if scale else self._unit(matrix, block)
-        u = np.zeros(len(self.system.unknowns))
-        demanded = 0.0
-        for index, (r, c) in enumerate(self.places):
-            part = matrix[np.ix_(r, c)]
-            if index == block:
-                rest = right[r] - matrix[r] @ u
-                u *= scale
-                u[c] = unit * (_adjugate(part) @ rest)
-                demanded = float(np.linalg.norm(u[c]))
-            else:
-                share = scale if index > block else 1.0
-                u[c] = _solve(part, share * right[r] - matrix[r] @ u)
-        motion = [known[place] * scale if driven else u[place] for driven, place in self.rates]
-        return np.array([*motion, scale]), scale, demanded
-
-    def demand(self, t: float, q: Array, block: int) -> float:
-        """Return how much the drive asks of a singular block that its links cannot give (in the units of the equations)."""
-        matrix, right, _ = self.system.matrix(t, q.tolist())
-        u = np.zeros(len(self.system.unknowns))
-        for r, c in self.places[:block]:
-            u[c] = _solve(matrix[np.ix_(r, c)], right[r] - matrix[r] @ u)
-        r, c = self.places[block]
-        left = np.linalg.svd(matrix[np.ix_(r, c)])[0][:, -1]
-        return float(abs(left @ (right[r] - matrix[r] @ u)))
-
-    def _unit(self, matrix: Array, block: int) -> float:
-        if self.largest[block] > 0:
-            return 1.0 / self.largest[block]
-        rows, columns = self.places[block]
-        return float(1.0 / max(np.prod(np.linalg.norm(matrix[np.ix_(rows, columns)], axis=0)), 1e-300))
-
-
-def flow(equations: VelocityEquations, reduction: Reduction, start: Sequence[float] | None = None) -> Flow:
-    """Return the flow of a scene; `start` (that of the file if None) scales determinants whose largest value is unknown."""
-    used = [equation for equation in equations.equations if equation.name in reduction.used]
-    system = compile_system(equations, used)
-    names = list(system.names)
-    places = []
-    for block in reduction.blocks:
-        places.append(([names.index(name) for name in block.equations], [system.unknowns.index(u) for u in block.unknowns]))
-    rates = [
-        (rate in system.known, (system.known if rate in system.known else system.unknowns).index(rate))
-        for rate in equations.variant.rates
-    ]
-    begin = list(start) if start is not None else [c.start or 0.0 for c in equations.variant.coordinates]
-    matrix, _, _ = system.matrix(0.0, begin)
-    largest = []
-    for block, (rows, columns) in zip(reduction.blocks, places, strict=True):
-        at_start = abs(_determinant(matrix[np.ix_(rows, columns)])) if block.size <= 2 else 0.0
-        largest.append(block.largest or at_start)
-    return Flow(system, places, largest, rates)
-
-
-def find_event(scene: Flow, start: Sequence[float], end: float, begin: float = 0.0, tolerance: float = TOLERANCE) -> Event | None:
-    """Follow the true motion from `start` at t = `begin` until `end` (s); return the first dead or change point, if any."""
-    state = np.array([*start, begin], dtype=float)
-    scaled = scene.scaled(begin, state[:-1])
-    if np.min(np.abs(scaled)) < AT_REST:
-        return _at(scene, state, int(np.argmin(np.abs(scaled))), 0.0, 0.0)
-    length = 0.0
-    usual = 0.0
-    block = -1
-    for _ in range(MAX_STEPS):
-        nearest = int(np.argmin(np.abs(scaled)))
-        sign = 1.0 if scaled[nearest] > 0 else -1.0
-
-        def field_of(_s: float, y: Array, k: int = nearest, sign: float = sign) -> Array:
-            return sign * scene.slopes(float(y[-1]), y[:-1], k)[0]
-
-        slope, _, demanded = scene.slopes(float(state[-1]), state[:-1], nearest)
-        slope = sign * slope
-        usual = max(usual, demanded)
-        if nearest != block or length == 0.0:
-            length = max(end - begin, 1e-12) / 200 / abs(scaled[nearest]) if length == 0.0 else length
-            block = nearest
-        try:
-            step = dormand_prince(field_of, 0.0, state, slope, length)
-        except (OutsideTable, ArithmeticError, ValueError) as error:
-            # A law need not exist beyond the end of the run: come closer to the end in shorter steps.
-            length /= 4
-            if length * abs(scaled[nearest]) < NEAR_END * end:
-                if end - state[-1] < 100 * NEAR_END * end:
-                    return None
-                raise InputError(f"the equations cannot be computed beyond t = {state[-1]:.6g} s: {error}") from error
-            continue
-        ratio = float(np.max(np.abs(step.error) / (tolerance * _sizes(state, end))))
-        if not np.isfinite(ratio) or ratio > 1.0:
-            length = next_length(length, ratio if np.isfinite(ratio) else 1e10)
-            continue
-        after = scene.scaled(float(step.state[-1]), step.state[:-1])
-        crossed = np.flatnonzero(after * scaled < 0)
-        if len(crossed) and crossed.tolist() != [nearest]:
-            length /= 4
-            continue
-        if len(crossed):
-            return _locate(scene, field_of, state, slope, length, nearest, sign, end)
-        before, state, scaled = scaled, step.state, after
-        if state[-1] >= end:
-            return None
-        if _resting(scene, state, scaled, before, nearest, usual):
-            return _at(scene, state, nearest, usual, abs(scaled[nearest]))
-        length = next_length(length, ratio)
+    `breaks` are the times at which the drive changes its formula.  Raises `InputError` where the motion cannot be followed.
+    """
+    walk = _Walk(scene, np.array([*start, 0.0], dtype=float), end, tolerance)
+    if float(np.min(np.abs(walk.scaled))) < SINGULAR:
+        return walk.at_start()
+    for goal in [*(b for b in breaks if 0 < b < end), end]:
+        event = walk.until(goal)
+        if event is not None:
+            return event
+    scene.fastest = tuple(zip(walk.fastest.tolist(), walk.when.tolist(), strict=True))
     return None
 
 
-def _sizes(state: Array, end: float) -> Array:
-    sizes = 1.0 + np.abs(state)
-    sizes[-1] = end
-    return sizes
+@dataclass
+class _Walk:
+    """The walk along the flow: `state` (position, then t), `scaled` determinants there, the step `length` in s."""
 
+    scene: Flow
+    state: Array
+    end: float
+    tolerance: float
+    length: float = 0.0
+    usual: float = 0.0
+    tried: float = np.inf
+    scaled: Array = field(init=False)
+    fastest: Array = field(init=False)
+    when: Array = field(init=False)
 
-def _resting(scene: Flow, state: Array, scaled: Array, before: Array, block: int, usual: float) -> bool:
-    size = abs(scaled[block])
-    if size > AT_REST or size >= abs(before[block]):
-        return False
-    demanded = scene.slopes(float(state[-1]), state[:-1], block)[2]
-    return size < STALLED or demanded < 1e-3 * usual
+    def __post_init__(self) -> None:
+        self.scaled = self.scene.scaled(float(self.state[-1]), self.state[:-1].tolist())
+        self.fastest = np.zeros(len(self.state) - 1)
+        self.when = np.zeros(len(self.state) - 1)
 
+    def until(self, goal: float) -> Event | None:
+        """Walk to time `goal` exactly; return the event on the way, if any."""
+        block = -1
+        for _ in range(MAX_STEPS):
+            nearest = int(np.argmin(np.abs(self.scaled)))
+            sign = 1.0 if self.scaled[nearest] > 0 else -1.0
+            if nearest != block or self.length == 0.0:
+                self.length = self.length or goal / 200 / abs(self.scaled[nearest])
+                block = nearest
+            rule = self._field(nearest, sign)
+            step = self._step(rule, nearest)
+            if step is None:
+                return None
+            after = self.scene.scaled(float(step.state[-1]), step.state[:-1].tolist())
+            reach = self.length
+            crossed = set(np.flatnonzero(after * self.scaled < 0).tolist())
+            if not crossed and (dip := self._dip(rule, step, after)):
+                crossed, reach, after = dip
+            if crossed - {nearest} and not (nearest in crossed and self._together(crossed, after)):
+                self.length /= 4
+                continue
+            found = self._locate(rule, reach, nearest, sign) if crossed else None
+            if found is not None and found[0][-1] >= goal:
+                reach = found[1]
+            if found is None or found[0][-1] >= goal:
+                if (found is not None or step.state[-1] >= goal) and self._arrive(rule, reach, goal):
+                    return None
+                if found is not None:
+                    continue
+                shrinking = abs(after[nearest]) < abs(self.scaled[nearest])
+                self.state, self.scaled = step.state, after
+                if shrinking and (event := self._rest(nearest, goal)):
+                    return event
+                continue
+            return self._event(found[0], nearest)
+        raise InputError(f"the motion could not be followed beyond t = {self.state[-1]:.6g} s; nothing is known about it there.")
 
-def _at(scene: Flow, state: Array, block: int, usual: float, size: float) -> Event | None:
-    """Return the event at (or just ahead of) a state whose determinant is as good as zero."""
-    slope, scaled, demanded = scene.slopes(float(state[-1]), state[:-1], block)
-    consistent = demanded <= 1e-3 * usual if usual else demanded <= 1e-9 * max(1.0, float(np.max(np.abs(slope))))
-    position, time = state[:-1], float(state[-1])
-    if size and scaled:
-        # The determinant runs linearly into zero: one step of its own slope leads there.
-        rate = (scene.scaled(time + 1e-7, position + 1e-7 * slope[:-1] / scaled)[block] - scaled) / 1e-7
-        if rate:
-            ahead = -scaled / rate
-            position, time = position + ahead * slope[:-1] / scaled, time + ahead
-    return Event("change point" if consistent else "dead point", block, time, position, scene.demand(time, position, block))
+    def at_start(self) -> Event:
+        """Return the event of a start that is singular itself."""
+        block = self._first(float(np.min(np.abs(self.scaled))))
+        position = self.state[:-1]
+        matrix, right, _ = self.scene.part(0.0, position.tolist(), block)
+        demanded = self.scene.demand(0.0, position.tolist(), block)
+        size = float(np.linalg.norm(right)) or float(np.linalg.norm(matrix))
+        kind = "change point" if demanded <= 1e-8 * size else "dead point"
+        return Event(kind, block, 0.0, position, demanded, self._singular(position, 0.0, block))
 
+    def _field(self, block: int, sign: float) -> Callable[[float, Array], Array]:
+        slopes = self.scene.slopes
 
-def _locate(
-    scene: Flow, field_of: object, state: Array, slope: Array, length: float, block: int, sign: float, end: float
-) -> Event | None:
-    """Return the event inside one step: the part of the step at which the determinant is zero (regula falsi, Illinois)."""
-    assert callable(field_of)
+        def rule(_s: float, y: Array) -> Array:
+            *q, t = y.tolist()
+            return sign * np.array(slopes(t, q, block)[0])
 
-    def at(part: float) -> tuple[Array, float]:
-        reached = dormand_prince(field_of, 0.0, state, slope, part).state
-        return reached, sign * float(scene.scaled(float(reached[-1]), reached[:-1])[block])
+        return rule
 
-    low, high = 0.0, length
-    at_low, (best, at_high) = sign * float(scene.scaled(float(state[-1]), state[:-1])[block]), at(length)
-    for _ in range(80):
-        middle = (low * at_high - high * at_low) / (at_high - at_low)
-        best, value = at(middle)
-        if abs(value) < 1e-15 or high - low < 1e-15 * length:
-            break
-        if value > 0:
-            low, at_low, at_high = middle, value, at_high / 2
-        else:
-            high, at_high, at_low = middle, value, at_low / 2
-    if best[-1] >= end:
-        return None
-    time, position = float(best[-1]), best[:-1]
-    return Event("dead point", block, time, position, scene.demand(time, position, block))
-
-
-def _determinant(matrix: Array) -> float:
-    if len(matrix) == 1:
-        return float(matrix[0, 0])
-    if len(matrix) == 2:
-        return float(matrix[0, 0] * matrix[1, 1] - matrix[0, 1] * matrix[1, 0])
-    return float(np.linalg.det(matrix))
-
-
-def _adjugate(matrix: Array) -> Array:
-    """Return adj(A), also where A is singular (by singular values)."""
-    if len(matrix) == 1:
-        return np.ones((1, 1))
-    if len(matrix) == 2:
-        (a, b), (c, d) = matrix
-        return np.array([[d, -b], [-c, a]])
-    u, sizes, v = np.linalg.svd(matrix)
-    others = np.array([np.prod(np.delete(sizes, i)) for i in range(len(sizes))])
-    return np.asarray(np.linalg.det(u) * np.linalg.det(v) * (v.T * others) @ u.T)
-
-
-def _solve(matrix: Array, right: Array) -> Array:
-    if len(matrix) == 1:
-        return np.asarray(right / matrix[0, 0])
-    determinant = _determinant(matrix)
-    return np.asarray(_adjugate(matrix) @ right / determinant if len(matrix) == 2 else np.linalg.solve(matrix, right))
+    def _step(self, rule: Callable[[float, Array], Array], block: int) -> Step | None:
+        """Return the next step that is accurate enough; None at the end of what the equations are defined for."""
+        *q, t = self.state.tolist()
+        slope, demanded = self.scene.slopes(t, q, block)
+        self.usual = max(self.usual, demanded)
+        rates = np.abs(np.array(slope[:-1]) / slope[-1])
+        self.when[rates > self.fastest] = t
+        self.fastest = np.maximum(self.fastest, rates)
+        first = np.sign(slope[-1]) * np.array(slope)
+        sizes = 1.0 + np.abs(self.state)
+        sizes[-1] = self.end
+        while True:
+            try:
+                step = dormand_prince(rule, 0.0, self.state, first, self.length)
+            except (OutsideTable, ArithmeticError, ValueError) as error:
+                # A law need not exist beyond the end of the run: come closer to the end in shorter steps.
+                self.length /= 4
+                if self.length * abs(slope[-1]) < NEAR_END * self.end:
+                    if self.end - t < 100 * NEAR_END * self.end:
+                        return None
+                    raise InputError(f"the equations cannot be computed beyond t = {t:.6g} s: {error}") from error
+                continue
+            ratio = float(np.max(np.abs(step.error) / (self.tolerance * sizes)))
+            taken = self.length
+            if ratio <= 1.0:
+                self.following = next_length(taken, ratio)
+                return step
+            self.length = next_length(taken, ratio if np.isfinite(ratio) else 1e10)

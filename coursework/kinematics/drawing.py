@@ -187,7 +187,7 @@ class _Drawing:
         tip = self.at[name] + arrow
         if abs(arrow) > SHORTEST:
             self.sheet.arrow(self.at[name], tip, VELOCITY, f' data-velocity="{plain(name)}"', head=min(2.6, 0.6 * abs(arrow)))
-        value = f" = {abs(velocity):.3g} m/s" if abs(arrow) < SMALL else ""
+        value = f" = {abs(velocity):#.3g} m/s" if abs(arrow) < SMALL else ""
         away = arrow or self.at[name] - self.middle
         self.marks.append((("V", name, value), [(tip, away, 1.0 if abs(arrow) > SMALL else 2.0)]))
 

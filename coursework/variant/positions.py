@@ -78,7 +78,8 @@ class _Scanner:
             if path in self.counts:
                 path = (*path, self.counts[path])
         self.found.keys.setdefault(path, begin)
-        self.at = self.text.find("\n", self.at) if "\n" in self.text[self.at :] else len(self.text)
+        following = self.text.find("\n", self.at)
+        self.at = following if following >= 0 else len(self.text)
         return path
 
     def pair(self, table: Path) -> None:

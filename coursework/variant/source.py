@@ -13,11 +13,19 @@ from typing import Any
 
 from coursework.errors import Fault, InputError
 from coursework.variant.positions import Positions, locate
+from coursework.variant.toml_faults import explained
 
 MAX_BYTES = 64 * 1024
 # A dotted key of 100 000 parts keeps the TOML reader busy for half a minute; a variant needs three.
 _MAX_KEY_PARTS = 8
-_MAX_BRACKETS = 40
+_MAX_NESTING = 20
+# Texts and remarks; an open text reaches to the end of its line or of the file, so that each letter is read once.
+_NOT_STRUCTURE = re.compile(
+    r'''"""(?:\\.|[^\\])*?(?:"""|\\?\Z)|"(?:\\.|[^"\\\n])*(?:"|\\?(?=\n|\Z))'''
+    r"""|'''.*?(?:'''|\Z)|'[^'\n]*'?|#[^\n]*""",
+    re.DOTALL,
+)
+_MANY_PARTS = re.compile(r"[\w-]+(?:[ \t]*\.[ \t]*[\w-]+){%d}" % _MAX_KEY_PARTS)
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,60 +37,77 @@ class Source:
     data: dict[str, Any]
     positions: Positions
 
-    def fault(self, path: tuple[str | int, ...], message: str, column: int = 0) -> Fault:
-        """Return a fault at a key; `column` counts inside the key's text (1 = its first character)."""
-        line, start = self.positions.find(path)
+    def fault(self, path: tuple[str | int, ...], message: str, column: int = 0, *, at_key: bool = False) -> Fault:
+        """Return a fault at a value, or at its key; `column` counts inside the value's text (1 = its first character)."""
+        line, start = self.positions.find(path, key=at_key)
         place = ".".join(str(part + 1) if isinstance(part, int) else part for part in path)
         if len(path) > 1 and path[0] == "constraint" and isinstance(path[1], int):
-            place = f"constraint {self.data['constraint'][path[1]].get('name', path[1] + 1)}"
+            place = f"constraint {self._name_of(path[1])}"
         where = start + column if column else start
         return Fault(message, self.file, line, where if line else 0, place + (f", column {column}" if column else ""))
+
+    def _name_of(self, index: int) -> str:
+        entry = self.data["constraint"][index] if isinstance(self.data["constraint"], list) else {}
+        name = entry.get("name") if isinstance(entry, dict) else None
+        return str(name) if isinstance(name, (str, int)) and name != "" else str(index + 1)
 
 
 def read_bytes(path: Path) -> bytes:
     """Return the bytes of a variant file; raises `InputError` where it is missing, too large or not a file."""
     try:
-        if path.stat().st_size > MAX_BYTES:
-            message = f"the file has {path.stat().st_size} bytes; a variant file has at most {MAX_BYTES}."
-            raise InputError([Fault(message, str(path))])
+        if path.is_file() and path.stat().st_size > MAX_BYTES:
+            raise InputError([_too_large(path.stat().st_size, str(path))])
+        if path.exists() and not path.is_file():
+            kind = "this is a folder. Name the file in it" if path.is_dir() else "this is not a file with text in it"
+            raise InputError([Fault(f"the file cannot be read: {kind}.", str(path))])
         return path.read_bytes()
-    except OSError as error:
-        reason = {"FileNotFoundError": "there is no such file", "IsADirectoryError": "this is a folder"}
-        raise InputError(
-            [Fault(f"the file cannot be read: {reason.get(type(error).__name__, error.strerror)}.", str(path))]
-        ) from error
+    except (OSError, ValueError) as error:
+        reason = "there is no such file. Check the name and the folder"
+        if not isinstance(error, FileNotFoundError):
+            reason = getattr(error, "strerror", None) or str(error)
+        raise InputError([Fault(f"the file cannot be read: {reason}.", str(path))]) from error
+
+
+def _too_large(size: int, file: str) -> Fault:
+    return Fault(f"the file has {size} bytes; a variant file has at most {MAX_BYTES}. Is it the right file?", file)
 
 
 def read_source(content: bytes, file: str, folder: Path | None) -> Source:
     """Read TOML.  Raises `InputError` with line and column for anything that is not."""
     if len(content) > MAX_BYTES:
-        raise InputError([Fault(f"the file has {len(content)} bytes; at most {MAX_BYTES} are read.", file)])
+        raise InputError([_too_large(len(content), file)])
     try:
         text = content.decode("utf-8-sig").replace("\r\n", "\n")
     except UnicodeDecodeError as error:
         line = content[: error.start].count(b"\n") + 1
-        message = f"byte {error.start} is not UTF-8 text. Save the file as UTF-8 (in Notepad: Save as, Encoding UTF-8)."
-        raise InputError([Fault(message, file, line)]) from error
-    if problem := _too_deep(text):
-        raise InputError([Fault("keys or lists are nested beyond what a variant needs.", file, problem)])
+        column = error.start - (content.rfind(b"\n", 0, error.start) + 1) + 1
+        message = (
+            f"this letter is not UTF-8 text (found byte {content[error.start]:#04x}). "
+            "Save the file as UTF-8 (in Notepad: Save as, Encoding UTF-8)."
+        )
+        raise InputError([Fault(message, file, line, column)]) from error
+    if line := _too_deep(text):
+        message = (
+            f"keys or lists are nested beyond what a variant needs: at most {_MAX_KEY_PARTS} parts in a key, "
+            f"{_MAX_NESTING} brackets inside each other."
+        )
+        raise InputError([Fault(message, file, line)])
     try:
         data = tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
-        raise InputError([_toml_fault(str(error), file)]) from error
+    except (ValueError, RecursionError) as error:
+        raise InputError([explained(str(error), text, file)]) from error
     return Source(file, folder, data, locate(text))
 
 
 def _too_deep(text: str) -> int:
-    for number, line in enumerate(text.splitlines(), start=1):
-        bare = re.sub(r'"[^"]*"|\'[^\']*\'', "", line).split("#")[0]
-        if bare.split("=")[0].count(".") > _MAX_KEY_PARTS or bare.count("[") + bare.count("{") > _MAX_BRACKETS:
+    """Return the first line whose keys or brackets are nested too deeply, 0 if there is none.  Reads each letter once."""
+    bare = _NOT_STRUCTURE.sub(lambda match: "q" + "\n" * match[0].count("\n"), text)
+    depth = 0
+    for number, line in enumerate(bare.split("\n"), start=1):
+        for letter in line:
+            depth += {"[": 1, "{": 1, "]": -1, "}": -1}.get(letter, 0)
+            if depth > _MAX_NESTING:
+                return number
+        if _MANY_PARTS.search(line):
             return number
     return 0
-
-
-def _toml_fault(message: str, file: str) -> Fault:
-    match = re.search(r"^(.*?) \(at line (\d+), column (\d+)\)", message)
-    reason, line, column = (match[1], int(match[2]), int(match[3])) if match else (message, 0, 0)
-    if reason.startswith("Cannot overwrite"):
-        reason = "this key stands twice"
-    return Fault(f"the file is not TOML here: {reason[:1].lower()}{reason[1:]}.", file, line, column)

@@ -39,7 +39,7 @@ def test_it_is_shown_without_a_complaint(browser: Any, address: str, width: int)
     assert said == []
     assert fetched == [address]
     assert page.title() == "Variant 31: Rolling wheel, right-angled link, crank and rod"
-    assert page.locator("h2").count() == 10
+    assert page.locator("h2").count() == 11
     assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth")
     # Every equation is a picture with a height of its own.
     heights = page.eval_on_selector_all(".formula svg", "all => all.map(one => one.getBoundingClientRect().height)")

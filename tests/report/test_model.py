@@ -65,7 +65,7 @@ def test_sections_in_order_and_only_those_asked_for(stand_in: ModuleType) -> Non
     def names(**changes: Any) -> list[str]:
         return [section.name for section in build_model(stand_in.run(**changes)).sections]
 
-    always = ["title", "given", "drive", "constraints", "derivation"]
+    always = ["title", "remarks", "given", "drive", "constraints", "derivation"]
     assert names(asked=("table",)) == [*always, "table", "method"]
     assert names(asked=("checks", "plots")) == [*always, "plots", "checks", "method"]
     extras = {"points": stand_in.ExtraTable("Points", ("t", "A.x"), ("s", "m"), np.ones((25, 2)))}
