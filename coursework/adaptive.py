@@ -26,6 +26,8 @@ _ROWS = (
     (35 / 384, 0.0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84),
 )
 _ERROR = (71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40)
+_WEIGHTS = [np.array(row) for row in _ROWS]
+_DIFFERENCE = np.array(_ERROR)
 SLOPES = 6  # new slopes a step: the last one is the first of the next step
 
 
@@ -40,13 +42,13 @@ class Step:
 
 def dormand_prince(field: Field, at: float, state: Array, slope: Array, length: float) -> Step:
     """Return one step of the pair from `state` with known `slope` = field(at, state)."""
-    slopes = [slope]
-    for node, row in zip(_NODES[1:], _ROWS[1:], strict=True):
-        shift = sum((weight * k for weight, k in zip(row, slopes, strict=True) if weight), np.zeros_like(state))
-        point = state + length * shift
-        slopes.append(field(at + node * length, point))
-    error = length * sum((weight * k for weight, k in zip(_ERROR, slopes, strict=True) if weight), np.zeros_like(state))
-    return Step(point, error, slopes[-1])
+    slopes = np.empty((len(_NODES), len(state)))
+    slopes[0] = slope
+    point = state
+    for index in range(1, len(_NODES)):
+        point = state + length * (_WEIGHTS[index] @ slopes[:index])
+        slopes[index] = field(at + _NODES[index] * length, point)
+    return Step(point, length * (_DIFFERENCE @ slopes), slopes[-1])
 
 
 def next_length(length: float, ratio: float) -> float:

@@ -42,8 +42,8 @@ def require_agreement(equations: VelocityEquations, closure: Closure | None) -> 
         lengths = np.linalg.norm(rows, axis=1, keepdims=True)
         rows = rows / np.where(lengths > 0, lengths, 1.0)
         inconsistent = _rank(rows) > _rank(rows[:, :-1])
-        if not inconsistent:
-            continue
+        if not inconsistent or _rank(rows[:first]) > _rank(rows[:first, :-1]):
+            continue  # they agree, or the geometry alone cannot follow its drive here: a dead point, told as such
         culprits = set()
         for index in range(first, len(both)):
             kept = np.delete(rows, index, axis=0)
@@ -54,7 +54,10 @@ def require_agreement(equations: VelocityEquations, closure: Closure | None) -> 
         return
     file = str(equations.variant.path or equations.variant.name)
     if not suspects:
-        text = "the written equations contradict the geometry of [points] and [closure] in more than one place."
+        text = (
+            "the written equations contradict the geometry of [points] and [closure] in more than one place. "
+            "Derive them again; until both agree, take [closure] out."
+        )
         raise InputError([Fault(text, file)])
     names = listing([both[index].name for index in sorted(suspects)], "or")
     line = both[min(suspects)].line if len(suspects) == 1 else 0

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from coursework.catalogue import find
-from coursework.errors import InputError, closest
+from coursework.errors import Fault, InputError, closest
 from coursework.graph import Values
 from coursework.quantities import ASKABLE, DEFAULT, QUANTITIES
 from coursework.run import Run, gather
@@ -90,7 +90,9 @@ def _sorted(variant: Variant, quantities: Iterable[str] | None) -> tuple[tuple[s
     unknown = [name for name in asked if name not in ASKABLE]
     if unknown:
         known = ", ".join(ASKABLE)
-        raise InputError(
-            f'there is no quantity "{unknown[0]}".{closest(unknown[0], [*ASKABLE, *variant.columns])} Known: {known}.'
-        )
+        text = f'there is no quantity "{unknown[0]}".{closest(unknown[0], [*ASKABLE, *variant.columns])} Known: {known}.'
+        if quantities is not None:
+            raise InputError(text)
+        line = variant.line_of("ask", "quantities", variant.ask.index(unknown[0]))
+        raise InputError([Fault(text, str(variant.path or variant.name), line, 0, "ask.quantities")])
     return asked or ("table",), columns

@@ -93,7 +93,7 @@ def nearest_change_point(flow: Flow, t: float, q: Array, block: int, rates: Arra
     except (ArithmeticError, ValueError):
         return None
     time, position = moved(1.0, x, base)
-    return Crossing(time, np.array(position), float(np.max(np.abs(x))), abs(gap) / scale)
+    return Crossing(float(time), np.array(position), float(np.max(np.abs(x))), abs(gap) / scale)
 
 
 def branches_at(flow: Flow, block: int, time: float, position: Sequence[float]) -> tuple[dict[str, float], ...]:
@@ -118,9 +118,7 @@ def branches_at(flow: Flow, block: int, time: float, position: Sequence[float]) 
         motion = velocities.copy()
         for coordinate, unknown in own:
             motion[coordinate] = u[unknown]
-        after, before = (
-            flow.part(time + side * _STEP, (start + side * _STEP * motion).tolist(), block)[:2] for side in (1, -1)
-        )
+        after, before = (flow.part(time + side * _STEP, (start + side * _STEP * motion).tolist(), block)[:2] for side in (1, -1))
         return float(w @ ((after[0] - before[0]) @ u - (after[1] - before[1])) / (2 * _STEP))
 
     at = {x: demand(particular + x * v) for x in (-1.0, 0.0, 1.0)}

@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 
 from coursework.drive import integrals
 from coursework.equations import VelocityEquations
-from coursework.errors import Fault, InputError
+from coursework.errors import Fault, InputError, listing
 from coursework.matching import blocks as block_order
 from coursework.matching import match
-from coursework.symbolic import symbol
+from coursework.symbolic import expanded, symbol
 from coursework.system import compile_values
 
 Array = NDArray[np.float64]
@@ -123,7 +123,12 @@ def compile_closure(equations: VelocityEquations, start: Sequence[float]) -> Clo
     wanted = [position.expression for position in positions]
     wanted += [equations.symbols.partial(position.expression, name) for position in positions for name in names]
     function, _ = compile_values(equations, wanted)
-    values = np.array(function(0.0, *start), dtype=float)[: len(positions)]
+    try:
+        values = np.array(function(0.0, *start), dtype=float)[: len(positions)]
+    except (ArithmeticError, ValueError) as error:
+        names_of = listing([position.name for position in positions], "or")
+        text = f"the position equation of {names_of} has no value at t = 0, or its derivative has none: {error}."
+        raise InputError([Fault(text, str(variant.path or variant.name))]) from error
     origin = np.where([position.kept == "zero" for position in positions], 0.0, values)
     kept = tuple("" if position.kept in {"zero", "start"} else position.kept for position in positions)
     combination, blocks = _blocks([position.expression for position in positions], names, equations)
@@ -149,7 +154,7 @@ def _blocks(
             for sign in (-1, 1):
                 if i == j or not rows[i] & rows[j]:
                     continue
-                joined = sp.expand(expressions[i] + sign * expressions[j])
+                joined = expanded(expressions[i] + sign * expressions[j])
                 fewer = inside(joined)
                 if fewer < rows[i]:
                     expressions[i], rows[i] = joined, fewer

@@ -12,7 +12,7 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from coursework.equations import VelocityEquations
-from coursework.errors import InputError
+from coursework.errors import Fault, InputError
 from coursework.symbolic import TIME, symbol
 from coursework.system import compile_values
 from coursework.variant.record import Variant
@@ -24,8 +24,9 @@ _PIECES_PER_RUN = 240
 
 
 def breaks(variant: Variant) -> tuple[float, ...]:
-    """Return the times (s) at which a piecewise drive changes its formula."""
-    return tuple(sorted({time for law in variant.drive for time, _ in law.pieces if time > 0}))
+    """Return the times (s) at which a piecewise drive or function changes its formula."""
+    laws = (*variant.drive, *variant.functions)
+    return tuple(sorted({time for law in laws for time, _ in law.pieces if time > 0}))
 
 
 def integrals(equations: VelocityEquations, names: Sequence[str], times: Array) -> Array:
@@ -46,7 +47,13 @@ def integrals(equations: VelocityEquations, names: Sequence[str], times: Array) 
     middle, half = (fine[1:] + fine[:-1]) / 2, np.diff(fine) / 2
     at = middle[:, None] + half[:, None] * _POINTS
     starts = np.zeros(len(equations.variant.coordinates))
-    values = np.stack(np.broadcast_arrays(*rows(at, *starts), at)[:-1], axis=-1)
+    with np.errstate(all="ignore"):
+        values = np.stack(np.broadcast_arrays(*rows(at, *starts), at)[:-1], axis=-1)
+    if not np.all(np.isfinite(values)):
+        place = np.argwhere(~np.isfinite(values))[0]
+        name, variant = names[place[2]], equations.variant
+        text = f"the drive {name} has no finite value at t = {at[place[0], place[1]]:.6g} s."
+        raise InputError([Fault(text, str(variant.path or variant.name), variant.line_of("drive", name))])
     pieces = np.einsum("ipk,p,i->ik", values, _WEIGHTS, half)
     total = np.vstack([np.zeros(len(names)), np.cumsum(pieces, axis=0)])
     return np.asarray(total[np.searchsorted(fine, times)])

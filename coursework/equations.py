@@ -10,10 +10,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from coursework.errors import Fault, InputError
-from coursework.formula import Formula
+from coursework.errors import Fault, InputError, listing
+from coursework.formula import Formula, spelled
 from coursework.mechanism import Mechanism
-from coursework.symbolic import TIME, Symbols, symbol
+from coursework.symbolic import TIME, Symbols, placed, symbol
 from coursework.tidy import Order, as_formula
 from coursework.variant.record import Constraint, Variant
 
@@ -67,12 +67,15 @@ def differentiate(mechanism: Mechanism) -> VelocityEquations:
     for constraint in mechanism.constraints:
         if not constraint.is_closure:
             try:
-                equations.append(_written(constraint, variant, symbols))
+                with placed(variant, f"constraint {constraint.name}", constraint.line):
+                    equations.append(_written(constraint, variant, symbols))
             except NonLinear as fault:
                 where = f"constraint {constraint.name}, column {fault.column}"
                 faults.append(Fault(fault.message, str(variant.path or variant.name), constraint.line, 0, where))
             continue
-        for position in _components(constraint, symbols):
+        with placed(variant, f"constraint {constraint.name}", constraint.line):
+            components = _components(constraint, symbols)
+        for position in components:
             positions.append(position)
             equations.append(_derived(position, constraint.because, variant, symbols, order, constraint.line))
     if faults:
@@ -100,7 +103,8 @@ def _closure_positions(variant: Variant, symbols: Symbols) -> tuple[Position, ..
     for index, formula in enumerate(variant.holds, start=1):
         plain = formula.op == "part" and formula.args[0].op == "name"
         name = f"{formula.args[0].name}.{formula.name}" if plain else f"hold {index}"
-        kept.append(Position(name, symbols.scalar(formula), "start"))
+        with placed(variant, f"closure.holds.{index}", variant.line_of("closure", "holds", index - 1)):
+            kept.append(Position(name, symbols.scalar(formula), "start"))
     return tuple(kept)
 
 
@@ -146,15 +150,18 @@ def _written(constraint: Constraint, variant: Variant, symbols: Symbols) -> Velo
     )  # fmt: skip
 
 
+_WHERE = {"*": "a product of velocities", "/": "a denominator", "^": "a power", "call": "a function"}
+
+
 class NonLinear(ValueError):
     """A velocity equation is not linear in the unknown velocities."""
 
     def __init__(self, tree: Formula, names: set[str]) -> None:
         self.column = tree.column
-        listed = ", ".join(sorted(names))
+        stand = "stands" if len(names) == 1 else "stand"
         self.message = (
-            f"the equation is not linear in the unknown velocities: {listed} stand(s) in a product, power, denominator or "
-            f'function at "{tree.name or tree.op}". A condition on a speed\'s magnitude is written for its direction instead: '
+            f"the equation is not linear in the unknown velocities: {listing(sorted(names))} {stand} in {_WHERE[tree.op]}, "
+            f'"{spelled(tree)[:60]}". A condition on a speed\'s magnitude is written for its direction instead: '
             "choose the sign and give the velocity itself."
         )
         super().__init__(self.message)

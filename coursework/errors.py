@@ -10,6 +10,8 @@ import difflib
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
+MOST_SHOWN = 100  # faults written out; whoever has more has another file in mind
+
 
 class CourseworkError(Exception):
     """Something the user can put right; the command line ends with status 2."""
@@ -38,7 +40,10 @@ class InputError(CourseworkError):
     def __init__(self, faults: Iterable[Fault] | str) -> None:
         listed = (Fault(faults),) if isinstance(faults, str) else tuple(faults)
         self.faults: tuple[Fault, ...] = tuple(sorted(listed, key=lambda fault: (fault.file, fault.line or 10**6)))
-        super().__init__("\n".join(str(fault) for fault in self.faults))
+        shown = [str(fault) for fault in self.faults[:MOST_SHOWN]]
+        if len(self.faults) > MOST_SHOWN:
+            shown.append(f"… and {len(self.faults) - MOST_SHOWN} faults more.")
+        super().__init__("\n".join(shown))
 
 
 class OutputError(CourseworkError):

@@ -24,6 +24,8 @@ Predictor = Callable[[float, float, Array], Array]
 # Two refinements must agree to this (rad or m) where no position is known.
 AGREEMENT = 1e-10
 _MOST_SUBSTEPS = 65_536
+# Part of its time by which an interval ends before a break of the drive: the last slope must still see the old formula.
+_BEFORE_BREAK = 1e-13
 # A prediction further than this from the closed position (rad or m) is not trusted to be the same assembly.
 _FAR = 0.05
 
@@ -120,10 +122,11 @@ def refine(rates: Rates, start: Sequence[float], times: Array, split: Sequence[f
 def _march(loop: Callable[..., tuple[float, ...]], start: Array, times: Array, substeps: int, split: Sequence[float]) -> Array:
     rows = [start]
     q = start.tolist()
-    for begin, end in itertools.pairwise(times):
-        edges = [float(begin), *[b for b in split if begin < b < end], float(end)]
+    for begin, end in itertools.pairwise(times.tolist()):
+        edges = [begin, *[b for b in split if begin < b < end], end]
         for a, b in itertools.pairwise(edges):
-            q = list(loop(a, substeps, (b - a) / substeps, *q))
+            at_break = any(abs(b - place) <= _BEFORE_BREAK * place for place in split)
+            q = list(loop(a, substeps, (b * (1 - _BEFORE_BREAK) - a if at_break else b - a) / substeps, *q))
         rows.append(np.array(q))
     return np.array(rows)
 

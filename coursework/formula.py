@@ -111,12 +111,9 @@ def evaluate(tree: Formula, values: Mapping[str, float]) -> float:
     Used for data such as the period "2*pi/p"; everything that depends on the motion goes through `lower.py`.
     Raises `FormulaFault` where the value is not a finite number.
     """
-    try:
-        value = float(_evaluate(tree, {"pi": math.pi, **values}))
-    except (ArithmeticError, ValueError, TypeError) as error:
-        raise FormulaFault(tree.column or 1, f"the value cannot be computed ({error})") from error
+    value = float(_evaluate(tree, {"pi": math.pi, **values}))
     if not math.isfinite(value):
-        raise FormulaFault(tree.column or 1, "the value is not a finite number")
+        raise FormulaFault(tree.column or 1, "it is not a finite number")
     return value
 
 
@@ -129,9 +126,15 @@ def _evaluate(tree: Formula, values: Mapping[str, float]) -> float:
 def _applied(tree: Formula, args: Sequence[float]) -> float:
     if tree.op == "neg":
         return -args[0]
-    if tree.op == "call":
-        return float(abs(args[0]) if tree.name == "abs" else getattr(math, tree.name)(*args))
-    return float(_ARITHMETIC[tree.op](*args))
+    try:
+        if tree.op == "call":
+            return float(abs(args[0]) if tree.name == "abs" else getattr(math, tree.name)(*args))
+        return float(_ARITHMETIC[tree.op](*args))
+    except OverflowError:
+        return math.inf
+    except (ArithmeticError, ValueError, TypeError) as error:
+        why = "is a division by zero" if isinstance(error, ZeroDivisionError) else "is no real number"
+        raise FormulaFault(tree.column or 1, f'"{spelled(tree)[:60]}" {why}') from error
 
 
 def bounded(tree: Formula, args: Sequence[float]) -> float:
@@ -139,13 +142,7 @@ def bounded(tree: Formula, args: Sequence[float]) -> float:
 
     Raises `FormulaFault` where it is no number, or too large or too small to be worked with exactly.
     """
-    try:
-        value = _applied(tree, args)
-    except OverflowError:
-        value = math.inf
-    except (ArithmeticError, ValueError, TypeError) as error:
-        why = "is a division by zero" if isinstance(error, ZeroDivisionError) else "is no real number"
-        raise FormulaFault(tree.column or 1, f'"{spelled(tree)[:60]}" {why}') from error
+    value = _applied(tree, args)
     vanished = tree.op in {"^", "*", "/"} and all(args) and abs(value) < 1 / LARGEST
     if vanished or not abs(value) <= LARGEST:
         raise FormulaFault(tree.column or 1, f'the value of "{spelled(tree)[:60]}" is beyond any number that can be meant')

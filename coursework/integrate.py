@@ -6,14 +6,14 @@ Enters: rates, a scheme, a step.  Leaves: a `Motion`; rows end before a dead poi
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from coursework.closure import Closure
 from coursework.errors import InputError
-from coursework.motion import Motion, Stop
+from coursework.motion import Motion, Stop, rows_before
 from coursework.rates import Rates
 from coursework.schemes import SCHEMES
 from coursework.variant.record import whole_steps
@@ -61,9 +61,9 @@ def march(
 
     last = whole_steps(step, end)
     if stop is not None:
-        last = min(last, int(np.floor(stop.time / step * (1 + 1e-12))))
+        last = min(last, rows_before(stop.time, step) - 1)
     times: Array = np.arange(last + 1).astype(np.float64) * step
-    targets = correction.closure.targets(times) if correction and correction.closure else None
+    targets = correction.closure.targets(times) if correction and correction.closure and last >= 0 else None
     q = np.array(start, dtype=float)
     rows: list[tuple[float, ...]] = []
     positions: list[Array] = []
@@ -71,34 +71,46 @@ def march(
         try:
             row = rates.evaluate(t, *q.tolist())
         except (ZeroDivisionError, ValueError, OverflowError):
-            stop = _broken("its block is singular", index, t, step, q, rates)
+            stop = _kept(stop, _broken("its block is singular", index, t, step, q, rates))
             break
         if rows and (found := _crossed(rows[-1], row, rates, index, t, step, q)):
-            stop = found
+            stop = _kept(stop, found)
             break
         rows.append(row)
         positions.append(q)
         if index == last:
             break
         known = _Known(row[:size], t, q, slopes)
-        moved = rule(known, t, q, step)
+        try:
+            moved = rule(known, t, q, step)
+        except (ZeroDivisionError, ValueError, OverflowError):
+            stop = _kept(stop, _broken("inside the next step a block is singular", index, t, step, q, rates))
+            break
         wide = [place for place in guarded if abs(float(moved[place] - q[place])) > WIDEST_STEP]
         if wide:
-            stop = _too_wide(rates.coordinates[wide[0]], float(moved[wide[0]] - q[wide[0]]), index, t, step, q, rates)
+            turned = float(moved[wide[0]] - q[wide[0]])
+            stop = _kept(stop, _too_wide(rates.coordinates[wide[0]], turned, index, t, step, q, rates))
             break
         if correction and targets is not None:
             moved = _corrected(correction, targets, index, step, t, q, moved)
         q = moved
         if not np.all(np.isfinite(q)):
-            stop = _broken("the values left the range of numbers", index, t, step, q, rates)
+            stop = _kept(stop, _broken("the values left the range of numbers", index, t, step, q, rates))
             break
     velocities = len(rates.velocities)
     table = np.array(rows).reshape(len(rows), velocities + len(rates.blocks))
     return Motion(
         times[: len(rows)].copy(), np.array(positions).reshape(len(rows), size), table[:, :velocities].copy(),
         table[:, velocities:].copy(), np.zeros((len(rows), 0)), rates.coordinates, rates.velocities, scheme, step,
-        count + len(rows) - 1, stop,
+        max(0, count + len(rows) - 1), stop,
     )  # fmt: skip
+
+
+def _kept(true: Stop | None, found: Stop) -> Stop:
+    """Return the stop of the true motion where there is one: the scheme's own is told behind it."""
+    if true is None:
+        return found
+    return replace(true, meaning=f"{true.meaning} The scheme itself loses the motion before: {found.cause}")
 
 
 class _Known:

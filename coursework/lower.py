@@ -150,6 +150,18 @@ def compile_function(
     return build("\n".join(lines), name, body, numpy=numpy)
 
 
+def compile_later(name: str, arguments: Sequence[str], body: Program, results: Sequence[str]) -> Callable[..., Any]:
+    """Return the function over arrays, compiled when it is first called: many scenes never ask for it."""
+    compiled: list[Callable[..., Any]] = []
+
+    def call(*values: Any) -> Any:
+        if not compiled:
+            compiled.append(compile_function(name, arguments, body, results, numpy=True))
+        return compiled[0](*values)
+
+    return call
+
+
 def build(source: str, name: str, body: Program, *, numpy: bool = False) -> Callable[..., Any]:
     """Return the function `name` of a source that this program printed itself."""
     namespace: dict[str, Any] = dict(vars(np if numpy else math))
@@ -171,10 +183,12 @@ _RESERVED = set(vars(math)) | set(vars(np)) | {"abs", "range", "sign"}
 
 
 def _line(statement: Statement, printer: Any) -> str:
-    targets = ", ".join(printer.doprint(target) for target in statement.targets)
+    # `doprint` walks each expression once more for parts that these expressions never have: half the time of a small scene.
+    shown = printer._print
+    targets = ", ".join(shown(target) for target in statement.targets)
     if isinstance(statement, Assign):
-        return f"{targets} = {printer.doprint(statement.value)}"
-    return f"{targets} = _solve(({', '.join(printer.doprint(value) for value in statement.entries)}))"
+        return f"{targets} = {shown(statement.value)}"
+    return f"{targets} = _solve(({', '.join(shown(value) for value in statement.entries)}))"
 
 
 def _printer(numpy: bool, constants: Mapping[str, float], rename: Mapping[str, str]) -> Any:
@@ -196,12 +210,21 @@ def _printer(numpy: bool, constants: Mapping[str, float], rename: Mapping[str, s
             # A quotient of two integers is rounded once by Python, so the decimal of the task sheet comes back exactly.
             return repr(int(expr.p) / int(expr.q))
 
+        def _print_Pow(self, expr: sp.Pow, **options: Any) -> str:
+            # A negative number to a fractional power is no real number; `**` would go on in complex ones.
+            if numpy or expr.exp.is_Integer or abs(expr.exp) == sp.Rational(1, 2):
+                text: str = super()._print_Pow(expr, **options)
+                return text
+            return f"pow({self._print(expr.base)}, {self._print(expr.exp)})"
+
         def _print_AppliedUndef(self, expr: Any) -> str:
             return f"{expr.func.__name__}({', '.join(self._print(arg) for arg in expr.args)})"
 
         _print_Function = _print_AppliedUndef
 
-    return Printer({"fully_qualified_modules": False, "allow_unknown_functions": True})
+    printer = Printer({"fully_qualified_modules": False, "allow_unknown_functions": True})
+    printer.doprint(sp.S.Zero)  # sets up what printing alone expects
+    return printer
 
 
 def _solve(entries: tuple[float, ...]) -> tuple[float, ...]:

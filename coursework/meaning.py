@@ -5,25 +5,41 @@ Enters: the determinant as shown.  Leaves: words.  Used by `reduction.py`.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import reduce
 
-from coursework.formula import Formula
+from coursework.formula import Formula, FormulaFault, evaluate, spelled
 from coursework.variant.record import Variant
 
+# At a singular position a factor this small beside the largest one is the factor that vanishes.
+_SMALL = 1e-3
 
-def meaning(determinant: Formula, variant: Variant) -> str:
-    """Return when the determinant is zero and what then holds, such as "links 1 and 2 lie on one line"."""
-    lengths = {g.name for g in variant.given}
-    factors = [factor for factor in _factors(determinant) if not set(factor.names()) <= lengths]
-    found = [sentence for factor in factors if (sentence := _factor(factor, variant))]
+
+def meaning(determinant: Formula, variant: Variant, at: Mapping[str, float] | None = None) -> str:
+    """Return when the determinant is zero and what then holds, such as "links 1 and 2 lie on one line".
+
+    With the coordinates of a singular position `at`: only what holds there.
+    """
+    found = [sentence for factor in _vanishing(determinant, variant, at) if (sentence := _factor(factor, variant))]
     return "; or ".join(found) if found else "it is never zero"
 
 
-def vanishing(determinant: Formula, variant: Variant) -> Formula:
-    """Return the determinant without sign and constant lengths: the part that can be zero."""
+def vanishing(determinant: Formula, variant: Variant, at: Mapping[str, float] | None = None) -> Formula:
+    """Return the determinant without sign and constant lengths: the part that can be zero (that is zero `at` a position)."""
+    factors = _vanishing(determinant, variant, at)
+    return reduce(lambda a, b: Formula("*", (a, b)), factors) if factors else determinant
+
+
+def _vanishing(determinant: Formula, variant: Variant, at: Mapping[str, float] | None) -> list[Formula]:
     lengths = {g.name for g in variant.given}
     factors = [factor for factor in _factors(determinant) if not set(factor.names()) <= lengths]
-    return reduce(lambda a, b: Formula("*", (a, b)), factors) if factors else determinant
+    if at is None or len(factors) < 2:
+        return factors
+    try:
+        sizes = [abs(evaluate(factor, {**variant.values, **at})) for factor in factors]
+    except (FormulaFault, KeyError):  # a factor that depends on the drive
+        return factors
+    return [factor for factor, size in zip(factors, sizes, strict=True) if size <= _SMALL * max(sizes)] or factors
 
 
 def _factors(tree: Formula) -> list[Formula]:
@@ -51,7 +67,7 @@ def _factor(tree: Formula, variant: Variant) -> str:
         return f"{' and '.join(_link(name, variant) for name in angles)} stand(s) at a right angle to the guide"
     if tree.op in {"+", "-"}:
         return f"the lever arms of {_listed(angles, variant)} cancel"
-    return "this factor is zero" if angles or tree.names() else ""
+    return f"{spelled(tree)} is zero" if tree.names() else ""
 
 
 def _link(angle: str, variant: Variant) -> str:

@@ -6,6 +6,7 @@ Used by `equations.py` (differentiation), `exact.py` (positions) and the drawing
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from coursework.errors import Fault, InputError, listing
@@ -60,7 +61,12 @@ def build(variant: Variant) -> Mechanism:
             constraints.append(constraint)
         if group.meets and met:
             written[group.meets] = met
-    points = _in_order(written, variant)
+    points, sizes = _in_order(written, variant)
+    shown = [(f"constraint {c.name}", c.line, side) for c in constraints for side in (c.left, c.right)]
+    shown += [("closure.holds", variant.line_of("closure", "holds", i), hold) for i, hold in enumerate(variant.holds)]
+    for what, line, formula in shown:
+        if _expanded(formula, sizes) > MAX_EXPANDED:
+            raise _fault(variant, _too_many(what), line)
     return Mechanism(variant, points, tuple(constraints), _mobility(variant))
 
 
@@ -157,7 +163,17 @@ def _later(group: Group, written: dict[str, Formula], known: set[str], variant: 
     return ""
 
 
-def _in_order(written: dict[str, Formula], variant: Variant) -> tuple[tuple[str, Formula], ...]:
+def _expanded(formula: Formula, sizes: Mapping[str, int]) -> int:
+    """Return the parts of a formula with every point written out."""
+    return sum(sizes.get(node.name, 1) if node.op == "name" else 1 for node in formula.walk())
+
+
+def _too_many(what: str) -> str:
+    return f"{what} has more than {MAX_EXPANDED} parts when its points are written out; no mechanism needs that many."
+
+
+def _in_order(written: dict[str, Formula], variant: Variant) -> tuple[tuple[tuple[str, Formula], ...], dict[str, int]]:
+    """Return the points, each after those it needs, and how many parts each has when written out."""
     order: dict[str, Formula] = {}
     sizes: dict[str, int] = {}
 
@@ -165,18 +181,21 @@ def _in_order(written: dict[str, Formula], variant: Variant) -> tuple[tuple[str,
         if name in order:
             return
         if name in path:
-            raise _fault(variant, f"points are defined in a circle: {' needs '.join((*path[path.index(name) :], name))}.")
+            circle = (*path[path.index(name) :], name)
+            advice = "Begin with a point that needs no other." if len(circle) > 2 else "A point cannot need itself."
+            message = f"points are defined in a circle: {' needs '.join(circle)}. {advice}"
+            raise _fault(variant, message, variant.line_of("points", name))
         for needed in written[name].names():
             if needed in written:
                 visit(needed, (*path, name))
-        sizes[name] = sum(sizes.get(node.name, 1) if node.op == "name" else 1 for node in written[name].walk())
+        sizes[name] = _expanded(written[name], sizes)
         if sizes[name] > MAX_EXPANDED:
-            raise _fault(variant, f"the point {name} is built from more than {MAX_EXPANDED} parts.")
+            raise _fault(variant, _too_many(f"the point {name}"), variant.line_of("points", name))
         order[name] = written[name]
 
     for name in written:
         visit(name, ())
-    return tuple(order.items())
+    return tuple(order.items()), sizes
 
 
 def _mobility(variant: Variant) -> Mobility | None:

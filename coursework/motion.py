@@ -5,12 +5,20 @@ Enters: numbers from `integrate.py` or `exact.py`.  Leaves: frozen `Motion`.  Re
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+# A row this part of its own time before an event stands at the event: its velocities are no numbers any more.
+AT_EVENT = 1e-9
+
+
+def rows_before(time: float, step: float) -> int:
+    """Return how many rows stand before an event at `time` (s)."""
+    return max(0, math.ceil(time / step * (1 - AT_EVENT) - AT_EVENT))
 
 
 @dataclass(frozen=True, slots=True)

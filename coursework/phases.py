@@ -10,10 +10,12 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 
-from coursework.dead_point import find_event, flow
+from coursework.dead_point import find_event
+from coursework.drive import breaks
 from coursework.equations import VelocityEquations
 from coursework.formula import Formula
 from coursework.reduction import Reduction
+from coursework.scaled_flow import compile_flow
 from coursework.variant.record import Variant
 
 # Four digits of an interval's ends need no more than this local tolerance.
@@ -31,8 +33,8 @@ def phase_sentence(equations: VelocityEquations, reduction: Reduction, start: li
 
     def possible(value: float) -> bool:
         changed = replace(variant, given=tuple(replace(g, value=value) if g.name == name else g for g in variant.given))
-        scene = flow(replace(equations, variant=changed), reduction, start)
-        return find_event(scene, start, variant.time.end, tolerance=TOLERANCE) is None
+        scene = compile_flow(replace(equations, variant=changed), reduction, start)
+        return find_event(scene, start, variant.time.end, tolerance=TOLERANCE, breaks=breaks(variant)) is None
 
     intervals = _intervals(possible)
     if not intervals:

@@ -15,18 +15,18 @@ from numpy.typing import NDArray
 from coursework.agreement import require_agreement
 from coursework.chain import chain_positions, is_chain, start_values
 from coursework.closure import Closure, compile_closure, require_start
-from coursework.dead_point import Event, Flow, find_event
-from coursework.dead_point import flow as build_flow
-from coursework.drive import refuse_aliasing
+from coursework.dead_point import Event, find_event
+from coursework.drive import breaks, refuse_aliasing
 from coursework.equations import VelocityEquations, differentiate
 from coursework.errors import InputError
 from coursework.exact_motion import NotReached, exact_motion
 from coursework.explain import explain
 from coursework.integrate import Correction, march
 from coursework.mechanism import Mechanism, build
-from coursework.motion import Motion, Stop
+from coursework.motion import Motion, Stop, rows_before
 from coursework.rates import Rates, compile_rates
 from coursework.reduction import Reduction, reduce
+from coursework.scaled_flow import Flow, compile_flow
 from coursework.settings import Settings
 from coursework.variant.record import Variant, whole_steps
 
@@ -77,25 +77,26 @@ def rates(equations: VelocityEquations, reduction: Reduction, settings: Settings
 
 def flow(equations: VelocityEquations, reduction: Reduction, start: list[float]) -> Flow:
     """The determinant-scaled flow that finds dead points."""
-    return build_flow(equations, reduction, start)
+    return compile_flow(equations, reduction, start)
 
 
-def event(flow: Flow, start: list[float], variant: Variant) -> Event | None:
-    """The first dead or change point of the true motion."""
+def event(flow: Flow, start: list[float], closure: Closure | None, variant: Variant) -> Event | None:
+    """The first dead or change point of the true motion, which starts closed also where the file's start is rounded."""
     time = variant.time
     horizon = time.end
     if time.period is not None and time.end > PERIODS_LOOKED_AT * time.period:
         horizon = PERIODS_LOOKED_AT * time.period
-    return find_event(flow, start, horizon)
+    closed = closure.newton(0.0, closure.start, closure.origin) if closure is not None and closure.complete else None
+    return find_event(flow, start if closed is None else closed.tolist(), horizon, breaks=breaks(variant))
 
 
 def stop(event: Event | None, equations: VelocityEquations, reduction: Reduction, flow: Flow, variant: Variant) -> Stop | None:
     """The event in words: where the motion ends and why."""
     if event is None:
         return None
-    from coursework.branches import branches_at
+    from coursework.change_point import branches_at
 
-    found = branches_at(flow, event) if event.kind == "change point" else ()
+    found = branches_at(flow, event.block, event.time, event.position.tolist()) if event.kind == "change point" else ()
     return explain(event, equations, reduction, variant.time.step, found)
 
 
@@ -134,23 +135,16 @@ def _march(
     inside = {str(s) for i in rates.blocks for row in reduction.blocks[i].matrix for entry in row for s in entry.free_symbols}
     guarded = [place for place, name in enumerate(rates.coordinates) if name in free and name in inside and _angle(variant, name)]
     rows = march(rates, settings.scheme, begin, step, variant.time.end, correction, stop, guarded)
-    return replace(rows, scaled=_scaled(rows, rates, reduction, flow))
+    return replace(rows, scaled=_scaled(rows, rates, flow))
 
 
 def _angle(variant: Variant, name: str) -> bool:
     return variant.unit_of(name) == "rad"
 
 
-def _scaled(rows: Motion, rates: Rates, reduction: Reduction, flow: Flow) -> Array:
+def _scaled(rows: Motion, rates: Rates, flow: Flow) -> Array:
     """Return the dimensionless determinants of the rows (n, blocks evaluated)."""
-    scaled = np.zeros_like(rows.determinants)
-    for place, index in enumerate(rates.blocks):
-        if flow.largest[index] > 0:
-            scaled[:, place] = rows.determinants[:, place] / flow.largest[index]
-        elif len(rates.coordinates) == len(flow.rates):
-            values = [flow.scaled(t, q)[index] for t, q in zip(rows.t.tolist(), rows.coordinates, strict=True)]
-            scaled[:, place] = values
-    return scaled
+    return np.asarray(rows.determinants / np.array([flow.largest[index] for index in rates.blocks]))
 
 
 def half(
@@ -175,11 +169,10 @@ def exact(
     time = variant.time
     last = whole_steps(time.step, time.end)
     if stop is not None:
-        last = min(last, max(0, int(np.floor(stop.time / time.step * (1 - 1e-12)))))
+        last = min(last, rows_before(stop.time, time.step) - 1)
     times: Array = np.arange(last + 1).astype(np.float64) * time.step
     every = compile_rates(equations, reduction)
-    if stop is not None and stop.time <= 0:
-        times = times[:0]
+    if last < 0:
         return _nothing(every)
     positions = (lambda at: chain_positions(equations, at)) if is_chain(variant) else None
     try:
@@ -213,17 +206,17 @@ def wide(
 
 def checks(
     variant: Variant, equations: VelocityEquations, motion: Motion, half: Motion | None, exact: Motion, wide: Array | None,
-    closure: Closure | None, reduction: Reduction,
+    closure: Closure | None, reduction: Reduction, flow: Flow,
 ) -> tuple[Check, ...]:  # fmt: skip
     """The checks of the page."""
     from coursework.checks.check import check_motion
 
-    return check_motion(_evidence(variant, equations, motion, half, exact, wide, closure, reduction))
+    return check_motion(_evidence(variant, equations, motion, half, exact, wide, closure, reduction, flow))
 
 
 def _evidence(
     variant: Variant, equations: VelocityEquations, motion: Motion, half: Motion | None, exact: Motion, wide: Array | None,
-    closure: Closure | None, reduction: Reduction,
+    closure: Closure | None, reduction: Reduction, flow: Flow,
 ) -> Evidence:  # fmt: skip
     from coursework.checks.evidence import Evidence
     from coursework.drive import fastest, is_sinusoidal
@@ -231,7 +224,7 @@ def _evidence(
     known = exact if len(exact.t) == len(motion.t) else None
     return Evidence(
         variant, equations, motion, half, known, wide, closure, reduction.used,
-        fastest(equations), is_sinusoidal(equations),
+        fastest(equations), is_sinusoidal(equations), flow.fastest,
     )  # fmt: skip
 
 
@@ -310,12 +303,12 @@ def accuracy(
 
 def budget(
     variant: Variant, equations: VelocityEquations, motion: Motion, half: Motion | None, exact: Motion, wide: Array | None,
-    closure: Closure | None, reduction: Reduction,
+    closure: Closure | None, reduction: Reduction, flow: Flow,
 ) -> Budget:  # fmt: skip
     """Last row minus first row of every coordinate: scheme error + period mismatch + round-off."""
     from coursework.checks.period import mismatch
 
-    evidence = _evidence(variant, equations, motion, half, exact, wide, closure, reduction)
+    evidence = _evidence(variant, equations, motion, half, exact, wide, closure, reduction, flow)
     splits = mismatch(evidence) or ()
     return tuple((s.name, s.unit, s.total, s.scheme, s.period, s.roundoff) for s in splits if s.name in motion.coordinate_names)
 
@@ -323,8 +316,8 @@ def budget(
 QUANTITIES: dict[str, Any] = {
     rule.__name__: rule
     for rule in (
-        mechanism, equations, start, closure, reduction, rates, flow, event, stop, phases, motion, table, half, exact, wide, checks,
-        plots, accelerations, points, point_accelerations, exact_accelerations, analogs, invariants,
+        mechanism, equations, start, closure, reduction, rates, flow, event, stop, phases, motion, table, half, exact, wide,
+        checks, plots, accelerations, points, point_accelerations, exact_accelerations, analogs, invariants,
         budget, accuracy, graph_check,
     )
 }  # fmt: skip

@@ -14,7 +14,7 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from coursework.equations import VelocityEquations
-from coursework.lower import Assign, Program, Solve, Statement, compile_function, program
+from coursework.lower import Assign, Program, Solve, Statement, compile_function, compile_later, program
 from coursework.reduction import Block, Reduction
 from coursework.symbolic import symbol
 from coursework.system import tables
@@ -68,7 +68,7 @@ def compile_rates(equations: VelocityEquations, reduction: Reduction, wanted: Se
     return Rates(
         kept, listed, blocks,
         compile_function("rates", arguments, body, results),
-        compile_function("rates", arguments, body, results, numpy=True), body,
+        compile_later("rates", arguments, body, results), body,
     )  # fmt: skip
 
 

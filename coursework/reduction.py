@@ -18,7 +18,7 @@ from coursework.magnitude import largest
 from coursework.matching import blocks as block_order
 from coursework.matching import match
 from coursework.meaning import meaning
-from coursework.symbolic import symbol
+from coursework.symbolic import expanded, symbol
 from coursework.tidy import as_formula, product, quotient
 
 
@@ -123,7 +123,7 @@ def _block(
             plain = other if _size(other) < _size(plain) else plain
         solution.append((name, plain))
         if len(unknowns) == 1 and not _divisor(plain).names():
-            before[symbol(name)] = sp.expand(numerator / determinant)
+            before[symbol(name)] = expanded(numerator / determinant)
     shown_determinant = as_formula(determinant, order)
     return Block(
         tuple(unknowns), names, matrix, right_side, shown_determinant, tuple(solution),

@@ -24,7 +24,7 @@ from coursework.variant.record import Variant
 if TYPE_CHECKING:
     import pandas as pd
 
-    from coursework.accuracy.study import AccuracyStudy
+    from coursework.accuracy.record import AccuracyStudy
     from coursework.checks.result import Check
     from coursework.kinematics.extra import ExtraTable
     from coursework.kinematics.graph_check import GraphCheck
@@ -157,7 +157,7 @@ class Run:
             rows = np.column_stack([motion.t, self.values["accelerations"]])
             tables["accelerations"] = ExtraTable("Accelerations", ("t", *names), ("s", *units), rows)
         if "points" in self.asked:
-            names, found = self.values["point_accelerations" if "accelerations" in self.asked else "points"]
+            names, found = _moving(*self.values["point_accelerations" if "accelerations" in self.asked else "points"])
             units = tuple({"v": "m/s", "a": "m/s²"}.get(name.partition(".")[2][0], "m") for name in names)
             tables["points"] = ExtraTable("Points", ("t", *names), ("s", *units), np.column_stack([motion.t, found]))
         for name in ("analogs", "invariants"):
@@ -199,6 +199,13 @@ class Run:
         note = f"<p>{_escaped(self.stop.sentence)}</p>" if self.stop else ""
         title = _escaped(self.variant.title)
         return f"<h3>{title}</h3><p>{self.scheme_title}, h = {self.motion.step:g} s</p>{note}{shown}"
+
+
+def _moving(names: tuple[str, ...], rows: Any) -> tuple[tuple[str, ...], Any]:
+    """Return the columns of the points that move: a page of zeros for a fixed pivot helps nobody."""
+    speeds = {name.partition(".")[0] for name, column in zip(names, rows.T, strict=True) if ".v" in name and np.any(column)}
+    kept = [place for place, name in enumerate(names) if name.partition(".")[0] in speeds]
+    return tuple(names[place] for place in kept), rows[:, kept]
 
 
 def _escaped(text: str) -> str:

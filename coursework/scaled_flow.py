@@ -59,15 +59,12 @@ class Flow:
         values = self.system.scalar(t, *q)
         return np.array([_determinant(values, place) / size for place, size in zip(self.places, self.largest, strict=True)])
 
-    def slopes(self, t: float, q: Sequence[float], block: int) -> tuple[list[float], float]:
-        """Return (dq/ds, with dt/ds last) for the clock of `block`, and the length of adj(A) b of its unknowns.
-
-        Raises `ArithmeticError` where another block is singular.
-        """
+    def slopes(self, t: float, q: Sequence[float], block: int) -> list[float]:
+        """Return dq/ds, with dt/ds last, for the clock of `block`.  Raises `ArithmeticError` where another one is singular."""
         self.evaluations += 1
         values = self.system.scalar(t, *q)
         u = [0.0] * len(self.system.unknowns)
-        scale, demanded = 1.0, 0.0
+        scale = 1.0
         for index, place in enumerate(self.places):
             rest = _rest(values, place, u, scale)
             if index != block:
@@ -79,11 +76,9 @@ class Flow:
             u = [value * scale for value in u]
             for column, value in zip(place.unknowns, _adjugate(values, place, rest), strict=True):
                 u[column] = value / size
-                demanded += (value / size) ** 2
         known = values[len(self.system.places) + len(self.system.names) :]
         motion = [known[place] * scale if driven else u[place] for driven, place in self.rates]
-        motion.append(scale)
-        return motion, demanded**0.5
+        return [*motion, scale]
 
     def part(self, t: float, q: Sequence[float], block: int) -> tuple[Array, Array, Array]:
         """Return A (k, k) and b (k,) of one block with earlier velocities moved over, and the velocities (m,) known so far."""

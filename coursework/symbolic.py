@@ -7,13 +7,17 @@ Used by `equations.py` and `lower.py`.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from fractions import Fraction
+from math import comb
 
 import sympy as sp
 
-from coursework.formula import Formula
+from coursework.errors import Fault, InputError
+from coursework.formula import Formula, FormulaFault, bounded, spelled
 from coursework.mechanism import Mechanism
-from coursework.variant.record import Law
+from coursework.variant.record import Law, Variant
 
 Vector = tuple[sp.Expr, sp.Expr]
 _FUNCTIONS = {
@@ -28,6 +32,41 @@ def symbol(name: str) -> sp.Symbol:
 
 
 TIME = symbol("t")
+# A row t = i*h within this part of a break stands on it and takes the new formula: 3*0.35 is less than 1.05 in a computer.
+_AT_BREAK = 1e-14
+# Multiplied out, (a + b + … )^8 of a few names has more terms than a computer has patience; nobody reads a hundred.
+_MOST_TERMS = 100
+
+
+@contextmanager
+def placed(variant: Variant, place: str, line: int) -> Iterator[None]:
+    """Turn a fault of a formula into an `InputError` that says where the formula stands."""
+    try:
+        yield
+    except FormulaFault as fault:
+        where = f"{place}, column {fault.column}"
+        raise InputError([Fault(f"{fault.message}.", str(variant.path or variant.name), line, 0, where)]) from fault
+
+
+def expanded(expr: sp.Expr) -> sp.Expr:
+    """Return an expression multiplied out, or as it is where that would make too many terms."""
+    return sp.expand(expr) if _terms(expr) <= _MOST_TERMS else expr
+
+
+def _terms(expr: sp.Expr) -> int:
+    """Return how many terms an expression has at most when it is multiplied out."""
+    if isinstance(expr, sp.Add):
+        return sum(map(_terms, expr.args))
+    if isinstance(expr, sp.Mul):
+        total = 1
+        for arg in expr.args:
+            total *= _terms(arg)
+        return total
+    if isinstance(expr, sp.Pow) and isinstance(expr.base, sp.Add):
+        power = abs(int(expr.exp)) if expr.exp.is_Integer else 1
+        terms = _terms(expr.base)
+        return comb(terms + power - 1, power) if power <= _MOST_TERMS else _MOST_TERMS + 1
+    return max(map(_terms, expr.args), default=1) if expr.args else 1
 
 
 class Symbols:
@@ -39,17 +78,20 @@ class Symbols:
         self.definitions: dict[sp.Symbol, sp.Expr] = {}
         self.vectors: dict[str, Vector] = {}
         self._derivatives: dict[tuple[sp.Symbol, sp.Symbol], sp.Expr] = {}
-        for law in (*variant.drive, *variant.functions):
-            self.definitions[symbol(law.name)] = self._law(law)
+        for section, laws in (("drive", variant.drive), ("functions", variant.functions)):
+            for law in laws:
+                with placed(variant, f"{section}.{law.name}", variant.line_of(section, law.name)):
+                    self.definitions[symbol(law.name)] = self._law(law)
         for name, formula in mechanism.points:
-            self.vectors[name] = self.vector(formula)
+            with placed(variant, f"points.{name}", variant.line_of("points", name)):
+                self.vectors[name] = self.vector(formula)
 
     def _law(self, law: Law) -> sp.Expr:
         if law.table:
             return sp.Function(f"table_{law.name}_0")(symbol(law.of))
         if law.pieces:
             branches = [
-                (self.scalar(formula), sp.Float(later[0]) > TIME)
+                (self.scalar(formula), sp.Float(later[0] * (1 - _AT_BREAK)) > TIME)
                 for (_, formula), later in zip(law.pieces, law.pieces[1:], strict=False)
             ]
             return sp.Piecewise(*branches, (self.scalar(law.pieces[-1][1]), True))
@@ -66,7 +108,13 @@ class Symbols:
         if tree.op == "part":
             return self.vector(tree.args[0])[0 if tree.name == "x" else 1]
         args = [self.scalar(arg) for arg in tree.args]
-        return _FUNCTIONS[tree.name](*args) if tree.op == "call" else _combine(tree.op, args)
+        if all(arg.is_number for arg in args):
+            # Points written out may leave numbers only, which SymPy would work out exactly whatever their size.
+            bounded(tree, [float(arg) for arg in args])
+        value = _FUNCTIONS[tree.name](*args) if tree.op == "call" else _combine(tree, args)
+        if tree.op in {"call", "^"} and value.has(sp.zoo, sp.nan, sp.oo, sp.I):
+            raise FormulaFault(tree.column or 1, f'"{spelled(tree)[:60]}" is no real number')
+        return value
 
     def vector(self, tree: Formula) -> Vector:
         """Return both components of a vector formula."""
@@ -83,12 +131,12 @@ class Symbols:
         first, second = tree.args
         if tree.op in {"+", "-"}:
             (ax, ay), (bx, by) = self.vector(first), self.vector(second)
-            return _combine(tree.op, [ax, bx]), _combine(tree.op, [ay, by])
+            return _combine(tree, [ax, bx]), _combine(tree, [ay, by])
         if tree.op == "*" and not self.is_vector(first):
             first, second = second, first
         x, y = self.vector(first)
         factor = self.scalar(second)
-        return _combine(tree.op, [x, factor]), _combine(tree.op, [y, factor])
+        return _combine(tree, [x, factor]), _combine(tree, [y, factor])
 
     def is_vector(self, tree: Formula) -> bool:
         """Return whether a formula is a vector."""
@@ -132,8 +180,8 @@ class Symbols:
         return total
 
 
-def _combine(op: str, args: list[sp.Expr]) -> sp.Expr:
-    match op:
+def _combine(tree: Formula, args: list[sp.Expr]) -> sp.Expr:
+    match tree.op:
         case "neg":
             return -args[0]
         case "+":
@@ -143,5 +191,7 @@ def _combine(op: str, args: list[sp.Expr]) -> sp.Expr:
         case "*":
             return args[0] * args[1]
         case "/":
+            if args[1] == 0:
+                raise FormulaFault(tree.column or 1, f'"{spelled(tree)[:60]}" is a division by zero')
             return args[0] / args[1]
     return args[0] ** args[1]

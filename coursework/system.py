@@ -15,7 +15,7 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from coursework.equations import VelocityEquation, VelocityEquations
-from coursework.lower import Assign, compile_function, program
+from coursework.lower import Assign, compile_function, compile_later, program
 from coursework.symbolic import symbol
 from coursework.tabulated import TableLaw
 
@@ -81,5 +81,5 @@ def compile_values(equations: VelocityEquations, wanted: Sequence[sp.Expr]) -> t
     arguments = ["t", *(c.name for c in variant.coordinates)]
     return (
         compile_function("values", arguments, body, results),
-        compile_function("values", arguments, body, results, numpy=True),
+        compile_later("values", arguments, body, results),
     )

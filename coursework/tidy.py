@@ -15,6 +15,7 @@ from math import gcd
 import sympy as sp
 
 from coursework.formula import Formula, number
+from coursework.symbolic import expanded
 from coursework.variant.record import Variant
 
 # Beyond this many operations a formula is shown as it is: nobody reads it, and expanding it costs.
@@ -67,7 +68,7 @@ def product(expr: sp.Expr, order: Order) -> Product:
         return Product(Fraction(0), (), ())
     if expr.count_ops() > MAX_OPERATIONS:
         return Product(Fraction(1), ((expr, 1),), ())
-    terms = _pair_angles([_term(part) for part in sp.Add.make_args(sp.expand(expr))], order)
+    terms = _pair_angles([_term(part) for part in sp.Add.make_args(expanded(expr))], order)
     if not terms:
         return Product(Fraction(0), (), ())
     common = _common(terms)

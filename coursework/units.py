@@ -65,7 +65,8 @@ def read(text: str | int | float) -> Quantity:
 def is_quantity(text: str) -> bool:
     """Return whether `text` looks like "value unit" and not like a formula."""
     match = _VALUE.match(text)
-    return match is not None and not set((match["unit"] or "").replace("1/s", "").replace("/s", "")) & set("+*()")
+    unit = (match["unit"] or "") if match else "no"
+    return match is not None and (not unit or unit in UNITS or re.fullmatch(r"[^\W\d_]+(?:/[^\W\d_]+)?|°", unit) is not None)
 
 
 def _advice(text: str, unit: str) -> str:

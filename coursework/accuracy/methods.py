@@ -27,6 +27,8 @@ SUBSTEPS = {"euler": (1, 2, 4, 8, 16, 64, 256, 1024, 4096)}
 MOST_SUBSTEPS = 4096
 # A page made beside a run takes the rows that are cheap; the rest continues the same straight line.
 CHEAP_SUBSTEPS = 256
+# A step with Newton corrections costs as much as this many generated steps.
+PROJECTED_COST = 128
 USUAL_SUBSTEPS = (1, 2, 4, 8, 16, 64)
 PROJECTED_SUBSTEPS = (1, 2, 4, 8)
 TOLERANCES = (1e-3, 1e-5, 1e-7, 1e-9, 1e-11)
@@ -71,7 +73,7 @@ def trials(scene: Scene, most: int = MOST_SUBSTEPS) -> Iterator[Trial]:
             yield Trial(scheme.title, f"{count}", 1, partial(_by_loop, scene, loop, substeps, count * scheme.slopes))
     if scene.closure is not None and scene.closure.complete:
         for newton in (1, 2):
-            for substeps in PROJECTED_SUBSTEPS:
+            for substeps in (n for n in PROJECTED_SUBSTEPS if n * PROJECTED_COST <= most):
                 plural = "s" if newton > 1 else ""
                 setting = f"{scene.rows * substeps}"
                 yield Trial(

@@ -7,32 +7,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import Protocol
 
+from coursework.accuracy.record import StudyRow
 from coursework.schemes import SCHEMES
 
 
-class Row(Protocol):
-    """One line of the study."""
-
-    @property
-    def method(self) -> str: ...
-    @property
-    def steps_or_tolerance(self) -> str: ...
-    @property
-    def evaluations(self) -> int: ...
-    @property
-    def max_error(self) -> float: ...
-    @property
-    def end_error(self) -> float: ...
-    @property
-    def seconds(self) -> float | None: ...
-    @property
-    def failed(self) -> str: ...
-
-
 def sentences_of(
-    rows: Sequence[Row], orders: Mapping[str, float], end_orders: Mapping[str, float], own: Row, unit: str
+    rows: Sequence[StudyRow], orders: Mapping[str, float], end_orders: Mapping[str, float], own: StudyRow, unit: str
 ) -> tuple[str, ...]:
     """Return the findings: the own step, the better scheme at the same step, what equal accuracy costs, the end-row trap."""
     best = _first(rows, SCHEMES["rk4"].title)
@@ -72,11 +53,11 @@ def sentences_of(
     return tuple(told)
 
 
-def _first(rows: Sequence[Row], method: str) -> Row:
+def _first(rows: Sequence[StudyRow], method: str) -> StudyRow:
     return next(row for row in rows if row.method == method)
 
 
-def _steps_for(rows: Sequence[Row], error: float) -> float | None:
+def _steps_for(rows: Sequence[StudyRow], error: float) -> float | None:
     """Return the Euler steps that reach `error`: from the finest row on, the error falls as 1/steps."""
     euler = [row for row in rows if row.method == SCHEMES["euler"].title and not row.failed]
     last = euler[-1]
@@ -100,15 +81,15 @@ def _round(value: float) -> str:
     return f"{round(value / 10**digits) * 10**digits:,.0f}".replace(",", " ") if value >= 10 else f"{value:.2g}"
 
 
-def _time(row: Row) -> str:
+def _time(row: StudyRow) -> str:
     return f", {_clock(row.seconds)}" if row.seconds is not None else ""
 
 
-def _ratio(row: Row, other: Row) -> str:
+def _ratio(row: StudyRow, other: StudyRow) -> str:
     return f" and {row.seconds / other.seconds:.2g} times the time" if row.seconds and other.seconds else ""
 
 
-def _predicted(rows: Sequence[Row], steps: float, best: Row) -> str:
+def _predicted(rows: Sequence[StudyRow], steps: float, best: StudyRow) -> str:
     finest = [row for row in rows if row.method == SCHEMES["euler"].title and row.seconds][-1:]
     if not finest or not best.seconds or not finest[0].seconds:
         return ""
@@ -120,5 +101,5 @@ def _clock(value: float | None) -> str:
     value = value or 0.0
     for scale, unit in ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs")):
         if value >= scale:
-            return f"{value / scale:.2g} {unit}"
+            return f"{value / scale:.0f} {unit}" if value >= 10 * scale else f"{value / scale:.2g} {unit}"
     return f"{value / 1e-9:.2g} ns"

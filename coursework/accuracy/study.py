@@ -8,13 +8,13 @@ independent of the schemes; the error of the last row alone is kept beside it be
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from coursework.accuracy.methods import CHEAP_SUBSTEPS, MOST_SUBSTEPS, Scene, trials
+from coursework.accuracy.record import AccuracyStudy, StudyRow
 from coursework.accuracy.sentences import sentences_of
 from coursework.accuracy.timing import seconds
 from coursework.accuracy.trace import errors, slope
@@ -23,38 +23,6 @@ from coursework.motion import Motion
 from coursework.schemes import SCHEMES
 
 Array = NDArray[np.float64]
-
-
-@dataclass(frozen=True, slots=True)
-class StudyRow:
-    """One method at one setting; errors in rad or m, `seconds` None where not timed, `failed` a sentence if it did."""
-
-    method: str
-    steps_or_tolerance: str
-    evaluations: int
-    max_error: float
-    end_error: float
-    seconds: float | None
-    failed: str = ""
-
-
-@dataclass(frozen=True, slots=True)
-class AccuracyStudy:
-    """`rows`; measured `orders` by method (`end_orders` from the last row alone); the coursework's `own` point
-    (method, evaluations, error, seconds); round-off `floor`; `reference_label`; `budget` of the last row per coordinate
-    (name, unit, total, scheme, period, round-off); `sentences`; `overhead` (what, seconds).
-    """
-
-    rows: tuple[StudyRow, ...]
-    orders: Mapping[str, float]
-    end_orders: Mapping[str, float]
-    own: tuple[str, int, float, float | None] | None
-    floor: float
-    reference_label: str
-    budget: Sequence[tuple[str, str, float, float, float, float]]
-    sentences: Sequence[str]
-    overhead: Sequence[tuple[str, float]]
-    seconds_shown: bool
 
 
 def make_study(

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from coursework.checks.evidence import Evidence
 from coursework.checks.result import Check
+from coursework.drive import breaks
 
 Array = NDArray[np.float64]
 # A difference this many times its neighbours' is a jump unless the half-step run shows the same steep slope.
@@ -17,6 +18,8 @@ SMALL = 0.05
 HARMONIC_SHARE = 0.9
 # Explicit Euler wants at least twenty rows a period of the drive.
 ROWS_A_PERIOD = 20
+# A break of the drive this part of its time from a row is at the row.
+AT_ROW = 1e-9
 
 
 def continuity(evidence: Evidence) -> Check:
@@ -62,7 +65,11 @@ def _jump_ratios(evidence: Evidence, place: int) -> Array:
     allowed = JUMP * np.maximum(padded[:-2], padded[2:]) + SMALL * span + 1e-12
     ratios = sizes / allowed
     steep = _steep(evidence, place, sizes)
-    return np.where((ratios > 1) & steep, 1.0, ratios)
+    ratios = np.where((ratios > 1) & steep, 1.0, ratios)
+    # Where the drive itself jumps, so do the velocities.
+    for time in breaks(evidence.variant):
+        ratios[(motion.t[:-1] < time * (1 - AT_ROW)) & (time * (1 - AT_ROW) <= motion.t[1:])] = 0.0
+    return ratios
 
 
 def _steep(evidence: Evidence, place: int, sizes: Array) -> Array:
@@ -106,10 +113,22 @@ def _harmonic_share(values: Array) -> float:
 
 
 def rows_enough(evidence: Evidence) -> Check:
-    """The step leaves at least twenty rows a period of the drive."""
+    """The step leaves at least twenty rows a period of the drive, and a row at each break of its formula."""
+    step = evidence.motion.step
+    between = [time for time in breaks(evidence.variant) if abs(time / step - round(time / step)) > AT_ROW * (1 + time / step)]
+    if between:
+        row = int(between[0] / step)
+        late = row + 1 - between[0] / step
+        listed = ", ".join(f"{time:.6g} s" for time in breaks(evidence.variant))
+        sentence = (
+            f"The drive changes its formula at t = {between[0]:.6g} s, between rows {row + 1} and {row + 2}: the scheme goes on "
+            f"with the old one for {late:.3g} of a step, an error of first order whatever the scheme. Take a step that leaves a "
+            f"row at every break ({listed})."
+        )
+        return Check("STEP", "Step and drive", "FAIL", sentence, float(late), 0.0, "of a step")
     if not evidence.drive_frequency:
         return Check("STEP", "Step and drive", "SKIP", "The drive does not oscillate.")
-    rows = 2 * np.pi / (evidence.drive_frequency * evidence.motion.step)
+    rows = 2 * np.pi / (evidence.drive_frequency * step)
     verdict = rows >= ROWS_A_PERIOD * (1 - 1e-9)
     sentence = f"The drive's fastest oscillation ({evidence.drive_frequency:.6g} rad/s) has {rows:.4g} rows a period" + (
         "." if verdict else f"; take a step of at most {2 * np.pi / ROWS_A_PERIOD / evidence.drive_frequency:.3g} s."

@@ -24,7 +24,7 @@ class Evidence:
     """`motion` judged; `half` the same scheme with half the step; `exact` and `wide` (extended numbers) where known.
 
     `used` names the equations solved for the velocities; `drive_frequency` rad/s of the fastest sine in the drive,
-    `sinusoidal` whether the drive is made of sines alone.
+    `sinusoidal` whether the drive is made of sines alone; `fastest` per coordinate (largest rate of the true motion, when).
     """
 
     variant: Variant
@@ -37,6 +37,7 @@ class Evidence:
     used: tuple[str, ...]
     drive_frequency: float
     sinusoidal: bool
+    fastest: tuple[tuple[float, float], ...] = ()
 
     @property
     def scheme_error(self) -> Array | None:

@@ -9,7 +9,8 @@ from pathlib import Path
 import click
 
 from coursework.accuracy.methods import Scene
-from coursework.accuracy.study import AccuracyStudy, make_study, time_of
+from coursework.accuracy.record import AccuracyStudy
+from coursework.accuracy.study import make_study, time_of
 from coursework.api import load, solve
 from coursework.commands.run import check_formats
 from coursework.errors import InputError
@@ -53,9 +54,9 @@ def timed_study(run: Run) -> AccuracyStudy:
     scene = Scene(values["rates"], values["start"], time.step, len(run.exact.t) - 1, values["closure"])
     command = [sys.executable, "-c", "import numpy, sympy"]
     overhead = (
-        ("starting Python, importing NumPy and SymPy", time_of(lambda: subprocess.run(command, check=True))),
+        ("start and imports", time_of(lambda: subprocess.run(command, check=True))),
         (
-            "reading, differentiating, reducing, compiling",
+            "reduce and compile",
             sum(values.seconds[name] for name in ("equations", "reduction", "rates")),
         ),
     )

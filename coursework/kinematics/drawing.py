@@ -10,6 +10,7 @@ import cmath
 import itertools
 import math
 
+from coursework.kinematics.graph_words import centre_letter
 from coursework.kinematics.instant_centres import Body, Centre, Findings, cross, dot
 from coursework.kinematics.layout import FOOT, Layout, lay_out
 from coursework.kinematics.scene import Rail, Sketch, Track
@@ -26,6 +27,8 @@ CONSTRUCTION = 'stroke="black" stroke-width="0.15" stroke-dasharray="2.4 1 0.4 1
 OUTLINE = 'fill="none" stroke="black" stroke-width="0.35"'
 RING = 'fill="white" stroke="black" stroke-width="0.35"'
 DOT = 'fill="black" stroke="none"'
+READ = 1e4  # 1/m: a place is read off a drawing 1:1 to 0.1 mm
+LONGEST_NAME = 12  # letters in a label
 SHORTEST = 0.5  # mm: a shorter arrow is none
 SMALL = 4.0  # mm: a shorter arrow hides in the joint, so its value is written
 GUIDE = 13.0  # mm of a rail to each side
@@ -47,6 +50,7 @@ class _Drawing:
         self.at = {name: layout.put(z) for name, z in sketch.scene.positions.items()}
         self.sheet = Sheet(layout.width, layout.height, layout.field)
         self.points = list(dict.fromkeys(name for body in sketch.scene.bodies for name in body.points))
+        self.letter = centre_letter(sketch)
         self.marks: list[tuple[Word, list[Place]]] = []
         self.middle = middle_of(self.at[name] for name in self.points)
 
@@ -189,7 +193,7 @@ class _Drawing:
             self.sheet.arrow(self.at[name], tip, VELOCITY, f' data-velocity="{plain(name)}"', head=min(2.6, 0.6 * abs(arrow)))
         value = f" = {abs(velocity):#.3g} m/s" if abs(arrow) < SMALL else ""
         away = arrow or self.at[name] - self.middle
-        self.marks.append((("V", name, value), [(tip, away, 1.0 if abs(arrow) > SMALL else 2.0)]))
+        self.marks.append((("V", _short(name), value), [(tip, away, 1.0 if abs(arrow) > SMALL else 2.0)]))
 
     def construction(self, link: str, centre: Centre) -> None:
         """Draw the lines that lead from two points to a centre, or to where they leave the sheet."""
@@ -201,11 +205,12 @@ class _Drawing:
         """Mark a centre with a cross and its name; a far one with arrows at the border and its coordinates."""
         if centre.at is None or not centre.lines:
             return
-        at = self.layout.put(centre.at)
-        if link in self.layout.near:
+        layout = self.layout
+        at = layout.put(centre.at)
+        if link in layout.near:
             for arm in (1.5 + 1.5j, 1.5 - 1.5j):
                 self.sheet.line(at - arm, at + arm, 'stroke="black" stroke-width="0.4"')
-            self.marks.append((("P", link, ""), [(at, at - self.middle, 2.2)]))
+            self.marks.append(((self.letter, _short(link), ""), [(at, at - self.middle, 2.2)]))
             return
         places = []
         for name in centre.lines:
@@ -213,15 +218,16 @@ class _Drawing:
                 along = (at - self.at[name]) / abs(at - self.at[name])
                 self.sheet.arrow(part[1] - 5 * along, part[1], CONSTRUCTION, head=2.6)
                 places.append((part[1] - 6 * along, self.middle - part[1], 1.4))
-        where = f" ({centre.at.real:.3f}; {centre.at.imag:.3f}) m".replace("-", "−")
-        self.marks.append((("P", link, where), places))
+        decimals = max(0, math.ceil(math.log10(READ / layout.scale) - 1e-9))
+        where = f" ({centre.at.real:.{decimals}f}; {centre.at.imag:.{decimals}f}) m".replace("-", "−")
+        self.marks.append(((self.letter, _short(link), where), places))
 
     # words
 
     def names(self) -> None:
         """Write all labels: points, velocities, centres, links with the sense of their rotation."""
         for name in self.points:
-            self.sheet.label((name, "", ""), [(self.at[name], self.at[name] - self.middle, 1.6)])
+            self.sheet.label((_short(name), "", ""), [(self.at[name], self.at[name] - self.middle, 1.6)])
         for word, places in self.marks:
             if places:
                 self.sheet.label(word, places)
@@ -240,7 +246,7 @@ class _Drawing:
         else:
             near, gap = self.at[link.points[0]], 4.0
         turn = 0 if body.guide or not omega else (1 if omega > 0 else -1)
-        self.sheet.label((link.name, "", ""), [(near, near - self.middle, gap)], bold=True, turn=turn)
+        self.sheet.label((_short(link.name), "", ""), [(near, near - self.middle, gap)], bold=True, turn=turn)
 
     def foot(self, title: str) -> None:
         """Draw the bar by which a print is checked, and say the scales."""
@@ -253,7 +259,8 @@ class _Drawing:
             tick = 2.4 if k % 5 == 0 else 1.4
             self.sheet.line(complex(left + 10 * k, base), complex(left + 10 * k, base - tick), FRAME)
         self.sheet.text(complex(left, base - 4.2), (f"{BAR:g} mm: {BAR_WORDS}", "", ""), size=2.9)
-        lines = (f"scale {layout.scale_text}", f"velocities: 1 mm = {layout.speed:g} m/s", title)
+        speeds = f"velocities: 1 mm = {_decimal(layout.speed)} m/s" if any(self.findings.velocities.values()) else ""
+        lines = (f"scale {layout.scale_text}", speeds, title)
         for k, line in enumerate(lines):
             self.sheet.text(complex(left + BAR + 7, layout.height - FOOT + 4.6 + 4.2 * k), (line, "", ""), size=2.9)
         self.axes(complex(layout.width - 12, layout.height - 4.5))
@@ -267,3 +274,12 @@ class _Drawing:
 
 def _around(at: complex, half: float) -> tuple[float, float, float, float]:
     return (at.real - half, at.imag - half, at.real + half, at.imag + half)
+
+
+def _decimal(value: float) -> str:
+    """Return a round number without a power of ten: 0.0002."""
+    return f"{value:.12f}".rstrip("0").rstrip(".")
+
+
+def _short(name: str) -> str:
+    return name if len(name) <= LONGEST_NAME else name[: LONGEST_NAME - 1] + "…"

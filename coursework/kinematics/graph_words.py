@@ -17,9 +17,14 @@ from coursework.kinematics.scene import Sketch
 RIGID = 1e-9
 
 
-def _centre(body: Body) -> str:
+def centre_letter(sketch: Sketch) -> str:
+    """Return the letters of instantaneous centres: P, or IC where a point of the file is called like one."""
+    return "IC" if any(f"P{body.name}" in sketch.scene.positions for body in sketch.scene.bodies) else "P"
+
+
+def _centre(body: Body, letter: str) -> str:
     """Return how the centre of a link is called in a sentence: P₃."""
-    return "P" + (_lowered(body.name) if body.name.isascii() and body.name.isdecimal() else f" of link {body.name}")
+    return letter + (_lowered(body.name) if body.name.isascii() and body.name.isdecimal() else f" of link {body.name}")
 
 
 def _lowered(digits: str) -> str:
@@ -37,23 +42,26 @@ def omega_name(body: Body) -> str:
 
 def how_found(sketch: Sketch, findings: Findings) -> list[str]:
     """Return how each link was dealt with, in the order of the file."""
-    sentences = []
+    sentences = [
+        f"V_{point} by a velocity plan: V_{a} + V_{point}{a} = V_{b} + V_{point}{b}, each difference at right angles to its link."
+        for point, (a, b) in findings.plans.items()
+    ]
     for body in sketch.scene.bodies:
         centre = findings.centres.get(body.name)
         if body.name in findings.missing:
             sentences.append(f"Link {body.name} is not determined by the drawing.")
         elif centre is not None and not body.guide:
-            sentences.append(_story(body, centre, sketch.wheels))
+            sentences.append(_story(body, centre, sketch.wheels, centre_letter(sketch)))
     return sentences
 
 
-def _story(body: Body, centre: Centre, wheels: Mapping[str, tuple[str, str]]) -> str:
+def _story(body: Body, centre: Centre, wheels: Mapping[str, tuple[str, str]], letter: str) -> str:
     if centre.lines and centre.at is None:
         return f"Link {body.name} translates: the velocities of {listing(centre.lines)} are parallel."
     if len(centre.lines) == 1:
-        return f"{_centre(body)} follows from the known rate of link {body.name} and the velocity of {centre.lines[0]}."
+        return f"{_centre(body, letter)} follows from the known rate of link {body.name} and the velocity of {centre.lines[0]}."
     if centre.lines:
-        return f"{_centre(body)} is where the perpendiculars to the velocities of {listing(centre.lines)} meet."
+        return f"{_centre(body, letter)} is where the perpendiculars to the velocities of {listing(centre.lines)} meet."
     if body.name in wheels and centre.point == wheels[body.name][1]:
         return f"Link {body.name} rolls: its instantaneous centre is the contact {centre.point}."
     return f"Link {body.name} turns about {centre.point}."

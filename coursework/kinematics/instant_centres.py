@@ -62,11 +62,15 @@ class Centre:
 
 @dataclass(frozen=True, slots=True)
 class Findings:
-    """What the drawing yields, by name: `centres` and `omegas` (rad/s) of links, `velocities` (m/s) of points."""
+    """What the drawing yields, by name: `centres` and `omegas` (rad/s) of links, `velocities` (m/s) of points.
+
+    `plans` point -> the two points whose velocities gave its own by a velocity plan; `missing` links.
+    """
 
     centres: Mapping[str, Centre]
     omegas: Mapping[str, float]
     velocities: Mapping[str, complex]
+    plans: Mapping[str, tuple[str, str]]
     missing: tuple[str, ...]
 
 
@@ -89,8 +93,10 @@ def construct(scene: Scene) -> Findings:
             paper.find_centre(body)
             paper.find_omega(body)
             paper.carry_on(body)
+        if known == paper.known():
+            paper.plan_velocities()
     missing = tuple(body.name for body in scene.bodies if body.name not in paper.omegas)
-    return Findings(paper.centres, paper.omegas, paper.velocities, missing)
+    return Findings(paper.centres, paper.omegas, paper.velocities, paper.plans, missing)
 
 
 @dataclass(slots=True)
@@ -103,6 +109,7 @@ class _Paper:
     velocities: dict[str, complex] = field(default_factory=dict)
     directions: dict[str, complex] = field(default_factory=dict)
     rates: dict[str, float] = field(default_factory=dict)
+    plans: dict[str, tuple[str, str]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self.rates.update(self.scene.rates)
@@ -209,3 +216,24 @@ class _Paper:
                 self._move(name, self.velocities[moving])
             if (towards := along if at is None else arm) and name not in self.scene.fixed:
                 self.directions.setdefault(name, towards / abs(towards))
+
+    def plan_velocities(self) -> None:
+        """Find the inner joint X of a dyad A-X-B from two known velocities: V_A + V_XA = V_B + V_XB, each across its link.
+
+        Used where no centre can be drawn yet, because the direction of X is not known.
+        """
+        for first, second in itertools.combinations(self.scene.bodies, 2):
+            for name in first.points:
+                ends = [self._known_end(body, name) for body in (first, second)]
+                if name not in second.points or name in self.velocities or not all(ends):
+                    continue
+                a, b = ends
+                across_a, across_b = (1j * (self._at(name) - self._at(end)) for end in ends)
+                if abs(sine := cross(across_a, across_b)) > PARALLEL * abs(across_a) * abs(across_b):
+                    gap = self.velocities[b] - self.velocities[a]
+                    self._move(name, self.velocities[a] + across_a * cross(gap, across_b) / sine)
+                    self.plans[name] = (a, b)
+
+    def _known_end(self, body: Body, joint: str) -> str:
+        """Return a point of the link with known velocity, other than the joint."""
+        return next((name for name in body.points if name != joint and name in self.velocities), "")

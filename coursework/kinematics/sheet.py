@@ -15,7 +15,7 @@ from html import escape
 FONT = "'DejaVu Sans', Verdana, 'Segoe UI', sans-serif"
 LETTER = 3.2  # mm, 9 pt
 SIZES = (LETTER, 2.3, 2.7)  # mm: of a word, of what is set lower, of what follows
-WIDE = 0.68  # width of a letter in its own heights, on the generous side
+WIDE = 0.64  # width of a letter in its own heights, on the generous side
 LONGEST = 60  # letters of a text; what is longer would run over the drawing
 PITCH = 1.6  # mm between the strokes of a hatch
 DIRECTIONS = 16  # in which a place is looked for
@@ -143,35 +143,40 @@ class Sheet:
         near, away, gap = place
         toward = cmath.phase(away) if away else -math.pi / 4
         best, found = math.inf, near
-        for ring in (0.0, 2.0, 4.5, 8.0):
+        for ring in (0.0, 2.0, 4.5, 8.0, 12.0):
             for k in range(DIRECTIONS):
                 turned = math.tau * k / DIRECTIONS
                 unit = cmath.rect(1.0, toward + turned)
                 # The rectangle touches the circle of radius `gap + ring` about the point.
                 reach = min(width / 2 / max(abs(unit.real), 1e-9), height / 2 / max(abs(unit.imag), 1e-9))
                 middle = near + unit * (gap + ring + reach)
-                cost = self._covered(middle, width, height) + 0.5 * ring + 0.6 * (1 - math.cos(turned))
-                if cost < best - 1e-9:
+                price = 0.5 * ring + 0.6 * (1 - math.cos(turned))
+                if price < best - 1e-9 and (cost := price + self._covered(middle, width, height, best - price)) < best - 1e-9:
                     best, found = cost, middle
         return best, found
 
-    def _covered(self, middle: complex, width: float, height: float) -> float:
-        """Return how much a rectangle covers: mm of lines, and more for other labels and for leaving the field."""
+    def _covered(self, middle: complex, width: float, height: float, limit: float) -> float:
+        """Return how much a rectangle covers: mm of lines, and more for other labels and for leaving the field.
+
+        Counting ends at `limit`.
+        """
         margin = 0.5
         left, top = middle.real - width / 2 - margin, middle.imag - height / 2 - margin
         box = (left, top, left + width + 2 * margin, top + height + 2 * margin)
-        cost = 0.0
-        for a, b in self.segments:
-            if part := inside(a, b, box):
-                cost += 1.0 + abs(part[1] - part[0])
+        field = self.field
+        beyond = (field[0] - box[0], field[1] - box[1], box[2] - field[2], box[3] - field[3])
+        cost = 30.0 * sum(max(0.0, part) for part in beyond)
         for other in self.boxes:
             across = min(box[2], other[2]) - max(box[0], other[0])
             down = min(box[3], other[3]) - max(box[1], other[1])
             if across > 0 and down > 0:
                 cost += 6.0 + 3.0 * across * down
-        field = self.field
-        beyond = (field[0] - box[0], field[1] - box[1], box[2] - field[2], box[3] - field[3])
-        return cost + 30.0 * sum(max(0.0, part) for part in beyond)
+        for a, b in self.segments:
+            if cost >= limit:
+                break
+            if part := inside(a, b, box):
+                cost += 1.0 + abs(part[1] - part[0])
+        return cost
 
     def svg(self, *, turned: bool) -> str:
         """Return the drawing; `turned` stands it on its left side, for a sheet wider than the page."""

@@ -6,13 +6,13 @@ Running times differ from run to run, so this is the one section whose bytes do 
 
 from __future__ import annotations
 
+from coursework.accuracy.record import AccuracyStudy, StudyRow
 from coursework.report.accuracy_figures import Bar, Method, Panels, bars, panels
 from coursework.report.desk import Desk
 from coursework.report.figures import WIDTH
 from coursework.report.lettering import LONGEST_NAME, clean, numeral, printed, runs
 from coursework.report.numbers import NOTHING, with_unit
 from coursework.report.parts import Bullets, Cell, Column, Figure, Paragraph, Part, Table
-from coursework.report.source import AccuracyStudy, StudyRow
 from coursework.report.tables import MARK, ONE_PAGE
 
 ERROR_DIGITS = 3  # an error needs no more

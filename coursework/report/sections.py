@@ -162,7 +162,15 @@ def graph_check(desk: Desk) -> list[Part]:
         [desk.rich(name), *(numeral(with_unit(numbers.scalar(value), unit)) for value in values)]
         for name, *values, unit in ((r[0], r[1], r[2], r[3], r[4]) for r in graph.rows)
     ]
-    return [figure, Table(heads, rows)] if rows else [figure]
+    parts: list[Part] = [figure, *([Table(heads, rows)] if rows else [])]
+    if graph.exact:
+        errors: list[list[Cell]] = [
+            [desk.rich(name), *(numeral(with_unit(numbers.scalar(value), unit)) for value in (exact, gap))]
+            for name, exact, gap, unit in graph.exact
+        ]
+        names = [Column(desk.say(f"graph.{key}"), words=key == "quantity") for key in ("quantity", "exact", "error")]
+        parts.append(Table(names, errors))
+    return [*parts, *([Bullets([desk.rich(note) for note in graph.notes])] if graph.notes else [])]
 
 
 def method(desk: Desk) -> list[Part]:

@@ -16,13 +16,25 @@ from coursework.variant.source import Source
 
 _SHAPE = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
 _BUILT_IN = {"t", "pi"}
+# Other ways to write the beginning of a name.
+_ALIASES = (("omega", "w"), ("fi", "phi"), ("lambda", "lam"), ("epsilon", "eps"))
+
+
+def _form(name: str) -> str:
+    """Return what two spellings of one name have in common: omega_3 and w3, phi_1 and fi1."""
+    for alias, usual in _ALIASES:
+        name = re.sub(rf"^{alias}(?=\d|_|$)", usual, name)
+    return re.sub(r"_(?=\d)", "", name)
 
 
 @dataclass(slots=True)
 class Names:
-    """`kinds` maps each declared name to given, drive, coordinate, rate, unknown, function or point."""
+    """`kinds` maps each declared name to given, drive, coordinate, rate, unknown, function or point; `forms` what else it
+    may be written as.
+    """
 
     kinds: dict[str, str] = field(default_factory=dict)
+    forms: dict[str, list[str]] = field(default_factory=dict)
     declarations: list[tuple[str, str, tuple[str | int, ...]]] = field(default_factory=list)
 
     @classmethod
@@ -50,7 +62,10 @@ class Names:
 
     def _add(self, name: str, kind: str, path: tuple[str | int, ...]) -> None:
         self.declarations.append((name, kind, path))
-        self.kinds.setdefault(spell(name), kind)
+        plain = spell(name)
+        if plain not in self.kinds:
+            self.kinds[plain] = kind
+            self.forms.setdefault(_form(plain), []).append(plain)
 
     @property
     def velocities(self) -> list[str]:
@@ -62,26 +77,27 @@ class Names:
         plain = spell(name)
         if plain in self.kinds or plain in _BUILT_IN:
             return plain
-        for pattern, other in ((r"^w(?=\d|_|$)", "omega"), (r"^omega", "w"), (r"^fi(?=\d|_|$)", "phi"), (r"^ph?i", "phi")):
-            candidate = re.sub(pattern, other, plain)
-            for form in (candidate, candidate.replace("_", ""), plain.replace("_", "")):
-                if form in self.kinds:
-                    return form
-        return plain
+        alike = self.forms.get(_form(plain), [])
+        return alike[0] if len(alike) == 1 else plain
 
     def faults(self, source: Source) -> list[Fault]:
         """Return a fault for each name declared twice, reserved, or not spelt with Latin or Greek letters."""
-        seen: dict[str, str] = {}
+        seen: dict[str, tuple[str, int]] = {}
         found = []
         for name, kind, path in self.declarations:
             plain = spell(name)
             if strange := foreign_letter(name):
-                found.append(source.fault(path, f'letter {strange[0] + 1} of "{name}" is the {strange[1]}, not a Latin one.'))
+                text = f'letter {strange[0] + 1} of "{name}" is the {strange[1]}; names use Latin or Greek letters.'
+                found.append(source.fault(path, text, at_key=kind != "rate"))
             elif not _SHAPE.match(plain):
-                found.append(source.fault(path, f'"{name}" is no name: letters, digits and _ only, a letter first.'))
+                text = f'"{name}" is no name: letters, digits and _ only, a letter first.'
+                found.append(source.fault(path, text, at_key=kind != "rate"))
             elif plain in _BUILT_IN or plain in FUNCTIONS:
-                found.append(source.fault(path, f'"{name}" has a meaning of its own in formulas; take another name.'))
+                text = f'"{name}" has a meaning of its own in formulas; take another name.'
+                found.append(source.fault(path, text, at_key=kind != "rate"))
             elif plain in seen:
-                found.append(source.fault(path, f'"{name}" is declared twice: as {seen[plain]} and as {kind}.'))
-            seen.setdefault(plain, kind)
+                first, line = seen[plain]
+                text = f'"{name}" is declared twice: as {first} in line {line} and as {kind} here. Give one of them another name.'
+                found.append(source.fault(path, text, at_key=kind != "rate"))
+            seen.setdefault(plain, (kind, source.positions.find(path)[0]))
         return found

@@ -6,6 +6,7 @@ Used by `reader.py`.
 
 from __future__ import annotations
 
+import math
 from typing import Literal
 
 from coursework import formula_reader, units
@@ -23,6 +24,13 @@ _SCOPES = {
     "motion": {"given", "drive", "coordinate", "function"},
     "velocity": {"given", "drive", "coordinate", "function", "rate", "unknown"},
 }
+_LISTED = {
+    "time": "given data, drives and t",
+    "geometry": "given data, drives, coordinates, functions, points and t",
+    "motion": "given data, drives, coordinates, functions and t",
+    "velocity": "given data, drives, coordinates, functions, velocities and t",
+}
+_ADVISED = 100
 Path = tuple[str | int, ...]
 Kind = Literal["scalar", "vector", "any"]
 
@@ -30,15 +38,21 @@ Kind = Literal["scalar", "vector", "any"]
 class Parts:
     """Reads the parts of one file and keeps every fault."""
 
-    def __init__(self, source: Source, names: Names) -> None:
+    def __init__(self, source: Source, names: Names, *, sure: bool = True) -> None:
         self.source = source
         self.names = names
+        self.sure = sure
         self.faults: list[Fault] = []
         self.values: dict[str, float] = {}
 
     def say(self, path: Path, message: str, column: int = 0) -> None:
         """Keep a fault."""
         self.faults.append(self.source.fault(path, message, column))
+
+    def undeclared(self, path: Path, message: str, column: int = 0) -> None:
+        """Keep a fault about a name that is not declared, unless another fault has hidden its declaration."""
+        if self.sure:
+            self.say(path, message, column)
 
     def quantity(self, path: Path, value: str | int | float) -> units.Quantity:
         """Return "value unit" in SI."""
@@ -51,28 +65,32 @@ class Parts:
     def unit(self, path: Path, text: str) -> str:
         """Return the SI unit named by `text`."""
         if text not in units.UNITS:
-            self.say(path, f'"{text}" is not a known unit.{closest(text, list(units.UNITS))}')
+            advice = closest(text, list(units.UNITS), 0.7) or f" Known units: {', '.join(units.UNITS)}."
+            self.say(path, f'a unit was expected, found "{text[:40]}".{advice}')
             return "1"
         return units.UNITS[text][1]
 
     def number(self, path: Path, value: str | int | float, si: str) -> float:
-        """Return a quantity of unit `si`, or the value of a formula of given data such as "2*pi/p"."""
+        """Return a quantity of unit `si`, or the value of a formula of given data such as "2*pi/p"; nan after a fault."""
         if isinstance(value, str) and not units.is_quantity(value):
             tree = self.formula(path, value, "scalar", "time")
             try:
-                return evaluate(tree, self.values) if not self.faults else 1.0
-            except (FormulaFault, KeyError) as fault:
-                self.say(path, f"the value cannot be computed from the given data: {fault}.")
-                return 1.0
+                return evaluate(tree, self.values) if not self.faults else math.nan
+            except FormulaFault as fault:
+                self.say(path, f"the value cannot be computed from the given data: {fault.message}.", fault.column)
+            except KeyError as missing:
+                self.say(path, f"a number is needed here before the motion begins; {missing} is no given datum.")
+            return math.nan
         read = self.quantity(path, value)
         if read.si not in {"", si}:
             self.say(path, f'a value in {si} was expected, found "{value}".')
-        return read.value
+            return math.nan
+        return read.value if read is not _NOTHING else math.nan
 
-    def scalar(self, path: Path, value: str | int | float) -> Formula:
+    def scalar(self, path: Path, value: str | int | float, scope: str = "geometry") -> Formula:
         """Return a formula, also from a bare number or a quantity such as "30 deg"."""
         if isinstance(value, str) and not units.is_quantity(value):
-            return self.formula(path, value, "scalar")
+            return self.formula(path, value, "scalar", scope)
         read = self.quantity(path, value)
         return (
             Formula("number", name=repr(read.value))
@@ -91,7 +109,8 @@ class Parts:
         left, right = self._resolve(path, left, scope), self._resolve(path, right, scope)
         kinds = {self._kind(path, side) for side in (left, right)} if closure else {"scalar"}
         if len(kinds - {"?"}) > 1:
-            self.say(path, "one side of the closure is a vector, the other a number.")
+            text = "one side of the closure is a vector, the other a number. Compare vectors, or add .x or .y."
+            self.say(path, text)
         return left, right
 
     def formula(self, path: Path, text: str, kind: Kind, scope: str = "geometry") -> Formula:
@@ -104,15 +123,16 @@ class Parts:
         tree = self._resolve(path, tree, scope)
         found = self._kind(path, tree)
         if kind != "any" and found not in {kind, "?"}:
-            wanted = "a vector such as D + r1 @ phi1" if kind == "vector" else "a number, not a vector; add .x or .y"
-            self.say(path, f'"{text[:60]}" is a {found}; {wanted} was expected.')
+            wanted = "a vector such as D + r1 @ phi1" if kind == "vector" else "a number"
+            advice = " Add .x or .y." if kind == "scalar" else ""
+            self.say(path, f'{wanted} was expected, found the {"number" if found == "scalar" else found} "{text[:60]}".{advice}')
         return tree
 
     def known_point(self, path: Path, name: str) -> None:
         """Keep a fault where `name` is no point."""
         points = [point for point, kind in self.names.kinds.items() if kind == "point"]
-        if name not in points:
-            self.say(path, f'the point "{name}" is not in [points].{closest(name, points)}')
+        if self.names.canonical(name) not in points:
+            self.undeclared(path, f'the point "{name}" is not in [points].{closest(name, points)}')
 
     def _resolve(self, path: Path, tree: Formula, scope: str) -> Formula:
         if tree.op != "name":
@@ -121,15 +141,24 @@ class Parts:
         name = self.names.canonical(tree.name)
         kind = self.names.kinds.get(name)
         if name not in {"t", "pi"} and kind not in _SCOPES[scope]:
-            allowed = [known for known, its in self.names.kinds.items() if its in _SCOPES[scope]]
-            why = f"is a {kind}, which cannot stand here" if kind else "is not declared"
-            self.say(path, f'symbol "{tree.name}" {why}.{closest(name, [*allowed, "t", "pi"])}', tree.column)
+            if kind:
+                article = "an" if kind == "unknown" else "a"
+                text = f'symbol "{tree.name}" is {article} {kind} and cannot stand here; only {_LISTED[scope]} can.'
+                self.say(path, text, tree.column)
+            else:
+                # Looking for the closest name takes time; after so many faults nobody reads the advice.
+                few = len(self.faults) < _ADVISED
+                allowed = [known for known, its in self.names.kinds.items() if its in _SCOPES[scope]] if few else []
+                where = " Declare it once: in [given], [drive], [coordinates] or [unknowns]."
+                advice = closest(name, [*allowed, "t", "pi"]) or where
+                self.undeclared(path, f'symbol "{tree.name}" is not declared.{advice}', tree.column)
         return Formula("name", (), name, tree.column)
 
     def _kind(self, path: Path, tree: Formula) -> str:
         """Return scalar or vector; "?" after a fault."""
         if tree.op == "name":
-            return "vector" if self.names.kinds.get(tree.name) == "point" else "scalar"
+            known = tree.name in self.names.kinds or tree.name in {"t", "pi"}
+            return "?" if not known else "vector" if self.names.kinds.get(tree.name) == "point" else "scalar"
         kinds = [self._kind(path, arg) for arg in tree.args]
         expected = {"part": ["vector"], "@": ["scalar", "scalar"], "pair": ["scalar", "scalar"], "^": ["scalar", "scalar"]}
         result = {"part": "scalar", "@": "vector", "pair": "vector", "^": "scalar", "number": "scalar", "call": "scalar"}
@@ -147,6 +176,7 @@ class Parts:
         if "?" in kinds:
             return "?"
         if wrong:
-            self.say(path, f'vectors and numbers are mixed at "{tree.name or tree.op}".', tree.column)
+            advice = "a vector is added to a vector, multiplied by a number, and has the parts .x and .y"
+            self.say(path, f'vectors and numbers are mixed at "{tree.name or tree.op}"; {advice}.', tree.column)
             return "?"
         return result.get(tree.op, "vector" if "vector" in kinds else "scalar")

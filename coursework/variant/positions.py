@@ -26,6 +26,11 @@ class Positions:
     values: dict[Path, tuple[int, int]] = field(default_factory=dict)
     keys: dict[Path, tuple[int, int]] = field(default_factory=dict)
 
+    @property
+    def lines(self) -> dict[Path, int]:
+        """Return the line of each key, and of each entry of a list."""
+        return {path: line for places in (self.values, self.keys) for path, (line, _) in places.items()}
+
     def find(self, path: Path, *, key: bool = False) -> tuple[int, int]:
         """Return (line, column) of the value at `path`, of its `key`, or of the nearest known ancestor; else (0, 0)."""
         while path:

@@ -5,23 +5,26 @@ Enters: a path, or text.  Leaves: a frozen `Variant`.  Raises `InputError`.
 
 from __future__ import annotations
 
-import copy
 import itertools
-from collections.abc import Iterable, Sequence
+import math
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from pydantic import ValidationError
-
+from coursework.alphabet import spell
 from coursework.errors import Fault, InputError, closest
-from coursework.formula import Formula, number
+from coursework.formula import Formula
+from coursework.units import is_quantity
 from coursework.variant import schema
+from coursework.variant.at_start import faults_at_start
 from coursework.variant.names import Names
 from coursework.variant.parts import Parts
 from coursework.variant.record import Constraint, Coordinate, Frame, Given, Group, Guide, Law, Link, Time, Variant
 from coursework.variant.record import whole_steps as _whole_steps
+from coursework.variant.shape import read_shape
 from coursework.variant.source import Source, read_bytes, read_source
 from coursework.variant.tables import read_table
+from coursework.variant.zero_lengths import faults_of_zero_lengths
 
 MAX_ROWS = 200_000
 
@@ -38,35 +41,16 @@ def parse_variant(content: str | bytes, file: str = "variant") -> Variant:
 
 
 def _build(source: Source, name: str, path: Path | None) -> Variant:
-    file, unknown = _validate(source)
-    parts = Parts(source, Names.declared(file))
-    parts.faults += unknown + parts.names.faults(source)
+    shape = read_shape(source)
+    file = shape.file
+    parts = Parts(source, Names.declared(file), sure=shape.sure)
     variant = _assemble(file, parts, name, path)
+    parts.faults += shape.faults + parts.names.faults(source)
     if not parts.faults:
-        parts.faults += _rules(file, variant, source)
+        parts.faults += _rules(variant, source) + faults_at_start(variant, source)
     if parts.faults:
         raise InputError(parts.faults)
     return variant
-
-
-def _validate(source: Source) -> tuple[schema.VariantFile, list[Fault]]:
-    """Return the checked file and a fault for each unknown key; any other fault of shape ends the reading."""
-    data = copy.deepcopy(source.data)
-    unknown: list[Fault] = []
-    while True:
-        try:
-            return schema.VariantFile.model_validate(data), unknown
-        except ValidationError as error:
-            extra = [entry for entry in error.errors(include_url=False) if entry["type"] == "extra_forbidden"]
-            unknown += _schema_faults(extra, source)
-            if len(extra) < error.error_count() or not extra:
-                rest = [entry for entry in error.errors(include_url=False) if entry not in extra]
-                raise InputError(unknown + _schema_faults(rest, source)) from error
-            for entry in extra:
-                owner: Any = data
-                for part in _file_path(entry["loc"])[:-1]:
-                    owner = owner[part]
-                del owner[_file_path(entry["loc"])[-1]]
 
 
 def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | None) -> Variant:
@@ -79,7 +63,7 @@ def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | No
     points = tuple(
         (parts.names.canonical(key), parts.formula(("points", key), text, "vector")) for key, text in file.points.items()
     )
-    holds = tuple(parts.formula(("closure", "holds"), text, "scalar") for text in file.closure.holds)
+    holds = tuple(parts.formula(("closure", "holds", i), text, "scalar") for i, text in enumerate(file.closure.holds))
     used = [f for c in constraints for f in (c.left, c.right)] + [f for _, f in points] + list(holds)
     angles = _angle_names(used, groups)
     return Variant(
@@ -88,8 +72,15 @@ def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | No
         tuple((parts.names.canonical(key), parts.unit(("unknowns", key), unit)) for key, unit in file.unknowns.items()),
         functions, _time(file.time, parts), constraints, groups, points,
         tuple(_link(key, entry, parts) for key, entry in file.links.items()), _frame(file.frame, parts),
-        file.closure.driven, holds, tuple(file.ask.quantities), tuple(file.remarks),
+        parts.names.canonical(file.closure.driven) if file.closure.driven else None, holds,
+        tuple(file.ask.quantities), tuple(file.remarks), _lines(parts.source),
     )  # fmt: skip
+
+
+def _lines(source: Source) -> dict[tuple[str | int, ...], int]:
+    """Return the line of each key, names in the tool's own spelling."""
+    lines = source.positions.lines
+    return {tuple(spell(part) if isinstance(part, str) else part for part in path): line for path, line in lines.items()}
 
 
 def _given(key: str, value: Any, parts: Parts) -> Given:
@@ -102,16 +93,30 @@ def _law(section: str, key: str, value: Any, parts: Parts) -> Law:
     name = parts.names.canonical(key)
     path = (section, key)
     if isinstance(value, schema.Pieces):
-        pieces = tuple((parts.number(path, at, "s"), parts.formula(path, str(text), "scalar", scope)) for at, text in value.pieces)
-        if any(later <= earlier for (earlier, _), (later, _) in itertools.pairwise(pieces)):
-            parts.say(path, "the times of the pieces must grow.")
+        places = [(*path, "pieces", place) for place in range(len(value.pieces))]
+        pieces = tuple(
+            (parts.number((*place, 0), at, "s"), _formula((*place, 1), text, parts, scope))
+            for place, (at, text) in zip(places, value.pieces, strict=True)
+        )
+        for place, ((earlier, _), (later, _)) in zip(places[1:], itertools.pairwise(pieces), strict=True):
+            if later <= earlier:
+                parts.say(place, f"the times of the pieces must grow, found {later:g} s after {earlier:g} s.")
         return Law(name, pieces=pieces)
     if isinstance(value, schema.Table):
-        table = read_table(value.table, parts.source, path, parts.faults)
-        if value.of not in parts.names.kinds:
-            parts.say(path, f'"{value.of}" is not a coordinate of this file.{closest(value.of, list(parts.names.kinds))}')
-        return Law(name, table=table, of=parts.names.canonical(value.of), method=value.method)
-    return Law(name, parts.formula(path, value, "scalar", scope))
+        table = read_table(value.table, parts.source, (*path, "table"), parts.faults)
+        of = parts.names.canonical(value.of)
+        if parts.names.kinds.get(of) != "coordinate":
+            known = [known for known, kind in parts.names.kinds.items() if kind == "coordinate"]
+            parts.undeclared((*path, "of"), f'"{value.of}" is not in [coordinates].{closest(of, known)}')
+        return Law(name, table=table, of=of, method=value.method)
+    return Law(name, _formula(path, value, parts, scope))
+
+
+def _formula(path: tuple[str | int, ...], value: str | int | float, parts: Parts, scope: str) -> Formula:
+    """Return the formula of a law; a value with a unit, such as "10 rpm", is one too."""
+    text = str(value)
+    with_unit = is_quantity(text) and any(letter.isalpha() or letter == "°" for letter in text)
+    return parts.scalar(path, text, scope) if with_unit else parts.formula(path, text, "scalar", scope)
 
 
 def _constraint(index: int, entry: schema.Constraint, parts: Parts) -> Constraint:
@@ -119,7 +124,8 @@ def _constraint(index: int, entry: schema.Constraint, parts: Parts) -> Constrain
     path = ("constraint", index, key)
     text = entry.closure if entry.closure is not None else entry.equation
     if text is None or (entry.closure is not None and entry.equation is not None):
-        parts.say(("constraint", index), "a constraint has exactly one of `equation` and `closure`.")
+        both = "both" if text is not None else "neither"
+        parts.say(("constraint", index), f"a constraint has exactly one of `equation` and `closure`, found {both}.")
         text = "0 = 0"
     left, right = parts.equation(path, text, closure=entry.closure is not None)
     name = str(entry.name) or str(index + 1)
@@ -132,20 +138,26 @@ def _group(index: int, entry: schema.Group, parts: Parts) -> Group:
     def scalar(key: str, value: Any) -> Formula:
         return parts.scalar((*path, key), value)
 
-    listed = ([entry.guide] if entry.guide else []) + list(entry.guides)
+    listed: list[tuple[tuple[str | int, ...], schema.Guide]] = [((*path, "guide"), entry.guide)] if entry.guide else []
+    listed += [((*path, "guides", i), guide) for i, guide in enumerate(entry.guides)]
     guides = tuple(
-        Guide(parts.formula((*path, "guide"), g.through, "vector"), scalar("guide", g.angle), scalar("guide", g.offset))
-        for g in listed
+        Guide(
+            parts.formula((*at, "through"), g.through, "vector"),
+            parts.scalar((*at, "angle"), g.angle),
+            parts.scalar((*at, "offset"), g.offset),
+        )
+        for at, g in listed
     )
-    for coordinate in entry.coordinates:
+    for place, coordinate in enumerate(entry.coordinates):
         if parts.names.kinds.get(parts.names.canonical(coordinate)) != "coordinate":
             known = [name for name, kind in parts.names.kinds.items() if kind == "coordinate"]
-            parts.say((*path, "coordinates"), f'"{coordinate}" is not in [coordinates].{closest(coordinate, known)}')
+            text = f'"{coordinate}" is not in [coordinates].{closest(coordinate, known)}'
+            parts.undeclared((*path, "coordinates", place), text)
     return Group(
         entry.kind,
-        tuple(parts.formula((*path, "from"), text, "vector") for text in entry.start_points),
-        entry.meets,
-        tuple(scalar("lengths", value) for value in entry.lengths),
+        tuple(parts.formula((*path, "from", i), text, "vector") for i, text in enumerate(entry.start_points)),
+        parts.names.canonical(entry.meets) if entry.meets else None,
+        tuple(parts.scalar((*path, "lengths", i), value) for i, value in enumerate(entry.lengths)),
         tuple(parts.names.canonical(coordinate) for coordinate in entry.coordinates),
         int(entry.mode or 1),
         guides,
@@ -173,40 +185,53 @@ def _time(entry: schema.Time, parts: Parts) -> Time:
     step = parts.number(("time", "step"), entry.step, "s")
     end = parts.number(("time", "end"), entry.end, "s")
     period = None if entry.period is None else parts.number(("time", "period"), entry.period, "s")
-    if not step > 0:
+    if step <= 0:
         parts.say(("time", "step"), f"the step must be greater than 0, found {step:g} s.")
-    elif not end >= step * (1 - 1e-9):
+    elif end < step * (1 - 1e-9):
         parts.say(("time", "end"), f"the end ({end:g} s) must be at least one step ({step:g} s).")
+    elif not math.isfinite(end / step):
+        pass  # one of the two has a fault of its own
     elif end / step > MAX_ROWS:
         parts.say(("time", "end"), f"{end / step:.3g} rows are asked for; at most {MAX_ROWS} are computed. Take a larger step.")
     elif entry.check_row is not None and entry.check_row > _whole_steps(step, end) + 1:
         parts.say(("time", "check_row"), f"row {entry.check_row} is beyond the last row, {_whole_steps(step, end) + 1}.")
-    if period is not None and not period > 0:
+    if period is not None and period <= 0:
         parts.say(("time", "period"), f"the period must be greater than 0, found {period:g} s.")
     return Time(step, end, period, entry.check_row)
 
 
 def _link(key: str, entry: schema.Link, parts: Parts) -> Link:
-    named = (*entry.points, *(point for point in (entry.wheel, entry.contact) if point))
-    for point in named:
-        parts.known_point(("links", key), point)
+    for place, point in enumerate(entry.points):
+        parts.known_point(("links", key, "points", place), point)
+    for role, name in (("wheel", entry.wheel), ("contact", entry.contact)):
+        if name:
+            parts.known_point(("links", key, role), name)
     if entry.rate and parts.names.canonical(entry.rate) not in parts.names.velocities:
-        parts.say(("links", key, "rate"), f'"{entry.rate}" is no velocity.{closest(entry.rate, parts.names.velocities)}')
+        text = f'"{entry.rate}" is no velocity of this file.{closest(entry.rate, parts.names.velocities)}'
+        parts.undeclared(("links", key, "rate"), text)
     rate = parts.names.canonical(entry.rate) if entry.rate else None
-    return Link(key, tuple(entry.points), rate, entry.wheel, entry.contact)
+    wheel, contact = (parts.names.canonical(point) if point else None for point in (entry.wheel, entry.contact))
+    return Link(key, tuple(map(parts.names.canonical, entry.points)), rate, wheel, contact)
 
 
 def _frame(entry: schema.Frame, parts: Parts) -> Frame:
-    for point in entry.hinges:
-        parts.known_point(("frame", "hinges"), point)
+    for place, point in enumerate(entry.hinges):
+        parts.known_point(("frame", "hinges", place), point)
     rails = tuple(
-        (parts.formula(("frame", "rails"), r.through, "vector"), parts.scalar(("frame", "rails"), r.angle)) for r in entry.rails
+        (
+            parts.formula(("frame", "rails", i, "through"), rail.through, "vector"),
+            parts.scalar(("frame", "rails", i, "angle"), rail.angle),
+        )
+        for i, rail in enumerate(entry.rails)
     )
     circles = tuple(
-        (parts.formula(("frame", "circles"), c.center, "vector"), parts.scalar(("frame", "circles"), c.radius))
-        for c in entry.circles
+        (
+            parts.formula(("frame", "circles", i, "center"), circle.center, "vector"),
+            parts.scalar(("frame", "circles", i, "radius"), circle.radius),
+        )
+        for i, circle in enumerate(entry.circles)
     )
-    return Frame(tuple(entry.hinges), rails, circles)
+    return Frame(tuple(map(parts.names.canonical, entry.hinges)), rails, circles)
 
 
 def _angle_names(formulas: Iterable[Formula], groups: tuple[Group, ...]) -> set[str]:
@@ -223,7 +248,7 @@ def _angle_names(formulas: Iterable[Formula], groups: tuple[Group, ...]) -> set[
     return angles
 
 
-def _rules(file: schema.VariantFile, variant: Variant, source: Source) -> list[Fault]:
+def _rules(variant: Variant, source: Source) -> list[Fault]:
     """What only the whole file can show."""
     faults = []
     if not variant.constraints and not variant.groups and not (variant.driven or variant.holds):
@@ -231,68 +256,14 @@ def _rules(file: schema.VariantFile, variant: Variant, source: Source) -> list[F
     in_groups = {name for group in variant.groups for name in group.coordinates}
     for coordinate in variant.coordinates:
         if coordinate.start is None and coordinate.name not in in_groups:
-            faults.append(source.fault(("coordinates", coordinate.name), "the value at t = 0 is missing: start = …"))
-    if variant.driven:
-        if variant.driven not in dict(variant.points) and variant.driven not in {g.meets for g in variant.groups}:
-            message = f'the driven point "{variant.driven}" is not in [points].{closest(variant.driven, list(file.points))}'
-            faults.append(source.fault(("closure", "driven"), message))
-        for part in "xy":
-            if f"V{variant.driven}{part}" not in {law.name for law in variant.drive}:
-                message = f"the driven point {variant.driven} needs V{variant.driven}{part} in [drive]."
-                faults.append(source.fault(("closure", "driven"), message))
-    zero = {entry.name for entry in variant.given if entry.value == 0 and entry.si == "m"}
-    for name, point in variant.points:
-        for node in point.walk():
-            if node.op == "@" and (set(node.args[0].names()) & zero or node.args[0] == number(0)):
-                culprit = ", ".join(sorted(set(node.args[0].names()) & zero)) or "0"
-                message = (
-                    f"the link of length {culprit} has zero length, so its angular velocity means nothing. "
-                    "Remove the link and let its two joints be one."
-                )
-                faults.append(source.fault(("points", name), message))
-    return faults
-
-
-def _file_path(loc: tuple[str | int, ...]) -> tuple[str | int, ...]:
-    """Return the path of the file's own keys: pydantic adds the name of the union's member."""
-    return tuple(part for part in loc if part not in _UNION_MEMBERS and "constrained" not in str(part))
-
-
-def _schema_faults(entries: Sequence[Any], source: Source) -> list[Fault]:
-    faults: dict[tuple[Any, ...], Fault] = {}
-    for entry in entries:
-        path = _file_path(entry["loc"])
-        faults.setdefault(path, _schema_fault(entry, path, source))
-    return list(faults.values())
-
-
-def _schema_fault(entry: Any, path: tuple[str | int, ...], source: Source) -> Fault:
-    key = str(path[-1]) if path else ""
-    if entry["type"] == "extra_forbidden":
-        parent = source.data
-        for part in path[:-1]:
-            parent = parent[part]  # type: ignore[index]  # the path leads through tables and lists alike
-        known = sorted(_known_keys(path[:-1]))
-        return source.fault(path, f'the key "{key}" is not known here.{closest(key, known)} Known keys: {", ".join(known)}.')
-    if entry["type"] == "missing":
-        what = "section" if len(path) == 1 else "key"
-        return source.fault(path[:-1], f'the {what} "{key}" is missing.')
-    found = repr(entry.get("input"))[:60]
-    return source.fault(path, f"{entry['msg'][:1].lower()}{entry['msg'][1:]} (found {found}).")
-
-
-def _known_keys(path: tuple[str | int, ...]) -> set[str]:
-    model: Any = schema.VariantFile
-    for part in path:
-        if isinstance(part, int) or part not in getattr(model, "model_fields", {}):
-            continue
-        model = _MODELS_BY_KEY.get(part, model)
-    return {field.alias or name for name, field in model.model_fields.items()}
-
-
-_MODELS_BY_KEY: dict[str | int, Any] = {
-    "time": schema.Time, "constraint": schema.Constraint, "group": schema.Group, "links": schema.Link,
-    "frame": schema.Frame, "closure": schema.Closure, "ask": schema.Ask, "coordinates": schema.Coordinate,
-    "guide": schema.Guide, "guides": schema.Guide, "rails": schema.Rail, "circles": schema.Circle,
-}  # fmt: skip
-_UNION_MEMBERS = {"Pieces", "Table", "str", "int", "float"}
+            message = f'the value at t = 0 is missing. Write start = "0 {coordinate.unit}" with it.'
+            faults.append(source.fault(("coordinates", coordinate.name), message))
+    points = [*(name for name, _ in variant.points), *(group.meets for group in variant.groups if group.meets)]
+    laws = {law.name for law in variant.drive}
+    if variant.driven and variant.driven not in points:
+        message = f'the driven point "{variant.driven}" is not in [points].{closest(variant.driven, points)}'
+        faults.append(source.fault(("closure", "driven"), message))
+    elif variant.driven and (missing := [law for law in (f"V{variant.driven}{part}" for part in "xy") if law not in laws]):
+        message = f'the driven point {variant.driven} needs {" and ".join(missing)} in [drive]; "0" where it stands still.'
+        faults.append(source.fault(("closure", "driven"), message))
+    return faults + faults_of_zero_lengths(variant, source)

@@ -5,7 +5,8 @@ Leaves `reader.py`; every floor above may read it.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from coursework.formula import Formula
@@ -152,6 +153,7 @@ class Variant:
     holds: tuple[Formula, ...]
     ask: tuple[str, ...]
     remarks: tuple[str, ...] = ()
+    lines: Mapping[tuple[str | int, ...], int] = field(default_factory=dict, repr=False, compare=False)
 
     @property
     def values(self) -> dict[str, float]:
@@ -179,6 +181,10 @@ class Variant:
     def columns(self) -> tuple[str, ...]:
         """Return the table's columns after t."""
         return (*(c.name for c in self.coordinates), *self.rates, *(name for name, _ in self.unknowns))
+
+    def line_of(self, *path: str | int) -> int:
+        """Return the line of the file that a key stands in, 0 where that is not known."""
+        return self.lines.get(path, 0)
 
     def unit_of(self, column: str) -> str:
         """Return the SI unit of a column of the table (angles "rad", rates "rad/s")."""

@@ -25,7 +25,7 @@ _NOT_STRUCTURE = re.compile(
     r"""|'''.*?(?:'''|\Z)|'[^'\n]*'?|#[^\n]*""",
     re.DOTALL,
 )
-_MANY_PARTS = re.compile(r"[\w-]+(?:[ \t]*\.[ \t]*[\w-]+){%d}" % _MAX_KEY_PARTS)
+_MANY_PARTS = re.compile(rf"(?<![\w-])[\w-]++(?:[ \t]*+\.[ \t]*+[\w-]++){{{_MAX_KEY_PARTS}}}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +49,7 @@ class Source:
     def _name_of(self, index: int) -> str:
         entry = self.data["constraint"][index] if isinstance(self.data["constraint"], list) else {}
         name = entry.get("name") if isinstance(entry, dict) else None
-        return str(name) if isinstance(name, (str, int)) and name != "" else str(index + 1)
+        return str(name) if isinstance(name, (str, int)) and name not in {"", True, False} else str(index + 1)
 
 
 def read_bytes(path: Path) -> bytes:

@@ -5,50 +5,75 @@ Enters: the name of the table.  Leaves: rows of (argument, value).  Used by `rea
 
 from __future__ import annotations
 
-import csv
 import itertools
 import math
+import re
+from pathlib import Path
 
 from coursework.errors import Fault
 from coursework.variant.source import Source
 
 MAX_TABLE_BYTES = 256 * 1024
 _FEWEST_NODES = 5  # the five-point formulas need five
+_NUMBER = re.compile(r"\s*[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s*", re.ASCII)
+Rows = tuple[tuple[float, float], ...]
 
 
-def read_table(name: str, source: Source, path: tuple[str | int, ...], faults: list[Fault]) -> tuple[tuple[float, float], ...]:
-    """Return the rows of a table; every fault is added to `faults` and an empty table returned."""
+class TableFault(ValueError):
+    """A table cannot be used; the sentence says which line and why."""
 
-    def say(message: str) -> tuple[tuple[float, float], ...]:
-        faults.append(source.fault(path, message))
+
+def read_table(name: str, source: Source, path: tuple[str | int, ...], faults: list[Fault]) -> Rows:
+    """Return the rows of a table; a fault is added to `faults` and an empty table returned."""
+    try:
+        return _rows(name, _text(name, source.folder))
+    except TableFault as fault:
+        faults.append(source.fault(path, str(fault)))
         return ()
 
-    if source.folder is None:
-        return say("a table can be read only beside a variant file on disk.")
-    folder = source.folder.resolve()
-    file = (folder / name).resolve()
-    if not file.is_relative_to(folder) or not file.is_file() or file.stat().st_size > MAX_TABLE_BYTES:
-        return say(f'the table "{name}" is not a file of at most {MAX_TABLE_BYTES} bytes inside the variant\'s folder.')
-    rows: list[tuple[float, float]] = []
+
+def _text(name: str, folder: Path | None) -> str:
+    if folder is None:
+        raise TableFault("a table can be read only beside a variant file on disk.")
     try:
-        lines = list(csv.reader(file.read_text(encoding="utf-8-sig").splitlines()))
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
-        return say(f'the table "{name}" cannot be read: {error}.')
-    for number, cells in enumerate(lines[1:], start=2):
-        if not any(cell.strip() for cell in cells):
+        file = (folder / name).resolve()
+        if not file.is_relative_to(folder.resolve()):
+            raise TableFault(f'the table "{name}" lies outside the folder of the variant. Put it beside the variant file.')
+        if not file.is_file():
+            raise TableFault(f'there is no file "{name}" in the folder of the variant.')
+        if file.stat().st_size > MAX_TABLE_BYTES:
+            raise TableFault(f'the table "{name}" has {file.stat().st_size} bytes; at most {MAX_TABLE_BYTES} are read.')
+        return file.read_bytes().decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise TableFault(f'the table "{name}" is not UTF-8 text. Save it as "CSV UTF-8".') from error
+    except (OSError, ValueError) as error:
+        if isinstance(error, TableFault):
+            raise
+        raise TableFault(f'the table "{name}" cannot be read: {getattr(error, "strerror", None) or error}.') from error
+
+
+def _rows(name: str, text: str) -> Rows:
+    """Return (argument, value) of each line; a first line of words is the header."""
+    rows: list[tuple[float, float]] = []
+    lines: list[int] = []
+    for number, line in enumerate(text.splitlines(), start=1):
+        cells = [cell.strip().strip('"') for cell in line.split(",")]
+        if not line.strip(" ,\t") or (number == 1 and not any(map(_NUMBER.fullmatch, cells))):
             continue
-        try:
-            argument, value = (float(cell) for cell in cells)
-        except ValueError:
-            return say(f'{name}:{number}: two numbers were expected, found "{",".join(cells)[:60]}".')
-        if not (math.isfinite(argument) and math.isfinite(value)):
-            return say(f"{name}:{number}: a finite number was expected.")
-        rows.append((argument, value))
+        if len(cells) != 2 or not all(map(_NUMBER.fullmatch, cells)):
+            message = "two numbers with a comma between were expected, decimals with a point"
+            raise TableFault(f'{name}:{number}: {message}, found "{line.strip()[:60]}".')
+        rows.append((float(cells[0]), float(cells[1])))
+        lines.append(number)
+        if not all(map(math.isfinite, rows[-1])):
+            raise TableFault(f'{name}:{number}: a finite number was expected, found "{line.strip()[:60]}".')
     if len(rows) < _FEWEST_NODES:
-        return say(f"{name}: {len(rows)} nodes; the five-point formulas need at least {_FEWEST_NODES}.")
+        raise TableFault(f"{name}: at least {_FEWEST_NODES} nodes were expected (the five-point formulas), found {len(rows)}.")
     steps = [later[0] - earlier[0] for earlier, later in itertools.pairwise(rows)]
+    place = steps.index(min(steps)) + 1
     if min(steps) <= 0:
-        return say(f"{name}: the arguments must grow from row to row (row {steps.index(min(steps)) + 3} does not).")
+        found = f"{rows[place][0]:g} after {rows[place - 1][0]:g}"
+        raise TableFault(f"{name}:{lines[place]}: the arguments must grow from line to line, found {found}.")
     if max(steps) - min(steps) > 1e-6 * max(steps):
-        return say(f"{name}: the arguments must be equally spaced (steps from {min(steps):g} to {max(steps):g}).")
+        raise TableFault(f"{name}: the arguments must be equally spaced, found steps from {min(steps):g} to {max(steps):g}.")
     return tuple(rows)

@@ -17,7 +17,7 @@ _SENTENCES = (
     ("Cannot mutate", "this key or section stands twice; keep one of the two"),
     ("Illegal character '\\n'", 'a quotation mark " is missing at the end of the text'),
     ("Unterminated string", 'a quotation mark " is missing at the end of the text'),
-    ("Expected \"'\"", "a quotation mark ' is missing at the end of the text"),
+    ('Expected "\'"', "a quotation mark ' is missing at the end of the text"),
     ("Illegal character", "a text contains a letter that does not print; remove it"),
     ("Unescaped", "a backslash in a text is written twice: \\\\"),
     ("Expected '=' after a key", 'a key is followed by "=": key = value'),

@@ -84,6 +84,8 @@ class Study:
 class Graph:
     svg: str
     rows: tuple[tuple[str, float, float, float, str], ...] = ()
+    exact: tuple[tuple[str, float, float, str], ...] = ()
+    notes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

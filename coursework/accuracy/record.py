@@ -1,0 +1,41 @@
+"""What a study leaves behind: its rows, orders, budget and words.
+
+Leaves `study.py`; read by the report and the command line.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class StudyRow:
+    """One method at one setting; errors in rad or m, `seconds` None where not timed, `failed` a sentence if it did."""
+
+    method: str
+    steps_or_tolerance: str
+    evaluations: int
+    max_error: float
+    end_error: float
+    seconds: float | None
+    failed: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class AccuracyStudy:
+    """`rows`; measured `orders` by method (`end_orders` from the last row alone); the coursework's `own` point
+    (method, evaluations, error, seconds); round-off `floor`; `reference_label`; `budget` of the last row per coordinate
+    (name, unit, total, scheme, period, round-off); `sentences`; `overhead` (what, seconds).
+    """
+
+    rows: tuple[StudyRow, ...]
+    orders: Mapping[str, float]
+    end_orders: Mapping[str, float]
+    own: tuple[str, int, float, float | None] | None
+    floor: float
+    reference_label: str
+    budget: Sequence[tuple[str, str, float, float, float, float]]
+    sentences: Sequence[str]
+    overhead: Sequence[tuple[str, float]]
+    seconds_shown: bool

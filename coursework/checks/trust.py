@@ -1,0 +1,82 @@
+"""CONDITION and PEAK: how many digits the equations leave, and whether the step is short enough for the fastest link."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.checks.evidence import Evidence
+from coursework.checks.result import Check, Verdict
+from coursework.integrate import WIDEST_STEP
+from coursework.system import compile_system
+
+Array = NDArray[np.float64]
+# A double has sixteen digits; six of them are more than any table of the coursework shows.
+DIGITS, FEWEST = 16.0, 6.0
+# Ruiz' scaling has settled to a few percent after this many rounds, and the condition number wants no more.
+_ROUNDS = 8
+
+
+def condition(evidence: Evidence) -> Check:
+    """The equations leave at least six of sixteen digits in every row: 16 - log10 of their condition number."""
+    motion, variant = evidence.motion, evidence.variant
+    if len(motion.coordinate_names) < len(variant.coordinates):
+        return Check("CONDITION", "Trustworthy digits", "SKIP", "Only some coordinates were asked for.")
+    used = [equation for equation in evidence.equations.equations if equation.name in evidence.used]
+    if not used:
+        return Check("CONDITION", "Trustworthy digits", "SKIP", "There is nothing to solve for.")
+    matrix, _, _ = compile_system(evidence.equations, used).matrices(motion.t, motion.coordinates)
+    numbers = np.linalg.cond(equilibrated(matrix))
+    row = int(np.argmax(numbers))
+    digits = float(np.clip(DIGITS - np.log10(numbers[row]), 0.0, DIGITS)) if np.isfinite(numbers[row]) else 0.0
+    verdict: Verdict = "PASS" if digits >= FEWEST else "FAIL"
+    sentence = (
+        f"The equations leave {digits:.1f} of 16 digits in row {row + 1} (t = {motion.t[row]:.6g} s), the worst one: "
+        f"their condition number is {numbers[row]:.3g} there, rows and columns equilibrated."
+    )
+    if verdict == "FAIL":
+        sentence += " The mechanism is too close to a dead or change point for its velocities to mean much."
+    rows = (("condition number, worst row", float(numbers[row]), ""), ("condition number, first row", float(numbers[0]), ""))
+    return Check("CONDITION", "Trustworthy digits", verdict, sentence, digits, FEWEST, "digits", rows)
+
+
+def equilibrated(matrix: Array) -> Array:
+    """Return the matrices (r, n, n) with rows and columns scaled alike in all r of them.
+
+    A micrometre beside a metre (hard case H17) is no bad condition, and a row that vanishes on the way (a dead point) is:
+    so the scales come from the largest entries of the whole run, not row by row.  Source: D. Ruiz, RAL-TR-2001-034.
+    """
+    sizes = np.max(np.abs(matrix), axis=0)
+    down, across = np.ones(sizes.shape[0]), np.ones(sizes.shape[1])
+    for _ in range(_ROUNDS):
+        scaled = sizes / down[:, None] / across
+        down = down * np.sqrt(_or_one(np.max(scaled, axis=1)))
+        across = across * np.sqrt(_or_one(np.max(scaled, axis=0)))
+    return np.asarray(matrix / down[:, None] / across)
+
+
+def _or_one(sizes: Array) -> Array:
+    return np.where(sizes > 0, sizes, 1.0)
+
+
+def peak(evidence: Evidence) -> Check:
+    """No link turns by more than one radian in one step, also where it is fastest between two rows."""
+    variant, step = evidence.variant, evidence.motion.step
+    if evidence.motion.stop is not None or not evidence.fastest:
+        return Check("PEAK", "Fastest link", "SKIP", "The motion stops, and near its end the velocities grow without bound.")
+    turning = [
+        (rate, when, coordinate)
+        for (rate, when), coordinate in zip(evidence.fastest, variant.coordinates, strict=True)
+        if coordinate.unit == "rad"
+    ]
+    if not turning:
+        return Check("PEAK", "Fastest link", "SKIP", "No coordinate is an angle.")
+    rate, when, coordinate = max(turning, key=lambda entry: entry[0])
+    turned = rate * step
+    sentence = (
+        f"{coordinate.rate} is largest at t = {when:.6g} s: {rate:.4g} rad/s, {turned:.3g} rad of {coordinate.name} in one step"
+    )
+    if turned <= WIDEST_STEP:
+        return Check("PEAK", "Fastest link", "PASS", f"{sentence}.", turned, WIDEST_STEP, "rad")
+    sentence += f"; the rows step over that. Take a step of at most {WIDEST_STEP / rate:.2g} s."
+    return Check("PEAK", "Fastest link", "FAIL", sentence, turned, WIDEST_STEP, "rad")

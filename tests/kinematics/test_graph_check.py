@@ -1,0 +1,408 @@
+"""The graph-analytical check: numbers of the coursework, centres of the reference, rules one by one, the drawing itself."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from dataclasses import replace
+from functools import cache
+from html import unescape
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+from coursework import load, solve
+from coursework.catalogue import names
+from coursework.errors import InputError
+from coursework.kinematics.graph_check import GraphCheck, check_graph
+from coursework.kinematics.instant_centres import Body, Centre, Findings, Scene, construct
+from coursework.kinematics.layout import PAGE, SCALES, lay_out
+from coursework.kinematics.scene import Sketch, read_scene
+from coursework.run import Run
+from coursework.variant.record import Link, Variant
+
+REFERENCE = Path(__file__).parents[1] / "reference" / "variants"
+# Links that [links] and [frame] alone determine; V107 has a bar in a swivelling sleeve.
+DRAWABLE = ("V101", "V102", "V104", "V105", "V108", "V110", "V112")
+DIGITS_OF_THE_REFERENCE = 1e-9
+
+
+@cache
+def run_of(name: str) -> Run:
+    return solve(name, quantities=["graph_check"])
+
+
+@cache
+def check_of(name: str, row: int | None = None) -> GraphCheck:
+    """Return the check of a catalogue's variant, in its own row or another; the variant is solved once."""
+    run = run_of(name)
+    if row is None:
+        assert run.graph is not None
+        return run.graph
+    equations = replace(run.values["equations"], variant=at_row(run.variant, row))
+    check = check_graph(equations, run.motion, run.exact)
+    assert check is not None
+    return check
+
+
+@cache
+def svg_of(name: str) -> str:
+    return check_of(name).svg
+
+
+def at_row(variant: Variant, row: int | None) -> Variant:
+    return replace(variant, time=replace(variant.time, check_row=row))
+
+
+def sketch_of(name: str) -> Sketch:
+    return check_of(name).sketch
+
+
+# ---- the numbers of the coursework (mathematics.md, section 3)
+
+
+def test_variant_31_at_the_start() -> None:
+    check = check_of("31", 1)
+    values = {row[0]: row[1] for row in check.rows}
+    assert values["P3.x"] == pytest.approx(-1.0039877, abs=5e-8)
+    assert values["P3.y"] == pytest.approx(1.0047422, abs=5e-8)
+    assert values["P2.x"] == pytest.approx(0.0674619, abs=5e-8)
+    assert values["P2.y"] == pytest.approx(-1.1381569, abs=5e-8)
+    expected = {"ω₁": -1.57553728806, "ω₂": -0.717332163182, "ω₃": 5.5518389091, "ω₄": -16.6541505896}
+    for name, value in expected.items():
+        assert values[name] == pytest.approx(value, abs=1e-10)
+
+
+def test_variant_31_in_the_row_of_the_coursework() -> None:
+    check = check_of("31")
+    assert (check.row, check.time, check.scale) == (4, 0.06, 10)
+    assert [row[0] for row in check.rows] == [
+        "ω₁", "ω₂", "ω₃", "ω₄", "V_A", "V_B", "V_C", "P3.x", "P3.y", "P2.x", "P2.y",
+    ]  # fmt: skip
+    values = {row[0]: row[1] for row in check.rows}
+    expected = {"ω₁": 0.219835996720, "ω₂": 0.113615129728, "ω₃": 4.39156138925, "ω₄": -7.94100954258}
+    for name, value in expected.items():
+        assert values[name] == pytest.approx(value, abs=1e-11)
+    for name, measured, tabled, difference, _ in check.rows:
+        assert difference == measured - tabled, name
+        assert abs(difference) < 1e-13, name
+    run = run_of("31")
+    for name, exact, error, unit in check.exact[:4]:
+        column = name.replace("ω", "w").translate(str.maketrans("₁₂₃₄", "1234"))
+        assert exact == pytest.approx(float(run.exact.column(column)[3]), abs=1e-12)
+        assert error == pytest.approx(float(run.motion.column(column)[3] - run.exact.column(column)[3]), abs=1e-12)
+        assert unit == "rad/s"
+    assert check.notes == (
+        "Link 1 turns about D.",
+        "P₂ is where the perpendiculars to the velocities of A and B meet.",
+        "P₃ is where the perpendiculars to the velocities of M and C meet.",
+        "Link 4 rolls: its instantaneous centre is the contact P.",
+        "The scheme has drifted, so this row does not close: P stands 7.05 mm beside its rail.",
+    )
+
+
+@pytest.mark.parametrize("name", DRAWABLE)
+def test_centres_of_the_exact_row(name: str) -> None:
+    reference = json.loads((REFERENCE / f"{name}.json").read_text())["icv_at_check_row_exact"]
+    run = run_of(name.lower())
+    sketch = read_scene(run.values["equations"])(run.exact, run.variant.time.check_row - 1)
+    findings = construct(sketch.scene)
+    assert findings.missing == ()
+    for link, expected in reference.items():
+        centre = findings.centres[link.removeprefix("link")]
+        assert centre.at is not None
+        assert centre.at.real == pytest.approx(expected["x"], abs=DIGITS_OF_THE_REFERENCE)
+        assert centre.at.imag == pytest.approx(expected["y"], abs=DIGITS_OF_THE_REFERENCE)
+        assert findings.omegas[link.removeprefix("link")] == pytest.approx(expected["omega"], abs=DIGITS_OF_THE_REFERENCE)
+
+
+@pytest.mark.parametrize("name", DRAWABLE)
+def test_without_drift_drawing_and_table_agree(name: str) -> None:
+    """The start row closes: whatever is measured there is what the velocity equations give."""
+    check = check_of(name.lower(), 1)
+    assert check.rows
+    for quantity, _, _, difference, _ in check.rows:
+        assert abs(difference) < 1e-9, quantity
+    assert not any("drifted" in note for note in check.notes)
+
+
+def test_a_bar_in_a_sleeve_is_not_guessed() -> None:
+    check = check_of("v107")
+    assert check.rows == ()
+    assert check.notes[:4] == tuple(f"Link {k} is not determined by the drawing." for k in (1, 2, 3, 4))
+    assert "<svg" in check.svg
+
+
+def test_a_rack_hands_its_velocity_to_the_gear() -> None:
+    check = check_of("v112")
+    assert "Link 5 drives wheel 4 at Q: there both have one velocity." in check.notes
+    assert check.sketch.racks == {"5": "Q"}
+    assert "ω₅" not in [row[0] for row in check.rows]
+
+
+def test_every_variant_that_asks_gets_its_drawing() -> None:
+    for name in names():
+        if "graph_check" in load(name).ask:
+            check = check_of(name)
+            assert check.rows, name
+            ElementTree.fromstring(svg_of(name))
+
+
+# ---- the rules, one by one
+
+
+def scene(
+    points: dict[str, complex], bodies: list[Body], *, fixed: str = "", guided: dict[str, complex] | None = None,
+    velocities: dict[str, complex] | None = None, rates: dict[str, float] | None = None,
+) -> Scene:  # fmt: skip
+    return Scene(points, tuple(bodies), frozenset(fixed), guided or {}, velocities or {}, rates or {})
+
+
+def test_translation_has_its_centre_at_infinity() -> None:
+    points = {"A": 0j, "B": 2 + 1j, "C": 1 + 5j}
+    found = construct(scene(points, [Body("1", ("A", "B", "C"))], guided={"B": 1 + 0j}, velocities={"A": 3 + 0j}))
+    assert found.centres["1"] == Centre(None, ("A", "B"))
+    assert found.omegas == {"1": 0.0}
+    assert found.velocities == {"A": 3 + 0j, "B": 3 + 0j, "C": 3 + 0j}
+
+
+def test_parallel_velocities_across_one_line_are_found_by_proportion() -> None:
+    points = {"A": 0j, "B": 2 + 0j, "C": 5 + 0j}
+    found = construct(scene(points, [Body("1", ("A", "B", "C"))], velocities={"A": 1j, "B": -3j}))
+    assert found.centres["1"].at == pytest.approx(0.5)
+    assert found.omegas["1"] == pytest.approx(-2.0)
+    assert found.velocities["C"] == pytest.approx(-9j)
+
+
+def test_a_driven_point_at_rest_stops_the_link() -> None:
+    points = {"A": 0j, "B": 2 + 1j, "D": 3 + 0j}
+    bodies = [Body("1", ("A", "B")), Body("2", ("B", "D"))]
+    found = construct(scene(points, bodies, fixed="D", velocities={"A": 0j}))
+    assert found.omegas == {"1": 0.0, "2": 0.0}
+    assert found.velocities["B"] == 0
+
+
+def test_a_driven_crank_and_the_wheel_it_carries() -> None:
+    """A wheel of radius 1 rolls inside a ring of radius 3: it turns twice as fast as the arm, the other way."""
+    points = {"O": 0j, "C": 2 + 0j, "P": 3 + 0j}
+    bodies = [Body("1", ("O", "C"), "w1"), Body("2", ("C", "P"), "w2")]
+    found = construct(scene(points, bodies, fixed="OP", rates={"w1": 5.0}))
+    assert found.velocities["C"] == pytest.approx(10j)
+    assert found.omegas["2"] == pytest.approx(-10.0)
+
+
+def test_two_gears_share_the_velocity_of_their_contact() -> None:
+    points = {"O": 0j, "P": 1 + 0j, "Q": 4 + 0j}
+    bodies = [Body("1", ("O", "P"), "w1"), Body("2", ("Q", "P"), "w2")]
+    assert construct(scene(points, bodies, fixed="OQ", rates={"w1": 6.0})).omegas["2"] == pytest.approx(-2.0)
+
+
+def test_links_that_share_a_rate_turn_together() -> None:
+    points = {"O": 0j, "A": 1 + 0j, "B": 2 + 2j}
+    bodies = [Body("1", ("O", "A"), "w1"), Body("2", ("A", "B"), "w1")]
+    found = construct(scene(points, bodies, fixed="O", velocities={"A": 2j}))
+    assert found.omegas == {"1": 2.0, "2": 2.0}
+    assert found.centres["2"].at == pytest.approx(0)
+    assert found.velocities["B"] == pytest.approx(2j * (2 + 2j))
+
+
+def test_a_dyad_between_two_moving_points_takes_a_velocity_plan() -> None:
+    omega, points = (0.7, -1.3), {"A": 0j, "X": 1 + 2j, "B": 3 - 1j}
+    v_x = 0.4 + 0.2j
+    velocities = {"A": v_x - 1j * omega[0] * (points["X"] - points["A"]), "B": v_x - 1j * omega[1] * (points["X"] - points["B"])}
+    found = construct(scene(points, [Body("1", ("A", "X")), Body("2", ("X", "B"))], velocities=velocities))
+    assert found.velocities["X"] == pytest.approx(v_x)
+    assert (found.omegas["1"], found.omegas["2"]) == pytest.approx(omega)
+    assert found.plans == {"X": ("A", "B")}
+
+
+def test_a_dead_point_is_left_open() -> None:
+    """Crank and rod in one line, the driven slider moving along it: no crank velocity can be drawn."""
+    points = {"O": 0j, "A": 1 + 0j, "B": 3 + 0j}
+    bodies = [Body("1", ("O", "A")), Body("2", ("A", "B"))]
+    assert construct(scene(points, bodies, fixed="O", velocities={"B": 1 + 0j})).missing == ("1", "2")
+
+
+def test_a_rail_through_no_point_of_a_link_is_reported() -> None:
+    variant = load("v102")
+    rail = variant.frame.rails[0]
+    loose = replace(variant, frame=replace(variant.frame, rails=((load("31").points[0][1], rail[1]),)))
+    check = solve(loose, quantities=["graph_check"]).graph
+    assert check is not None
+    assert any(note.startswith("Rail 1 goes through no point of a link") for note in check.notes)
+    assert "Link 3 is not determined by the drawing." in check.notes
+
+
+# ---- what is asked for, and when it cannot be had
+
+
+def test_not_asked_for_is_not_computed() -> None:
+    run = solve("31", quantities=["table"])
+    assert run.graph is None
+    assert "graph_check" not in run.values.calls
+
+
+def test_what_is_missing_is_said() -> None:
+    variant = load("31")
+    bare = replace(at_row(variant, None), links=())
+    with pytest.raises(InputError, match=r"needs \[links\] and check_row in \[time\]; this variant has none"):
+        _ = solve(bare, quantities=["graph_check"]).graph
+    with pytest.raises(InputError, match=r"needs \[links\]"):
+        _ = solve("prp", quantities=["graph_check"]).graph
+    assert solve(variant, end=0.04, quantities=["graph_check"]).graph is None  # the table ends before row 4
+    with pytest.raises(InputError, match="ask for the whole table"):
+        _ = solve(variant, quantities=["w3", "graph_check"]).graph
+
+
+def test_a_motion_that_stops_before_the_row_has_no_check() -> None:
+    variant = load("31")
+    phase = replace(variant, given=tuple(replace(g, value=0.02) if g.name == "alpha" else g for g in variant.given))
+    assert solve(at_row(phase, 7), quantities=["graph_check"]).graph is None  # the dead point is at 0.1169 s, row 6.8
+    assert solve(at_row(phase, 4), quantities=["graph_check"]).graph is not None
+
+
+# ---- the drawing
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def elements(svg: str, tag: str, key: str) -> list[ElementTree.Element]:
+    return [item for item in ElementTree.fromstring(svg).iter(SVG + tag) if item.get(key) is not None]
+
+
+def length(line: ElementTree.Element) -> float:
+    return math.hypot(*(float(line.get(f"{axis}2", "")) - float(line.get(f"{axis}1", "")) for axis in "xy"))
+
+
+def test_the_bar_measures_100_mm_and_the_sheet_is_in_mm() -> None:
+    for name in ("31", "v101", "v102"):
+        svg = svg_of(name)
+        (bar,) = elements(svg, "line", "data-bar")
+        assert length(bar) == 100
+        root = ElementTree.fromstring(svg)
+        width, height = (float(root.get(side, "").removesuffix("mm")) for side in ("width", "height"))
+        assert root.get("viewBox") == f"0 0 {root.get('width', '')[:-2]} {root.get('height', '')[:-2]}"
+        assert width <= PAGE[0] and height <= PAGE[1]
+        assert "must measure 100 mm; print at 100 %" in svg
+
+
+def test_links_are_drawn_in_the_scale_of_the_coursework() -> None:
+    svg = svg_of("31")
+    drawn = {(line.get("data-from"), line.get("data-to")): length(line) for line in elements(svg, "line", "data-from")}
+    expected = {("D", "A"): 95.3, ("A", "B"): 84.7, ("M", "B"): 91.4, ("B", "C"): 45.7}
+    assert drawn == pytest.approx(expected, abs=2e-4)
+    (wheel,) = elements(svg, "circle", "data-link")
+    assert float(wheel.get("r", "")) == pytest.approx(22.85, abs=1e-4)
+    assert "scale 1:10" in svg and "1 mm = 0.1 m/s" in svg
+
+
+@pytest.mark.parametrize("name", ["31", *map(str.lower, DRAWABLE)])
+def test_the_drawing_is_similar_to_the_mechanism(name: str) -> None:
+    check = check_of(name)
+    at = check.sketch.scene.positions
+    for line in elements(svg_of(name), "line", "data-from"):
+        metres = abs(at[line.get("data-from", "")] - at[line.get("data-to", "")])
+        assert length(line) * check.scale / 1000 == pytest.approx(metres, abs=2e-7 * check.scale)
+    layout = lay_out(check.sketch, check.findings)
+    for arrow in elements(svg_of(name), "line", "data-velocity"):
+        # The shaft ends where the head begins, 2.6 mm before the tip, earlier on short ones.
+        whole = abs(check.findings.velocities[arrow.get("data-velocity", "")]) / layout.speed
+        assert length(arrow) == pytest.approx(whole - min(2.6, 0.6 * whole), abs=2e-3)
+
+
+def numbers(svg: str) -> list[tuple[float, float]]:
+    root = ElementTree.fromstring(svg)
+    found = [(float(i.get(f"x{k}", "")), float(i.get(f"y{k}", ""))) for i in root.iter(SVG + "line") for k in "12"]
+    found += [(float(i.get("x", "")), float(i.get("y", ""))) for i in root.iter(SVG + "text")]
+    for path in root.iter(SVG + "path"):
+        found += [(float(x), float(y)) for x, y in re.findall(r"(-?[\d.]+) (-?[\d.]+)", path.get("d", ""))]
+    return found
+
+
+@pytest.mark.parametrize("name", ["31", *map(str.lower, DRAWABLE)])
+def test_nothing_leaves_the_sheet(name: str) -> None:
+    check = check_of(name)
+    layout = lay_out(check.sketch, check.findings)
+    for x, y in numbers(svg_of(name)):
+        assert -2 <= x <= layout.width + 2 and -2 <= y <= layout.height + 2
+
+
+def test_a_wide_mechanism_stands_on_its_side() -> None:
+    layout = lay_out(check_of("31").sketch, check_of("31").findings)
+    assert layout.turned and layout.scale == 10
+    assert "rotate(-90)" in svg_of("31")
+    assert "rotate" not in svg_of("v101")
+
+
+def test_a_far_centre_is_told_at_the_border() -> None:
+    text = unescape("".join(ElementTree.fromstring(svg_of("31")).itertext()))
+    assert "P2 (0.003; −0.891) m" in text
+    assert lay_out(check_of("31").sketch, check_of("31").findings).near == {"3"}
+
+
+def test_scales_are_those_of_drawing_standards() -> None:
+    assert {1.0, 2.0, 2.5, 4.0, 5.0, 10.0, 20.0, 50.0, 100.0, 0.5, 0.2} <= set(SCALES)
+    sketch, findings = sketch_of("31"), check_of("31").findings
+    for factor, scale in ((0.001, 0.01), (0.1, 1.0), (10.0, 100.0), (1e5, 1e6)):
+        larger = {name: at * factor for name, at in sketch.scene.positions.items()}
+        assert lay_out(replace(sketch, scene=replace(sketch.scene, positions=larger)), findings).scale == scale
+
+
+def test_the_drawing_is_the_same_every_time() -> None:
+    run = run_of("31")
+    fresh = check_graph(run.values["equations"], run.motion, run.exact)
+    assert fresh is not None
+    assert fresh.svg == svg_of("31")
+
+
+def test_names_cannot_break_out_of_the_drawing() -> None:
+    run, evil = run_of("31"), '"><script>alert(1)</script>&\x01\u202e' + 30 * "3"
+    links = tuple(replace(link, name=evil) if link.name == "3" else link for link in run.variant.links)
+    equations = replace(run.values["equations"], variant=replace(run.variant, links=links))
+    check = check_graph(equations, run.motion, run.exact)
+    assert check is not None
+    svg = check.svg
+    assert "&lt;script&gt;" in svg and "<script" not in svg
+    assert not any(item.tag.endswith("script") for item in ElementTree.fromstring(svg).iter())
+    assert "\x01" not in svg and "\u202e" not in svg
+
+
+def test_a_file_may_call_its_points_like_centres() -> None:
+    variant = load("31")
+    sketch = sketch_of("31")
+    taken = replace(sketch, scene=replace(sketch.scene, positions={**sketch.scene.positions, "P3": 0j}))
+    from coursework.kinematics.graph_words import centre_letter, how_found
+
+    assert (centre_letter(sketch), centre_letter(taken)) == ("P", "IC")
+    assert "IC₃ is where the perpendiculars to the velocities of M and C meet." in how_found(taken, check_of("31").findings)
+    assert variant.links[2] == Link("3", ("M", "B", "C"), "w3", None, None)
+
+
+def test_a_mechanism_without_size_is_drawn_all_the_same() -> None:
+    points = {"A": 0j, "B": 0j}
+    still = scene(points, [Body("1", ("A", "B"))], fixed="A")
+    sketch = Sketch(still, (), (), ("A",), (Link("1", ("A", "B"), None, None, None),), points, {}, {}, ("B",), ())
+    nothing = Findings({}, {}, {}, {}, ("1",))
+    from coursework.kinematics.drawing import draw
+
+    assert lay_out(sketch, nothing).scale == 1
+    assert "velocities" not in draw(sketch, nothing, 1, 0.0)
+
+
+def test_the_bar_measures_100_mm_in_the_pdf(tmp_path: Path) -> None:
+    import pymupdf
+
+    from coursework.report import write_report
+
+    write_report(run_of("31"), tmp_path / "report.pdf")
+    with pymupdf.open(tmp_path / "report.pdf") as document:
+        bars = [
+            drawn["rect"]
+            for page in document
+            for drawn in page.get_drawings()
+            if drawn.get("color") and drawn["color"] == pytest.approx((1 / 255,) * 3, abs=1e-3)
+        ]
+    assert len(bars) == 1
+    assert max(bars[0].width, bars[0].height) / 72 * 25.4 == pytest.approx(100, abs=0.05)
