@@ -72,7 +72,8 @@ def start_values(equations: VelocityEquations) -> list[float]:
                 f"{value:.15g} {coordinate.unit} in the assembly mode given. "
                 "Write that value, leave `start` out, or change `mode`."
             )
-            faults.append(Fault(message, str(variant.path or variant.name)))
+            line = variant.line_of("coordinates", coordinate.name)
+            faults.append(Fault(message, str(variant.path or variant.name), line))
     if faults:
         raise InputError(faults)
     return [float(value) for value in closed]

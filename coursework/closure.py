@@ -126,8 +126,10 @@ def compile_closure(equations: VelocityEquations, start: Sequence[float]) -> Clo
     try:
         values = np.array(function(0.0, *start), dtype=float)[: len(positions)]
     except (ArithmeticError, ValueError) as error:
-        names_of = listing([position.name for position in positions], "or")
-        text = f"the position equation of {names_of} has no value at t = 0, or its derivative has none: {error}."
+        text = (
+            f"the position equation of {listing(_without_value(equations, wanted, start), 'or')} has no value at t = 0, or its "
+            f"derivative has none ({error}). Check lengths and start values."
+        )
         raise InputError([Fault(text, str(variant.path or variant.name))]) from error
     origin = np.where([position.kept == "zero" for position in positions], 0.0, values)
     kept = tuple("" if position.kept in {"zero", "start"} else position.kept for position in positions)
@@ -136,6 +138,20 @@ def compile_closure(equations: VelocityEquations, start: Sequence[float]) -> Clo
         tuple(p.name for p in positions), free, driven, kept, origin, np.array(start, dtype=float), function, equations,
         combination, blocks,
     )  # fmt: skip
+
+
+def _without_value(equations: VelocityEquations, wanted: list[sp.Expr], start: Sequence[float]) -> list[str]:
+    """Return the names of the positions that cannot be computed, themselves or a derivative of theirs."""
+    positions = equations.positions
+    columns = len(wanted) // len(positions) - 1
+    found = []
+    for place, position in enumerate(positions):
+        first = len(positions) + place * columns
+        try:
+            compile_values(equations, [wanted[place], *wanted[first : first + columns]])[0](0.0, *start)
+        except (ArithmeticError, ValueError):
+            found.append(position.name)
+    return found
 
 
 def _blocks(
@@ -181,7 +197,7 @@ def require_start(closure: Closure | None) -> None:
         values = ", ".join(f"{c.name} = {q:.15g}" for c, q in zip(variant.coordinates, closed, strict=True))
         advice = f"The nearest closed start is {values}."
     text = f"the start values violate the closure: residuals {listed} (m). {advice}"
-    raise InputError([Fault(text, str(variant.path or variant.name))])
+    raise InputError([Fault(text, str(variant.path or variant.name), variant.line_of("coordinates"))])
 
 
 def closed_start(closure: Closure) -> tuple[Array, Array | None]:

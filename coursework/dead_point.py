@@ -81,6 +81,7 @@ class _Walk:
     def __init__(self, scene: Flow, state: Array, end: float, tolerance: float) -> None:
         self.scene, self.state, self.end, self.tolerance = scene, state, end, tolerance
         self.scaled = self._determinants(state)
+        self.slope = state
         self.length = 0.0
         self.near = NEAR * tolerance**0.5
         self.tried = np.inf  # the determinant at which a change point was searched last
@@ -135,7 +136,7 @@ class _Walk:
     def _step(self, rule: Rule, block: int) -> tuple[Step, float, float] | None:
         """Return the next step that is accurate enough, its length and the next one; None where the law of a table ends."""
         t = float(self.state[-1])
-        slope = rule(0.0, self.state)
+        slope = self.slope = rule(0.0, self.state)
         rates = np.abs(slope[:-1]) / slope[-1]
         self.when[rates > self.fastest] = t
         self.fastest = np.maximum(self.fastest, rates)
@@ -158,7 +159,7 @@ class _Walk:
             self.length = next_length(self.length, ratio if np.isfinite(ratio) else 1e10)
 
     def _reached(self, rule: Rule, part: float) -> Array:
-        return dormand_prince(rule, 0.0, self.state, rule(0.0, self.state), part).state
+        return dormand_prince(rule, 0.0, self.state, self.slope, part).state
 
     def _at_once(self, crossed: list[int], block: int, after: Array) -> bool:
         """Return whether only the clock's determinant changes its sign, or several so close together that they do it at once."""
@@ -198,7 +199,7 @@ class _Walk:
         return (low + high) / 2
 
     def _root(self, rule: Rule, reach: float, value: Callable[[Array], float]) -> tuple[Array, float]:
-        """Return the state inside a step at which `value`, positive at its begin, is zero, and its part of the step (Illinois)."""
+        """Return the state inside a step at which `value`, positive at its begin, is zero, and its part (Illinois)."""
         low, high, middle = 0.0, reach, reach
         state = self._reached(rule, high)
         at_low, at_high = value(self.state), value(state)

@@ -39,7 +39,7 @@ class InputError(CourseworkError):
 
     def __init__(self, faults: Iterable[Fault] | str) -> None:
         listed = (Fault(faults),) if isinstance(faults, str) else tuple(faults)
-        self.faults: tuple[Fault, ...] = tuple(sorted(listed, key=lambda fault: (fault.file, fault.line or 10**6)))
+        self.faults: tuple[Fault, ...] = tuple(sorted(listed, key=lambda fault: (fault.file, fault.line or 10**6, fault.column)))
         shown = [str(fault) for fault in self.faults[:MOST_SHOWN]]
         if len(self.faults) > MOST_SHOWN:
             shown.append(f"… and {len(self.faults) - MOST_SHOWN} faults more.")

@@ -43,8 +43,8 @@ def explain(
         )
     elif len(branches) == 1:
         meaning = (
-            f"This is a removable singularity: {holds}. The equations stay consistent but do not say how fast the motion goes "
-            f"on{_branches(branches)}. The tool does not guess; {kept}"
+            f"This is a removable singularity: {holds}. The equations stay consistent but do not give the velocities here"
+            f"{_branches(branches)}. The tool does not guess; {kept}"
         )
     else:
         meaning = (
@@ -95,7 +95,7 @@ def _angles(block: Block, equations: VelocityEquations, coordinates: dict[str, f
 def _branches(branches: tuple[dict[str, float], ...]) -> str:
     told = [", ".join(f"{name} = {_tidied(value):.6g}" for name, value in branch.items()) for branch in branches]
     if len(told) == 1:
-        return f"; one motion only leads through, with {told[0]}"
+        return f"; one motion only goes on with the drive, with {told[0]}"
     return f": either {'; or '.join(told)}" if told else ""
 
 

@@ -86,7 +86,7 @@ def _tokens(text: str) -> list[_Token]:
         word = match.group(kind)
         if kind == "name":
             if strange := foreign_letter(word):
-                raise FormulaFault(column + strange[0], f'"{word}" contains the {strange[1]}; names use Latin or Greek letters')
+                raise FormulaFault(column + strange[0], f'"{word[:40]}" contains the {strange[1]}; names use Latin or Greek letters')
             word = spell(word)
         depth += {"(": 1, ")": -1}.get(word, 0)
         if depth > MAX_DEPTH or len(tokens) > 4 * MAX_NODES:
@@ -117,8 +117,7 @@ class _Reader:
     def take(self, text: str, what: str) -> _Token:
         token = self.peek()
         if token.text != text:
-            if text == ")" and token.text:
-                self.misplaced(token)
+            self.misplaced(token)
             found = f'"{token.text}"' if token.text else "the end"
             raise FormulaFault(token.column, f"{what} was expected here (found {found})")
         self.position += 1
@@ -156,6 +155,8 @@ class _Reader:
             raise FormulaFault(token.column, f'an operator is missing before "{token.text}"; a product is written with *')
         if token.text == ",":
             raise FormulaFault(token.column, "a comma has no meaning here; decimals are written with a point (0.5)")
+        if token.text == ".":
+            raise FormulaFault(token.column, "a point stands inside a number (0.5) or, in the geometry, before x and y")
 
     def expression(self) -> Formula:
         left = self.term()
@@ -214,7 +215,7 @@ class _Reader:
         self.position += 1
         if token.kind == "number":
             if not float(token.text) <= MAX_NUMBER:
-                raise FormulaFault(token.column, f"the number {token.text[:20]} is larger than {MAX_NUMBER:g}")
+                raise FormulaFault(token.column, f"the number {token.text[:20]} is larger than 1e12")
             if float(token.text) < 1 / LARGEST and re.search("[1-9]", re.split("[eE]", token.text)[0]):
                 raise FormulaFault(token.column, f"the number {token.text[:20]} is too small to be told from 0")
             return self.node("number", (), token.column, token.text)

@@ -118,17 +118,20 @@ def _fault(
         wanted = f"equation {listing(others)}" if len(others) == 1 else f"equations {listing(others)} together"
         said = wanted if others else "0 = 0"
         sentences.append(f"Equation {name} contradicts {said}: the right sides differ by {abs(gap):.3g} at t = 0.")
+    sentences += ["Correct one of them or leave it out."] if conflicts else []
     sentences += [f"Equation {_same(pair)}." for pair in sames]
     if len(kept) < len(unknowns):
         sentences.append(f"Missing: something for {listing(_undetermined(matrix, kept, unknowns))}.")
         sentences.append(_structure(equations, rows, owner))
-        drives = len(equations.variant.drive)
+        drives, ways = len(equations.variant.drive), len(unknowns) - len(kept)
+        prescribed = f"its {drives} drives prescribe" if drives != 1 else "its drive prescribes"
         sentences.append(
-            f"The mechanism moves in {len(unknowns) - len(kept)} more way(s) than its {drives} drive(s) prescribe; "
-            "add a constraint or a drive."
+            f"The mechanism moves in {ways} more way{'s' if ways > 1 else ''} than {prescribed}; add a constraint or a drive."
         )
     file = str(equations.variant.path or equations.variant.name)
-    return Fault(" ".join(part for part in sentences if part), file)
+    lines = {equation.name: equation.line for equation in equations.equations}
+    line = lines[conflicts[0][0]] if len(conflicts) == 1 else 0
+    return Fault(" ".join(part for part in sentences if part), file, line)
 
 
 def _undetermined(matrix: Array, kept: list[int], unknowns: tuple[str, ...]) -> list[str]:
@@ -145,10 +148,12 @@ def _structure(equations: VelocityEquations, rows: list[frozenset[int]], owner: 
     names = [equation.name for equation in equations.equations]
     sentence = ""
     if over[0] and len(over[0]) > len(over[1]):
-        involved = listing([equations.unknowns[c] for c in over[1]]) or "no unknown velocity"
-        sentence = f"Equations {listing([names[r] for r in over[0]])} contain only {involved}"
+        involved = listing([equations.unknowns[c] for c in over[1]])
+        told = f"contain only {involved}" if involved else "contain no unknown velocity"
+        sentence = f"Equation(s) {listing([names[r] for r in over[0]])} {told}"
     if under[1]:
         involved = listing([equations.unknowns[c] for c in under[1]])
-        where = f"only in equation {listing([names[r] for r in under[0]])}" if under[0] else "in no equation"
-        sentence += ("; " if sentence else "") + f"{involved} stand(s) {where}"
+        plural = "s" if len(under[0]) > 1 else ""
+        where = f"only in equation{plural} {listing([names[r] for r in under[0]])}" if under[0] else "in no equation"
+        sentence += ("; " if sentence else "") + f"{involved} stand{'s' if len(under[1]) == 1 else ''} {where}"
     return sentence + "." if sentence else ""

@@ -50,6 +50,8 @@ class _Recorder:
         return f"_v{self.count}"
 
     def slopes(self, t: _Scalar, q: _Vector) -> _Vector:
+        # A position is read many times inside, so it gets names; a sum that is read once stays an expression.
+        q = _Vector(self, [name if name.isidentifier() else self.fresh(name) for name in q.names])
         self.count += 1
         inside = {"t": t.name, **dict(zip(self.rates.coordinates, q.names, strict=True))}
         skipped = {f"_{name}" for name in self.rates.velocities}
@@ -83,10 +85,10 @@ class _Vector:
 
     def __add__(self, other: _Vector) -> _Vector:
         pairs = zip(self.names, other.names, strict=True)
-        return _Vector(self.recorder, [self.recorder.fresh(f"{a} + {b}") for a, b in pairs])
+        return _Vector(self.recorder, [f"({a} + {b})" for a, b in pairs])
 
     def scaled(self, factor: str) -> _Vector:
-        return _Vector(self.recorder, [self.recorder.fresh(f"{factor}*{name}") for name in self.names])
+        return _Vector(self.recorder, [f"{factor}*{name}" for name in self.names])
 
     def __rmul__(self, factor: float) -> _Vector:
         return self.scaled(_text(factor))

@@ -81,5 +81,5 @@ def _advice(text: str, unit: str) -> str:
 def _finite(value: float, text: str) -> float:
     # Compared before it becomes a double: a TOML integer may have thousands of digits.
     if value != value or abs(value) > MAX_NUMBER:
-        raise UnitFault(f'a finite number of at most {MAX_NUMBER:g} was expected, found "{text[:40]}".')
+        raise UnitFault(f'a finite number of at most 1e12 was expected, found "{text[:40]}".')
     return float(value)

@@ -8,7 +8,9 @@ from numpy.typing import NDArray
 from coursework.checks.evidence import Evidence
 from coursework.checks.result import Check, Verdict
 from coursework.integrate import WIDEST_STEP
+from coursework.magnitude import largest
 from coursework.system import compile_system
+from coursework.tidy import as_formula
 
 Array = NDArray[np.float64]
 # A double has sixteen digits; six of them are more than any table of the coursework shows.
@@ -25,28 +27,33 @@ def condition(evidence: Evidence) -> Check:
     used = [equation for equation in evidence.equations.equations if equation.name in evidence.used]
     if not used:
         return Check("CONDITION", "Trustworthy digits", "SKIP", "There is nothing to solve for.")
-    matrix, _, _ = compile_system(evidence.equations, used).matrices(motion.t, motion.coordinates)
-    numbers = np.linalg.cond(equilibrated(matrix))
-    row = int(np.argmax(numbers))
-    digits = float(np.clip(DIGITS - np.log10(numbers[row]), 0.0, DIGITS)) if np.isfinite(numbers[row]) else 0.0
+    system = compile_system(evidence.equations, used)
+    matrix, _, _ = system.matrices(motion.t, motion.coordinates)
+    sizes = np.max(np.abs(matrix), axis=0)
+    for row, equation in enumerate(used):
+        for name, coefficient in equation.coefficients.items():
+            column = system.unknowns.index(name)
+            sizes[row, column] = max(sizes[row, column], largest(as_formula(coefficient, evidence.equations.order), variant))
+    numbers = np.linalg.cond(equilibrated(matrix, sizes))
+    worst = int(np.argmax(numbers))
+    digits = float(np.clip(DIGITS - np.log10(numbers[worst]), 0.0, DIGITS)) if np.isfinite(numbers[worst]) else 0.0
     verdict: Verdict = "PASS" if digits >= FEWEST else "FAIL"
     sentence = (
-        f"The equations leave {digits:.1f} of 16 digits in row {row + 1} (t = {motion.t[row]:.6g} s), the worst one: "
-        f"their condition number is {numbers[row]:.3g} there, rows and columns equilibrated."
+        f"The equations leave {digits:.1f} of 16 digits in row {worst + 1} (t = {motion.t[worst]:.6g} s), the worst one: "
+        f"their condition number is {numbers[worst]:.3g} there, rows and columns equilibrated."
     )
     if verdict == "FAIL":
         sentence += " The mechanism is too close to a dead or change point for its velocities to mean much."
-    rows = (("condition number, worst row", float(numbers[row]), ""), ("condition number, first row", float(numbers[0]), ""))
+    rows = (("condition number, worst row", float(numbers[worst]), ""), ("condition number, first row", float(numbers[0]), ""))
     return Check("CONDITION", "Trustworthy digits", verdict, sentence, digits, FEWEST, "digits", rows)
 
 
-def equilibrated(matrix: Array) -> Array:
+def equilibrated(matrix: Array, sizes: Array) -> Array:
     """Return the matrices (r, n, n) with rows and columns scaled alike in all r of them.
 
-    A micrometre beside a metre (hard case H17) is no bad condition, and a row that vanishes on the way (a dead point) is:
-    so the scales come from the largest entries of the whole run, not row by row.  Source: D. Ruiz, RAL-TR-2001-034.
+    `sizes` (n, n): the largest values the entries can take, not those they have: a micrometre beside a metre (hard case H17)
+    is no bad condition, and a row that vanishes (a dead point) is.  Source: D. Ruiz, RAL-TR-2001-034.
     """
-    sizes = np.max(np.abs(matrix), axis=0)
     down, across = np.ones(sizes.shape[0]), np.ones(sizes.shape[1])
     for _ in range(_ROUNDS):
         scaled = sizes / down[:, None] / across

@@ -104,6 +104,8 @@ def write_all(run: Run, folder: Path, formats: tuple[str, ...]) -> list[str]:
     pages = [folder / f"report.{kind}" for kind in ("html", "pdf") if kind in formats]
     if "checks" in run.asked:
         run.checks  # noqa: B018  computed before the first file is written
+    if pages:
+        _ = run.extra_tables, run.graph
     if "csv" in formats:
         write_table(run, folder / "table.csv")
     write_record(run, folder / "run.json")

@@ -151,7 +151,7 @@ class Parts:
                 allowed = [known for known, its in self.names.kinds.items() if its in _SCOPES[scope]] if few else []
                 where = " Declare it once: in [given], [drive], [coordinates] or [unknowns]."
                 advice = closest(name, [*allowed, "t", "pi"]) or where
-                self.undeclared(path, f'symbol "{tree.name}" is not declared.{advice}', tree.column)
+                self.undeclared(path, f'symbol "{tree.name[:40]}" is not declared.{advice}', tree.column)
         return Formula("name", (), name, tree.column)
 
     def _kind(self, path: Path, tree: Formula) -> str:

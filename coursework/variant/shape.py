@@ -122,8 +122,8 @@ def _fault(path: Path, entry: Entry, source: Source) -> Fault:
         advice = closest(key, known) or f" Known keys: {', '.join(known)}."
         return source.fault(path, f'the key "{key}" is not known here.{advice}', at_key=True)
     if problem == "missing":
-        what = f"the section [{key}]" if len(path) == 1 else f'the key "{key}"'
-        return source.fault(path[:-1], f"{what} is missing. Write {_EXAMPLES.get(key, key + ' = …')}", at_key=True)
+        what, example = (f"the section [{key}]", f"[{key}]") if len(path) == 1 else (f'the key "{key}"', key)
+        return source.fault(path[:-1], f"{what} is missing. Write {_EXAMPLES[example]}.", at_key=True)
     if key == "[key]":
         name = str(path[-2]) if len(path) > 1 else ""
         return source.fault(path[:-2], f'"{name[:50]}" cannot be a name: 1 to 40 letters and digits were expected.', at_key=True)
@@ -131,12 +131,13 @@ def _fault(path: Path, entry: Entry, source: Source) -> Fault:
 
 
 _EXAMPLES = {
-    "time": '[time] with step = "0.02 s" and end = "0.48 s".',
-    "coordinates": '[coordinates] with a line phi1 = { start = "0 rad", rate = "w1" } for each.',
-    "rate": 'rate = "w1", the name of the velocity.',
-    "step": 'step = "0.02 s".',
-    "end": 'end = "0.48 s".',
-}
+    "[time]": '[time] with step = "0.02 s" and end = "0.48 s"',
+    "[coordinates]": '[coordinates] with a line phi1 = { start = "0 rad", rate = "w1" } for each',
+    "rate": 'rate = "w1", the name of the velocity', "step": 'step = "0.02 s"', "end": 'end = "0.48 s"',
+    "pieces": 'pieces = [["0 s", "0"], ["0.1 s", "V"]]', "table": 'table = "r.csv"', "of": 'of = "phi1"',
+    "kind": 'kind = "RRR"', "coordinates": 'coordinates = ["phi2", "phi3"]', "through": 'through = "P"',
+    "angle": 'angle = "0 rad"', "center": 'center = "O"', "radius": 'radius = "R"',
+}  # fmt: skip
 _KINDS = {
     "string_type": "a text in quotation marks", "int_type": "a whole number", "float_type": "a number",
     "list_type": "a list [ … ]", "dict_type": "a section of lines key = value", "model_type": "a table { key = value }",
@@ -151,9 +152,12 @@ def _expected(path: Path, entry: Entry) -> str:
         return re.sub(r"'([^']*)'", r'"\1"', str(context["expected"]))
     if "string_too_long" in entry["types"]:
         return f"a text of at most {context.get('max_length')} letters"
+    if "pieces" in path[2:] and len(path) == 4:
+        return 'a pair ["0.1 s", "formula"]'
     if problem in {"too_long", "too_short", "string_too_short"}:
         bound = f"at most {context['max_length']}" if problem == "too_long" else f"at least {context['min_length']}"
-        return f"a {'text' if problem.startswith('string') else 'list'} of {bound}" + (" lines" if len(path) == 1 else "")
+        lines = len(path) == 1 and isinstance(entry.get("input"), dict)
+        return f"{bound.replace('1', 'one')} line" if lines else f"a {'text' if problem[:6] == 'string' else 'list'} of {bound}"
     if path in {("constraint",), ("group",)}:
         return f"a section in double brackets, [[{path[0]}]],"
     if problem == "greater_than_equal":
@@ -170,7 +174,7 @@ def _expected(path: Path, entry: Entry) -> str:
 def _shown(value: Any) -> str:
     """Return a value as the file writes it, shortened."""
     if isinstance(value, dict):
-        return "a table { … }" if value else "nothing in it"
+        return "a table { … }" if value else "nothing"
     try:
         text = json.dumps(value, ensure_ascii=False)
     except (TypeError, ValueError):

@@ -43,6 +43,7 @@ class Source:
         place = ".".join(str(part + 1) if isinstance(part, int) else part for part in path)
         if len(path) > 1 and path[0] == "constraint" and isinstance(path[1], int):
             place = f"constraint {self._name_of(path[1])}"
+            place += "".join(f", {key}" for key in path[2:] if key not in {"equation", "closure"})
         where = start + column if column else start
         return Fault(message, self.file, line, where if line else 0, place + (f", column {column}" if column else ""))
 

@@ -21,6 +21,7 @@ _SENTENCES = (
     ("Illegal character", "a text contains a letter that does not print; remove it"),
     ("Unescaped", "a backslash in a text is written twice: \\\\"),
     ("Expected '=' after a key", 'a key is followed by "=": key = value'),
+    ("Expected ']'", "a bracket ] is missing after the name of a section"),
     ("Unclosed array", "a list is not closed: a comma or ] is missing"),
     ("Unclosed inline table", "a table in braces stands on one line: a comma or } is missing"),
     ("Invalid initial character for a key part", "a key was expected here: letters, digits, _ and - only"),

@@ -8,7 +8,7 @@ import time
 import pytest
 
 RUNS = 5
-_CALL = "from coursework.cli import main; main({arguments!r})"
+CALL = "from coursework.cli import main; main({arguments!r})"
 
 
 def cost(code: str, folder) -> float:
@@ -27,15 +27,14 @@ def cost(code: str, folder) -> float:
     return min(costs[1:])
 
 
-@pytest.mark.parametrize(
-    ("arguments", "imports", "limit"),
-    [
-        (["run", "31", "--format", "csv"], "numpy, pandas, sympy", 1.5),
-        (["run", "31"], "numpy, pandas, sympy, matplotlib.figure, jinja2, typst", 2.0),
-        (["--help"], "click", 1.5),
-    ],
-    ids=["table", "report", "help"],
-)
+CASES = [
+    (["run", "31", "--format", "csv"], "numpy, pandas, sympy", 1.5),
+    (["run", "31"], "numpy, pandas, sympy, matplotlib.figure, jinja2, typst", 2.0),
+    (["--help"], "click", 1.5),
+]
+
+
+@pytest.mark.parametrize(("arguments", "imports", "limit"), CASES, ids=["table", "report", "help"])
 def test_against_bare_imports(arguments, imports, limit, tmp_path):
-    ours = cost(_CALL.format(arguments=arguments), tmp_path)
+    ours = cost(CALL.format(arguments=arguments), tmp_path)
     assert ours <= limit * cost(f"import {imports}", tmp_path)

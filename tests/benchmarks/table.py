@@ -1,0 +1,44 @@
+"""The table "How fast it is" of README.md, measured anew:  python -m tests.benchmarks.table"""
+
+import ctypes
+import shutil
+import tempfile
+from pathlib import Path
+
+import sympy as sp
+
+import coursework
+from coursework.loops import generate_loop
+from coursework.reduction import reduce
+from coursework.schemes import SCHEMES
+from tests.benchmarks import test_march as march
+from tests.benchmarks import test_whole_process as whole
+
+
+def rows():
+    """Yield (what, against what, ratio, limit)."""
+    values = coursework.solve("31", quantities=["table"]).values
+    loop = generate_loop(SCHEMES["euler"].step, values["rates"])
+    h = 0.48 / march.STEPS
+    ours = march.best(lambda: loop(0.0, march.STEPS, h, *march.START))
+    by_hand = march.best(lambda: march.by_hand(march.STEPS, h))
+    yield "loop by hand, a call a step", "generated Euler loop", by_hand / ours, "at least 1.3"
+    if compiler := shutil.which("cc") or shutil.which("gcc") or shutil.which("clang"):
+        with tempfile.TemporaryDirectory() as folder:
+            euler = march.compiled(compiler, Path(folder))
+            in_c = march.best(lambda: euler(march.STEPS, h, (ctypes.c_double * 3)(*march.START)))
+        yield "generated Euler loop", "the same loop in C", ours / in_c, "at most 10"
+    equations, start = values["equations"], values["start"]
+    reduced = march.best(march.uncached(lambda: reduce(equations, start)), 15)
+    matrix = march.best(march.uncached(lambda: sp.linear_eq_to_matrix(*march.as_sympy(equations))), 15)
+    yield "reduction of variant 31", "a bare linear_eq_to_matrix", reduced / matrix, "at most 20"
+    for arguments, imports, limit in whole.CASES:
+        with tempfile.TemporaryDirectory() as folder:
+            ratio = whole.cost(whole.CALL.format(arguments=arguments), folder) / whole.cost(f"import {imports}", folder)
+        yield f"`coursework {' '.join(arguments)}`", f"importing {imports}", ratio, f"at most {limit}"
+
+
+if __name__ == "__main__":
+    print("| what | against | ratio | limit |\n|---|---|---|---|")
+    for what, against, ratio, limit in rows():
+        print(f"| {what} | {against} | {ratio:.2f} | {limit} |")

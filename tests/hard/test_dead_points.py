@@ -1,0 +1,166 @@
+"""H01, H02, H10, H28, H33: dead points located to 1e-8 by every scheme and step, whatever the scheme itself sees."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+from coursework.dead_point import find_event
+from coursework.schemes import SCHEMES
+from tests.hard.scenes import CASES, REFERENCE, V31_IMPOSSIBLE, expected, scene, solve
+
+LOCATED = 1e-8
+
+
+def slider_driven(step: float) -> str:
+    return scene(
+        f'theta = {{ start = "{math.pi / 2!r} rad", rate = "w" }}\ns = {{ start = "{math.sqrt(8)!r} m", rate = "u" }}',
+        given='r = "1 m"\nl = "3 m"\nv = "1 m/s"',
+        drive='u = "v"',
+        step=step,
+        end=2.0,
+        closures=["r @ theta + l @ gamma = (s, 0)"],
+    ).replace("s = {", 'gamma = { start = "%r rad", rate = "wg" }\ns = {' % -math.asin(1 / 3))
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+@pytest.mark.parametrize("step", [0.02, 0.06, 0.1, 0.005])
+def test_h01_variant_31_with_the_wrong_phase_stops_where_it_must(scheme, step):
+    run = solve(V31_IMPOSSIBLE, scheme, step=step)
+    wanted = expected("H01")
+    stop = run.stop
+    assert stop.kind == "dead point"
+    assert abs(stop.time - float(wanted["t_event"])) < LOCATED
+    assert abs(stop.coordinates["phi3"] - float(wanted["phi3_event"])) < LOCATED
+    assert stop.block == ("w3",)
+    assert "The drive asks for 4.499 m/s" in stop.sentence
+    assert np.all(run.motion.t < stop.time)
+    assert np.all(np.sign(run.motion.determinants) == np.sign(run.motion.determinants[0]))
+    if step == 0.02 and scheme == "euler":
+        assert len(run.motion.t) - 1 == wanted["last_valid_row_dt_0.02"]
+
+
+def test_h01_the_angle_runs_into_it_like_a_square_root():
+    run = solve(V31_IMPOSSIBLE, step=0.116889254610302411 / 1000.001, end=0.1169)
+    late = run.stop.time - run.exact.t[-3:]
+    law = 2.96734913787954353 * np.sqrt(late)
+    assert np.allclose(run.exact.column("phi3")[-3:] - run.stop.coordinates["phi3"], law, rtol=2e-2)
+
+
+@pytest.mark.parametrize("scheme", ["euler", "rk4"])
+@pytest.mark.parametrize("step", [0.3, 0.02, 0.001])
+def test_h02_slider_driven_through_the_outer_dead_point(scheme, step):
+    run = solve(slider_driven(step), scheme)
+    wanted = expected("H02")
+    assert run.stop.kind == "dead point"
+    assert abs(run.stop.time - float(wanted["t_event"])) < LOCATED
+    assert abs(run.stop.coordinates["theta"] - float(wanted["theta_event"])) < 1e-7
+    assert abs(run.stop.coordinates["s"] - float(wanted["x_max"])) < LOCATED
+    assert abs(run.motion.column("w")[0] - float(wanted["theta_dot_at_0"])) < 1e-12
+    near = run.exact.column("theta")[-1]
+    assert near > 0
+    if step == 0.001:
+        assert math.isclose(near, math.sqrt(1.5 * (run.stop.time - run.exact.t[-1])), rel_tol=1e-3)
+
+
+@pytest.mark.parametrize("step", [0.1, 0.3, 0.01])
+def test_h10_rod_square_to_its_guide(step):
+    text = scene(
+        f'y = {{ start = "0.3 m", rate = "vy" }}\nphi = {{ start = "{-math.asin(0.6)!r} rad", rate = "w" }}\n'
+        'x = { start = "0.4 m", rate = "u" }',
+        given='l = "0.5 m"\nv = "0.1 m/s"',
+        drive='vy = "v"',
+        step=step,
+        end=3.0,
+        closures=["(0, y) + l @ phi = (x, 0)"],
+    )
+    run = solve(text)
+    wanted = expected("H10")
+    assert run.stop.kind == "dead point"
+    assert abs(run.stop.time - float(wanted["t_event"])) < LOCATED
+    assert abs(run.stop.coordinates["phi"] - float(wanted["phi_event"])) < 1e-7
+    if step == 0.1:
+        # The row at t = 2 s stands on the dead point and is none; the one before it is exact.
+        assert len(run.motion.t) == 20
+        assert abs(run.exact.column("x")[19] - float(wanted["xB(t=1.9)"])) < 1e-12
+        assert abs(run.exact.column("w")[19] - float(wanted["phi_dot(t=1.9)"])) < 1e-12
+
+
+def timed(determinant: str, right: str = "1") -> str:
+    return scene(
+        'x = { start = "0 rad", rate = "w" }', drive=f'd = "{determinant}"', step=0.02, end=1.0, equations=[f"d*w = {right}"]
+    )
+
+
+@pytest.mark.parametrize("scheme", ["euler", "rk4"])
+def test_h28_two_zeros_of_a_determinant_between_two_rows(scheme):
+    data = CASES["H28"]["data"]
+    assert "(t-0.501)(t-0.519)" in data["1x1"]
+    run = solve(timed("(t - 0.501)*(t - 0.519)"), scheme)
+    assert run.stop.kind == "dead point"
+    assert abs(run.stop.time - 0.501) < LOCATED
+    assert run.motion.t[-1] == 0.5
+    # What a look at the rows alone would say: the same sign on both sides, and small.
+    assert (0.50 - 0.501) * (0.50 - 0.519) > 0 < (0.52 - 0.501) * (0.52 - 0.519)
+
+
+@pytest.mark.parametrize("root", [0.51, 0.3377])
+def test_h28_a_double_zero_is_found_too(root):
+    run = solve(timed(f"(t - {root})^2"))
+    assert run.stop.kind == "dead point"
+    assert abs(run.stop.time - root) < LOCATED
+
+
+def test_h28_a_zero_that_the_right_side_shares_is_removable():
+    run = solve(timed("(t - 0.501)*(t - 0.519)", "3*(t - 0.501)*(t - 0.519)"))
+    assert run.stop.kind == "change point"
+    assert abs(run.stop.time - 0.501) < LOCATED
+    assert len(run.stop.branches) == 1
+    assert abs(run.stop.branches[0]["w"] - 3) < 1e-9
+    assert "removable" in run.stop.sentence
+
+
+@pytest.mark.parametrize("depth", [1e-3, 1e-7, 1e-10, -1e-7, -1e-3])
+def test_h28_two_crossings_of_a_driven_chain_inside_one_step(depth):
+    """A dyad is stretched a little beyond its reach and back: |BD| = 2 - depth at t = 0.505, between two rows."""
+    text = scene(
+        f's = {{ start = "{1.5!r} m", rate = "u" }}\np = {{ start = "{math.acos(0.75)!r} rad", rate = "wp" }}\n'
+        f'q = {{ start = "{math.pi - math.acos(0.75)!r} rad", rate = "wq" }}',
+        given='l = "1 m"',
+        drive=f'u = "{0.5 - depth!r}*2*(0.505 - t)/0.505^2"',
+        step=0.02,
+        end=1.0,
+        closures=["l @ p = (s, 0) + l @ q"],
+    )
+    run = solve(text)
+    event = run.values["event"]
+    if depth == 1e-10:  # nearer to a change point than any length is cut to
+        assert event.kind == "change point"
+        assert abs(event.time - 0.505) < 1e-7
+    elif depth > 0:
+        assert event is None
+        assert np.all(run.exact.determinants * run.exact.determinants[0] > 0)
+        assert abs(run.exact.column("s")[-1] - (1.5 + (0.5 - depth) * (1 - ((1 - 0.505) / 0.505) ** 2))) < 1e-12
+    else:
+        assert event.kind == "dead point"
+        assert abs(event.time - (0.505 - 0.505 * math.sqrt(1 - 0.5 / (0.5 - depth)))) < LOCATED
+
+
+def test_h33_location_does_not_depend_on_scheme_or_step():
+    wanted = json.loads((REFERENCE / "dead_point_v31.json").read_text(encoding="utf-8"))
+    found = {solve(V31_IMPOSSIBLE, scheme, step=step).stop.time for scheme in SCHEMES for step in (0.02, 0.01, 0.005, 0.0013)}
+    assert len(found) == 1
+    assert abs(found.pop() - float(wanted["t_star"])) < 1e-11
+    naive = {entry["n"]: entry["err"] for entry in wanted["methods"] if entry["method"].startswith("Euler")}
+    assert min(abs(error) for error in naive.values()) > 1e4 * LOCATED
+
+
+@pytest.mark.parametrize(("tolerance", "error", "cost"), [(1e-6, 1e-5, 350), (1e-9, 1e-8, 400), (1e-12, 1e-11, 1000)])
+def test_h33_cost_of_the_location(tolerance, error, cost):
+    values = solve(V31_IMPOSSIBLE).values
+    flow = values["flow"]
+    before = flow.evaluations
+    event = find_event(flow, values["start"], 0.48, tolerance=tolerance)
+    assert abs(event.time - 0.116889254610302411) < error
+    assert flow.evaluations - before < cost

@@ -1,0 +1,129 @@
+"""Greek letters, the usual aliases and every unit: other ways to write the same, to the last bit."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import coursework
+from coursework import units
+from coursework.alphabet import foreign_letter, spell
+from coursework.variant.reader import parse_variant
+
+PAGE = (Path(__file__).parent.parent / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
+
+
+def table(text):
+    motion = coursework.solve(parse_variant(text), quantities=["table"]).motion
+    return motion.names, motion.rows
+
+
+@pytest.fixture(scope="module")
+def plain():
+    return table(PAGE)
+
+
+def rewritten(*pairs):
+    text = PAGE
+    for plain, other in pairs:
+        assert plain in text, plain
+        text = text.replace(plain, other)
+    return text
+
+
+SPELLINGS = {
+    "Greek in formulas": [("cos(phi3)", "cos(φ3)"), ("sin(phi1)", "sin(φ₁)"), ("r3*w3", "r3*ω3"), ("+ alpha", "+ α")],
+    "Greek in names": [
+        ("phi1 = {", '"φ1" = {'),
+        ("phi2 = {", '"φ₂" = {'),
+        ('rate = "w1"', 'rate = "ω1"'),
+        ('w4 = "1/s"', '"ω4" = "1/s"'),
+        ("alpha =", '"α" ='),
+    ],
+    "written out": [("r3*w3", "r3*omega3"), ("r2*w2", "r2*omega_2"), ("cos(phi3)", "cos(phi_3)"), ("sin(phi1)", "sin(fi1)")],
+    "declared otherwise": [('rate = "w3"', 'rate = "omega3"'), ("phi1 = {", "phi_1 = {"), ("alpha =", '"α" =')],
+    "signs": [("2*r3*w3", "2·r3·w3"), (" - r3", " − r3"), ("r1*w1", "r1×w1"), ("0.5*r3", "r3÷2"), ("- r2", "– r2")],
+    "spaces": [("2*r3*w3*cos(phi3)", "2 * r3 *w3* cos ( phi3 )")],
+    "powers": [("0.5*r3*w4", "(0.25**0.5)*r3*w4"), ("r2*w2*sin(phi2)", "r2²/r2*w2*sin(phi2)^1")],
+    "tangent": [("r2*w2*sin(phi2)", "r2*w2*tg(phi2)*cos(phi2)")],
+    "cotangent": [("r2*w2*cos(phi2)", "r2*w2*ctg(phi2)*sin(phi2)"), ("r1*w1*cos(phi1)", "r1*w1*cot(phi1)*sin(phi1)")],
+    "inverse": [("sin(p*t + alpha)", "sin(p*t + arctg(tg(alpha)) + pi)"), ("2*pi/p", "2*π/p")],
+    "logarithm": [("V1*sin", "exp(ln(V1))*sin")],
+}
+
+
+@pytest.mark.parametrize("kind", SPELLINGS)
+def test_same_table(kind, plain):
+    names, rows = table(rewritten(*SPELLINGS[kind]))
+    ours = [name.replace("_", "").replace("omega", "w") for name in names]
+    assert tuple(ours) == plain[0]
+    exact = kind in {"Greek in formulas", "Greek in names", "written out", "spaces"}  # other names sort otherwise
+    assert np.max(np.abs(rows - plain[1]) / np.max(np.abs(plain[1]), axis=0)) <= (0.0 if exact else 1e-13)
+
+
+def test_names_alike_are_not_confused():
+    """phi_1 and phi1 may both be declared; then each means itself."""
+    text = rewritten(('r1    = "0.953 m"', 'r1 = "0.953 m"\nr_1 = "2 m"'))
+    assert parse_variant(text).values["r_1"] == 2
+    with pytest.raises(coursework.InputError, match='symbol "pi1" is not declared'):
+        parse_variant(rewritten(("sin(phi1)", "sin(pi1)")))
+
+
+def test_every_greek_letter_has_a_latin_name():
+    assert spell("φ₁") == "phi1"
+    assert spell("ω̇") != "w"
+    for letter in "αβγδεζηθκλμνξπρστφχψωΓΔΘΛΞΠΣΦΨΩ":
+        assert spell(letter).isascii(), letter
+        assert foreign_letter(letter) is None, letter
+
+
+@pytest.mark.parametrize(("letter", "looks_like"), [("с", "c"), ("о", "o"), ("р", "p"), ("х", "x"), ("ο", "o"), ("А", "A")])
+def test_look_alikes_are_told(letter, looks_like):
+    position, description = foreign_letter(f"ab{letter}")
+    assert position == 2
+    assert f'“{letter}”, which looks like the Latin "{looks_like}"' in description
+
+
+SI = {
+    "2 m": (2, "m"), "2 cm": (0.02, "m"), "2 mm": (0.002, "m"), "2 rad": (2, "rad"), "90 deg": (math.pi / 2, "rad"),
+    "90°": (math.pi / 2, "rad"), "2 s": (2, "s"), "2 ms": (0.002, "s"), "2 1/s": (2, "1/s"), "2 rad/s": (2, "1/s"),
+    "90 deg/s": (math.pi / 2, "1/s"), "30 rpm": (math.pi, "1/s"), "2 m/s": (2, "m/s"), "2 cm/s": (0.02, "m/s"),
+    "2 mm/s": (0.002, "m/s"), "2 m/s^2": (2, "m/s^2"), "2 m/s²": (2, "m/s^2"), "2 m/s**2": (2, "m/s^2"),
+    "2 1/s^2": (2, "1/s^2"), "2 rad/s^2": (2, "1/s^2"), "2": (2, ""), "-2 mm": (-0.002, "m"), "−2 mm": (-0.002, "m"),
+    "+2 mm": (0.002, "m"), "2e-3 m": (0.002, "m"), ".5 m": (0.5, "m"), "5. m": (5, "m"), " 2  m ": (2, "m"), "2m": (2, "m"),
+    "2 m / s": (2, "m/s"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("text", SI)
+def test_units(text):
+    value, si = SI[text]
+    read = units.read(text)
+    assert (read.value, read.si) == (value, si)
+
+
+def test_no_unit_is_forgotten():
+    assert {units.read(text).unit for text in SI} >= set(units.UNITS) - {"1"}  # "1" names the unit of a number without one
+
+
+@given(st.integers(1, 10**6))
+def test_millimetres_and_metres_are_the_same_doubles(number):
+    assert units.read(f"{number} mm").value == units.read(f"{number / 1000} m").value == number / 1000
+
+
+@given(st.floats(-1e12, 1e12).filter(lambda x: x == 0 or abs(x) > 1e-300))
+def test_a_written_number_is_read_to_the_last_bit(number):
+    assert units.read(repr(number)).value == number
+    assert units.read(f"{number!r} m").value == number
+    assert units.read(number).value == number
+
+
+@given(st.text(max_size=30))
+def test_any_text_is_a_quantity_or_a_fault(text):
+    try:
+        assert math.isfinite(units.read(text).value)
+    except units.UnitFault as fault:
+        assert "expected, found" in str(fault) or "too small" in str(fault)

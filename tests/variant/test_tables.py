@@ -1,0 +1,110 @@
+"""A law as a table beside the variant file: what is read, and that nothing outside the folder is."""
+
+import numpy as np
+import pytest
+
+import coursework
+
+TEXT = """[given]
+l = "0.4 m"
+[drive]
+w1 = "1"
+[coordinates]
+phi1 = { start = "0.3 rad", rate = "w1" }
+[unknowns]
+u = "m/s"
+[functions]
+r = { table = "TABLE", of = "phi1" }
+[time]
+step = "0.01 s"
+end = "0.1 s"
+[[constraint]]
+equation = "u = r*w1"
+"""
+NODES = [(k / 10, 0.1 + k**3 / 1e4) for k in range(11)]
+ROWS = [f"{a},{b:.17g}" for a, b in NODES]
+
+
+@pytest.fixture
+def law(tmp_path):
+    """Return a function that gives u(t) of the first row with a table of the given bytes."""
+
+    def first(content, name="r.csv"):
+        (tmp_path / "r.csv").write_bytes(content)
+        (tmp_path / "v.toml").write_text(TEXT.replace("TABLE", name), encoding="utf-8")
+        return coursework.solve(tmp_path / "v.toml", quantities=["table"]).motion.column("u")
+
+    return first
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "\n".join(["phi1,r", *ROWS]).encode(),
+        "\n".join(ROWS).encode(),
+        b"\xef\xbb\xbf" + "\r\n".join(["angle,length", *ROWS, "", ",,", ""]).encode(),
+        "\n".join(["phi1,r", *(" , ".join(row.split(",")) for row in ROWS)]).encode(),
+        "\n".join(["phi1,r", *(",".join(f'"{cell}"' for cell in row.split(",")) for row in ROWS)]).encode(),
+    ],
+    ids=["header", "no header", "Excel", "spaces", "quotes"],
+)
+def test_the_same_table_in_every_dialect(law, content):
+    angles = 0.3 + np.arange(11) * 0.01
+    assert law(content) == pytest.approx(0.1 + (angles * 10) ** 3 / 1e4, abs=1e-15)  # a cubic lies on the quartics
+
+
+@pytest.mark.parametrize(
+    ("content", "sentence"),
+    [
+        (b"\xff\xfe\x00", 'the table "r.csv" is not UTF-8 text. Save it as "CSV UTF-8".'),
+        (b"", "r.csv: at least 5 nodes were expected (the five-point formulas), found 0."),
+        (b"phi1,r\n" + b"0,1\n" * 100_000, 'the table "r.csv" has 400007 bytes; at most 262144 are read.'),
+        (b"0,1\n0.1,1e999\n", 'r.csv:2: a finite number was expected, found "0.1,1e999".'),
+        (b"0,1\n0.1,1_000\n", 'found "0.1,1_000".'),
+        (b"0,1\n0.1,nan\n", 'found "0.1,nan".'),
+        ("0,1\n0.1,٣\n".encode(), 'found "0.1,٣".'),
+        (b"0,1,2\n", 'r.csv:1: two numbers with a comma between were expected, decimals with a point, found "0,1,2".'),
+        ("\n".join([*ROWS[:4], ROWS[3], *ROWS[4:]]).encode(), "r.csv:5: the arguments must grow from line to line, found 0.3 after 0.3."),
+    ],
+    ids=["bytes", "empty", "large", "infinite", "underscore", "nan", "digits", "columns", "twice"],
+)
+def test_what_is_no_table(law, content, sentence):
+    with pytest.raises(coursework.InputError) as caught:
+        law(content)
+    assert "v.toml:10:15  functions.r.table: " in str(caught.value)
+    assert sentence in str(caught.value)
+
+
+@pytest.mark.parametrize("name", ["../secret.csv", "/etc/hostname", "link.csv", "linked/secret.csv", "./../secret.csv"])
+def test_nothing_outside_the_folder_is_read(tmp_path, name):
+    inside = tmp_path / "inside"
+    inside.mkdir()
+    (tmp_path / "secret.csv").write_text("\n".join(ROWS), encoding="utf-8")
+    (inside / "link.csv").symlink_to(tmp_path / "secret.csv")
+    (inside / "linked").symlink_to(tmp_path)
+    (inside / "v.toml").write_text(TEXT.replace("TABLE", name), encoding="utf-8")
+    with pytest.raises(coursework.InputError) as caught:
+        coursework.load(inside / "v.toml")
+    sentence = f'the table "{name}" lies outside the folder of the variant. Put it beside the variant file.'
+    assert str(caught.value).endswith(sentence)
+
+
+def test_a_link_inside_the_folder_and_a_folder_below_are_read(tmp_path):
+    (tmp_path / "data").mkdir()
+    (tmp_path / "data" / "r.csv").write_text("\n".join(ROWS), encoding="utf-8")
+    (tmp_path / "v.toml").write_text(TEXT.replace("TABLE", "data/r.csv"), encoding="utf-8")
+    assert coursework.load(tmp_path / "v.toml").functions[0].table == tuple(NODES)
+
+
+@pytest.mark.parametrize("name", ["", ".", "nowhere.csv", "a\\u0000b", "x" * 299])
+def test_names_that_are_no_file(tmp_path, name):
+    (tmp_path / "v.toml").write_text(TEXT.replace("TABLE", name), encoding="utf-8")
+    with pytest.raises(coursework.InputError, match=r"functions\.r\.table: "):
+        coursework.load(tmp_path / "v.toml")
+
+
+def test_a_table_needs_a_file_beside_it():
+    from coursework.variant.reader import parse_variant
+
+    with pytest.raises(coursework.InputError, match="a table can be read only beside a variant file on disk"):
+        parse_variant(TEXT)
