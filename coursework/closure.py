@@ -78,9 +78,7 @@ class Closure:
         """Return one Newton correction of the coordinates (m,), block after block, and the residual before it (k,)."""
         first, jacobian = self.residual(t, q, target)
         if not self.blocks:
-            step = np.zeros_like(q)
-            step[list(self.free)] = np.linalg.lstsq(jacobian, -first, rcond=None)[0]
-            return step, first
+            return self.linear(t, q, target), first
         moved, residual = q.copy(), first
         for index, (rows, columns) in enumerate(self.blocks):
             if index:
@@ -89,6 +87,13 @@ class Closure:
             part = np.linalg.solve((mixed @ jacobian)[:, columns], -mixed @ residual)
             moved[[self.free[column] for column in columns]] += part
         return moved - q, first
+
+    def linear(self, t: float, q: Array, target: Array) -> Array:
+        """Return the correction (m,) of all equations at once, linear in the residual: what Baumgarte's gain multiplies."""
+        residual, jacobian = self.residual(t, q, target)
+        step = np.zeros_like(q)
+        step[list(self.free)] = np.linalg.lstsq(jacobian, -residual, rcond=None)[0]
+        return step
 
     def newton(self, t: float, guess: Array, target: Array) -> Array | None:
         """Return the position that closes the mechanism near `guess`, or None where Newton does not get there."""

@@ -29,7 +29,9 @@ _ADVICE = {
     "[": "use round parentheses", "]": "use round parentheses", "{": "use round parentheses", "}": "use round parentheses",
     "√": "write sqrt(…)", "|": "write abs(…)", "°": "angles in formulas are radians: 30*pi/180",
 }  # fmt: skip
-_TOKEN = re.compile(r"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>[^\W\d]\w*)|(?P<sign>\*\*|[-+*/^@(),.=]))")
+_TOKEN = re.compile(
+    r"\s*(?:(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)|(?P<name>[^\W\d]\w*)|(?P<sign>\*\*|[-+*/^@(),.=]))"
+)
 
 
 def parse(text: str, *, vectors: bool = False) -> Formula:
@@ -86,7 +88,9 @@ def _tokens(text: str) -> list[_Token]:
         word = match.group(kind)
         if kind == "name":
             if strange := foreign_letter(word):
-                raise FormulaFault(column + strange[0], f'"{word[:40]}" contains the {strange[1]}; names use Latin or Greek letters')
+                raise FormulaFault(
+                    column + strange[0], f'"{word[:40]}" contains the {strange[1]}; names use Latin or Greek letters'
+                )
             word = spell(word)
         depth += {"(": 1, ")": -1}.get(word, 0)
         if depth > MAX_DEPTH or len(tokens) > 4 * MAX_NODES:

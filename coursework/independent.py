@@ -149,8 +149,9 @@ def _structure(equations: VelocityEquations, rows: list[frozenset[int]], owner: 
     sentence = ""
     if over[0] and len(over[0]) > len(over[1]):
         involved = listing([equations.unknowns[c] for c in over[1]])
-        told = f"contain only {involved}" if involved else "contain no unknown velocity"
-        sentence = f"Equation(s) {listing([names[r] for r in over[0]])} {told}"
+        several = len(over[0]) > 1
+        told = f"contain{'' if several else 's'} {f'only {involved}' if involved else 'no unknown velocity'}"
+        sentence = f"Equation{'s' if several else ''} {listing([names[r] for r in over[0]])} {told}"
     if under[1]:
         involved = listing([equations.unknowns[c] for c in under[1]])
         plural = "s" if len(under[0]) > 1 else ""

@@ -130,8 +130,7 @@ def _corrected(
     assert closure is not None
     kept, known = targets
     if correction.gain:
-        shift, _ = closure.correction(t, q, kept[index])
-        return np.asarray(moved + step * correction.gain * shift)
+        return np.asarray(moved + step * correction.gain * closure.linear(t, q, kept[index]))
     moved = moved.copy()
     moved[list(closure.driven)] = known[index + 1]
     for _ in range(correction.newton):

@@ -218,12 +218,12 @@ def _evidence(
     variant: Variant, equations: VelocityEquations, motion: Motion, half: Motion | None, exact: Motion, wide: Array | None,
     closure: Closure | None, reduction: Reduction, flow: Flow,
 ) -> Evidence:  # fmt: skip
-    from coursework.checks.evidence import Evidence
+    from coursework.checks.evidence import Evidence, richardson
     from coursework.drive import fastest, is_sinusoidal
 
     known = exact if len(exact.t) == len(motion.t) else None
     return Evidence(
-        variant, equations, motion, half, known, wide, closure, reduction.used,
+        variant, equations, motion, half, known, wide, closure, richardson(motion, half), reduction.used,
         fastest(equations), is_sinusoidal(equations), flow.fastest,
     )  # fmt: skip
 

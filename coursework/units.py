@@ -27,7 +27,9 @@ UNITS: dict[str, tuple[Fraction, str]] = {
 }  # fmt: skip
 
 MAX_NUMBER = 1e12  # far beyond anything a task sheet says in SI
-_VALUE = re.compile(r"\s*(?P<number>[-+−]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(?P<unit>[^\d\s].*?|1/s(?:\^2)?)?\s*$")
+_VALUE = re.compile(
+    r"\s*(?P<number>[-+−]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*(?P<unit>[^\d\s].*?|1/s(?:\^2)?)?\s*$"
+)
 
 
 class UnitFault(ValueError):

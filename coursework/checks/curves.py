@@ -25,8 +25,8 @@ AT_ROW = 1e-9
 def continuity(evidence: Evidence) -> Check:
     """No curve jumps: a steep slope and a turn from 2π to 0 are no jumps."""
     motion = evidence.motion
-    if len(motion.t) < 4:
-        return Check("CONTINUITY", "Continuity", "SKIP", "Fewer than four rows: nothing to compare.")
+    if len(motion.t) < 5:
+        return Check("CONTINUITY", "Continuity", "SKIP", "Fewer than five rows: nothing to compare.")
     worst, where, name = 0.0, 0, motion.names[0]
     for place, column in enumerate(motion.names):
         ratios = _jump_ratios(evidence, place)
@@ -61,8 +61,10 @@ def _jump_ratios(evidence: Evidence, place: int) -> Array:
             allowed = allowed + np.max(np.abs(error[:, place])) * SMALL * 10
         return np.asarray(np.abs(differences - explained) / allowed)
     sizes = np.abs(differences)
-    padded = np.concatenate([[sizes[1]], sizes, [sizes[-2]]])
-    allowed = JUMP * np.maximum(padded[:-2], padded[2:]) + SMALL * span + 1e-12
+    # The two neighbours on either side, of which the middle counts: a single wrong cell makes two large differences.
+    padded = np.concatenate([sizes[2:0:-1], sizes, sizes[-2:-4:-1]])
+    around = np.sort(np.stack([padded[:-4], padded[1:-3], padded[3:-1], padded[4:]]), axis=0)
+    allowed = JUMP * around[2] + SMALL * span + 1e-12
     ratios = sizes / allowed
     steep = _steep(evidence, place, sizes)
     ratios = np.where((ratios > 1) & steep, 1.0, ratios)

@@ -23,6 +23,7 @@ Array = NDArray[np.float64]
 class Evidence:
     """`motion` judged; `half` the same scheme with half the step; `exact` and `wide` (extended numbers) where known.
 
+    `scheme_error` (n, m + k) estimated from our own runs, so that a wrong row cannot widen the limit it is judged by;
     `used` names the equations solved for the velocities; `drive_frequency` rad/s of the fastest sine in the drive,
     `sinusoidal` whether the drive is made of sines alone; `fastest` per coordinate (largest rate of the true motion, when).
     """
@@ -34,22 +35,11 @@ class Evidence:
     exact: Motion | None
     wide: Array | None
     closure: Closure | None
+    scheme_error: Array | None
     used: tuple[str, ...]
     drive_frequency: float
     sinusoidal: bool
     fastest: tuple[tuple[float, float], ...] = ()
-
-    @property
-    def scheme_error(self) -> Array | None:
-        """Return the estimated scheme error of every row and column (n, m + k), None without a half-step run.
-
-        Richardson: with order p, error = (y_h - y_h/2) 2^p/(2^p - 1).
-        """
-        rows = self.motion.rows
-        if self.half is None or len(self.half.t) < 2 * len(rows) - 1:
-            return None
-        factor = 2.0 ** SCHEMES[self.motion.scheme].order
-        return np.asarray((rows - self.half.rows[: 2 * len(rows) : 2]) * factor / (factor - 1))
 
     @property
     def period(self) -> float:
@@ -67,3 +57,15 @@ class Evidence:
     def unit(self, name: str) -> str:
         """Return the unit of a column."""
         return self.variant.unit_of(name)
+
+
+def richardson(motion: Motion, half: Motion | None) -> Array | None:
+    """Return the estimated scheme error of every row and column (n, m + k), None without a half-step run.
+
+    With order p, error = (y_h - y_h/2) 2^p/(2^p - 1).
+    """
+    rows = motion.rows
+    if half is None or len(half.t) < 2 * len(rows) - 1:
+        return None
+    factor = 2.0 ** SCHEMES[motion.scheme].order
+    return np.asarray((rows - half.rows[: 2 * len(rows) : 2]) * factor / (factor - 1))

@@ -121,6 +121,10 @@ def tell(run: Run, folder: Path, written: list[str]) -> None:
     motion = run.motion
     click.echo(f"{run.variant.title}  ({run.variant.name})")
     click.echo(f"{SCHEMES[run.settings.scheme].title}, h = {motion.step:g} s, {len(motion.t)} rows")
+    if gain := run.settings.gain:
+        share = gain * motion.step
+        told = f"gain·step = {share:.3g}, a position error becomes {1 - share:.3g} of itself a step"
+        click.echo(f"Baumgarte's gain {gain:g} 1/s: {told}")
     names: tuple[Any, ...] = motion.names
     if len(motion.t):
         for label, row in (("first", 0), ("last", -1)):

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from coursework.formula import Formula, FormulaFault, constant, evaluate, number, spelled
 from coursework.formula_reader import MAX_CHARACTERS, parse, parse_equation
-from tests.formula.trees import NAMES, any_text, parts, scalar_trees, spoilt, vector_trees
+from tests.formula.trees import NAMES, VECTORS, any_text, parts, scalar_trees, spoilt, vector_trees
 
 
 def value(tree):
@@ -17,6 +17,28 @@ def value(tree):
         return evaluate(tree, NAMES)
     except FormulaFault:
         return None
+
+
+def place(tree):
+    """Return both components of a vector formula, or the value of a scalar one; what has no value is NaN."""
+    if tree.op == "part":
+        return place(tree.args[0])[tree.name == "y"]
+    if tree.op == "pair":
+        return tuple(place(arg) for arg in tree.args)
+    if tree.op == "@":
+        length, angle = map(place, tree.args)
+        return length * math.cos(angle), length * math.sin(angle)
+    if tree.op == "name" and tree.name in VECTORS:
+        return VECTORS[tree.name]
+    if not any(node.op in {"@", "pair", "part"} or node.name in VECTORS for node in tree.walk()):
+        found = value(tree)
+        return math.nan if found is None else found
+    first, *rest = map(place, tree.args)
+    if tree.op == "neg":
+        return tuple(-x for x in first)
+    if tree.op == "*":
+        return tuple(first * x for x in rest[0])
+    return tuple(a + b if tree.op == "+" else a - b for a, b in zip(first, rest[0], strict=True))
 
 
 def read(text, **options):
@@ -37,7 +59,7 @@ def test_written_and_read_again_a_formula_has_the_same_value(tree):
     # Parts made of numbers alone may be refused (1/0, exp(999)); then the value is none, or an infinite step on the way to it.
     assume(isinstance(again, Formula))
     assert value(again) == value(tree)
-    assert spelled(again) == spelled(parse(spelled(again)))
+    assert again.names() == tree.names()
 
 
 @settings(max_examples=200, deadline=None)
@@ -45,8 +67,8 @@ def test_written_and_read_again_a_formula_has_the_same_value(tree):
 def test_vectors_are_written_and_read_again(tree):
     again = read(spelled(tree), vectors=True)
     assume(isinstance(again, Formula))
-    assert spelled(again) == spelled(tree)
     assert again.names() == tree.names()
+    assert place(again) == pytest.approx(place(tree), rel=1e-15, nan_ok=True)
 
 
 @settings(max_examples=200, deadline=None)
@@ -89,11 +111,12 @@ def test_any_text_is_read_or_refused_at_once(text, vectors):
 def test_a_spoilt_formula_is_read_or_refused(text):
     again = read(text)
     if isinstance(again, Formula):
+        assume(set(again.names()) <= {*NAMES, "pi"})
         evaluated = value(again)
-        assert evaluated is None or math.isfinite(evaluated) or not set(again.names()) <= {*NAMES, "pi"}
+        assert evaluated is None or math.isfinite(evaluated)
 
 
-@given(st.fractions(min_value=-1000, max_value=1000))
+@given(st.fractions(min_value=-1000, max_value=1000, max_denominator=10**6))
 def test_exact_numbers_are_written_exactly(fraction):
     assert constant(parse(spelled(number(fraction)))) == fraction
 
@@ -103,8 +126,10 @@ def test_exact_numbers_are_written_exactly(fraction):
     [
         ("-a^2", -(0.7**2)), ("2^-1", 0.5), ("a/b/2", 0.7 / 1.3 / 2), ("a/(b/2)", 0.7 / (1.3 / 2)), ("a-b-1", 0.7 - 1.3 - 1),
         ("a-(b-1)", 0.7 - 0.3), ("--a", 0.7), ("+a", 0.7), ("2**3", 8.0), ("a**2*b", 0.49 * 1.3), ("-2^2", -4.0), ("2·a", 1.4),
-        ("tg(a)", math.tan(0.7)), ("ctg(a)", math.cos(0.7) / math.sin(0.7)), ("arctg(a)", math.atan(0.7)), ("ln(b)", math.log(1.3)),
-        ("arcsin(a)", math.asin(0.7)), ("arccos(a)", math.acos(0.7)), ("arctan(a)", math.atan(0.7)), ("a²", 0.7**2), ("a³", 0.7**3),
+        ("tg(a)", math.tan(0.7)), ("ctg(a)", math.cos(0.7) / math.sin(0.7)), ("arctg(a)", math.atan(0.7)),
+        ("ln(b)", math.log(1.3)),
+        ("arcsin(a)", math.asin(0.7)), ("arccos(a)", math.acos(0.7)), ("arctan(a)", math.atan(0.7)), ("a²", 0.7**2),
+        ("a³", 0.7**3),
         ("2⋅a×b∙1", 2 * 0.7 * 1.3), ("1÷2", 0.5), ("a−b", 0.7 - 1.3), ("π", math.pi), ("abs(-a)", 0.7), ("1e3", 1000.0),
         ("atan2(a, -b)", math.atan2(0.7, -1.3)), ("a^(1/2)", math.sqrt(0.7)), ("(((((a)))))", 0.7),
     ],

@@ -5,7 +5,7 @@ from hypothesis import strategies as st
 from coursework.formula import FUNCTIONS, Formula
 
 NAMES = {"a": 0.7, "b": 1.3, "phi1": 0.4, "w_3": 2.1}
-VECTORS = ("P", "Q1")
+VECTORS = {"P": (0.3, -1.2), "Q1": (2.0, 0.5)}
 
 _numbers = st.one_of(
     st.integers(0, 999).map(str),
@@ -43,7 +43,7 @@ def _vectors(scalars):
         )
 
     leaves = st.one_of(
-        st.sampled_from(VECTORS).map(lambda name: Formula("name", name=name)),
+        st.sampled_from([*VECTORS]).map(lambda name: Formula("name", name=name)),
         st.builds(lambda a, b: Formula("@", (a, b)), scalars, scalars),
         st.builds(lambda a, b: Formula("pair", (a, b)), scalars, scalars),
     )
@@ -56,8 +56,10 @@ parts = st.builds(lambda name, inner: Formula("part", (inner,), name), st.sample
 
 WORDS = [
     *FUNCTIONS, *NAMES, "pi", "t", "tg", "ctg", "ω3", "φ₁", "соs", "lambda", "if", "else", "for", "in", "not", "__import__",
-    "0", "1", "2.5", "1e9", "1e999", "1e-999", "9**9**9", "(", ")", "(", ")", "[", "]", "{", "}", "+", "-", "*", "/", "^", "**", "@",
-    ",", ".", "=", ":=", "==", ":", ";", "'", '"', "\\", "#", "%", "!", "~", "|", "·", "−", "²", "√", " ", "\t", "\n", "\x00", "\u202e", "😀",
+    "0", "1", "2.5", "1e9", "1e999", "1e-999", "9**9**9", "(", ")", "(", ")", "[", "]", "{", "}", "+", "-", "*", "/", "^",
+    "**", "@",
+    ",", ".", "=", ":=", "==", ":", ";", "'", '"', "\\", "#", "%", "!", "~", "|", "·", "−", "²", "√", " ", "\t", "\n",
+    "\x00", "\u202e", "😀",
 ]  # fmt: skip
 word_salad = st.lists(st.sampled_from(WORDS), max_size=40).map("".join)
 any_text = st.one_of(st.text(max_size=60), word_salad)

@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from coursework import groups
-from coursework.errors import InputError
 from coursework.groups import CannotAssemble, Pair
 from tests.hard.scenes import check, expected, four_bar, scene, solve
 

@@ -64,7 +64,10 @@ def test_the_same_table_in_every_dialect(law, content):
         (b"0,1\n0.1,nan\n", 'found "0.1,nan".'),
         ("0,1\n0.1,٣\n".encode(), 'found "0.1,٣".'),
         (b"0,1,2\n", 'r.csv:1: two numbers with a comma between were expected, decimals with a point, found "0,1,2".'),
-        ("\n".join([*ROWS[:4], ROWS[3], *ROWS[4:]]).encode(), "r.csv:5: the arguments must grow from line to line, found 0.3 after 0.3."),
+        (
+            "\n".join([*ROWS[:4], ROWS[3], *ROWS[4:]]).encode(),
+            "r.csv:5: the arguments must grow from line to line, found 0.3 after 0.3.",
+        ),
     ],
     ids=["bytes", "empty", "large", "infinite", "underscore", "nan", "digits", "columns", "twice"],
 )
