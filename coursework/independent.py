@@ -31,16 +31,17 @@ class Choice:
     notes: tuple[str, ...]
 
 
-def choose(equations: VelocityEquations, start: Sequence[float]) -> Choice:
+def choose(equations: VelocityEquations, start: Sequence[float], *, numbers: bool = False) -> Choice:
     """Return a maximal independent set of equations in the author's order.
 
-    `start`: coordinates at t = 0 (rad, m).  Raises `InputError` where velocities stay undetermined or two equations
+    `start`: coordinates at t = 0 (rad, m).  `numbers`: judge by numbers also where each velocity has an equation of its own,
+    which says nothing against two equations that are multiples of each other.  Raises `InputError` where velocities stay undetermined or two equations
     contradict each other.
     """
     listed = equations.equations
     rows = [frozenset(equations.unknowns.index(name) for name in equation.coefficients) for equation in listed]
     owner = match(rows, len(equations.unknowns))
-    if len(listed) == len(equations.unknowns) and -1 not in owner:
+    if len(listed) == len(equations.unknowns) and -1 not in owner and not numbers:
         return Choice(tuple(range(len(listed))), ())
     system = compile_system(equations, listed)
     matrix, right, _ = system.matrix(0.0, start)

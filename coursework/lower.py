@@ -10,8 +10,9 @@ from __future__ import annotations
 import builtins
 import keyword
 import math
+import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -68,6 +69,7 @@ class Solve:
 
 
 Statement = Assign | Solve
+_NAME = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,11 +79,17 @@ class Program:
     statements: tuple[Statement, ...]
     constants: Mapping[str, float]
     tables: Mapping[str, TableLaw]
+    _printed: dict[bool, list[str]] = field(default_factory=dict, repr=False, compare=False)
 
     def lines(self, rename: Mapping[str, str], *, numpy: bool = False) -> list[str]:
-        """Return the program as source, names replaced by `rename`."""
-        printer = _printer(numpy, self.constants, rename)
-        return [_line(statement, printer) for statement in self.statements]
+        """Return the program as source, names replaced by `rename`; SymPy prints it once, a loop reads it many times."""
+        if numpy not in self._printed:
+            printer = _printer(numpy, self.constants)
+            self._printed[numpy] = [_line(statement, printer) for statement in self.statements]
+        if not rename:
+            return list(self._printed[numpy])
+        spelt = {identifier(name): new for name, new in rename.items()}
+        return [_NAME.sub(lambda word: spelt.get(word[0], word[0]), line) for line in self._printed[numpy]]
 
 
 def program(
@@ -143,7 +151,7 @@ def compile_function(
 ) -> Callable[..., Any]:
     """Return `name(*arguments) -> (results…)`; with `numpy` every argument may be an array (n,)."""
     safe = {argument: identifier(argument) for argument in arguments}
-    printer = _printer(numpy, body.constants, {})
+    printer = _printer(numpy, body.constants)
     shown = [printer.doprint(sp.Symbol(result, real=True)) for result in results]
     lines = [f"def {name}({', '.join(safe.values())}):", *(f"    {line}" for line in body.lines({}, numpy=numpy))]
     lines.append(f"    return ({', '.join(shown)}{',' if len(shown) == 1 else ''})")
@@ -191,13 +199,11 @@ def _line(statement: Statement, printer: Any) -> str:
     return f"{targets} = _solve(({', '.join(shown(value) for value in statement.entries)}))"
 
 
-def _printer(numpy: bool, constants: Mapping[str, float], rename: Mapping[str, str]) -> Any:
+def _printer(numpy: bool, constants: Mapping[str, float]) -> Any:
     base: Any = NumPyPrinter if numpy else PythonCodePrinter
 
     class Printer(base):  # type: ignore[misc]
         def _print_Symbol(self, expr: sp.Symbol) -> str:
-            if expr.name in rename:
-                return rename[expr.name]
             if expr.name in constants:
                 value = constants[expr.name]
                 return repr(value) if value >= 0 else f"({value!r})"

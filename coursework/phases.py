@@ -18,8 +18,8 @@ from coursework.reduction import Reduction
 from coursework.scaled_flow import compile_flow
 from coursework.variant.record import Variant
 
-# Four digits of an interval's ends need no more than this local tolerance.
-TOLERANCE = 1e-7
+# Coarser than this, a motion that passes close by a dead point would be taken for one that meets it.
+TOLERANCE = 1e-9
 _SAMPLES = 24
 _HALVINGS = 12
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from coursework.equations import VelocityEquation, VelocityEquations
+from coursework.errors import Fault, InputError, listing
 from coursework.formula import Formula, number
 from coursework.independent import choose
 from coursework.magnitude import largest
@@ -97,14 +98,21 @@ def reduce(equations: VelocityEquations, start: Sequence[float]) -> Reduction:
     for columns in block_order(rows, owner):
         # Equations of a block in the author's order, unknowns in the order of the file.
         members = [used[row] for row in sorted(owner[column] for column in columns)]
-        found.append(_block(members, [names[column] for column in columns], equations, before))
+        block = _block(members, [names[column] for column in columns], equations, before)
+        if block is None or block.size > 2:
+            choose(equations, start, numbers=True)
+        if block is None:
+            text = f"the determinant of equations {listing([e.name for e in members])} is zero in every position."
+            raise InputError([Fault(text, str(equations.variant.path or equations.variant.name))])
+        found.append(block)
     unused = tuple(e.name for i, e in enumerate(equations.equations) if i not in choice.used)
     return Reduction(tuple(found), tuple(equation.name for equation in used), unused, choice.notes)
 
 
 def _block(
     members: list[VelocityEquation], unknowns: list[str], equations: VelocityEquations, before: dict[sp.Symbol, sp.Expr]
-) -> Block:
+) -> Block | None:
+    """Return the block of some equations, None where its determinant is zero in every position."""
     matrix = tuple(tuple(equation.coefficients.get(name, sp.S.Zero) for name in unknowns) for equation in members)
     right_side = tuple(_moved(equation, unknowns) for equation in members)
     names = tuple(equation.name for equation in members)
@@ -115,6 +123,8 @@ def _block(
     determinant = bare.symbolic_determinant
     order = equations.order
     bottom = product(determinant, order)
+    if not bottom.factor:
+        return None
     solution = []
     for name, numerator in zip(unknowns, bare.numerators, strict=True):
         plain = quotient(numerator, bottom, order)

@@ -86,11 +86,12 @@ def _plain_axes(axes: Axes) -> None:
 
 def _powers(*each: Axis) -> None:
     """Label the decades of a logarithmic axis "10⁻³": as text, because matplotlib's own mathematics takes 7 ms a label."""
-    from matplotlib.ticker import FuncFormatter, NullFormatter
+    from matplotlib.ticker import FuncFormatter, NullFormatter, NullLocator
 
     for axis in each:
         axis.set_major_formatter(FuncFormatter(lambda value, _: f"10{superscript(str(round(math.log10(value))))}"))
         axis.set_minor_formatter(NullFormatter())
+        axis.set_minor_locator(NullLocator())  # fifteen decades would have a hundred marks that nobody reads
 
 
 def panels(name: str, page: Panels) -> tuple[str, float]:

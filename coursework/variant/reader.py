@@ -8,6 +8,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -58,7 +59,7 @@ def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | No
     parts.values = {entry.name: entry.value for entry in given}
     laws = tuple(_law("drive", key, value, parts) for key, value in file.drive.items())
     functions = tuple(_law("functions", key, value, parts) for key, value in file.functions.items())
-    constraints = tuple(_constraint(i, entry, parts) for i, entry in enumerate(file.constraint))
+    constraints = _named([_constraint(i, entry, parts) for i, entry in enumerate(file.constraint)])
     groups = tuple(_group(i, entry, parts) for i, entry in enumerate(file.group))
     points = tuple(
         (parts.names.canonical(key), parts.formula(("points", key), text, "vector")) for key, text in file.points.items()
@@ -130,6 +131,17 @@ def _constraint(index: int, entry: schema.Constraint, parts: Parts) -> Constrain
     left, right = parts.equation(path, text, closure=entry.closure is not None)
     name = str(entry.name) or str(index + 1)
     return Constraint(name, entry.because, left, right, entry.closure is not None, parts.source.positions.find(path)[0])
+
+
+def _named(constraints: list[Constraint]) -> tuple[Constraint, ...]:
+    """Return the constraints, each with a name of its own: a second 11 is cited as 11'."""
+    named: dict[str, Constraint] = {}
+    for constraint in constraints:
+        name = constraint.name
+        while name in named:
+            name += "'"
+        named[name] = replace(constraint, name=name)
+    return tuple(named.values())
 
 
 def _group(index: int, entry: schema.Group, parts: Parts) -> Group:
