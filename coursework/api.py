@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from coursework.catalogue import find
-from coursework.errors import Fault, InputError, closest
+from coursework.errors import Fault, InputError, closest, listing
 from coursework.graph import Values
-from coursework.quantities import ASKABLE, DEFAULT, QUANTITIES
+from coursework.quantities import ASKABLE, DEFAULT, QUANTITIES, RESTRICTABLE
 from coursework.run import Run, gather
 from coursework.settings import Settings
 from coursework.variant.reader import MAX_ROWS, read_variant
@@ -95,4 +95,8 @@ def _sorted(variant: Variant, quantities: Iterable[str] | None) -> tuple[tuple[s
             raise InputError(text)
         line = variant.line_of("ask", "quantities", variant.ask.index(unknown[0]))
         raise InputError([Fault(text, str(variant.path or variant.name), line, 0, "ask.quantities")])
+    whole = [name for name in asked if name not in RESTRICTABLE]
+    if columns and whole:
+        text = f'"{whole[0]}" needs every coordinate, not only what {listing(columns)} needs; ask for the whole table.'
+        raise InputError(text)
     return asked or ("table",), columns

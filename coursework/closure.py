@@ -163,22 +163,32 @@ def _blocks(
     expressions: list[sp.Expr], names: list[sp.Symbol], equations: VelocityEquations
 ) -> tuple[Array, tuple[tuple[list[int], list[int]], ...]]:
     """Return sums and differences of the equations with fewer coordinates each, and the order to solve them in."""
+    places = {name: i for i, name in enumerate(names)}
+    definitions = equations.symbols.definitions
 
     def inside(expr: sp.Expr) -> frozenset[int]:
-        return frozenset(i for i, name in enumerate(names) if equations.symbols.partial(expr, name) != 0)
+        todo, found = list(expr.free_symbols), set()
+        while todo:
+            name = todo.pop()
+            if name not in found:
+                found.add(name)
+                todo.extend(definitions[name].free_symbols if name in definitions else ())
+        return frozenset(places[name] for name in found if name in places)
 
     count = len(expressions)
     combination = np.eye(count)
     rows = [inside(expr) for expr in expressions]
-    for i in range(count if count <= MOST_COMBINED else 0):
+    # Multiplied out once, sums and differences cancel by themselves.
+    flat = [expanded(expr) for expr in expressions] if count <= MOST_COMBINED else []
+    for i in range(len(flat)):
         for j in range(count):
             for sign in (-1, 1):
                 if i == j or not rows[i] & rows[j]:
                     continue
-                joined = expanded(expressions[i] + sign * expressions[j])
+                joined = flat[i] + sign * flat[j]
                 fewer = inside(joined)
                 if fewer < rows[i]:
-                    expressions[i], rows[i] = joined, fewer
+                    flat[i], rows[i] = joined, fewer
                     combination[i] = combination[i] + sign * combination[j]
     owner = match(rows, len(names))
     if count != len(names) or -1 in owner:

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.adaptive import Step, dormand_prince, next_length
+from coursework.adaptive import Step, dormand_prince_8, next_length
 from coursework.change_point import nearest_change_point
 from coursework.errors import InputError
 from coursework.scaled_flow import Flow
@@ -41,6 +41,8 @@ DIP, TOUCH = 0.1, 1e-12
 BEFORE_BREAK, AT_END = 1e-12, 1e-9
 # Determinants that are this small at an event vanish there together.
 TOGETHER = 1e-6
+# A part of the first determinant, or of the run: positions are right to it, the time of a fold to its square.
+ROOT = 1e-13
 MAX_STEPS = 20_000
 _HALVINGS = 30
 
@@ -144,7 +146,7 @@ class _Walk:
         sizes[-1] = self.end
         while True:
             try:
-                step = dormand_prince(rule, 0.0, self.state, slope, self.length)
+                step = dormand_prince_8(rule, 0.0, self.state, slope, self.length)
             except (OutsideTable, ArithmeticError, ValueError) as error:
                 # A law need not exist beyond the end of the run: come closer to the end in shorter steps.
                 self.length /= 4
@@ -155,11 +157,11 @@ class _Walk:
                 raise InputError(f"the equations cannot be computed beyond t = {t:.6g} s: {error}") from error
             ratio = float(np.max(np.abs(step.error) / (self.tolerance * sizes)))
             if ratio <= 1.0:
-                return step, self.length, next_length(self.length, ratio)
-            self.length = next_length(self.length, ratio if np.isfinite(ratio) else 1e10)
+                return step, self.length, next_length(self.length, ratio, 8)
+            self.length = next_length(self.length, ratio if np.isfinite(ratio) else 1e10, 8)
 
     def _reached(self, rule: Rule, part: float) -> Array:
-        return dormand_prince(rule, 0.0, self.state, self.slope, part).state
+        return dormand_prince_8(rule, 0.0, self.state, self.slope, part).state
 
     def _at_once(self, crossed: list[int], block: int, after: Array) -> bool:
         """Return whether only the clock's determinant changes its sign, or several so close together that they do it at once."""
@@ -200,19 +202,19 @@ class _Walk:
 
     def _root(self, rule: Rule, reach: float, value: Callable[[Array], float]) -> tuple[Array, float]:
         """Return the state inside a step at which `value`, positive at its begin, is zero, and its part (Illinois)."""
-        low, high, middle = 0.0, reach, reach
+        low, high, middle, kept = 0.0, reach, reach, ""
         state = self._reached(rule, high)
         at_low, at_high = value(self.state), value(state)
         for _ in range(80 if at_high < 0 else 0):
             middle = (low * at_high - high * at_low) / (at_high - at_low)
             state = self._reached(rule, middle)
             found = value(state)
-            if abs(found) < 1e-15 or high - low < 1e-15 * reach:
+            if abs(found) < ROOT or high - low < ROOT * reach:
                 break
             if found > 0:
-                low, at_low, at_high = middle, found, at_high / 2
+                low, at_low, at_high, kept = middle, found, at_high / (2 if kept == "high" else 1), "high"
             else:
-                high, at_high, at_low = middle, found, at_low / 2
+                high, at_high, at_low, kept = middle, found, at_low / (2 if kept == "low" else 1), "low"
         return state, middle
 
     def _arrive(self, rule: Rule, reach: float, goal: float) -> None:
@@ -220,7 +222,7 @@ class _Walk:
         if goal == self.end:
             return
         wanted = goal - BEFORE_BREAK * self.end
-        state, _ = self._root(rule, reach, lambda y: wanted - float(y[-1]))
+        state, _ = self._root(rule, reach, lambda y: (wanted - float(y[-1])) / self.end)
         slope = rule(0.0, state)
         self.state = np.append(state[:-1] + (goal - state[-1]) / slope[-1] * slope[:-1], goal)
         self.scaled, self.length = self._determinants(self.state), 0.0

@@ -14,7 +14,7 @@ from coursework.errors import Fault, InputError, listing
 from coursework.formula import Formula, spelled
 from coursework.mechanism import Mechanism
 from coursework.symbolic import TIME, Symbols, placed, symbol
-from coursework.tidy import Order, as_formula
+from coursework.tidy import Order, as_sum
 from coursework.variant.record import Constraint, Variant
 
 Linear = tuple[dict[str, sp.Expr], sp.Expr]
@@ -131,7 +131,7 @@ def _derived(
     drive = sp.S.Zero if position.kept in {"zero", "start"} else symbol(position.kept)
     right_side = drive - rest
     left = sp.Add(*[slope * symbol(name) for name, slope in coefficients.items()])
-    shown = as_formula(left, order), as_formula(right_side, order)
+    shown = as_sum(left, order), as_sum(right_side, order)
     return VelocityEquation(position.name, because, *shown, coefficients, right_side, True, line)
 
 

@@ -13,6 +13,7 @@ import math
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -21,6 +22,9 @@ from sympy.printing.numpy import NumPyPrinter
 from sympy.printing.pycode import PythonCodePrinter
 
 from coursework.tabulated import TableLaw
+
+
+SYMPY_VERSION: str = sp.__version__
 
 
 @dataclass(frozen=True, slots=True)
@@ -200,6 +204,12 @@ def _line(statement: Statement, printer: Any) -> str:
 
 
 def _printer(numpy: bool, constants: Mapping[str, float]) -> Any:
+    return _printer_of(numpy, tuple(constants.items()))
+
+
+@lru_cache(maxsize=8)
+def _printer_of(numpy: bool, items: tuple[tuple[str, float], ...]) -> Any:
+    constants = dict(items)
     base: Any = NumPyPrinter if numpy else PythonCodePrinter
 
     class Printer(base):  # type: ignore[misc]

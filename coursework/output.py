@@ -9,21 +9,28 @@ import csv
 import io
 import json
 import math
+from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursework.files import write_bytes
 from coursework.run import Run
+
+if TYPE_CHECKING:
+    from coursework.kinematics.extra import ExtraTable
 
 
 def table_csv(run: Run) -> str:
     """Return the results table as CSV: header t, then the columns; SI; shortest text that reads back to the same number."""
     names, rows = run.columns()
+    return _csv(["t", *names], ([t, *row] for t, row in zip(run.motion.t.tolist(), rows.tolist(), strict=True)))
+
+
+def _csv(head: Iterable[str], rows: Iterable[Iterable[float]]) -> str:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(["t", *names])
-    for t, row in zip(run.motion.t.tolist(), rows.tolist(), strict=True):
-        writer.writerow([repr(t), *map(repr, row)])
+    writer.writerow(head)
+    writer.writerows(map(repr, row) for row in rows)
     return text.getvalue()
 
 
@@ -74,6 +81,20 @@ def _stop(run: Run) -> dict[str, Any] | None:
 
 def _finite(value: float | None) -> float | None:
     return value if value is not None and math.isfinite(value) else None
+
+
+def write_tables(run: Run, folder: Path) -> list[str]:
+    """Write `table.csv` and, where asked for, `analogs.csv` and `invariants.csv`, whose rows are others; return their names."""
+    texts = {"table.csv": table_csv(run)}
+    texts |= {f"{name}.csv": _csv(table.names, table.rows.tolist()) for name, table in own_tables(run).items()}
+    for name, text in texts.items():
+        write_bytes(folder / name, text.encode("utf-8"))
+    return [*texts]
+
+
+def own_tables(run: Run) -> dict[str, ExtraTable]:
+    """Return the tables asked for that are not columns of the results table."""
+    return {name: run.values[name] for name in ("analogs", "invariants") if name in run.asked}
 
 
 def write_table(run: Run, path: Path) -> None:

@@ -161,6 +161,8 @@ def exact(
     variant: Variant,
     equations: VelocityEquations,
     reduction: Reduction,
+    rates: Rates,
+    settings: Settings,
     start: list[float],
     closure: Closure | None,
     stop: Stop | None,
@@ -171,7 +173,7 @@ def exact(
     if stop is not None:
         last = min(last, rows_before(stop.time, time.step) - 1)
     times: Array = np.arange(last + 1).astype(np.float64) * time.step
-    every = compile_rates(equations, reduction)
+    every = compile_rates(equations, reduction) if settings.columns else rates
     if last < 0:
         return _nothing(every)
     positions = (lambda at: chain_positions(equations, at)) if is_chain(variant) else None
@@ -324,3 +326,5 @@ QUANTITIES: dict[str, Any] = {
 # What a file or a user may ask for by name; the others are steps on the way.
 ASKABLE = ("table", "plots", "checks", "accelerations", "points", "analogs", "invariants", "accuracy", "graph_check")
 DEFAULT = ("table", "plots", "checks")
+# What can be had for some columns alone.
+RESTRICTABLE = ("table", "plots")

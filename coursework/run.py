@@ -14,6 +14,7 @@ import numpy as np
 
 from coursework.formula import Formula
 from coursework.graph import Plan, Values, make_plan
+from coursework.lower import SYMPY_VERSION
 from coursework.motion import Motion, Stop
 from coursework.quantities import QUANTITIES
 from coursework.reduction import Reduction
@@ -185,13 +186,11 @@ class Run:
     @property
     def versions(self) -> dict[str, str]:
         """Return the versions that made the numbers."""
-        from importlib.metadata import version
-
         import coursework
 
         return {
             "coursework": coursework.__version__, "python": platform.python_version(),
-            "numpy": np.__version__, "sympy": version("sympy"),
+            "numpy": np.__version__, "sympy": SYMPY_VERSION,
         }  # fmt: skip
 
     def _repr_html_(self) -> str:

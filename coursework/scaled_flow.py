@@ -176,6 +176,9 @@ def _determinant(values: Sequence[float], place: Place) -> float:
     if len(entries) == 4:
         a, b, c, d = [values[entry] if entry >= 0 else 0.0 for entry in entries]
         return a * d - b * c
+    if len(entries) == 9:
+        a, b, c, d, e, f, g, h, i = [values[entry] if entry >= 0 else 0.0 for entry in entries]
+        return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
     return float(np.linalg.det(_matrix(values, place)))
 
 
@@ -191,6 +194,14 @@ def _adjugate(values: Sequence[float], place: Place, rest: Sequence[float]) -> S
     if len(rest) == 2:
         a, b, c, d = [values[entry] if entry >= 0 else 0.0 for entry in place.entries]
         return d * rest[0] - b * rest[1], a * rest[1] - c * rest[0]
+    if len(rest) == 3:
+        a, b, c, d, e, f, g, h, i = [values[entry] if entry >= 0 else 0.0 for entry in place.entries]
+        x, y, z = rest
+        return (
+            (e * i - f * h) * x + (c * h - b * i) * y + (b * f - c * e) * z,
+            (f * g - d * i) * x + (a * i - c * g) * y + (c * d - a * f) * z,
+            (d * h - e * g) * x + (b * g - a * h) * y + (a * e - b * d) * z,
+        )
     u, sizes, v = np.linalg.svd(_matrix(values, place))
     others = np.array([np.prod(np.delete(sizes, i)) for i in range(len(sizes))])
     found: list[float] = (np.linalg.det(u) * np.linalg.det(v) * (v.T * others) @ (u.T @ np.array(rest))).tolist()
@@ -198,7 +209,7 @@ def _adjugate(values: Sequence[float], place: Place, rest: Sequence[float]) -> S
 
 
 def _solve(values: Sequence[float], place: Place, rest: Sequence[float]) -> Sequence[float]:
-    if len(rest) > 2:
+    if len(rest) > 3:
         found: list[float] = np.linalg.solve(_matrix(values, place), np.array(rest)).tolist()
         return found
     determinant = _determinant(values, place)

@@ -105,6 +105,13 @@ def as_formula(expr: sp.Expr, order: Order) -> Formula:
     return quotient(above, product(below, order), order)
 
 
+def as_sum(expr: sp.Expr, order: Order) -> Formula:
+    """Return an expression as the plain sum of its terms, as a velocity equation is written."""
+    if expr.count_ops() > MAX_OPERATIONS:
+        return _plain(expr, order)
+    return _sum(tuple(sorted(map(_term, sp.Add.make_args(sp.expand(expr))), key=order.term)), order)
+
+
 def _lcm(a: int, b: int) -> int:
     return a * b // gcd(a, b)
 

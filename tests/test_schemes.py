@@ -87,7 +87,9 @@ def test_slopes_are_counted(scheme):
     assert coursework.solve("31", scheme, quantities=["table"]).motion.evaluations == 24 * SCHEMES[scheme].slopes
 
 
-@pytest.mark.parametrize(("step", "end", "count"), [(0.02, 0.48, 25), (0.01, 0.48, 49), (0.001, 0.48, 481), (0.07, 0.48, 7), (0.02, 0.1, 6)])
+@pytest.mark.parametrize(
+    ("step", "end", "count"), [(0.02, 0.48, 25), (0.01, 0.48, 49), (0.001, 0.48, 481), (0.07, 0.48, 7), (0.02, 0.1, 6)]
+)
 def test_time_is_a_multiple_of_the_step_and_no_running_sum(step, end, count):
     motion = coursework.solve("31", step=step, end=end, quantities=["table"]).motion
     assert motion.t.tolist() == [i * step for i in range(count)]

@@ -42,7 +42,9 @@ def exact():
 
 
 def test_the_reference_has_the_data_of_the_variant(run):
-    data = {name: float(REFERENCE["data"][key]) for name, key in (("r1", "r1"), ("r2", "r2"), ("r3", "r3"), ("V1", "V"), ("p", "p"))}
+    data = {
+        name: float(REFERENCE["data"][key]) for name, key in (("r1", "r1"), ("r2", "r2"), ("r3", "r3"), ("V1", "V"), ("p", "p"))
+    }
     assert run.variant.values == data | {"alpha": 4.35}
 
 
@@ -89,7 +91,9 @@ def test_mismatch_of_first_and_last_row(run):
     found = run.motion.coordinates[-1] - run.motion.coordinates[0]
     assert found == pytest.approx([float(x) for x in split["phi_total"]], abs=1e-10)
     scheme = run.motion.coordinates[-1] - run.exact.coordinates[-1]
-    assert scheme == pytest.approx([float(split[key][i]) for key in split if "phi_from_trunc" in key for i in range(3)], abs=1e-10)
+    assert scheme == pytest.approx(
+        [float(split[key][i]) for key in split if "phi_from_trunc" in key for i in range(3)], abs=1e-10
+    )
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)

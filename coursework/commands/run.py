@@ -9,7 +9,7 @@ import click
 
 from coursework.api import load, solve
 from coursework.errors import InputError, closest
-from coursework.output import write_record, write_table
+from coursework.output import own_tables, write_record, write_tables
 from coursework.run import Run
 from coursework.schemes import SCHEMES
 from coursework.variant.record import Variant
@@ -28,6 +28,8 @@ def run_variant(
     chosen = load(variant)
     if precision == "single":
         return tell_round_off(solve(chosen, scheme, _step(step), end, quantities=("table",)))
+    if error is not None and step != "auto":
+        raise InputError("--error is a wish for --step auto; a fixed step has the error it has.")
     h = auto_step(chosen, scheme, end, error) if step == "auto" else _step(step)
     run = solve(
         chosen, scheme, h, end, quantities=quantities or None, project=int(project), gain=gain,
@@ -104,16 +106,16 @@ def write_all(run: Run, folder: Path, formats: tuple[str, ...]) -> list[str]:
     pages = [folder / f"report.{kind}" for kind in ("html", "pdf") if kind in formats]
     if "checks" in run.asked:
         run.checks  # noqa: B018  computed before the first file is written
+    _ = own_tables(run)
     if pages:
         _ = run.extra_tables, run.graph
-    if "csv" in formats:
-        write_table(run, folder / "table.csv")
+    written = write_tables(run, folder) if "csv" in formats else []
     write_record(run, folder / "run.json")
     if pages:
         from coursework.report import write_report
 
         write_report(run, *pages)
-    return [*(["table.csv"] if "csv" in formats else []), "run.json", *(page.name for page in pages)]
+    return [*written, "run.json", *(page.name for page in pages)]
 
 
 def tell(run: Run, folder: Path, written: list[str]) -> None:

@@ -1,0 +1,347 @@
+"""The command line: exit status, files, bytes, and sentences for everything that can be typed wrongly."""
+
+import csv
+import errno
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+import coursework
+from coursework import files
+from coursework.catalogue import entries
+from coursework.cli import main
+
+PAGE = (Path(__file__).parent / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
+QUICK = ["--quantities", "table,checks", "--format", "csv"]
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def call(*arguments):
+    return CliRunner().invoke(main, [str(argument) for argument in arguments])
+
+
+def process(*arguments, **environment):
+    """Run the command in a process of its own; return the finished process."""
+    command = [sys.executable, "-m", "coursework", *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, env={**os.environ, **environment}, check=False)
+
+
+# ---- exit status
+
+
+def test_zero_where_all_passed(folder):
+    done = process("run", "31", *QUICK)
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert done.stdout.decode().startswith(
+        "Rolling wheel, right-angled link, crank and rod  (31)\nexplicit Euler, h = 0.02 s, 25 rows\n"
+    )
+    assert done.stdout.decode().endswith("Written to coursework-31: table.csv, run.json\n")
+    assert sorted(path.name for path in (folder / "coursework-31").iterdir()) == ["run.json", "table.csv"]
+
+
+def test_one_where_the_motion_stops(folder):
+    Path("dead.toml").write_text(PAGE.replace('"4.35 rad"', '"0.02 rad"'), encoding="utf-8")
+    result = call("run", "dead.toml", *QUICK)
+    assert result.exit_code == 1
+    assert "6 rows" in result.stdout
+    assert "Stopped (dead point): At t = 0.116889 s" in result.stdout
+    record = json.loads(Path("coursework-dead/run.json").read_text(encoding="utf-8"))
+    assert record["stop"]["kind"] == "dead point"
+    assert record["stop"]["time"] == pytest.approx(0.116889254610302411, abs=1e-8)
+    assert record["stop"]["block"] == ["w3"]
+    assert record["rows"] == 6
+    assert len(Path("coursework-dead/table.csv").read_text(encoding="utf-8").splitlines()) == 7
+    assert call("check", "dead.toml").exit_code == 1
+    assert call("accuracy", "dead.toml").exit_code == 1
+
+
+def test_one_where_a_check_fails():
+    result = call("run", "31", "--step", "0.04", *QUICK)
+    assert result.exit_code == 1
+    assert "✗ FAIL" in result.stdout
+    assert Path("coursework-31/table.csv").exists()
+
+
+WRONG = {
+    "no variant": (["run", "nosuch"], 'there is no variant "nosuch" in the catalogue and no such file.'),
+    "closest variant": (["run", "v10"], 'Did you mean "v110"? "coursework variants" lists them.'),
+    "closest variant of check": (["check", "exampel-1"], 'Did you mean "example-1"?'),
+    "no file": (["run", "x/y.toml"], "x/y.toml  the file cannot be read: there is no such file."),
+    "folder": (["check", "."], "this is a folder. Name the file in it."),
+    "scheme": (["run", "31", "--scheme", "eulr"], 'there is no scheme "eulr". Did you mean "euler"? Schemes: euler, midpoint'),
+    "step": (["run", "31", "--step", "abc"], 'a step in seconds, such as 0.02, was expected, found "abc".'),
+    "step zero": (["run", "31", "--step", "0"], "the step must be greater than 0, found 0 s."),
+    "step negative": (["run", "31", "--step", "-1"], "the step must be greater than 0, found -1 s."),
+    "step nan": (["run", "31", "--step", "nan"], "the step must be greater than 0, found nan s."),
+    "step infinite": (["run", "31", "--step", "inf"], "the step must be greater than 0, found inf s."),
+    "too many rows": (["run", "31", "--step", "4.8e-10"], "1e+09 rows are asked for; at most 200000 are computed."),
+    "end before step": (["run", "31", "--end", "0.001"], "the end (0.001 s) must be at least one step (0.02 s)."),
+    "end nan": (["run", "31", "--end", "nan"], "the end (nan s) must be at least one step"),
+    "end text": (["run", "31", "--end", "abc"], "'abc' is not a valid float."),
+    "aliasing": (["run", "31", "--step", "0.3"], "The step 0.3 s is too large for this drive"),
+    "format": (["run", "31", "--format", "docx"], '"docx" is not a format of the report. Formats: html, pdf, csv.'),
+    "format closest": (["run", "31", "--format", "htm"], 'Did you mean "html"?'),
+    "quantity": (["run", "31", "--quantities", "tabel"], 'there is no quantity "tabel". Did you mean "table"?'),
+    "column": (["run", "31", "--quantities", "phi4"], 'there is no quantity "phi4". Did you mean "phi3"?'),
+    "column and whole": (
+        ["run", "31", "--quantities", "phi3,points"],
+        '"points" needs every coordinate, not only what phi3 needs',
+    ),
+    "no crank": (["run", "31", "--quantities", "analogs", "--format", "csv"], "analogs and invariants need one driven crank"),
+    "projection": (
+        ["run", "31", "--quantities", "phi3", "--project", "--format", "csv"],
+        "the projection needs every coordinate",
+    ),
+    "gain": (["run", "31", "--gain", "1000"], "multiplies the position error by -19 every step"),
+    "gain nan": (["run", "31", "--gain", "nan"], "Take a gain between 0 and 100 1/s"),
+    "gain and projection": (
+        ["run", "31", "--gain", "1", "--project"],
+        "choose either the projection or Baumgarte's gain, not both.",
+    ),
+    "auto without wish": (["run", "31", "--step", "auto"], "--step auto needs the wish: --error 0.001"),
+    "wish without auto": (["run", "31", "--error", "0.1"], "--error is a wish for --step auto"),
+    "precision": (["run", "31", "--precision", "quad"], "'quad' is not one of 'double', 'single'."),
+    "no argument": (["run"], "Missing argument 'VARIANT'."),
+    "no option": (["run", "31", "--nope"], "No such option"),
+    "no command": (["rnu"], "No such command 'rnu'."),
+    "new name": (["new", "a/b"], '"a/b" cannot be the name of a variant: letters, digits, _ and - only.'),
+}
+
+
+@pytest.mark.parametrize("case", WRONG)
+def test_two_where_the_input_is_wrong(case, folder):
+    arguments, sentence = WRONG[case]
+    result = call(*arguments)
+    assert result.exit_code == 2
+    assert sentence in result.stderr
+    assert "Traceback" not in result.output
+    assert list(folder.iterdir()) == []
+
+
+def test_three_where_the_tool_is_at_fault(monkeypatch):
+    def broken(*_args, **_options):
+        raise RuntimeError("something of ours")
+
+    monkeypatch.setattr("coursework.commands.check.load", broken)
+    result = call("check", "31")
+    assert result.exit_code == 3
+    assert "Traceback" in result.stderr
+    assert "RuntimeError: something of ours" in result.stderr
+    assert result.stderr.endswith("This is a fault of the tool, not of your file. Please report it with the lines above.\n")
+
+
+# ---- what is written
+
+
+def test_table_has_the_columns_of_the_file_and_every_digit():
+    assert call("run", "31", "--quantities", "table", "--format", "csv").exit_code == 0
+    with Path("coursework-31/table.csv").open(encoding="utf-8", newline="") as file:
+        head, *rows = csv.reader(file)
+    assert head == ["t", "phi1", "phi2", "phi3", "w1", "w2", "w3", "w4"]
+    motion = coursework.solve("31", quantities=["table"]).motion
+    assert [float(row[0]) for row in rows] == motion.t.tolist()
+    assert [[float(cell) for cell in row[1:]] for row in rows] == motion.rows.tolist()
+
+
+@pytest.mark.parametrize(
+    ("name", "quantities", "more"),
+    [
+        ("31", "accelerations", ["dw1", "dw2", "dw3", "dw4"]),
+        ("31", "points", [f"{p}.{c}" for p in "DABMCP" for c in ("x", "y", "vx", "vy")]),
+        ("31", "points,accelerations", ["dw1", "dw2", "dw3", "dw4"] + [f"{p}.{c}" for p in "DABMCP" for c in ("x", "y", "vx", "vy", "ax", "ay")]),
+    ],
+)  # fmt: skip
+def test_what_is_asked_for_stands_behind_the_columns(name, quantities, more):
+    assert call("run", name, "--quantities", quantities, "--format", "csv").exit_code == 0
+    head = Path(f"coursework-{name}/table.csv").read_text(encoding="utf-8").splitlines()[0].split(",")
+    assert head == ["t", "phi1", "phi2", "phi3", "w1", "w2", "w3", "w4", *more]
+
+
+def test_a_column_alone():
+    assert call("run", "31", "--quantities", "phi3", "--format", "csv").exit_code == 0
+    assert Path("coursework-31/table.csv").read_text(encoding="utf-8").splitlines()[0] == "t,phi3,w3"
+
+
+def test_analogs_and_invariants_have_files_of_their_own():
+    result = call("run", "example-2", "--quantities", "table,analogs,invariants", "--format", "csv")
+    assert result.stdout.endswith("table.csv, analogs.csv, invariants.csv, run.json\n")
+    assert Path("coursework-example-2/invariants.csv").read_text(encoding="utf-8").startswith("k,a_k,b_k,c_k\n")
+    assert len(Path("coursework-example-2/analogs.csv").read_text(encoding="utf-8").splitlines()) == 38
+
+
+def test_the_record_says_how_the_numbers_came_about():
+    call("run", "31", "--scheme", "rk4", "--step", "0.01", "--out", "here/and/there", *QUICK)
+    record = json.loads(Path("here/and/there/run.json").read_text(encoding="utf-8"))
+    assert {
+        "variant",
+        "title",
+        "versions",
+        "scheme",
+        "step",
+        "end",
+        "rows",
+        "evaluations",
+        "quantities",
+        "stop",
+        "checks",
+    } <= set(record)
+    assert (record["variant"], record["scheme"], record["step"], record["end"]) == ("31", "rk4", 0.01, 0.48)
+    assert (record["rows"], record["evaluations"], record["stop"]) == (49, 192, None)
+    assert record["versions"]["coursework"] == coursework.__version__
+    run = coursework.solve("31", "rk4", step=0.01, quantities=["table", "checks"])
+    assert [check["code"] for check in record["checks"]] == [check.code for check in run.checks]
+    for check, found in zip(run.checks, record["checks"], strict=True):
+        assert {"code", "verdict", "value", "limit", "sentence"} <= set(found)
+        assert (found["verdict"], found["sentence"]) == (check.verdict, check.sentence)
+
+
+def test_html_and_pdf(folder):
+    result = call("run", "31", "--student", "A. Student", "--group", "ME-21", "--date", "2 May", "--out", "o")
+    assert result.exit_code == 0, result.output
+    assert sorted(path.name for path in (folder / "o").iterdir()) == ["report.html", "report.pdf", "run.json", "table.csv"]
+    page = Path("o/report.html").read_text(encoding="utf-8")
+    assert all(word in page for word in ("A. Student", "ME-21", "2 May"))
+    assert Path("o/report.pdf").read_bytes().startswith(b"%PDF-")
+
+
+def test_the_same_bytes_in_every_process(folder):
+    outputs = []
+    for seed in ("1", "2"):
+        done = process("run", "31", "--out", f"o{seed}", "--format", "html,csv", PYTHONHASHSEED=seed)
+        assert done.returncode == 0, done.stderr
+        outputs.append(done.stdout.replace(f"o{seed}".encode(), b"o"))
+    assert outputs[0] == outputs[1]
+    for name in ("table.csv", "run.json", "report.html"):
+        assert (folder / "o1" / name).read_bytes() == (folder / "o2" / name).read_bytes(), name
+
+
+# ---- what cannot be written
+
+
+def test_a_folder_below_a_file():
+    Path("file").write_text("mine", encoding="utf-8")
+    result = call("run", "31", "--out", "file/results", *QUICK)
+    assert result.exit_code == 2
+    assert "could not be written: a part of the path is a file, not a folder. Choose another folder with --out." in result.stderr
+    assert Path("file").read_text(encoding="utf-8") == "mine"
+
+
+@pytest.mark.parametrize(
+    ("number", "sentence"),
+    [
+        (errno.ENOSPC, "the disk is full. Free some space, or choose another folder with --out."),
+        (errno.EDQUOT, "your share of the disk is used up."),
+        (errno.EACCES, "the folder or file is not writable. Close it in other programs, or choose another folder with --out."),
+        (errno.EROFS, "the disk is read-only. Choose another folder with --out."),
+        (errno.EIO, f"{os.strerror(errno.EIO)}. Choose another folder with --out."),
+    ],
+)
+@pytest.mark.parametrize("moment", ["fsync", "replace", "mkdir"])
+def test_a_disk_that_says_no_leaves_what_was_there(moment, number, sentence, folder, monkeypatch):
+    (folder / "o").mkdir()
+    (folder / "o" / "table.csv").write_text("before", encoding="utf-8")
+
+    def refuse(*_args, **_options):
+        raise OSError(number, os.strerror(number))
+
+    with monkeypatch.context() as patch:
+        patch.setattr(*{"fsync": (files.os, "fsync"), "replace": (Path, "replace"), "mkdir": (Path, "mkdir")}[moment], refuse)
+        result = call("run", "31", "--out", "o", *QUICK)
+    assert result.exit_code == 2
+    assert result.stderr.startswith(f"{Path('o', 'table.csv')}: could not be written: {sentence}")
+    assert [path.name for path in (folder / "o").iterdir()] == ["table.csv"]
+    assert (folder / "o" / "table.csv").read_text(encoding="utf-8") == "before"
+
+
+def test_an_interrupt_leaves_nothing_half_written(folder, monkeypatch):
+    def interrupt(_number):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(files.os, "fsync", interrupt)
+    with pytest.raises(KeyboardInterrupt):
+        files.write_bytes(folder / "table.csv", b"x")
+    assert list(folder.iterdir()) == []
+
+
+# ---- the other commands and options
+
+
+def test_variants_lists_the_catalogue():
+    result = call("variants")
+    assert result.exit_code == 0
+    for entry in entries():
+        assert f"{entry.name} " in result.stdout
+        assert entry.title in result.stdout
+
+
+def test_new_writes_a_file_that_runs():
+    result = call("new", "mine.toml")
+    assert (result.exit_code, result.stdout) == (0, "mine.toml is written. Fill it in, then: coursework check mine.toml\n")
+    assert call("check", "mine.toml").exit_code == 0
+    assert call("run", "mine.toml", *QUICK).exit_code == 0
+    Path("mine.toml").write_text("my work", encoding="utf-8")
+    again = call("new", "mine")
+    assert again.exit_code == 2
+    assert "mine.toml exists already and is left as it is." in again.stderr
+    assert Path("mine.toml").read_text(encoding="utf-8") == "my work"
+
+
+def test_check_shows_blocks_and_whether_the_motion_is_possible():
+    result = call("check", "31")
+    assert result.exit_code == 0
+    for line in (
+        "4 unknown velocities (w1, w2, w3, w4), 4 equations",
+        "W = 3·4 − 2·5 − 0 = 2",
+        "    w3 = VMy/(r3*(2*cos(phi3) + sin(phi3)))",
+        "The whole motion, 0 to 0.48 s, is possible: no dead point.",
+    ):
+        assert line in result.stdout
+
+
+def test_plan_computes_nothing(folder):
+    result = call("run", "31", "--plan", "--quantities", "table")
+    assert result.exit_code == 0
+    assert "  motion           needed by table" in result.stdout
+    assert "  accelerations    nothing asked for needs it" in result.stdout
+    assert list(folder.iterdir()) == []
+
+
+def test_profile_counts_calls():
+    result = call("run", "31", "--profile", *QUICK)
+    lines = result.stdout.split("quantity          calls      ms\n")[1].splitlines()
+    assert {line.split()[0]: int(line.split()[1]) for line in lines}["motion"] == 1
+
+
+def test_options_change_the_run():
+    result = call("run", "31", "--scheme", "heun", "--step", "0.01 s", "--end", "0.1", "--quantities", "table", "--format", "csv")
+    assert "Heun, h = 0.01 s, 11 rows" in result.stdout
+    projected = call("run", "31", "--project", "--quantities", "table", "--format", "csv", "--out", "p")
+    assert projected.exit_code == 0
+    assert Path("p/table.csv").read_bytes() != Path("coursework-31/table.csv").read_bytes()
+
+
+@pytest.mark.parametrize("name", ["run", "check", "variants", "new", "accuracy"])
+def test_help(name):
+    result = call(name, "--help")
+    assert result.exit_code == 0
+    assert main.commands[name].help.split("\n")[0][:40] in " ".join(result.stdout.split())
+
+
+def test_version():
+    assert call("--version").stdout == f"coursework, version {coursework.__version__}\n"
+
+
+def test_every_command_is_in_the_readme():
+    text = (Path(__file__).parent.parent / "README.md").read_text(encoding="utf-8")
+    for name in main.commands:
+        assert f"coursework {name}" in text, name
