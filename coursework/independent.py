@@ -35,8 +35,8 @@ def choose(equations: VelocityEquations, start: Sequence[float], *, numbers: boo
     """Return a maximal independent set of equations in the author's order.
 
     `start`: coordinates at t = 0 (rad, m).  `numbers`: judge by numbers also where each velocity has an equation of its own,
-    which says nothing against two equations that are multiples of each other.  Raises `InputError` where velocities stay undetermined or two equations
-    contradict each other.
+    which says nothing against two equations that are multiples of each other.  Raises `InputError` where velocities stay
+    undetermined or two equations contradict each other.
     """
     listed = equations.equations
     rows = [frozenset(equations.unknowns.index(name) for name in equation.coefficients) for equation in listed]

@@ -23,7 +23,6 @@ from sympy.printing.pycode import PythonCodePrinter
 
 from coursework.tabulated import TableLaw
 
-
 SYMPY_VERSION: str = sp.__version__
 
 

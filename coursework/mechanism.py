@@ -143,6 +143,10 @@ def _check_shape(group: Group, index: int, variant: Variant) -> None:
     ]
     if wrong:
         raise _fault(variant, f"group {index}: {group.kind} takes {listing(wrong)}.", group.line)
+    rate = next(c.rate for c in variant.coordinates if c.name == group.coordinates[0])
+    if group.kind == "crank" and rate not in variant.known_rates:
+        message = f'group {index}: a crank turns by itself, so its rate {rate} stands in [drive]. Write {rate} = "10" there.'
+        raise _fault(variant, message, group.line)
 
 
 def _later(group: Group, written: dict[str, Formula], known: set[str], variant: Variant) -> str:

@@ -1,7 +1,5 @@
 """The command line: exit status, files, bytes, and sentences for everything that can be typed wrongly."""
 
-import csv
-import errno
 import json
 import os
 import subprocess
@@ -12,7 +10,6 @@ import pytest
 from click.testing import CliRunner
 
 import coursework
-from coursework import files
 from coursework.catalogue import entries
 from coursework.cli import main
 
@@ -138,139 +135,6 @@ def test_three_where_the_tool_is_at_fault(monkeypatch):
     assert "Traceback" in result.stderr
     assert "RuntimeError: something of ours" in result.stderr
     assert result.stderr.endswith("This is a fault of the tool, not of your file. Please report it with the lines above.\n")
-
-
-# ---- what is written
-
-
-def test_table_has_the_columns_of_the_file_and_every_digit():
-    assert call("run", "31", "--quantities", "table", "--format", "csv").exit_code == 0
-    with Path("coursework-31/table.csv").open(encoding="utf-8", newline="") as file:
-        head, *rows = csv.reader(file)
-    assert head == ["t", "phi1", "phi2", "phi3", "w1", "w2", "w3", "w4"]
-    motion = coursework.solve("31", quantities=["table"]).motion
-    assert [float(row[0]) for row in rows] == motion.t.tolist()
-    assert [[float(cell) for cell in row[1:]] for row in rows] == motion.rows.tolist()
-
-
-@pytest.mark.parametrize(
-    ("name", "quantities", "more"),
-    [
-        ("31", "accelerations", ["dw1", "dw2", "dw3", "dw4"]),
-        ("31", "points", [f"{p}.{c}" for p in "DABMCP" for c in ("x", "y", "vx", "vy")]),
-        ("31", "points,accelerations", ["dw1", "dw2", "dw3", "dw4"] + [f"{p}.{c}" for p in "DABMCP" for c in ("x", "y", "vx", "vy", "ax", "ay")]),
-    ],
-)  # fmt: skip
-def test_what_is_asked_for_stands_behind_the_columns(name, quantities, more):
-    assert call("run", name, "--quantities", quantities, "--format", "csv").exit_code == 0
-    head = Path(f"coursework-{name}/table.csv").read_text(encoding="utf-8").splitlines()[0].split(",")
-    assert head == ["t", "phi1", "phi2", "phi3", "w1", "w2", "w3", "w4", *more]
-
-
-def test_a_column_alone():
-    assert call("run", "31", "--quantities", "phi3", "--format", "csv").exit_code == 0
-    assert Path("coursework-31/table.csv").read_text(encoding="utf-8").splitlines()[0] == "t,phi3,w3"
-
-
-def test_analogs_and_invariants_have_files_of_their_own():
-    result = call("run", "example-2", "--quantities", "table,analogs,invariants", "--format", "csv")
-    assert result.stdout.endswith("table.csv, analogs.csv, invariants.csv, run.json\n")
-    assert Path("coursework-example-2/invariants.csv").read_text(encoding="utf-8").startswith("k,a_k,b_k,c_k\n")
-    assert len(Path("coursework-example-2/analogs.csv").read_text(encoding="utf-8").splitlines()) == 38
-
-
-def test_the_record_says_how_the_numbers_came_about():
-    call("run", "31", "--scheme", "rk4", "--step", "0.01", "--out", "here/and/there", *QUICK)
-    record = json.loads(Path("here/and/there/run.json").read_text(encoding="utf-8"))
-    assert {
-        "variant",
-        "title",
-        "versions",
-        "scheme",
-        "step",
-        "end",
-        "rows",
-        "evaluations",
-        "quantities",
-        "stop",
-        "checks",
-    } <= set(record)
-    assert (record["variant"], record["scheme"], record["step"], record["end"]) == ("31", "rk4", 0.01, 0.48)
-    assert (record["rows"], record["evaluations"], record["stop"]) == (49, 192, None)
-    assert record["versions"]["coursework"] == coursework.__version__
-    run = coursework.solve("31", "rk4", step=0.01, quantities=["table", "checks"])
-    assert [check["code"] for check in record["checks"]] == [check.code for check in run.checks]
-    for check, found in zip(run.checks, record["checks"], strict=True):
-        assert {"code", "verdict", "value", "limit", "sentence"} <= set(found)
-        assert (found["verdict"], found["sentence"]) == (check.verdict, check.sentence)
-
-
-def test_html_and_pdf(folder):
-    result = call("run", "31", "--student", "A. Student", "--group", "ME-21", "--date", "2 May", "--out", "o")
-    assert result.exit_code == 0, result.output
-    assert sorted(path.name for path in (folder / "o").iterdir()) == ["report.html", "report.pdf", "run.json", "table.csv"]
-    page = Path("o/report.html").read_text(encoding="utf-8")
-    assert all(word in page for word in ("A. Student", "ME-21", "2 May"))
-    assert Path("o/report.pdf").read_bytes().startswith(b"%PDF-")
-
-
-def test_the_same_bytes_in_every_process(folder):
-    outputs = []
-    for seed in ("1", "2"):
-        done = process("run", "31", "--out", f"o{seed}", "--format", "html,csv", PYTHONHASHSEED=seed)
-        assert done.returncode == 0, done.stderr
-        outputs.append(done.stdout.replace(f"o{seed}".encode(), b"o"))
-    assert outputs[0] == outputs[1]
-    for name in ("table.csv", "run.json", "report.html"):
-        assert (folder / "o1" / name).read_bytes() == (folder / "o2" / name).read_bytes(), name
-
-
-# ---- what cannot be written
-
-
-def test_a_folder_below_a_file():
-    Path("file").write_text("mine", encoding="utf-8")
-    result = call("run", "31", "--out", "file/results", *QUICK)
-    assert result.exit_code == 2
-    assert "could not be written: a part of the path is a file, not a folder. Choose another folder with --out." in result.stderr
-    assert Path("file").read_text(encoding="utf-8") == "mine"
-
-
-@pytest.mark.parametrize(
-    ("number", "sentence"),
-    [
-        (errno.ENOSPC, "the disk is full. Free some space, or choose another folder with --out."),
-        (errno.EDQUOT, "your share of the disk is used up."),
-        (errno.EACCES, "the folder or file is not writable. Close it in other programs, or choose another folder with --out."),
-        (errno.EROFS, "the disk is read-only. Choose another folder with --out."),
-        (errno.EIO, f"{os.strerror(errno.EIO)}. Choose another folder with --out."),
-    ],
-)
-@pytest.mark.parametrize("moment", ["fsync", "replace", "mkdir"])
-def test_a_disk_that_says_no_leaves_what_was_there(moment, number, sentence, folder, monkeypatch):
-    (folder / "o").mkdir()
-    (folder / "o" / "table.csv").write_text("before", encoding="utf-8")
-
-    def refuse(*_args, **_options):
-        raise OSError(number, os.strerror(number))
-
-    with monkeypatch.context() as patch:
-        patch.setattr(*{"fsync": (files.os, "fsync"), "replace": (Path, "replace"), "mkdir": (Path, "mkdir")}[moment], refuse)
-        result = call("run", "31", "--out", "o", *QUICK)
-    assert result.exit_code == 2
-    assert result.stderr.startswith(f"{Path('o', 'table.csv')}: could not be written: {sentence}")
-    assert [path.name for path in (folder / "o").iterdir()] == ["table.csv"]
-    assert (folder / "o" / "table.csv").read_text(encoding="utf-8") == "before"
-
-
-def test_an_interrupt_leaves_nothing_half_written(folder, monkeypatch):
-    def interrupt(_number):
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(files.os, "fsync", interrupt)
-    with pytest.raises(KeyboardInterrupt):
-        files.write_bytes(folder / "table.csv", b"x")
-    assert list(folder.iterdir()) == []
 
 
 # ---- the other commands and options

@@ -93,15 +93,16 @@ def _judge(evidence: Evidence, code: str, title: str, names: tuple[str, ...], wh
     worst = max(chosen, key=lambda split: abs(split.total) / split.limit)
     verdict: Verdict = "PASS" if abs(worst.total) <= worst.limit else "FAIL"
     turned = [f"{split.name} made {split.turns} whole turn(s)" for split in chosen if split.turns]
+    which = f"{what} {worst.name}"
     note = f" {'; '.join(turned)}, taken off." if turned else ""
     if verdict == "PASS":
-        sentence = f"The last row repeats the first within the error of the scheme; {what} {worst.name} differs most for its limit.{note}"
+        sentence = f"The last row repeats the first within the error of the scheme; {which} differs most for its limit.{note}"
     elif abs(worst.period) > 0.5 * abs(worst.total):
         sentence = (
             f"The true motion itself does not repeat after {evidence.period:.6g} s: {worst.name} differs. Check the period.{note}"
         )
     else:
-        sentence = f"The last row does not repeat the first: {what} {worst.name} differs by more than the error of the scheme explains.{note}"
+        sentence = f"The last row does not repeat the first: {which} differs by more than the scheme's error explains.{note}"
     rows = tuple((f"{split.name}: {part}", getattr(split, part), split.unit) for split in chosen for part in _PARTS)
     return Check(code, title, verdict, sentence, abs(worst.total), worst.limit, worst.unit, rows)
 

@@ -24,7 +24,7 @@ Length: TypeAlias = ArrayLike | tuple[ArrayLike, ArrayLike, ArrayLike]
 ULPS = 8.0
 
 
-class CannotAssemble(ValueError):  # noqa: N818  the textbook's word, not a programmer's
+class CannotAssemble(ValueError):
     """The links of a group do not meet.
 
     `row` is the first failing row and `rows` all of them, counted from 0; `shortage` (m) says by how much a
@@ -41,7 +41,7 @@ class CannotAssemble(ValueError):  # noqa: N818  the textbook's word, not a prog
         return str(self.args[0])
 
 
-class AtDeadPoint(ValueError):  # noqa: N818  likewise
+class AtDeadPoint(ValueError):
     """The determinant is zero and velocities are not defined; `row` the first row, `rows` all, from 0."""
 
     def __init__(self, sentence: str, rows: tuple[int, ...] = (0,)) -> None:

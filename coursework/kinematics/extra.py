@@ -5,6 +5,7 @@ Enters: a motion with its accelerations.  Leaves: `ExtraTable`.  Computed on req
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 
 import numpy as np
@@ -99,5 +100,5 @@ def _longest_way(values: Array) -> slice:
     """Return the longest stretch of rows over which the slider moves one way."""
     signs = np.sign(np.diff(values))
     edges = [0, *(np.flatnonzero(np.diff(signs)) + 1).tolist(), len(signs)]
-    begin, end = max(zip(edges, edges[1:], strict=False), key=lambda pair: pair[1] - pair[0])
+    begin, end = max(itertools.pairwise(edges), key=lambda pair: pair[1] - pair[0])
     return slice(begin, end + 1)

@@ -121,7 +121,7 @@ def four_bar(random: Random) -> Case:
     starts = ('rate = "wp", unit = "rad"', 'rate = "wq", unit = "rad"')
     if form != "groups":
         starts = (f'start = "{p!r} rad", rate = "wp"', f'start = "{q!r} rad", rate = "wq"')
-    step = law.end / random.randint(40, 70)
+    step = law.end / random.randint(30, 50)
     text = scene(
         f"{crank_coordinate(start)}\np = {{ {starts[0]} }}\nq = {{ {starts[1]} }}", given=data(a=a, b=b, c=c, d=d),
         drive=f'w1 = "{law.formula}"', step=step, end=law.end, equations=equations, closures=closures, more=more,
@@ -168,7 +168,7 @@ def slider_crank(random: Random) -> Case:
     starts = ('rate = "wp", unit = "rad"', 'rate = "u", unit = "m"')
     if form != "groups":
         starts = (f'start = "{p!r} rad", rate = "wp"', f'start = "{s!r} m", rate = "u"')
-    step = law.end / random.randint(40, 70)
+    step = law.end / random.randint(30, 50)
     text = scene(
         f"{crank_coordinate(start)}\np = {{ {starts[0]} }}\ns = {{ {starts[1]} }}",
         given=data(a=a, b=b, e=e) + f'\ng = "{g!r} rad"',
@@ -185,7 +185,7 @@ def driven_chain(random: Random) -> Case:
     v, w = random.choice([(v, 0.0), (v, w), (0.1 * v, 0.0), (0.1 * v, 0.1 * w)])
     phase, phi1, phi2, phi3 = (round(random.uniform(0, 6.28), 3) for _ in range(4))
     end = random.uniform(0.4, 1.1) * 2 * math.pi / p
-    step = end / random.randint(40, 70)
+    step = end / random.randint(30, 50)
     form = random.choice(["equations", "equations and closure", "closure"])
     at_b = r1 * cmath.exp(1j * phi1) + r2 * cmath.exp(1j * phi2)
     at_m = at_b + r * cmath.exp(1j * phi3)
@@ -243,7 +243,7 @@ def five_bar(random: Random) -> Case:
     p = max(p, 0.5)
     phase = round(random.uniform(0, 6.28), 3)
     end = random.uniform(0.4, 1.1) * 2 * math.pi / p
-    step = end / random.randint(40, 70)
+    step = end / random.randint(30, 50)
     form = random.choice(["equations", "equations and closure", "closure"])
     r1, r2, r3, r4 = lengths
     arms = [size * cmath.exp(1j * angle) for size, angle in zip(lengths, angles, strict=True)]

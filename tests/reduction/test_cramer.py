@@ -32,8 +32,9 @@ step = "0.1 s"
 end = "0.1 s"
 """
 COEFFICIENTS = [
-    "a*cos(q{i})", "-b*sin(q{i})", "c", "0.5*b", "-a*sin(q{i} - q{j})", "b*cos(q{i} + q{j})", "(a + b)*cos(q{j})", "a*b/c*sin(q{j})",
-    "a*(2*cos(q{i}) + sin(q{j}))", "-(a*cos(q{i}) + b*cos(q{j}))", "a*cos(q{i})^2", "a*tan(0.1*q{j})", "c/(2 + cos(q{i}))", "a*q{j}",
+    "a*cos(q{i})", "-b*sin(q{i})", "c", "0.5*b", "-a*sin(q{i} - q{j})", "b*cos(q{i} + q{j})", "(a + b)*cos(q{j})",
+    "a*b/c*sin(q{j})", "a*(2*cos(q{i}) + sin(q{j}))", "-(a*cos(q{i}) + b*cos(q{j}))", "a*cos(q{i})^2", "a*tan(0.1*q{j})",
+    "c/(2 + cos(q{i}))", "a*q{j}",
     "sqrt(a^2 + b^2*sin(q{j})^2)", "a*exp(0.1*q{i})", "-a*sin(q{i})*cos(q{j})", "a*cos(q{i})*sin(q{j})", "b*sin(q{i})*sin(q{j})",
 ]  # fmt: skip
 RIGHT = ["V", "-2*V*cos(q{i})", "a*V + b", "0", "b*sin(q{j})", "V*(cos(q{i}) - sin(q{j}))"]

@@ -171,7 +171,8 @@ def variant(**changes: Any) -> Variant:
     )  # fmt: skip
     made = Variant(
         name="31", path=None, title="Rolling wheel, right-angled link, crank and rod",
-        source="B. B. Ponomarev, coursework guide, Irkutsk 1995, variant 31", teaches="a chain is solved from one end", remarks=("The phase is 4.35 rad.",), given=given,
+        source="B. B. Ponomarev, coursework guide, Irkutsk 1995, variant 31",
+        teaches="a chain is solved from one end", remarks=("The phase is 4.35 rad.",), given=given,
         drive=(Law("VMx", parse("0")), Law("VMy", parse("V1*sin(p*t + alpha)"))),
         coordinates=tuple(
             Coordinate(name, rate, start, "rad", str(start), "rad")

@@ -184,11 +184,15 @@ def test_the_accuracy_section(stand_in: ModuleType) -> None:
     assert "importing" not in quiet
 
 
+def drawn(stand_in: ModuleType) -> Any:
+    return stand_in.Graph(SVG, (("w1", 1.2, 1.21, 0.01, "rad/s"),), (("w1", 1.2, 0.01, "rad/s"),), ("A note.",))
+
+
 def unusual(stand_in: ModuleType) -> list[Any]:
     """Return runs that between them make the report say everything it can say."""
     wide = Variety(stand_in)
     return [
-        stand_in.run(asked=ALL, accuracy=stand_in.study(), graph=stand_in.Graph(SVG, (("w1", 1.2, 1.21, 0.01, "rad/s"),), (("w1", 1.2, 0.01, "rad/s"),), ("A note.",)),
+        stand_in.run(asked=ALL, accuracy=stand_in.study(), graph=drawn(stand_in),
                      student="S", group="G", date="D", extra_tables=wide.extras),
         stand_in.run(asked=ALL, accuracy=stand_in.study(False), checks=wide.many(3), settings=stand_in.Settings(1, 0.0)),
         stand_in.run(checks=wide.many(1), settings=stand_in.Settings(2, 0.0), exact=replace(stand_in.exact(), label="")),
