@@ -62,7 +62,12 @@ def start_values(equations: VelocityEquations) -> list[float]:
     """
     variant = equations.variant
     if not is_chain(variant):
-        return [c.start if c.start is not None else 0.0 for c in variant.coordinates]
+        missing = [c for c in variant.coordinates if c.start is None]
+        text = "{} has no start, and the groups do not give every coordinate. Write its value at t = 0: start = …."
+        if missing:
+            file = str(variant.path or variant.name)
+            raise InputError([Fault(text.format(c.name), file, variant.line_of("coordinates", c.name)) for c in missing])
+        return [c.start for c in variant.coordinates if c.start is not None]
     closed = chain_positions(equations, np.zeros(1))[0]
     faults = []
     for coordinate, value in zip(variant.coordinates, closed, strict=True):

@@ -6,6 +6,7 @@ Enters: a scene.  Leaves: a `Motion` on the coursework's own rows, labelled with
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -56,8 +57,8 @@ def predictor(rates: Rates) -> Predictor:
 def follow_closure(closure: Closure, rates: Rates, times: Array) -> Array:
     """Return the positions (n, m) at `times`, each closed to round-off.
 
-    The assembly is kept by prediction along the motion; where the prediction is poor the interval is halved.
-    Raises `NotReached` where the mechanism cannot follow.
+    The assembly is kept by prediction along the motion and by the signs of the determinants, which change at a dead point
+    only; where the prediction is poor the interval is halved.  Raises `NotReached` where the mechanism cannot follow.
     """
     predict = predictor(rates)
     kept, known = closure.targets(times)
@@ -65,40 +66,40 @@ def follow_closure(closure: Closure, rates: Rates, times: Array) -> Array:
     found = closure.newton(0.0, row, kept[0])
     if found is None:
         raise NotReached(0, 0.0)
+    signs = _signs(rates, 0.0, found)
+
+    def advance(begin: float, end: float, q: Array, target: Array, known: Array, depth: int = 0) -> Array | None:
+        try:
+            guess = _place(predict(begin, end - begin, q), closure, known)
+            found = closure.newton(end, guess, target)
+            if found is not None and float(np.max(np.abs(found - guess))) < _FAR and _signs(rates, end, found) == signs:
+                return found
+        except (ArithmeticError, ValueError):
+            pass  # the prediction met a dead point; a shorter one does not
+        if depth == _MOST_HALVINGS:
+            return None
+        middle = (begin + end) / 2
+        inner_target, inner_known = closure.targets(np.array([0.0, middle]))
+        half = advance(begin, middle, q, inner_target[1], inner_known[1], depth + 1)
+        return None if half is None else advance(middle, end, half, target, known, depth + 1)
+
     positions = [found]
-    for index in range(1, len(times)):
-        following = _advance(
-            closure, predict, float(times[index - 1]), float(times[index]), positions[-1], kept[index], known[index]
-        )
+    for index, (begin, end) in enumerate(itertools.pairwise(times.tolist()), start=1):
+        following = advance(begin, end, positions[-1], kept[index], known[index])
         if following is None:
-            raise NotReached(index, float(times[index]))
+            raise NotReached(index, end)
         positions.append(following)
     return np.array(positions)
+
+
+def _signs(rates: Rates, t: float, q: Array) -> list[float]:
+    return [math.copysign(1.0, value) for value in rates.evaluate(t, *q.tolist())[len(rates.velocities) :]]
 
 
 def _place(q: Array, closure: Closure, known: Array) -> Array:
     q = q.copy()
     q[list(closure.driven)] = known
     return q
-
-
-def _advance(
-    closure: Closure, predict: Predictor, begin: float, end: float, q: Array, target: Array, known: Array, depth: int = 0
-) -> Array | None:
-    try:
-        guess = _place(predict(begin, end - begin, q), closure, known)
-    except ZeroDivisionError:
-        return None
-    found = closure.newton(end, guess, target)
-    if found is not None and float(np.max(np.abs(found - guess))) < _FAR:
-        return found
-    if depth == 8:
-        return None
-    middle = (begin + end) / 2
-    times = np.array([0.0, middle])
-    inner_target, inner_known = closure.targets(times)
-    half = _advance(closure, predict, begin, middle, q, inner_target[1], inner_known[1], depth + 1)
-    return None if half is None else _advance(closure, predict, middle, end, half, target, known, depth + 1)
 
 
 def refine(rates: Rates, start: Sequence[float], times: Array, split: Sequence[float] = ()) -> tuple[Array, float, int]:

@@ -28,7 +28,7 @@ _LOOKS = 16
 class Place:
     """Where one block stands in the values of the linear system.
 
-    `entries` of its matrix row by row (-1 for zero); `rights` of its right side; `earlier` per row the terms (entry, unknown)
+    `entries` of its matrix row by row (-1, the zero behind all values, where there is none); `rights` of its right side; `earlier` per row the terms (entry, unknown)
     of velocities found before; `unknowns` the columns it determines.
     """
 
@@ -54,49 +54,54 @@ class Flow:
     evaluations: int = field(default=0)
     fastest: tuple[tuple[float, float], ...] = field(default=())
 
+    @property
+    def known(self) -> int:
+        """Return the place of the first driven rate among the values."""
+        return len(self.system.places) + len(self.system.names)
+
+    def _values(self, t: float, q: Sequence[float]) -> tuple[float, ...]:
+        return (*self.system.scalar(t, *q), 0.0)
+
     def scaled(self, t: float, q: Sequence[float]) -> Array:
         """Return the dimensionless determinants of all blocks at one time (s) and position."""
-        values = self.system.scalar(t, *q)
+        values = self._values(t, q)
         return np.array([_determinant(values, place) / size for place, size in zip(self.places, self.largest, strict=True)])
 
     def slopes(self, t: float, q: Sequence[float], block: int) -> list[float]:
         """Return dq/ds, with dt/ds last, for the clock of `block`.  Raises `ArithmeticError` where another one is singular."""
         self.evaluations += 1
-        values = self.system.scalar(t, *q)
+        values = self._values(t, q)
         u = [0.0] * len(self.system.unknowns)
         scale = 1.0
         for index, place in enumerate(self.places):
             rest = _rest(values, place, u, scale)
-            if index != block:
-                for column, value in zip(place.unknowns, _solve(values, place, rest), strict=True):
-                    u[column] = value
-                continue
-            size = self.largest[index]
-            scale = _determinant(values, place) / size
-            u = [value * scale for value in u]
+            below = _determinant(values, place)
+            if index == block:
+                below, scale = self.largest[index], below / self.largest[index]
+                u = [value * scale for value in u]
             for column, value in zip(place.unknowns, _adjugate(values, place, rest), strict=True):
-                u[column] = value / size
-        known = values[len(self.system.places) + len(self.system.names) :]
+                u[column] = value / below
+        known = values[self.known : -1]
         motion = [known[place] * scale if driven else u[place] for driven, place in self.rates]
         return [*motion, scale]
 
     def part(self, t: float, q: Sequence[float], block: int) -> tuple[Array, Array, Array]:
         """Return A (k, k) and b (k,) of one block with earlier velocities moved over, and the velocities (m,) known so far."""
-        values = self.system.scalar(t, *q)
+        values = self._values(t, q)
         u = [0.0] * len(self.system.unknowns)
         for place in self.places[:block]:
             for column, value in zip(place.unknowns, _solve(values, place, _rest(values, place, u, 1.0)), strict=True):
                 u[column] = value
         place = self.places[block]
         size = len(place.unknowns)
-        matrix = np.array([values[entry] if entry >= 0 else 0.0 for entry in place.entries]).reshape(size, size)
-        known = values[len(self.system.places) + len(self.system.names) :]
+        matrix = np.array([values[entry] for entry in place.entries]).reshape(size, size)
+        known = values[self.known : -1]
         velocities = np.array([known[index] if driven else u[index] for driven, index in self.rates])
         return matrix, np.array(_rest(values, place, u, 1.0)), velocities
 
     def velocities(self, t: float, q: Sequence[float], block: int, chosen: Sequence[float]) -> list[float | None]:
         """Return every unknown velocity where those of `block` are `chosen`; None from a later block that is singular."""
-        values = self.system.scalar(t, *q)
+        values = self._values(t, q)
         u: list[float | None] = [0.0] * len(self.system.unknowns)
         for index, place in enumerate(self.places):
             involved = [u[column] for row in place.earlier for _, column in row]
@@ -156,7 +161,7 @@ def _largest_seen(system: LinearSystem, place: Place, begin: Sequence[float], en
         # Any fixed irrational shifts do; the first look is the start itself.
         q = [value + 0.5 * look * (0.618 * (i + 1) % 1.0) / _LOOKS for i, value in enumerate(begin)]
         try:
-            found = max(found, abs(_determinant(system.scalar(look / _LOOKS * end, *q), place)))
+            found = max(found, abs(_determinant((*system.scalar(look / _LOOKS * end, *q), 0.0), place)))
         except (ArithmeticError, ValueError, OutsideTable):
             continue
     return found if 0.0 < found < float("inf") else 1.0
@@ -174,17 +179,17 @@ def _determinant(values: Sequence[float], place: Place) -> float:
     if len(entries) == 1:
         return values[entries[0]]
     if len(entries) == 4:
-        a, b, c, d = [values[entry] if entry >= 0 else 0.0 for entry in entries]
+        a, b, c, d = [values[entry] for entry in entries]
         return a * d - b * c
     if len(entries) == 9:
-        a, b, c, d, e, f, g, h, i = [values[entry] if entry >= 0 else 0.0 for entry in entries]
+        a, b, c, d, e, f, g, h, i = [values[entry] for entry in entries]
         return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
     return float(np.linalg.det(_matrix(values, place)))
 
 
 def _matrix(values: Sequence[float], place: Place) -> Array:
     size = len(place.unknowns)
-    return np.array([values[entry] if entry >= 0 else 0.0 for entry in place.entries]).reshape(size, size)
+    return np.array([values[entry] for entry in place.entries]).reshape(size, size)
 
 
 def _adjugate(values: Sequence[float], place: Place, rest: Sequence[float]) -> Sequence[float]:
@@ -192,10 +197,10 @@ def _adjugate(values: Sequence[float], place: Place, rest: Sequence[float]) -> S
     if len(rest) == 1:
         return rest
     if len(rest) == 2:
-        a, b, c, d = [values[entry] if entry >= 0 else 0.0 for entry in place.entries]
+        a, b, c, d = [values[entry] for entry in place.entries]
         return d * rest[0] - b * rest[1], a * rest[1] - c * rest[0]
     if len(rest) == 3:
-        a, b, c, d, e, f, g, h, i = [values[entry] if entry >= 0 else 0.0 for entry in place.entries]
+        a, b, c, d, e, f, g, h, i = [values[entry] for entry in place.entries]
         x, y, z = rest
         return (
             (e * i - f * h) * x + (c * h - b * i) * y + (b * f - c * e) * z,

@@ -117,7 +117,8 @@ def four_bar(random: Random) -> Case:
     elif form == "closure":
         closures = ["a @ theta + b @ p = (d, 0) + c @ q"]
     else:
-        more = f'{CRANK}[[group]]\nkind = "RRR"\nfrom = ["A", "(d, 0)"]\nmeets = "B"\nlengths = ["b", "c"]\ncoordinates = ["p", "q"]\nmode = "{mode:+d}"'
+        ends = 'from = ["A", "(d, 0)"]\nmeets = "B"\nlengths = ["b", "c"]\ncoordinates = ["p", "q"]'
+        more = f'{CRANK}[[group]]\nkind = "RRR"\n{ends}\nmode = "{mode:+d}"'
     starts = ('rate = "wp", unit = "rad"', 'rate = "wq", unit = "rad"')
     if form != "groups":
         starts = (f'start = "{p!r} rad", rate = "wp"', f'start = "{q!r} rad", rate = "wq"')
@@ -162,7 +163,8 @@ def slider_crank(random: Random) -> Case:
         closures = ["a @ theta + b @ p = s @ g + e @ (g + pi/2)"] if e else ["a @ theta + b @ p = s @ g"]
     else:
         more = (
-            f'{CRANK}[[group]]\nkind = "RRP"\nfrom = ["A"]\nguide = {{ through = "(0, 0)", angle = "g", offset = "e" }}\nmeets = "B"\n'
+            f'{CRANK}[[group]]\nkind = "RRP"\nfrom = ["A"]\nmeets = "B"\n'
+            'guide = { through = "(0, 0)", angle = "g", offset = "e" }\n'
             f'lengths = ["b"]\ncoordinates = ["p", "s"]\nmode = "{mode:+d}"'
         )
     starts = ('rate = "wp", unit = "rad"', 'rate = "u", unit = "m"')

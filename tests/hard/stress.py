@@ -92,8 +92,10 @@ def first_impossible(case: Case) -> tuple[float | None, float]:
         for time_of, value in sorted(lows):
             if value < 0 and time_of < first + t[1]:
                 before = t[(t < time_of) & (values > 0)]
-                begin = float(before[-1]) if len(before) else 0.0
-                first = min(first, float(brentq(lambda x, m=margin: float(m(np.array(x))), begin, time_of, xtol=1e-14)))
+                if len(before):
+                    first = min(first, float(brentq(lambda x, m=margin: float(m(np.array(x))), before[-1], time_of, xtol=1e-14)))
+                else:  # the start itself stands at the end of its reach
+                    first = 0.0
                 break
     return (first if first < case.end else None), lowest
 
