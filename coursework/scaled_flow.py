@@ -74,12 +74,11 @@ class Flow:
         u = [0.0] * len(self.system.unknowns)
         scale = 1.0
         for index, place in enumerate(self.places):
-            rest = _rest(values, place, u, scale)
-            below = _determinant(values, place)
+            above, below = _cramer(values, place, _rest(values, place, u, scale), index == block)
             if index == block:
                 below, scale = self.largest[index], below / self.largest[index]
                 u = [value * scale for value in u]
-            for column, value in zip(place.unknowns, _adjugate(values, place, rest), strict=True):
+            for column, value in zip(place.unknowns, above, strict=True):
                 u[column] = value / below
         known = values[self.known : -1]
         motion = [known[place] * scale if driven else u[place] for driven, place in self.rates]
@@ -175,16 +174,9 @@ def _rest(values: Sequence[float], place: Place, u: Sequence[float], share: floa
 
 
 def _determinant(values: Sequence[float], place: Place) -> float:
-    entries = place.entries
-    if len(entries) == 1:
-        return values[entries[0]]
-    if len(entries) == 4:
-        a, b, c, d = [values[entry] for entry in entries]
-        return a * d - b * c
-    if len(entries) == 9:
-        a, b, c, d, e, f, g, h, i = [values[entry] for entry in entries]
-        return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
-    return float(np.linalg.det(_matrix(values, place)))
+    if len(place.unknowns) > 3:
+        return float(np.linalg.det(_matrix(values, place)))
+    return _cramer(values, place, (0.0,) * len(place.unknowns))[1]
 
 
 def _matrix(values: Sequence[float], place: Place) -> Array:
@@ -192,30 +184,35 @@ def _matrix(values: Sequence[float], place: Place) -> Array:
     return np.array([values[entry] for entry in place.entries]).reshape(size, size)
 
 
-def _adjugate(values: Sequence[float], place: Place, rest: Sequence[float]) -> Sequence[float]:
-    """Return adj(A) rest, also where A is singular."""
-    if len(rest) == 1:
-        return rest
-    if len(rest) == 2:
-        a, b, c, d = [values[entry] for entry in place.entries]
-        return d * rest[0] - b * rest[1], a * rest[1] - c * rest[0]
-    if len(rest) == 3:
-        a, b, c, d, e, f, g, h, i = [values[entry] for entry in place.entries]
-        x, y, z = rest
-        return (
-            (e * i - f * h) * x + (c * h - b * i) * y + (b * f - c * e) * z,
-            (f * g - d * i) * x + (a * i - c * g) * y + (c * d - a * f) * z,
-            (d * h - e * g) * x + (b * g - a * h) * y + (a * e - b * d) * z,
-        )
-    u, sizes, v = np.linalg.svd(_matrix(values, place))
-    others = np.array([np.prod(np.delete(sizes, i)) for i in range(len(sizes))])
-    found: list[float] = (np.linalg.det(u) * np.linalg.det(v) * (v.T * others) @ (u.T @ np.array(rest))).tolist()
-    return found
-
-
 def _solve(values: Sequence[float], place: Place, rest: Sequence[float]) -> Sequence[float]:
-    if len(rest) > 3:
-        found: list[float] = np.linalg.solve(_matrix(values, place), np.array(rest)).tolist()
-        return found
-    determinant = _determinant(values, place)
-    return [value / determinant for value in _adjugate(values, place, rest)]
+    above, below = _cramer(values, place, rest)
+    return [value / below for value in above]
+
+
+def _cramer(
+    values: Sequence[float], place: Place, rest: Sequence[float], adjugate: bool = False
+) -> tuple[Sequence[float], float]:
+    """Return adj(A) rest and det A; for four unknowns and more A^-1 rest and 1, unless the `adjugate` is asked for."""
+    entries = [values[entry] for entry in place.entries]
+    if len(rest) == 1:
+        return rest, entries[0]
+    if len(rest) == 2:
+        a, b, c, d = entries
+        x, y = rest
+        return (d * x - b * y, a * y - c * x), a * d - b * c
+    if len(rest) == 3:
+        a, b, c, d, e, f, g, h, i = entries
+        x, y, z = rest
+        first, second, third = e * i - f * h, f * g - d * i, d * h - e * g
+        return (
+            first * x + (c * h - b * i) * y + (b * f - c * e) * z,
+            second * x + (a * i - c * g) * y + (c * d - a * f) * z,
+            third * x + (b * g - a * h) * y + (a * e - b * d) * z,
+        ), a * first + b * second + c * third
+    matrix = _matrix(values, place)
+    if not adjugate:
+        return np.linalg.solve(matrix, np.array(rest)).tolist(), 1.0
+    u, sizes, v = np.linalg.svd(matrix)
+    others = np.array([np.prod(np.delete(sizes, i)) for i in range(len(sizes))])
+    sign = np.linalg.det(u) * np.linalg.det(v)
+    return (sign * (v.T * others) @ (u.T @ np.array(rest))).tolist(), float(sign * np.prod(sizes))
