@@ -28,8 +28,8 @@ _LOOKS = 16
 class Place:
     """Where one block stands in the values of the linear system.
 
-    `entries` of its matrix row by row (-1, the zero behind all values, where there is none); `rights` of its right side; `earlier` per row the terms (entry, unknown)
-    of velocities found before; `unknowns` the columns it determines.
+    `entries` of its matrix row by row (-1, the zero behind all values, where there is none); `rights` of its right side;
+    `earlier` per row the terms (entry, unknown) of velocities found before; `unknowns` the columns it determines.
     """
 
     entries: tuple[int, ...]
