@@ -25,6 +25,8 @@ Predictor = Callable[[float, float, Array], Array]
 # Two results of one interval must agree to this (rad or m) where no position is known; what is used is the extrapolated one.
 AGREEMENT = 1e-13
 _MOST_HALVINGS = 30
+# Parts of one row after which a closure counts as not to be followed: a dead point takes about 60, a wrong motion all there are.
+_MOST_PARTS = 1000
 # Part of its time by which an interval ends before a break of the drive: the last slope must still see the old formula.
 _BEFORE_BREAK = 1e-13
 # A prediction further than this from the closed position (rad or m) is not trusted to be the same assembly.
@@ -67,8 +69,11 @@ def follow_closure(closure: Closure, rates: Rates, times: Array) -> Array:
     if found is None:
         raise NotReached(0, 0.0)
     signs = _signs(rates, 0.0, found)
+    parts = 0
 
     def advance(begin: float, end: float, q: Array, target: Array, known: Array, depth: int = 0) -> Array | None:
+        nonlocal parts
+        parts += 1
         try:
             guess = _place(predict(begin, end - begin, q), closure, known)
             found = closure.newton(end, guess, target)
@@ -76,7 +81,7 @@ def follow_closure(closure: Closure, rates: Rates, times: Array) -> Array:
                 return found
         except (ArithmeticError, ValueError):
             pass  # the prediction met a dead point; a shorter one does not
-        if depth == _MOST_HALVINGS:
+        if depth == _MOST_HALVINGS or parts > _MOST_PARTS:
             return None
         middle = (begin + end) / 2
         inner_target, inner_known = closure.targets(np.array([0.0, middle]))
@@ -85,6 +90,7 @@ def follow_closure(closure: Closure, rates: Rates, times: Array) -> Array:
 
     positions = [found]
     for index, (begin, end) in enumerate(itertools.pairwise(times.tolist()), start=1):
+        parts = 0
         following = advance(begin, end, positions[-1], kept[index], known[index])
         if following is None:
             raise NotReached(index, end)

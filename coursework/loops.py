@@ -55,11 +55,8 @@ class _Recorder:
         self.count += 1
         inside = {"t": t.name, **dict(zip(self.rates.coordinates, q.names, strict=True))}
         skipped = {f"_{name}" for name in self.rates.velocities}
-        targets = [target.name for statement in self.rates.body.statements for target in statement.targets]
-        inside |= {name: f"{name}_{self.count}" for name in targets}
-        for statement, line in zip(self.rates.body.statements, self.rates.body.lines(inside), strict=True):
-            if not skipped & {target.name for target in statement.targets}:
-                self.lines.append(line)
+        inside |= {name: f"{name}_{self.count}" for line in self.rates.body.lines for name in line.targets}
+        self.lines += [line.text for line in self.rates.body.renamed(inside) if not skipped & set(line.targets)]
         return _Vector(self, [inside.get(rate, rate) for rate in self.rates.velocities[: len(q.names)]])
 
 

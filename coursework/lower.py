@@ -8,22 +8,20 @@ printed by us.  Every other floor calls what `compile_function` returns and neve
 from __future__ import annotations
 
 import builtins
-import keyword
 import math
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
-from functools import lru_cache
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import sympy as sp
-from sympy.printing.numpy import NumPyPrinter
-from sympy.printing.pycode import PythonCodePrinter
 
+from coursework.straight_line import Line, StraightLine, identifier
 from coursework.tabulated import TableLaw
 
 SYMPY_VERSION: str = sp.__version__
+_NAME = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,20 +30,6 @@ class Assign:
 
     target: sp.Symbol
     value: sp.Expr
-
-    @property
-    def values(self) -> tuple[sp.Expr, ...]:
-        """Return the expressions read."""
-        return (self.value,)
-
-    @property
-    def targets(self) -> tuple[sp.Symbol, ...]:
-        """Return the names written."""
-        return (self.target,)
-
-    def with_values(self, values: Sequence[sp.Expr]) -> Assign:
-        """Return the same statement reading other expressions."""
-        return Assign(self.target, values[0])
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,43 +40,21 @@ class Solve:
     determinant: sp.Symbol
     entries: tuple[sp.Expr, ...]  # matrix row by row, then the right side
 
-    @property
-    def values(self) -> tuple[sp.Expr, ...]:
-        """Return the expressions read."""
-        return self.entries
-
-    @property
-    def targets(self) -> tuple[sp.Symbol, ...]:
-        """Return the names written."""
-        return (*self.unknowns, self.determinant)
-
-    def with_values(self, values: Sequence[sp.Expr]) -> Solve:
-        """Return the same statement reading other expressions."""
-        return Solve(self.unknowns, self.determinant, tuple(values))
-
 
 Statement = Assign | Solve
-_NAME = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
 
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """Statements in an order in which each needs only earlier ones, constants and the arguments."""
+    """Lines in an order in which each needs only earlier ones and the arguments; the tabulated laws they call."""
 
-    statements: tuple[Statement, ...]
-    constants: Mapping[str, float]
+    lines: tuple[Line, ...]
     tables: Mapping[str, TableLaw]
-    _printed: dict[bool, list[str]] = field(default_factory=dict, repr=False, compare=False)
 
-    def lines(self, rename: Mapping[str, str], *, numpy: bool = False) -> list[str]:
-        """Return the program as source, names replaced by `rename`; SymPy prints it once, a loop reads it many times."""
-        if numpy not in self._printed:
-            printer = _printer(numpy, self.constants)
-            self._printed[numpy] = [_line(statement, printer) for statement in self.statements]
-        if not rename:
-            return list(self._printed[numpy])
+    def renamed(self, rename: Mapping[str, str]) -> list[Line]:
+        """Return the lines with other names."""
         spelt = {identifier(name): new for name, new in rename.items()}
-        return [_NAME.sub(lambda word: spelt.get(word[0], word[0]), line) for line in self._printed[numpy]]
+        return [Line(line.targets, _NAME.sub(lambda word: spelt.get(word[0], word[0]), line.text)) for line in self.lines]
 
 
 def program(
@@ -100,64 +62,28 @@ def program(
     definitions: Mapping[sp.Symbol, sp.Expr],
     constants: Mapping[str, float],
     tables: Mapping[str, TableLaw],
-    *,
-    share: bool = True,
 ) -> Program:
-    """Return a program for `wanted`: the definitions they need, common subexpressions taken out once."""
-    written = {target for statement in wanted for target in statement.targets}
-    statements = [*_needed(wanted, definitions, written), *wanted]
-    if share:
-        flat = [value for statement in statements for value in statement.values]
-        shared, reduced = sp.cse(flat, symbols=sp.numbered_symbols("_c"), order="none")
-        rest = iter(reduced)
-        statements = [statement.with_values([next(rest) for _ in statement.values]) for statement in statements]
-        statements = _weave(statements, dict(shared))
-    return Program(tuple(statements), dict(constants), dict(tables))
-
-
-def _needed(wanted: Sequence[Statement], definitions: Mapping[sp.Symbol, sp.Expr], written: set[sp.Symbol]) -> list[Statement]:
-    order: dict[sp.Symbol, Statement] = {}
-
-    def visit(expr: sp.Expr) -> None:
-        for name in sorted(expr.free_symbols, key=str):
-            if name in definitions and name not in order and name not in written:
-                visit(definitions[name])
-                order[name] = Assign(name, definitions[name])
-
+    """Return a program for `wanted`, with the definitions it needs."""
+    written = {target for statement in wanted for target in _targets(statement)}
+    collected = StraightLine(constants, definitions, written)
     for statement in wanted:
-        for value in statement.values:
-            visit(value)
-    return list(order.values())
+        if isinstance(statement, Assign):
+            collected.add([statement.target], [statement.value])
+        else:
+            collected.add(_targets(statement), statement.entries, "_solve")
+    return Program(tuple(collected.lines()), dict(tables))
 
 
-def _weave(statements: list[Statement], shared: dict[sp.Symbol, sp.Expr]) -> list[Statement]:
-    """Put each shared subexpression before its first use, after everything it needs."""
-    done: set[sp.Symbol] = set()
-    woven: list[Statement] = []
-
-    def visit(expr: sp.Expr) -> None:
-        for name in sorted(expr.free_symbols & shared.keys(), key=str):
-            if name not in done:
-                done.add(name)
-                visit(shared[name])
-                woven.append(Assign(name, shared[name]))
-
-    for statement in statements:
-        for value in statement.values:
-            visit(value)
-        woven.append(statement)
-    return woven
+def _targets(statement: Statement) -> tuple[sp.Symbol, ...]:
+    return (statement.target,) if isinstance(statement, Assign) else (*statement.unknowns, statement.determinant)
 
 
 def compile_function(
     name: str, arguments: Sequence[str], body: Program, results: Sequence[str], *, numpy: bool = False
 ) -> Callable[..., Any]:
     """Return `name(*arguments) -> (results…)`; with `numpy` every argument may be an array (n,)."""
-    safe = {argument: identifier(argument) for argument in arguments}
-    printer = _printer(numpy, body.constants)
-    shown = [printer.doprint(sp.Symbol(result, real=True)) for result in results]
-    lines = [f"def {name}({', '.join(safe.values())}):", *(f"    {line}" for line in body.lines({}, numpy=numpy))]
-    lines.append(f"    return ({', '.join(shown)}{',' if len(shown) == 1 else ''})")
+    lines = [f"def {name}({', '.join(map(identifier, arguments))}):", *(f"    {line.text}" for line in body.lines)]
+    lines.append(f"    return ({', '.join(map(identifier, results))}{',' if len(results) == 1 else ''})")
     return build("\n".join(lines), name, body, numpy=numpy)
 
 
@@ -173,9 +99,17 @@ def compile_later(name: str, arguments: Sequence[str], body: Program, results: S
     return call
 
 
+_MATH: dict[str, Any] = {**vars(math), "_choose": lambda holds, yes, no: yes() if holds else no()}
+# The names of `math` for what NumPy calls otherwise.
+_ARRAYS: dict[str, Any] = {
+    **vars(np), "asin": np.arcsin, "acos": np.arccos, "atan": np.arctan, "atan2": np.arctan2, "pow": np.power,
+    "_choose": lambda holds, yes, no: np.where(holds, yes(), no()),
+}  # fmt: skip
+
+
 def build(source: str, name: str, body: Program, *, numpy: bool = False) -> Callable[..., Any]:
     """Return the function `name` of a source that this program printed itself."""
-    namespace: dict[str, Any] = dict(vars(np if numpy else math))
+    namespace = dict(_ARRAYS if numpy else _MATH)
     namespace |= {"abs": abs, "sign": np.sign, "_solve": _solve_rows if numpy else _solve, "range": range}
     namespace |= {f"table_{key}_{order}": law.function(order) for key, law in body.tables.items() for order in range(3)}
     namespace["__builtins__"] = {}
@@ -183,63 +117,6 @@ def build(source: str, name: str, body: Program, *, numpy: bool = False) -> Call
     function: Callable[..., Any] = namespace[name]
     function.__doc__ = source
     return function
-
-
-def identifier(name: str) -> str:
-    """Return a name that Python accepts and that hides nothing the generated code calls."""
-    return f"{name}_" if keyword.iskeyword(name) or name in _RESERVED or name.startswith("table_") else name
-
-
-_RESERVED = set(vars(math)) | set(vars(np)) | {"abs", "range", "sign"}
-
-
-def _line(statement: Statement, printer: Any) -> str:
-    # `doprint` walks each expression once more for parts that these expressions never have: half the time of a small scene.
-    shown = printer._print
-    targets = ", ".join(shown(target) for target in statement.targets)
-    if isinstance(statement, Assign):
-        return f"{targets} = {shown(statement.value)}"
-    return f"{targets} = _solve(({', '.join(shown(value) for value in statement.entries)}))"
-
-
-def _printer(numpy: bool, constants: Mapping[str, float]) -> Any:
-    return _printer_of(numpy, tuple(constants.items()))
-
-
-@lru_cache(maxsize=8)
-def _printer_of(numpy: bool, items: tuple[tuple[str, float], ...]) -> Any:
-    constants = dict(items)
-    base: Any = NumPyPrinter if numpy else PythonCodePrinter
-
-    class Printer(base):  # type: ignore[misc]
-        def _print_Symbol(self, expr: sp.Symbol) -> str:
-            if expr.name in constants:
-                value = constants[expr.name]
-                return repr(value) if value >= 0 else f"({value!r})"
-            return identifier(expr.name)
-
-        def _print_Float(self, expr: sp.Float) -> str:
-            return repr(float(expr))
-
-        def _print_Rational(self, expr: sp.Rational) -> str:
-            # A quotient of two integers is rounded once by Python, so the decimal of the task sheet comes back exactly.
-            return repr(int(expr.p) / int(expr.q))
-
-        def _print_Pow(self, expr: sp.Pow, **options: Any) -> str:
-            # A negative number to a fractional power is no real number; `**` would go on in complex ones.
-            if numpy or expr.exp.is_Integer or abs(expr.exp) == sp.Rational(1, 2):
-                text: str = super()._print_Pow(expr, **options)
-                return text
-            return f"pow({self._print(expr.base)}, {self._print(expr.exp)})"
-
-        def _print_AppliedUndef(self, expr: Any) -> str:
-            return f"{expr.func.__name__}({', '.join(self._print(arg) for arg in expr.args)})"
-
-        _print_Function = _print_AppliedUndef
-
-    printer = Printer({"fully_qualified_modules": False, "allow_unknown_functions": True})
-    printer.doprint(sp.S.Zero)  # sets up what printing alone expects
-    return printer
 
 
 def _solve(entries: tuple[float, ...]) -> tuple[float, ...]:

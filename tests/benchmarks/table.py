@@ -34,7 +34,7 @@ def rows():
     yield "reduction of variant 31", "a bare linear_eq_to_matrix", reduced / matrix, "at most 20"
     for arguments, imports, limit in whole.CASES:
         with tempfile.TemporaryDirectory() as folder:
-            ratio = whole.cost(whole.CALL.format(arguments=arguments), folder) / whole.cost(f"import {imports}", folder)
+            ratio = whole.ratio(arguments, imports, limit, folder)
         yield f"`coursework {' '.join(arguments)}`", f"importing {imports}", ratio, f"at most {limit}"
 
 

@@ -1,30 +1,49 @@
 """What a user waits for: whole processes against processes that only import the same libraries (processor time, ratios)."""
 
-import os
 import subprocess
 import sys
 import time
 
 import pytest
 
+try:
+    import resource
+except ImportError:  # Windows
+    resource = None
+
 RUNS = 5
+ROUNDS = 4
 CALL = "from coursework.cli import main; main({arguments!r})"
 
 
-def cost(code: str, folder) -> float:
-    """Return the least cost (s) of a fresh Python that runs `code`, start and end included; a first run warms the disk.
+def spent() -> float:
+    """Return the processor time (s) of all children that have ended, to the microsecond; wall time where there is none."""
+    if resource is None:
+        return time.perf_counter()
+    children = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return children.ru_utime + children.ru_stime
 
-    Processor time of the child where the system tells it (POSIX), else wall time.
-    """
+
+def cost(code: str, folder) -> float:
+    """Return the least cost (s) of a fresh Python that runs `code`, start and end included; a first run warms the disk."""
     costs = []
     for _ in range(RUNS + 1):
-        before, begun = os.times(), time.perf_counter()
+        before = spent()
         done = subprocess.run([sys.executable, "-c", code], cwd=folder, capture_output=True, text=True, encoding="utf-8")
-        after, ended = os.times(), time.perf_counter()
+        costs.append(spent() - before)
         assert done.returncode == 0, done.stderr
-        spent = after.children_user + after.children_system - before.children_user - before.children_system
-        costs.append(spent or ended - begun)
     return min(costs[1:])
+
+
+def ratio(arguments, imports, limit, folder) -> float:
+    """Return our cost against a bare import; least costs of up to four rounds, as a busy machine only ever adds to them."""
+    ours = bare = float("inf")
+    for _ in range(ROUNDS):
+        ours = min(ours, cost(CALL.format(arguments=arguments), folder))
+        bare = min(bare, cost(f"import {imports}", folder))
+        if ours <= limit * bare:
+            break
+    return ours / bare
 
 
 CASES = [
@@ -36,5 +55,4 @@ CASES = [
 
 @pytest.mark.parametrize(("arguments", "imports", "limit"), CASES, ids=["table", "report", "help"])
 def test_against_bare_imports(arguments, imports, limit, tmp_path):
-    ours = cost(CALL.format(arguments=arguments), tmp_path)
-    assert ours <= limit * cost(f"import {imports}", tmp_path)
+    assert ratio(arguments, imports, limit, tmp_path) <= limit
