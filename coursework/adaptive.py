@@ -104,7 +104,7 @@ def dormand_prince_8(field: Field, at: float, state: Array, slope: Array, length
 
 def next_length(length: float, ratio: float, order: int = 5) -> float:
     """Return the next step length from the ratio error/tolerance of the last one, for a pair of `order`."""
-    return float(length * min(4.0, max(0.2, 0.9 * max(ratio, 1e-10) ** (-1 / order))))
+    return float(length * min(4.0, max(0.2, 0.85 * max(ratio, 1e-10) ** (-1 / order))))
 
 
 def integrate_adaptive(field: Field, state: Array, times: Array, tolerance: float) -> tuple[Array, int]:

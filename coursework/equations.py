@@ -22,16 +22,19 @@ Linear = tuple[dict[str, sp.Expr], sp.Expr]
 
 @dataclass(frozen=True, slots=True)
 class VelocityEquation:
-    """`sum coefficients[u] u = right_side`; `left`/`right` is how a page shows it; `derived` from positions."""
+    """`sum coefficients[u] u = right_side`; `written` are both sides as the file has them, None if derived from positions."""
 
     name: str
     because: str
-    left: Formula
-    right: Formula
     coefficients: dict[str, sp.Expr]
     right_side: sp.Expr
-    derived: bool
+    written: tuple[Formula, Formula] | None = None
     line: int = 0
+
+    def shown(self, order: Order) -> tuple[Formula, Formula]:
+        """Return both sides as a page shows them."""
+        left = sp.Add(*[slope * symbol(name) for name, slope in self.coefficients.items()])
+        return self.written or (as_sum(left, order), as_sum(self.right_side, order))
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,11 +80,11 @@ def differentiate(mechanism: Mechanism) -> VelocityEquations:
             components = _components(constraint, symbols)
         for position in components:
             positions.append(position)
-            equations.append(_derived(position, constraint.because, variant, symbols, order, constraint.line))
+            equations.append(_derived(position, constraint.because, variant, symbols, constraint.line))
     if faults:
         raise InputError(faults)
     kept = _closure_positions(variant, symbols)
-    from_closure = tuple(_derived(position, _reason(position), variant, symbols, order) for position in kept)
+    from_closure = tuple(_derived(position, _reason(position), variant, symbols) for position in kept)
     if not equations:
         equations = list(from_closure)
         from_closure = ()
@@ -114,9 +117,7 @@ def _reason(position: Position) -> str:
     return f"{position.name} follows the drive {position.kept}"
 
 
-def _derived(
-    position: Position, because: str, variant: Variant, symbols: Symbols, order: Order, line: int = 0
-) -> VelocityEquation:
+def _derived(position: Position, because: str, variant: Variant, symbols: Symbols, line: int = 0) -> VelocityEquation:
     sought = set(variant.sought)
     coefficients = {}
     rest = symbols.partial(position.expression, TIME)
@@ -129,10 +130,7 @@ def _derived(
         else:
             rest += slope * rate
     drive = sp.S.Zero if position.kept in {"zero", "start"} else symbol(position.kept)
-    right_side = drive - rest
-    left = sp.Add(*[slope * symbol(name) for name, slope in coefficients.items()])
-    shown = as_sum(left, order), as_sum(right_side, order)
-    return VelocityEquation(position.name, because, *shown, coefficients, right_side, True, line)
+    return VelocityEquation(position.name, because, coefficients, drive - rest, line=line)
 
 
 def _written(constraint: Constraint, variant: Variant, symbols: Symbols) -> VelocityEquation:
@@ -144,10 +142,8 @@ def _written(constraint: Constraint, variant: Variant, symbols: Symbols) -> Velo
         slope = left.get(name, sp.S.Zero) - right.get(name, sp.S.Zero)
         if slope != 0:
             coefficients[name] = slope
-    return VelocityEquation(
-        constraint.name, constraint.because, constraint.left, constraint.right,
-        coefficients, right_rest - left_rest, False, constraint.line,
-    )  # fmt: skip
+    written = constraint.left, constraint.right
+    return VelocityEquation(constraint.name, constraint.because, coefficients, right_rest - left_rest, written, constraint.line)
 
 
 _WHERE = {"*": "a product of velocities", "/": "a denominator", "^": "a power", "call": "a function"}

@@ -10,6 +10,7 @@ import inspect
 import time
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Any
 
 from coursework.errors import CourseworkError, closest
@@ -36,6 +37,7 @@ class Plan:
         return ["Computed, in this order:", *computed, "Left out:", *(left or ["  nothing"])]
 
 
+@cache
 def needs(rule: Callable[..., Any]) -> tuple[str, ...]:
     """Return the quantities a rule takes."""
     return tuple(inspect.signature(rule).parameters)

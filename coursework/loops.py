@@ -11,9 +11,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from coursework.lower import build, identifier
+from coursework.lower import build
 from coursework.rates import Rates
 from coursework.schemes import StepFunction
+from coursework.straight_line import identifier
 
 Loop = Callable[..., tuple[float, ...]]
 

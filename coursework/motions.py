@@ -124,7 +124,7 @@ def _march(
     names = [c.name for c in variant.coordinates]
     begin = [value for name, value in zip(names, start, strict=True) if name in rates.coordinates]
     free = [c.name for c in variant.coordinates if c.rate not in variant.known_rates]
-    inside = {str(s) for i in rates.blocks for row in reduction.blocks[i].matrix for entry in row for s in entry.free_symbols}
+    inside = {s.name for i in rates.blocks for row in reduction.blocks[i].matrix for entry in row for s in entry.free_symbols}
     guarded = [place for place, name in enumerate(rates.coordinates) if name in free and name in inside and _angle(variant, name)]
     rows = march(rates, settings.scheme, begin, step, variant.time.end, correction, stop, guarded)
     return replace(rows, scaled=_scaled(rows, rates, flow))

@@ -20,6 +20,8 @@ from coursework.rates import Rates
 from coursework.reduction import Reduction
 from coursework.scaled_flow import Flow
 from coursework.settings import Settings
+from coursework.solution import Solution
+from coursework.solution import solutions as solve_blocks
 from coursework.variant.record import Variant
 
 if TYPE_CHECKING:
@@ -59,6 +61,11 @@ def _evidence(
 def table(motion: Motion) -> Motion:
     """The results table: one row a step."""
     return motion
+
+
+def solutions(equations: VelocityEquations, reduction: Reduction) -> tuple[Solution, ...]:
+    """The velocities of every block as a textbook writes them."""
+    return solve_blocks(equations, reduction)
 
 
 def plots(motion: Motion, exact: Motion) -> tuple[Motion, Motion]:
@@ -145,7 +152,7 @@ QUANTITIES: dict[str, Any] = {
     rule.__name__: rule
     for rule in (
         motions.mechanism, motions.equations, motions.start, motions.closure, motions.reduction, motions.rates, motions.flow,
-        motions.event, motions.stop, motions.phases, motions.motion, table, motions.half, motions.exact, motions.wide,
+        motions.event, motions.stop, motions.phases, motions.motion, solutions, table, motions.half, motions.exact, motions.wide,
         checks, plots, accelerations, points, point_accelerations, exact_accelerations, analogs, invariants,
         budget, accuracy, graph_check,
     )

@@ -107,8 +107,8 @@ def _names(entries: Sequence[sp.Expr], definitions: dict[sp.Symbol, sp.Expr]) ->
     todo = [s for entry in entries for s in entry.free_symbols]
     while todo:
         name = todo.pop()
-        if str(name) not in names:
-            names.add(str(name))
+        if name.name not in names:
+            names.add(name.name)
             if name in definitions:
                 todo.extend(definitions[name].free_symbols)
     return names

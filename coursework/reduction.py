@@ -1,4 +1,4 @@
-"""A(q, t) u = b(q, t) -> blocks in order, each with its solution, its determinant and what that means.
+"""A(q, t) u = b(q, t) -> blocks in order, each with its determinant and what that means.
 
 Enters: `VelocityEquations`.  Leaves: `Reduction`.  Blocks of one and two by Cramer's rule, larger ones numerically (LU).
 Never SymPy's solvers or simplifiers: they take minutes on a six-bar where this takes milliseconds.
@@ -19,8 +19,8 @@ from coursework.magnitude import largest
 from coursework.matching import blocks as block_order
 from coursework.matching import match
 from coursework.meaning import meaning
-from coursework.symbolic import expanded, symbol
-from coursework.tidy import as_formula, product, quotient
+from coursework.symbolic import symbol
+from coursework.tidy import as_formula
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,8 +28,8 @@ class Block:
     """Unknown velocities solved together.
 
     `matrix` (size, size) and `right_side` (size,) in SymPy, with the velocities of earlier blocks by name; `determinant`
-    and `solution` as shown (None and empty for three unknowns and more); `meaning` of a vanishing determinant;
-    `largest` absolute value the determinant can take (0 where no bound is known).
+    as shown (None for three unknowns and more); `meaning` of a vanishing determinant; `largest` absolute value the
+    determinant can take (0 where no bound is known).
     """
 
     unknowns: tuple[str, ...]
@@ -37,7 +37,6 @@ class Block:
     matrix: tuple[tuple[sp.Expr, ...], ...]
     right_side: tuple[sp.Expr, ...]
     determinant: Formula | None
-    solution: tuple[tuple[str, Formula], ...]
     meaning: str
     largest: float = 0.0
 
@@ -79,7 +78,7 @@ class Reduction:
             if names & set(block.unknowns):
                 chosen.append(index)
                 entries = [*block.right_side, *(entry for row in block.matrix for entry in row)]
-                names |= {str(s) for entry in entries for s in entry.free_symbols}
+                names |= {s.name for entry in entries for s in entry.free_symbols}
         return tuple(sorted(chosen))
 
 
@@ -93,12 +92,11 @@ def reduce(equations: VelocityEquations, start: Sequence[float]) -> Reduction:
     names = equations.unknowns
     rows = [frozenset(names.index(name) for name in equation.coefficients) for equation in used]
     owner = match(rows, len(names))
-    before: dict[sp.Symbol, sp.Expr] = {}
     found = []
     for columns in block_order(rows, owner):
         # Equations of a block in the author's order, unknowns in the order of the file.
         members = [used[row] for row in sorted(owner[column] for column in columns)]
-        block = _block(members, [names[column] for column in columns], equations, before)
+        block = _block(members, [names[column] for column in columns], equations)
         if block is None or block.size > 2:
             choose(equations, start, numbers=True)
         if block is None:
@@ -109,49 +107,23 @@ def reduce(equations: VelocityEquations, start: Sequence[float]) -> Reduction:
     return Reduction(tuple(found), tuple(equation.name for equation in used), unused, choice.notes)
 
 
-def _block(
-    members: list[VelocityEquation], unknowns: list[str], equations: VelocityEquations, before: dict[sp.Symbol, sp.Expr]
-) -> Block | None:
+def _block(members: list[VelocityEquation], unknowns: list[str], equations: VelocityEquations) -> Block | None:
     """Return the block of some equations, None where its determinant is zero in every position."""
     matrix = tuple(tuple(equation.coefficients.get(name, sp.S.Zero) for name in unknowns) for equation in members)
     right_side = tuple(_moved(equation, unknowns) for equation in members)
     names = tuple(equation.name for equation in members)
     if len(unknowns) > 2:
         text = f"the determinant of the {len(unknowns)} equations {', '.join(names)} is zero"
-        return Block(tuple(unknowns), names, matrix, right_side, None, (), text)
-    bare = Block(tuple(unknowns), names, matrix, right_side, None, (), "")
-    determinant = bare.symbolic_determinant
-    order = equations.order
-    bottom = product(determinant, order)
-    if not bottom.factor:
+        return Block(tuple(unknowns), names, matrix, right_side, None, text)
+    bare = Block(tuple(unknowns), names, matrix, right_side, None, "")
+    determinant = as_formula(bare.symbolic_determinant, equations.order)
+    if determinant == number(0):
         return None
-    solution = []
-    for name, numerator in zip(unknowns, bare.numerators, strict=True):
-        plain = quotient(numerator, bottom, order)
-        if before and before.keys() & numerator.free_symbols:
-            other = quotient(numerator.xreplace(before), bottom, order)
-            plain = other if _size(other) < _size(plain) else plain
-        solution.append((name, plain))
-        if len(unknowns) == 1 and not _divisor(plain).names():
-            before[symbol(name)] = expanded(numerator / determinant)
-    shown_determinant = as_formula(determinant, order)
-    return Block(
-        tuple(unknowns), names, matrix, right_side, shown_determinant, tuple(solution),
-        meaning(shown_determinant, equations.variant), largest(shown_determinant, equations.variant),
-    )  # fmt: skip
+    about = meaning(determinant, equations.variant), largest(determinant, equations.variant)
+    return Block(tuple(unknowns), names, matrix, right_side, determinant, *about)
 
 
 def _moved(equation: VelocityEquation, unknowns: list[str]) -> sp.Expr:
     """Return the right side with the terms of earlier velocities moved over."""
     earlier = [slope * symbol(name) for name, slope in equation.coefficients.items() if name not in unknowns]
     return sp.Add(equation.right_side, *[-term for term in earlier])
-
-
-def _divisor(tree: Formula) -> Formula:
-    """Return what a shown solution is divided by."""
-    inner = tree.args[0] if tree.op == "neg" else tree
-    return inner.args[1] if inner.op == "/" else number(1)
-
-
-def _size(tree: Formula) -> int:
-    return sum(1 for _ in tree.walk())

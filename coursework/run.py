@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import platform
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -20,6 +20,7 @@ from coursework.quantities import QUANTITIES
 from coursework.reduction import Reduction
 from coursework.schemes import SCHEMES
 from coursework.settings import Settings
+from coursework.solution import Solution
 from coursework.variant.record import Variant
 
 if TYPE_CHECKING:
@@ -108,10 +109,11 @@ class Run:
     @property
     def equations(self) -> tuple[ShownEquation, ...]:
         """Return the velocity equations as a page shows them."""
-        used = self.reduction.used
+        used, equations = self.reduction.used, self.values["equations"]
+        sides = [equation.shown(equations.order) for equation in equations.equations]
         return tuple(
-            ShownEquation(e.name, e.because, e.left, e.right, e.derived, e.name in used)
-            for e in self.values["equations"].equations
+            ShownEquation(e.name, e.because, left, right, e.written is None, e.name in used)
+            for e, (left, right) in zip(equations.equations, sides, strict=True)
         )
 
     @property
@@ -119,6 +121,12 @@ class Run:
         """Return the blocks in the order of solution."""
         reduction: Reduction = self.values["reduction"]
         return reduction
+
+    @property
+    def solutions(self) -> tuple[Solution, ...]:
+        """Return for every block the velocities as formulas, nothing where it is solved numerically."""
+        found: tuple[Solution, ...] = self.values["solutions"]
+        return found
 
     @property
     def scheme(self) -> str:
@@ -181,7 +189,12 @@ class Run:
     @property
     def plan(self) -> Plan:
         """Return what is computed for the asked quantities and what is left out."""
-        return make_plan(QUANTITIES, wanted(self.asked), ("variant", "settings"))
+        return self.plan_with()
+
+    def plan_with(self, *more: str) -> Plan:
+        """Return the plan where the pages show `more` besides what was asked for."""
+        plan = make_plan(QUANTITIES, [*wanted(self.asked), *more], ("variant", "settings"))
+        return replace(plan, needed_by={**plan.needed_by, **dict.fromkeys(more, "the pages")})
 
     @property
     def versions(self) -> dict[str, str]:

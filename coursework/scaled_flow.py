@@ -29,7 +29,7 @@ class Place:
     """Where one block stands in the values of the linear system.
 
     `entries` of its matrix row by row (-1, the zero behind all values, where there is none); `rights` of its right side;
-    `earlier` per row the terms (entry, unknown) of velocities found before; `unknowns` the columns it determines.
+    `earlier` per row the terms (entry, unknown) of velocities found before, empty without any; `unknowns` the columns it gives.
     """
 
     entries: tuple[int, ...]
@@ -140,7 +140,7 @@ def compile_flow(equations: VelocityEquations, reduction: Reduction, start: Sequ
             tuple((entry, column) for (other, column), entry in entry_at.items() if other == row and column not in columns)
             for row in rows
         )
-        places.append(Place(entries, tuple(count + row for row in rows), earlier, tuple(columns)))
+        places.append(Place(entries, tuple(count + row for row in rows), earlier if any(earlier) else (), tuple(columns)))
     rates = tuple(
         (rate in system.known, (system.known if rate in system.known else system.unknowns).index(rate))
         for rate in equations.variant.rates
@@ -167,6 +167,8 @@ def _largest_seen(system: LinearSystem, place: Place, begin: Sequence[float], en
 
 
 def _rest(values: Sequence[float], place: Place, u: Sequence[float], share: float) -> list[float]:
+    if not place.earlier:
+        return [share * values[right] for right in place.rights]
     return [
         share * values[right] - sum([values[entry] * u[column] for entry, column in earlier])
         for right, earlier in zip(place.rights, place.earlier, strict=True)

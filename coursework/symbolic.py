@@ -111,10 +111,16 @@ class Symbols:
         if all(arg.is_number for arg in args):
             # Points written out may leave numbers only, which SymPy would work out exactly whatever their size.
             bounded(tree, [float(arg) for arg in args])
-        value = _FUNCTIONS[tree.name](*args) if tree.op == "call" else _combine(tree, args)
+        value = self._call(tree.name, args) if tree.op == "call" else _combine(tree, args)
         if tree.op in {"call", "^"} and value.has(sp.zoo, sp.nan, sp.oo, sp.I):
             raise FormulaFault(tree.column or 1, f'"{spelled(tree)[:60]}" is no real number')
         return value
+
+    def _call(self, name: str, args: list[sp.Expr]) -> sp.Expr:
+        # SymPy looks at sin(p*t + alpha) for a millisecond to see that nothing can be made of it.
+        inside = args[0].free_symbols
+        asked = name not in {"sin", "cos"} or TIME not in inside or not inside.isdisjoint(self.rates)
+        return _FUNCTIONS[name](*args) if asked else _FUNCTIONS[name](*args, evaluate=False)
 
     def vector(self, tree: Formula) -> Vector:
         """Return both components of a vector formula."""
@@ -147,7 +153,8 @@ class Symbols:
     def partial(self, expr: sp.Expr, by: sp.Symbol) -> sp.Expr:
         """Return d expr / d by, through the definitions of drives and functions."""
         total = sp.diff(expr, by)
-        for name in sorted(expr.free_symbols & set(self.definitions), key=str):
+        names = expr.free_symbols & self.definitions.keys()
+        for name in sorted(names, key=lambda symbol: symbol.name) if names else ():
             inner = self._derivative(name, by)
             if inner != 0:
                 total += sp.diff(expr, name) * inner

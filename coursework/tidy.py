@@ -41,7 +41,7 @@ class Order:
             return (0, self._names.get(atom.name, len(self._names)))
         if isinstance(atom, sp.Pow):
             return self.rank(atom.base)
-        inner = tuple(sorted(self._names.get(str(s), len(self._names)) for s in atom.free_symbols))
+        inner = tuple(sorted(self._names.get(s.name, len(self._names)) for s in atom.free_symbols))
         return (1, self._calls.get(_call_name(atom), 99), *inner)
 
     def term(self, term: Term) -> tuple[tuple[int, ...], ...]:

@@ -26,9 +26,9 @@ def check_variant(variant: str) -> int:
     closure = values["closure"]
     for note in reduction.notes:
         click.echo(note)
-    for block in reduction.blocks:
+    for block, solution in zip(reduction.blocks, values["solutions"], strict=True):
         click.echo(f"  {listing(block.unknowns)} from {listing(block.equations)}:")
-        for name, formula in block.solution:
+        for name, formula in solution:
             click.echo(f"    {name} = {spelled(formula)}")
         determinant = spelled(block.determinant) if block.determinant is not None else "numerical"
         click.echo(

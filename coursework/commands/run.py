@@ -36,7 +36,8 @@ def run_variant(
         student=student, group=group, date=date,
     )  # fmt: skip
     if plan:
-        click.echo("\n".join(run.plan.lines()))
+        on_pages = ("solutions",) if {"html", "pdf"} & set(formats) else ()
+        click.echo("\n".join(run.plan_with(*on_pages).lines()))
         return 0
     folder = out or Path(f"coursework-{chosen.name}")
     written = write_all(run, folder, formats)

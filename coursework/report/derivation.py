@@ -11,7 +11,7 @@ from coursework.report.desk import Desk
 from coursework.report.display import math_equation
 from coursework.report.lettering import clean, runs
 from coursework.report.parts import Bullets, Display, Equations, Paragraph, Part, Runs
-from coursework.report.source import Block
+from coursework.report.source import Block, Solution
 from coursework.variant.record import Law
 
 
@@ -96,18 +96,18 @@ def derivation(desk: Desk) -> list[Part]:
     unknowns = [name for block in blocks for name in block.unknowns]
     parts: list[Part] = [Paragraph(desk.say("derivation.intro", unknowns=desk.symbol_list(unknowns)))]
     found: set[str] = set()
-    for number, block in enumerate(blocks, start=1):
-        parts += _solved(desk, block, number, found) if block.solution else _numeric(desk, block)
+    for number, (block, solution) in enumerate(zip(blocks, desk.run.solutions, strict=True), start=1):
+        parts += _solved(desk, block, solution, number, found) if solution else _numeric(desk, block)
         found |= set(block.unknowns)
     return parts
 
 
-def _solved(desk: Desk, block: Block, number: int, found: set[str]) -> list[Part]:
-    used = [name for _, formula in block.solution for name in formula.names() if name in found]
+def _solved(desk: Desk, block: Block, solution: Solution, number: int, found: set[str]) -> list[Part]:
+    used = [name for _, formula in solution for name in formula.names() if name in found]
     known = desk.symbol_list(list(dict.fromkeys(used)))
     key = "derivation.from_with" if known else "derivation.from"
     origin = desk.words.count(key, len(block.equations), equations=_names(desk, block), known=known)
-    shown = [_display(desk, Formula("name", name=name), formula) for name, formula in block.solution]
+    shown = [_display(desk, Formula("name", name=name), formula) for name, formula in solution]
     parts: list[Part] = [Paragraph(runs(origin)), Equations(shown)]
     if block.determinant is not None:
         delta = Formula("name", name=f"Delta{number}")

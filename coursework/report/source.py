@@ -33,14 +33,12 @@ class Equation(Protocol):
 
 
 class Block(Protocol):
-    """Unknown velocities solved together; `solution` is empty where they are solved numerically."""
+    """Unknown velocities solved together."""
 
     @property
     def unknowns(self) -> tuple[str, ...]: ...
     @property
     def equations(self) -> tuple[str, ...]: ...
-    @property
-    def solution(self) -> tuple[tuple[str, Formula], ...]: ...
     @property
     def determinant(self) -> Formula | None: ...
     @property
@@ -91,6 +89,9 @@ class Settings(Protocol):
     def gain(self) -> float: ...
 
 
+Solution = tuple[tuple[str, Formula], ...]
+
+
 class Run(Protocol):
     """One variant, reduced, marched and judged."""
 
@@ -110,6 +111,8 @@ class Run(Protocol):
     def equations(self) -> Sequence[Equation]: ...
     @property
     def reduction(self) -> Reduction: ...
+    @property
+    def solutions(self) -> Sequence[Solution]: ...
     @property
     def motion(self) -> Motion: ...
     @property

@@ -1,12 +1,14 @@
 """H20, H21: a thousand periods with and without projection, and the limits of Baumgarte's gain."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 import coursework
 from coursework.errors import InputError
+from coursework.exact_motion import NotReached, follow_closure
 from tests.hard.scenes import CASES, check, expected, scene, solve
 
 PERIOD = 2 * math.pi / 13.08
@@ -121,3 +123,21 @@ def test_h21_gain_and_projection_need_position_equations():
             _ = solve(text, **options).motion
     with pytest.raises(InputError, match="not both"):
         solve(slide(1.0), gain=5.0, project=1)
+
+
+def test_a_closure_that_cannot_be_followed_gives_up_in_time():
+    values = coursework.solve("31", quantities=["table"]).values
+    closure, rates = values["closure"], values["rates"]
+    calls = []
+
+    def counted(t, *q):
+        calls.append(t)
+        return closure.function(t, *q)
+
+    def wrong(t, *q):
+        found = rates.evaluate(t, *q)
+        return (*[-4e5 * value for value in found[:4]], *found[4:])
+
+    with pytest.raises(NotReached, match="beyond t = 0.02 s"):
+        follow_closure(replace(closure, function=counted), replace(rates, evaluate=wrong), np.arange(25) * 0.02)
+    assert len(calls) < 30_000

@@ -119,6 +119,10 @@ class Run:
     graph: Graph | None = None
     settings: Settings = field(default_factory=lambda: Settings())
 
+    @property
+    def solutions(self) -> tuple[tuple[tuple[str, Formula], ...], ...]:
+        return tuple(block.solution for block in self.reduction.blocks)
+
 
 def velocities(t: float, q: Any) -> Any:
     p1, p2, p3 = q
