@@ -138,6 +138,6 @@ def test_a_closure_that_cannot_be_followed_gives_up_in_time():
         found = rates.evaluate(t, *q)
         return (*[-4e5 * value for value in found[:4]], *found[4:])
 
-    with pytest.raises(NotReached, match="beyond t = 0.02 s"):
+    with pytest.raises(NotReached, match=r"beyond t = 0\.02 s"):
         follow_closure(replace(closure, function=counted), replace(rates, evaluate=wrong), np.arange(25) * 0.02)
     assert len(calls) < 30_000
