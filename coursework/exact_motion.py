@@ -8,6 +8,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 
 import numpy as np
 from numpy.typing import NDArray
@@ -74,13 +75,11 @@ def follow_closure(closure: Closure, rates: Rates, times: Array) -> Array:
     def advance(begin: float, end: float, q: Array, target: Array, known: Array, depth: int = 0) -> Array | None:
         nonlocal parts
         parts += 1
-        try:
+        with suppress(ArithmeticError, ValueError):  # where the prediction meets a dead point a shorter one does not
             guess = _place(predict(begin, end - begin, q), closure, known)
             found = closure.newton(end, guess, target)
             if found is not None and float(np.max(np.abs(found - guess))) < _FAR and _signs(rates, end, found) == signs:
                 return found
-        except (ArithmeticError, ValueError):
-            pass  # the prediction met a dead point; a shorter one does not
         if depth == _MOST_HALVINGS or parts > _MOST_PARTS:
             return None
         middle = (begin + end) / 2

@@ -10,6 +10,7 @@ from __future__ import annotations
 import keyword
 import math
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -192,10 +193,8 @@ class StraightLine:
             raise InputError(f"a formula of the variant leads to the function {name}, which has no real value everywhere.")
         known: Callable[..., float] | None = getattr(math, name, None)
         if known and all(abs(value) in self._folded for value in values):
-            try:
+            with suppress(ArithmeticError, ValueError):  # without a value it stays a call, and is told when it is made
                 return self._constant(known(*self._apart(values)[0]))
-            except (ArithmeticError, ValueError):
-                pass  # it has no value; said when it is called for
         return self._number(name, *values)
 
     def _pieces(self, pieces: Sequence[tuple[sp.Expr, sp.Basic]]) -> int:

@@ -201,11 +201,9 @@ def _time(entry: schema.Time, parts: Parts) -> Time:
         parts.say(("time", "step"), f"the step must be greater than 0, found {step:g} s.")
     elif end < step * (1 - 1e-9):
         parts.say(("time", "end"), f"the end ({end:g} s) must be at least one step ({step:g} s).")
-    elif not math.isfinite(end / step):
-        pass  # one of the two has a fault of its own
-    elif end / step > MAX_ROWS:
+    elif MAX_ROWS < end / step < math.inf:  # what is not finite has a fault of its own
         parts.say(("time", "end"), f"{end / step:.3g} rows are asked for; at most {MAX_ROWS} are computed. Take a larger step.")
-    elif entry.check_row is not None and entry.check_row > _whole_steps(step, end) + 1:
+    elif entry.check_row is not None and math.isfinite(end / step) and entry.check_row > _whole_steps(step, end) + 1:
         parts.say(("time", "check_row"), f"row {entry.check_row} is beyond the last row, {_whole_steps(step, end) + 1}.")
     if period is not None and period <= 0:
         parts.say(("time", "period"), f"the period must be greater than 0, found {period:g} s.")
