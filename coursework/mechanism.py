@@ -219,8 +219,9 @@ def _mobility(variant: Variant) -> Mobility | None:
     rails = {f.name for f, _ in variant.frame.rails if f.op == "name"}
     rolling = [link for link in variant.links if link.contact]
     sliders = [point for point in members if point in rails and point not in {link.contact for link in rolling}]
+    sleeves = {frozenset((link.name, link.slides)) for link in variant.links if link.slides}
     # Rolling without slip takes two freedoms like a lower pair; a pin in a guide takes one.
-    return Mobility(len(variant.links), lower + len(rolling), len(sliders))
+    return Mobility(len(variant.links), lower + len(rolling) + len(sleeves), len(sliders))
 
 
 def _joints(link: Link) -> tuple[str, ...]:

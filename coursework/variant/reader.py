@@ -72,7 +72,7 @@ def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | No
         tuple(_coordinate(key, entry, parts, angles) for key, entry in file.coordinates.items()),
         tuple((parts.names.canonical(key), parts.unit(("unknowns", key), unit)) for key, unit in file.unknowns.items()),
         functions, _time(file.time, parts), constraints, groups, points,
-        tuple(_link(key, entry, parts) for key, entry in file.links.items()), _frame(file.frame, parts),
+        tuple(_link(key, entry, list(file.links), parts) for key, entry in file.links.items()), _frame(file.frame, parts),
         parts.names.canonical(file.closure.driven) if file.closure.driven else None, holds,
         tuple(file.ask.quantities), tuple(file.remarks), _lines(parts.source),
     )  # fmt: skip
@@ -210,7 +210,7 @@ def _time(entry: schema.Time, parts: Parts) -> Time:
     return Time(step, end, period, entry.check_row)
 
 
-def _link(key: str, entry: schema.Link, parts: Parts) -> Link:
+def _link(key: str, entry: schema.Link, links: list[str], parts: Parts) -> Link:
     for place, point in enumerate(entry.points):
         parts.known_point(("links", key, "points", place), point)
     for role, name in (("wheel", entry.wheel), ("contact", entry.contact)):
@@ -219,9 +219,13 @@ def _link(key: str, entry: schema.Link, parts: Parts) -> Link:
     if entry.rate and parts.names.canonical(entry.rate) not in parts.names.velocities:
         text = f'"{entry.rate}" is no velocity of this file.{closest(entry.rate, parts.names.velocities)}'
         parts.undeclared(("links", key, "rate"), text)
+    slides = None if entry.slides is None else str(entry.slides)
+    if slides is not None and (slides == key or slides not in links):
+        others = [link for link in links if link != key]
+        parts.say(("links", key, "slides"), f'"{slides}" is no other link of this file.{closest(slides, others)}')
     rate = parts.names.canonical(entry.rate) if entry.rate else None
     wheel, contact = (parts.names.canonical(point) if point else None for point in (entry.wheel, entry.contact))
-    return Link(key, tuple(map(parts.names.canonical, entry.points)), rate, wheel, contact)
+    return Link(key, tuple(map(parts.names.canonical, entry.points)), rate, wheel, contact, slides)
 
 
 def _frame(entry: schema.Frame, parts: Parts) -> Frame:

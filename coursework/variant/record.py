@@ -111,13 +111,14 @@ class Group:
 
 @dataclass(frozen=True, slots=True)
 class Link:
-    """A rigid body; a wheel has a centre and a contact point."""
+    """A rigid body; a wheel has a centre and a contact point; `slides` is the link along which it slides."""
 
     name: str
     points: tuple[str, ...]
     rate: str | None
     wheel: str | None
     contact: str | None
+    slides: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -87,12 +87,13 @@ class Group(_Section):
 
 
 class Link(_Section):
-    """A rigid body: its points and angular velocity; or a wheel with its contact."""
+    """A rigid body: its points and angular velocity; or a wheel with its contact; it may slide in another link."""
 
     points: list[Name] = []
     rate: Name | None = None
     wheel: Name | None = None
     contact: Name | None = None
+    slides: Annotated[Name | int | None, Field(description="the link along which this one slides")] = None
 
 
 class Rail(_Section):

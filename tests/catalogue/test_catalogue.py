@@ -45,3 +45,11 @@ def test_no_determinant_changes_sign(name):
     run = coursework.solve(name, quantities=["table"])
     for motion in (run.motion, run.exact):
         assert np.all(np.sign(motion.determinants) == np.sign(motion.determinants[0]))
+
+
+@pytest.mark.parametrize("name", VARIANTS)
+def test_as_many_freedoms_as_drives(name):
+    variant = coursework.load(name)
+    mobility = coursework.solve(variant, quantities=["table"]).values["mechanism"].mobility
+    drives = (2 if variant.driven else 0) + len(variant.known_rates)
+    assert mobility is None or mobility.degrees == drives
