@@ -21,6 +21,11 @@ Array = NDArray[np.float64]
 RowFunction = Callable[..., Any]
 
 
+def derivative(velocity: str) -> sp.Symbol:
+    """Return the symbol of the derivative of a velocity; no name of a file begins with _."""
+    return symbol(f"_d_{velocity}")
+
+
 def compile_rows(equations: VelocityEquations, wanted: Sequence[sp.Expr], order: int) -> Callable[..., Array]:
     """Return `rows(t, q, u, du)` -> (n, len(wanted)); u and du are read from order 1 and 2 on.
 
@@ -33,7 +38,7 @@ def compile_rows(equations: VelocityEquations, wanted: Sequence[sp.Expr], order:
     if order >= 1:
         arguments += velocities
     if order >= 2:
-        arguments += [f"d{name}" for name in velocities]
+        arguments += [derivative(name).name for name in velocities]
     results = [f"_out{place}" for place in range(len(wanted))]
     given = {symbol(name) for name in velocities} if order >= 1 else set()
     definitions = {name: value for name, value in equations.symbols.definitions.items() if name not in given}
@@ -50,14 +55,14 @@ def compile_rows(equations: VelocityEquations, wanted: Sequence[sp.Expr], order:
 
 
 def second_rate(equations: VelocityEquations, rate: sp.Expr) -> sp.Expr:
-    """Return d rate / d t, with dNAME for the derivative of the velocity NAME."""
+    """Return d rate / d t, with `derivative(NAME)` for that of the velocity NAME."""
     symbols = equations.symbols
     total = symbols.partial(rate, TIME)
     for coordinate, its_rate in symbols.rates.items():
         total += symbols.partial(rate, coordinate) * its_rate
     for name in (*equations.variant.rates, *(name for name, _ in equations.variant.unknowns)):
         if symbol(name) not in symbols.definitions:
-            total += sp.diff(rate, symbol(name)) * symbol(f"d{name}")
+            total += sp.diff(rate, symbol(name)) * derivative(name)
     return total
 
 

@@ -20,16 +20,19 @@ Loop = Callable[..., tuple[float, ...]]
 
 
 def generate_loop(step: StepFunction, rates: Rates) -> Loop:
-    """Return `loop(begin, steps, h, *q)`: the position `steps` steps of h (s) after `begin`, at t = begin + i*h."""
+    """Return `loop(begin, steps, h, *q)`: the position `steps` steps of h (s) after `begin`, at t = begin + i*h.
+
+    Its own names begin with _, as no name of a file does: a coordinate may be called h.
+    """
     recorder = _Recorder(rates)
     position = _Vector(recorder, [identifier(name) for name in rates.coordinates])
-    result = step(recorder.slopes, _Scalar(recorder, "t"), position, _Scalar(recorder, "h"))
+    result = step(recorder.slopes, _Scalar(recorder, "t"), position, _Scalar(recorder, "_h"))
     state = ", ".join(position.names)
     comma = "," if len(position.names) == 1 else ""
     lines = [
-        f"def loop(begin, steps, h, {state}):",
-        "    for i in range(steps):",
-        "        t = begin + i*h",
+        f"def loop(_begin, _steps, _h, {state}):",
+        "    for _i in range(_steps):",
+        "        t = _begin + _i*_h",
         *(f"        {line}" for line in recorder.lines),
         f"        {state}{comma} = {', '.join(result.names)}{comma}",
         f"    return ({state},)",
@@ -54,11 +57,11 @@ class _Recorder:
         # A position is read many times inside, so it gets names; a sum that is read once stays an expression.
         q = _Vector(self, [name if name.isidentifier() else self.fresh(name) for name in q.names])
         self.count += 1
-        inside = {"t": t.name, **dict(zip(self.rates.coordinates, q.names, strict=True))}
+        inside = {"t": t.name, **dict(zip(map(identifier, self.rates.coordinates), q.names, strict=True))}
         skipped = {f"_{name}" for name in self.rates.velocities}
-        inside |= {name: f"{name}_{self.count}" for line in self.rates.body.lines for name in line.targets}
+        inside |= {name: f"_{self.count}_{name}" for line in self.rates.body.lines for name in line.targets}
         self.lines += [line.text for line in self.rates.body.renamed(inside) if not skipped & set(line.targets)]
-        return _Vector(self, [inside.get(rate, rate) for rate in self.rates.velocities[: len(q.names)]])
+        return _Vector(self, [inside.get(rate, rate) for rate in map(identifier, self.rates.velocities[: len(q.names)])])
 
 
 @dataclass(frozen=True)

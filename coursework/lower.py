@@ -52,9 +52,8 @@ class Program:
     tables: Mapping[str, TableLaw]
 
     def renamed(self, rename: Mapping[str, str]) -> list[Line]:
-        """Return the lines with other names."""
-        spelt = {identifier(name): new for name, new in rename.items()}
-        return [Line(line.targets, _NAME.sub(lambda word: spelt.get(word[0], word[0]), line.text)) for line in self.lines]
+        """Return the lines with other identifiers."""
+        return [Line(line.targets, _NAME.sub(lambda word: rename.get(word[0], word[0]), line.text)) for line in self.lines]
 
 
 def program(

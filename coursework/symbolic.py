@@ -77,6 +77,7 @@ class Symbols:
         self.rates = {symbol(c.name): symbol(c.rate) for c in variant.coordinates}
         self.definitions: dict[sp.Symbol, sp.Expr] = {}
         self.vectors: dict[str, Vector] = {}
+        self._taken = variant.names
         self._derivatives: dict[tuple[sp.Symbol, sp.Symbol], sp.Expr] = {}
         for section, laws in (("drive", variant.drive), ("functions", variant.functions)):
             for law in laws:
@@ -171,11 +172,17 @@ class Symbols:
             else:
                 value = self.partial(definition, by)
             if value.free_symbols:
-                derived = symbol(f"{name}_{by}")
+                derived = symbol(self._free_name(f"{name}_{by}"))
                 self.definitions[derived] = value
                 value = derived
             self._derivatives[name, by] = value
         return self._derivatives[name, by]
+
+    def _free_name(self, name: str) -> str:
+        """Return a name that the file does not use itself."""
+        while name in self._taken:
+            name += "_"
+        return name
 
     def rate(self, expr: sp.Expr) -> sp.Expr:
         """Return d expr / d t along the motion: sum of partials times rates."""

@@ -10,7 +10,7 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from coursework.equations import VelocityEquations
-from coursework.jets import compile_rows, second_rate
+from coursework.jets import compile_rows, derivative, second_rate
 from coursework.motion import Motion
 from coursework.reduction import Reduction
 from coursework.symbolic import TIME, symbol
@@ -26,7 +26,7 @@ def accelerations(equations: VelocityEquations, reduction: Reduction, motion: Mo
     rest = []
     for equation in used:
         moving = sp.Add(*[slope * symbol(name) for name, slope in equation.coefficients.items()], -equation.right_side)
-        still = {symbol(f"d{name}"): 0 for name in equations.unknowns}
+        still = {derivative(name): 0 for name in equations.unknowns}
         rest.append(-second_rate(equations, moving).xreplace(still))
     right = compile_rows(equations, rest, 1)(motion.t, motion.coordinates, motion.velocities)
     matrix, _, _ = compile_system(equations, used).matrices(motion.t, motion.coordinates)

@@ -162,6 +162,12 @@ class Variant:
         return {given.name: given.value for given in self.given}
 
     @property
+    def names(self) -> frozenset[str]:
+        """Return every scalar name that the file declares."""
+        laws = (*self.given, *self.drive, *self.functions, *self.coordinates)
+        return frozenset((*(law.name for law in laws), *self.rates, *(name for name, _ in self.unknowns)))
+
+    @property
     def rates(self) -> tuple[str, ...]:
         """Return the names of the rates, in the order of the coordinates."""
         return tuple(coordinate.rate for coordinate in self.coordinates)
