@@ -164,8 +164,9 @@ class Variant:
     @property
     def names(self) -> frozenset[str]:
         """Return every scalar name that the file declares."""
-        laws = (*self.given, *self.drive, *self.functions, *self.coordinates)
-        return frozenset((*(law.name for law in laws), *self.rates, *(name for name, _ in self.unknowns)))
+        laws = [law.name for law in (*self.drive, *self.functions)]
+        moving = [*(c.name for c in self.coordinates), *self.rates, *(name for name, _ in self.unknowns)]
+        return frozenset([*self.values, *laws, *moving])
 
     @property
     def rates(self) -> tuple[str, ...]:
