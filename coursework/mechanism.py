@@ -1,7 +1,7 @@
 """Variant -> Mechanism: points in the order they can be computed, chains of groups written as closures, mobility.
 
 Enters: a `Variant`.  Leaves: a frozen `Mechanism`, still in formulas.  Raises `InputError`.
-Used by `equations.py` (differentiation), `exact.py` (positions) and the drawing.
+Used by `equations.py` (differentiation), `geometry` (positions) and the drawing.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from coursework.errors import Fault, InputError, listing
-from coursework.formula import Formula, number
+from coursework.formula.tree import Formula, number
 from coursework.variant.record import Constraint, Group, Link, Variant
 
 # A point built from points built from points grows like a power of two; beyond this no mechanism is meant.

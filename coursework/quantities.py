@@ -13,15 +13,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework import motions
-from coursework.closure import Closure
-from coursework.equations import VelocityEquations
-from coursework.motion import Motion, Stop
-from coursework.rates import Rates
-from coursework.reduction import Reduction
-from coursework.scaled_flow import Flow
+from coursework.dead_points.scaled_flow import Flow
+from coursework.geometry.closure import Closure
+from coursework.march.motion import Motion, Stop
+from coursework.march.rates import Rates
+from coursework.reduction.blocks import Reduction
+from coursework.reduction.equations import VelocityEquations
+from coursework.reduction.solution import Solution
+from coursework.reduction.solution import solutions as solve_blocks
 from coursework.settings import Settings
-from coursework.solution import Solution
-from coursework.solution import solutions as solve_blocks
 from coursework.variant.record import Variant
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ def _evidence(
     closure: Closure | None, reduction: Reduction, flow: Flow,
 ) -> Evidence:  # fmt: skip
     from coursework.checks.evidence import Evidence, richardson
-    from coursework.drive import fastest, is_sinusoidal
+    from coursework.geometry.drive import fastest, is_sinusoidal
 
     known = exact if len(exact.t) == len(motion.t) else None
     return Evidence(

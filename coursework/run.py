@@ -12,15 +12,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from coursework.formula import Formula
+from coursework.formula.tree import Formula
 from coursework.graph import Plan, Values, make_plan
-from coursework.lower import SYMPY_VERSION
-from coursework.motion import Motion, Stop
+from coursework.lower.programs import SYMPY_VERSION
+from coursework.march.motion import Motion, Stop
 from coursework.quantities import QUANTITIES
-from coursework.reduction import Reduction
+from coursework.reduction.blocks import Reduction
+from coursework.reduction.solution import Solution
 from coursework.schemes import SCHEMES
 from coursework.settings import Settings
-from coursework.solution import Solution
 from coursework.variant.record import Variant
 
 if TYPE_CHECKING:

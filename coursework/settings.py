@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from coursework.errors import InputError, closest
-from coursework.integrate import refuse_gain
+from coursework.march.integrate import refuse_gain
 from coursework.schemes import SCHEMES
 
 

@@ -13,12 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.accuracy.trace import trace
-from coursework.adaptive import integrate_adaptive
-from coursework.closure import Closure
-from coursework.exact_motion import follow_closure
-from coursework.integrate import Correction, march
-from coursework.loops import Loop, generate_loop
-from coursework.rates import Rates
+from coursework.geometry.closure import Closure
+from coursework.march.adaptive import integrate_adaptive
+from coursework.march.exact_motion import follow_closure
+from coursework.march.integrate import Correction, march
+from coursework.march.loops import Loop, generate_loop
+from coursework.march.rates import Rates
 from coursework.schemes import SCHEMES
 
 Array = NDArray[np.float64]

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from coursework.accuracy.timing import seconds
 from coursework.errors import InputError
-from coursework.loops import Loop, generate_loop
-from coursework.rates import Rates
+from coursework.march.loops import Loop, generate_loop
+from coursework.march.rates import Rates
 from coursework.schemes import SCHEMES
 
 Array = NDArray[np.float64]

@@ -18,8 +18,8 @@ from coursework.accuracy.record import AccuracyStudy, StudyRow
 from coursework.accuracy.sentences import sentences_of
 from coursework.accuracy.timing import seconds
 from coursework.accuracy.trace import errors, slope
-from coursework.exact_motion import follow_closure, refine
-from coursework.motion import Motion
+from coursework.march.exact_motion import follow_closure, refine
+from coursework.march.motion import Motion
 from coursework.schemes import SCHEMES
 
 Array = NDArray[np.float64]

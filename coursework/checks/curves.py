@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from coursework.checks.evidence import Evidence
 from coursework.checks.result import Check
-from coursework.drive import breaks
+from coursework.geometry.drive import breaks
 
 Array = NDArray[np.float64]
 # A difference this many times its neighbours' is a jump unless the half-step run shows the same steep slope.

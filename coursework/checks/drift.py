@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from coursework.checks.evidence import Evidence
 from coursework.checks.result import Check
-from coursework.closure import closed_start
+from coursework.geometry.closure import closed_start
 
 Array = NDArray[np.float64]
 # The drift follows from the position error to first order; a factor of three covers the curvature.

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from coursework.checks.evidence import Evidence
 from coursework.checks.result import Check, Verdict
-from coursework.system import compile_system
+from coursework.reduction.system import compile_system
 
 # Relative to the sum of the absolute terms of the equation: some hundred roundings, far below any slip of a hand.
 LIMIT = 1e-11

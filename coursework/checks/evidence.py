@@ -10,9 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.closure import Closure
-from coursework.equations import VelocityEquations
-from coursework.motion import Motion
+from coursework.geometry.closure import Closure
+from coursework.march.motion import Motion
+from coursework.reduction.equations import VelocityEquations
 from coursework.schemes import SCHEMES
 from coursework.variant.record import Variant
 

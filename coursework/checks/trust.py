@@ -7,10 +7,10 @@ from numpy.typing import NDArray
 
 from coursework.checks.evidence import Evidence
 from coursework.checks.result import Check, Verdict
-from coursework.integrate import WIDEST_STEP
-from coursework.magnitude import largest
-from coursework.system import compile_system
-from coursework.tidy import as_formula
+from coursework.march.integrate import WIDEST_STEP
+from coursework.reduction.magnitude import largest
+from coursework.reduction.system import compile_system
+from coursework.reduction.tidy import as_formula
 
 Array = NDArray[np.float64]
 # A double has sixteen digits; six of them are more than any table of the coursework shows.

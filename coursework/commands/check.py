@@ -6,7 +6,7 @@ import click
 
 from coursework.api import load, solve
 from coursework.errors import listing
-from coursework.formula import spelled
+from coursework.formula.tree import spelled
 from coursework.run import Run
 
 

@@ -9,12 +9,12 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from coursework.equations import VelocityEquations
-from coursework.jets import compile_rows, derivative, second_rate
-from coursework.motion import Motion
-from coursework.reduction import Reduction
-from coursework.symbolic import TIME, symbol
-from coursework.system import compile_system
+from coursework.geometry.jets import compile_rows, derivative, second_rate
+from coursework.march.motion import Motion
+from coursework.reduction.blocks import Reduction
+from coursework.reduction.equations import VelocityEquations
+from coursework.reduction.symbolic import TIME, symbol
+from coursework.reduction.system import compile_system
 
 Array = NDArray[np.float64]
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from coursework.errors import InputError
 from coursework.kinematics.analogs import acceleration_analog, velocity_analog
 from coursework.kinematics.invariants import from_true
-from coursework.motion import Motion
+from coursework.march.motion import Motion
 from coursework.variant.record import Coordinate, Variant
 
 Array = NDArray[np.float64]

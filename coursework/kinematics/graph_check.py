@@ -12,13 +12,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from coursework.equations import VelocityEquations
 from coursework.errors import InputError, listing
-from coursework.jets import jets
+from coursework.geometry.jets import jets
 from coursework.kinematics.graph_words import centre_letter, drift, how_found, omega_name
 from coursework.kinematics.instant_centres import Body, Findings, construct
 from coursework.kinematics.scene import Sketch, read_scene
-from coursework.motion import Motion
+from coursework.march.motion import Motion
+from coursework.reduction.equations import VelocityEquations
 from coursework.variant.record import Variant
 
 GraphRow = tuple[str, float, float, float, str]

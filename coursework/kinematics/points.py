@@ -8,9 +8,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.equations import VelocityEquations
-from coursework.jets import jets
-from coursework.motion import Motion
+from coursework.geometry.jets import jets
+from coursework.march.motion import Motion
+from coursework.reduction.equations import VelocityEquations
 
 Array = NDArray[np.float64]
 

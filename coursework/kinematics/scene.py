@@ -12,11 +12,11 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from coursework.equations import VelocityEquations
-from coursework.jets import compile_rows
+from coursework.geometry.jets import compile_rows
 from coursework.kinematics.instant_centres import Body, Scene, cross
-from coursework.motion import Motion
-from coursework.symbolic import symbol
+from coursework.march.motion import Motion
+from coursework.reduction.equations import VelocityEquations
+from coursework.reduction.symbolic import symbol
 from coursework.variant.record import Link, Variant
 
 # A contact touches what it touches at the start, where positions are exact but for rounded data of a task sheet.

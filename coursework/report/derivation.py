@@ -5,7 +5,7 @@ Enters: a `Desk`.  Leaves: displayed equations with the words around them.
 
 from __future__ import annotations
 
-from coursework.formula import Formula
+from coursework.formula.tree import Formula
 from coursework.report import equations
 from coursework.report.desk import Desk
 from coursework.report.display import math_equation

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from coursework.motion import Motion
+from coursework.march.motion import Motion
 from coursework.report.lettering import LONGEST, clean, derivative, printed, runs
 from coursework.report.numbers import Numbers, with_unit
 from coursework.report.parts import Runs

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from coursework.formula import Formula
+from coursework.formula.tree import Formula
 from coursework.report.equations import Setter
 
 LINE = 60  # characters of text form (spaces and subscripts not counted) that fit a line of the printed page

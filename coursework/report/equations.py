@@ -10,7 +10,7 @@ import re
 from dataclasses import dataclass
 from enum import IntEnum
 
-from coursework.formula import Formula
+from coursework.formula.tree import Formula
 from coursework.report.numbers import MINUS, TIMES, superscript
 from coursework.report.symbols import symbol
 

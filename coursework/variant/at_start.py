@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from coursework.alphabet import spell
 from coursework.errors import Fault
-from coursework.formula import Formula, FormulaFault, evaluate
+from coursework.formula.alphabet import spell
+from coursework.formula.tree import Formula, FormulaFault, evaluate
 from coursework.variant.record import Law, Variant
 from coursework.variant.source import Source
 

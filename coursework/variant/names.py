@@ -8,9 +8,9 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field
 
-from coursework.alphabet import foreign_letter, spell
 from coursework.errors import Fault
-from coursework.formula import FUNCTIONS
+from coursework.formula.alphabet import foreign_letter, spell
+from coursework.formula.tree import FUNCTIONS
 from coursework.variant.schema import VariantFile
 from coursework.variant.source import Source
 

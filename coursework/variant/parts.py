@@ -9,9 +9,9 @@ from __future__ import annotations
 import math
 from typing import Literal
 
-from coursework import formula_reader, units
 from coursework.errors import Fault, closest
-from coursework.formula import Formula, FormulaFault, evaluate
+from coursework.formula import reader, units
+from coursework.formula.tree import Formula, FormulaFault, evaluate
 from coursework.variant.names import Names
 from coursework.variant.source import Source
 
@@ -101,7 +101,7 @@ class Parts:
     def equation(self, path: Path, text: str, *, closure: bool) -> tuple[Formula, Formula]:
         """Return both sides of a velocity equation, or of a closure (two scalars or two vectors)."""
         try:
-            left, right = formula_reader.parse_equation(text, vectors=closure)
+            left, right = reader.parse_equation(text, vectors=closure)
         except FormulaFault as fault:
             self.say(path, fault.message + ".", fault.column)
             return _ZERO, _ZERO
@@ -116,7 +116,7 @@ class Parts:
     def formula(self, path: Path, text: str, kind: Kind, scope: str = "geometry") -> Formula:
         """Return one formula with every name resolved; a fault leaves zero in its place."""
         try:
-            tree = formula_reader.parse(text, vectors=scope == "geometry")
+            tree = reader.parse(text, vectors=scope == "geometry")
         except FormulaFault as fault:
             self.say(path, fault.message + ".", fault.column)
             return _ZERO

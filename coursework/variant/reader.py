@@ -12,10 +12,10 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from coursework.alphabet import spell
 from coursework.errors import Fault, InputError, closest
-from coursework.formula import Formula
-from coursework.units import is_quantity
+from coursework.formula.alphabet import spell
+from coursework.formula.tree import Formula
+from coursework.formula.units import is_quantity
 from coursework.variant import schema
 from coursework.variant.at_start import faults_at_start
 from coursework.variant.names import Names

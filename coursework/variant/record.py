@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from coursework.formula import Formula
+from coursework.formula.tree import Formula
 
 
 @dataclass(frozen=True, slots=True)

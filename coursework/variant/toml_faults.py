@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import re
 
-from coursework.alphabet import foreign_letter
 from coursework.errors import Fault
+from coursework.formula.alphabet import foreign_letter
 
 _QUOTES = re.compile("[“”„«»‘’]")
 # What the reader's message begins with -> advice.

@@ -6,7 +6,7 @@ Enters: a `Variant` and its `Source`.  Leaves: faults.  Used by `reader.py` only
 from __future__ import annotations
 
 from coursework.errors import Fault
-from coursework.formula import Formula, FormulaFault, evaluate, spelled
+from coursework.formula.tree import Formula, FormulaFault, evaluate, spelled
 from coursework.variant.record import Variant
 from coursework.variant.source import Source
 

@@ -7,7 +7,7 @@ import coursework
 from coursework.accuracy.round_off import RoundOffRow
 from coursework.accuracy.step_search import choose_step
 from coursework.errors import InputError
-from coursework.precision import march_in
+from coursework.march.precision import march_in
 
 
 @pytest.fixture(scope="module")

@@ -8,8 +8,8 @@ from pathlib import Path
 import sympy as sp
 
 import coursework
-from coursework.loops import generate_loop
-from coursework.reduction import reduce
+from coursework.march.loops import generate_loop
+from coursework.reduction.blocks import reduce
 from coursework.schemes import SCHEMES
 from tests.benchmarks import test_march as march
 from tests.benchmarks import test_whole_process as whole

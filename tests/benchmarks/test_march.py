@@ -10,8 +10,8 @@ import pytest
 import sympy as sp
 
 import coursework
-from coursework.loops import generate_loop
-from coursework.reduction import reduce
+from coursework.march.loops import generate_loop
+from coursework.reduction.blocks import reduce
 from coursework.schemes import SCHEMES
 
 STEPS = 20_000

@@ -4,8 +4,8 @@ import builtins
 
 import pytest
 
-from coursework.formula import FormulaFault, evaluate
-from coursework.formula_reader import MAX_CHARACTERS, MAX_DEPTH, MAX_EXPONENT, MAX_NODES, parse, parse_equation
+from coursework.formula.reader import MAX_CHARACTERS, MAX_DEPTH, MAX_EXPONENT, MAX_NODES, parse, parse_equation
+from coursework.formula.tree import FormulaFault, evaluate
 
 HOSTILE = [
     "__import__('os').system('x')", '__import__("os").system("x")', "().__class__.__base__.__subclasses__()",

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
-from coursework.formula import Formula, FormulaFault, constant, evaluate, number, spelled
-from coursework.formula_reader import MAX_CHARACTERS, parse, parse_equation
+from coursework.formula.reader import MAX_CHARACTERS, parse, parse_equation
+from coursework.formula.tree import Formula, FormulaFault, constant, evaluate, number, spelled
 from tests.formula.trees import NAMES, VECTORS, any_text, parts, scalar_trees, spoilt, vector_trees
 
 

@@ -2,7 +2,7 @@
 
 from hypothesis import strategies as st
 
-from coursework.formula import FUNCTIONS, Formula
+from coursework.formula.tree import FUNCTIONS, Formula
 
 NAMES = {"a": 0.7, "b": 1.3, "phi1": 0.4, "w_3": 2.1}
 VECTORS = {"P": (0.3, -1.2), "Q1": (2.0, 0.5)}

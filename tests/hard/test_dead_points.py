@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 
-from coursework.dead_point import find_event
+from coursework.dead_points.search import find_event
 from coursework.schemes import SCHEMES
 from tests.hard.scenes import CASES, REFERENCE, V31_IMPOSSIBLE, expected, scene, solve
 

@@ -9,8 +9,8 @@ import pytest
 
 import coursework
 from coursework.errors import InputError
-from coursework.integrate import march
-from coursework.precision import march_in
+from coursework.march.integrate import march
+from coursework.march.precision import march_in
 from coursework.schemes import SCHEMES
 from coursework.variant.record import whole_steps
 from tests.hard.scenes import CASES, V31, check, expected, numbers, scene, solve

@@ -10,8 +10,8 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 import coursework
-from coursework.formula import evaluate
-from coursework.system import compile_system
+from coursework.formula.tree import evaluate
+from coursework.reduction.system import compile_system
 from coursework.variant.reader import parse_variant
 
 CASES = {

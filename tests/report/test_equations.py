@@ -8,8 +8,8 @@ from types import ModuleType
 
 import pytest
 
-from coursework.formula import Formula, FormulaFault, evaluate
-from coursework.formula_reader import parse, parse_equation
+from coursework.formula.reader import parse, parse_equation
+from coursework.formula.tree import Formula, FormulaFault, evaluate
 from coursework.report import display, equations
 from coursework.report.formulas import draw
 

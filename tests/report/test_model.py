@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 
 from coursework.errors import InputError
-from coursework.formula_reader import parse
-from coursework.motion import Motion, Stop
+from coursework.formula.reader import parse
+from coursework.march.motion import Motion, Stop
 from coursework.report import build_model
 from coursework.report.words import Words, load_words
 from coursework.variant.record import Law

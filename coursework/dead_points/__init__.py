@@ -1,0 +1,1 @@
+"""Where a motion ends and why: the flow scaled by its determinant, dead points, change points, and their meaning."""

@@ -1,0 +1,154 @@
+"""A formula as a checked tree: its names, its value from given data, its text.
+
+Enters: nodes from `reader.py` (or made by this program).  Leaves: `Formula`.  Any floor may read a tree; what
+depends on the motion becomes numbers only by way of `lower`.
+"""
+
+from __future__ import annotations
+
+import math
+import operator
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+# A part of a formula made of numbers only lies between 1/LARGEST and LARGEST, or is 0: exp(exp(99)) or ((9^8)^8)^8 would
+# keep exact arithmetic busy for ever.
+LARGEST = 1e100
+FUNCTIONS = dict.fromkeys(("sin", "cos", "tan", "asin", "acos", "atan", "sqrt", "exp", "log", "abs"), 1) | {"atan2": 2}
+
+
+class FormulaFault(ValueError):
+    """A formula cannot be read; `column` counts characters from 1."""
+
+    def __init__(self, column: int, message: str) -> None:
+        super().__init__(message)
+        self.column = column
+        self.message = message
+
+
+@dataclass(frozen=True, slots=True)
+class Formula:
+    """One node: `op` is number, name, neg, + - * / ^, call, @ (polar vector), pair (x, y) or part (.x, .y)."""
+
+    op: str
+    args: tuple[Formula, ...] = ()
+    name: str = ""
+    column: int = field(default=0, compare=False)
+
+    def walk(self) -> Iterator[Formula]:
+        """Yield this node and all below it, in the author's order."""
+        yield self
+        for arg in self.args:
+            yield from arg.walk()
+
+    def names(self) -> tuple[str, ...]:
+        """Return the symbols used, each once, in order of appearance."""
+        return tuple(dict.fromkeys(node.name for node in self.walk() if node.op == "name"))
+
+    @property
+    def value(self) -> Fraction:
+        """Return the exact value of a number node."""
+        return Fraction(self.name)
+
+
+def number(value: Fraction | int) -> Formula:
+    """Return the node of an exact number: a decimal where it has one of at most 12 digits, else a quotient."""
+    value = Fraction(value)
+    if value < 0:
+        return Formula("neg", (number(-value),))
+    if value.denominator == 1:
+        return Formula("number", name=str(value.numerator))
+    decimal = f"{float(value):.12g}"
+    if Fraction(decimal) == value:
+        return Formula("number", name=decimal)
+    return Formula("/", (number(value.numerator), number(value.denominator)))
+
+
+def constant(tree: Formula) -> Fraction | None:
+    """Return the exact value of a formula of numbers only (+ - * /), else None."""
+    if tree.op == "number":
+        return tree.value
+    values = [constant(arg) for arg in tree.args]
+    known = [value for value in values if value is not None]
+    if tree.op not in {"neg", "+", "-", "*", "/"} or len(known) != len(values) or not known:
+        return None
+    if tree.op == "neg":
+        return -known[0]
+    first, second = known
+    if tree.op == "/":
+        return first / second if second else None
+    return {"+": first + second, "-": first - second, "*": first * second}[tree.op]
+
+
+_LEVELS = {"+": 1, "-": 1, "neg": 2, "*": 3, "/": 3, "@": 3, "^": 5}
+
+
+def spelled(tree: Formula) -> str:
+    """Return the formula as text that `parse` reads back to the same meaning."""
+    if tree.op in {"number", "name"}:
+        return tree.name
+    if tree.op == "part":
+        return f"{_enclosed(tree.args[0], 6)}.{tree.name}"
+    if tree.op in {"call", "pair"}:
+        return f"{tree.name}({', '.join(map(spelled, tree.args))})"
+    level = _LEVELS[tree.op]
+    if tree.op == "neg":
+        return f"-{_enclosed(tree.args[0], level + 1)}"
+    first, second = tree.args
+    sign = f" {tree.op} " if level == 1 or tree.op == "@" else tree.op
+    return f"{_enclosed(first, level + (tree.op == '^'))}{sign}{_enclosed(second, level + 1)}"
+
+
+def _enclosed(tree: Formula, least: int) -> str:
+    text = spelled(tree)
+    return f"({text})" if _LEVELS.get(tree.op, 9) < least else text
+
+
+def evaluate(tree: Formula, values: Mapping[str, float]) -> float:
+    """Return the float value of a scalar formula whose names all stand in `values` (and pi).
+
+    Used for data such as the period "2*pi/p"; everything that depends on the motion goes through `lower`.
+    Raises `FormulaFault` where the value is not a finite number.
+    """
+    value = float(_evaluate(tree, {"pi": math.pi, **values}))
+    if not math.isfinite(value):
+        raise FormulaFault(tree.column or 1, "it is not a finite number")
+    return value
+
+
+def _evaluate(tree: Formula, values: Mapping[str, float]) -> float:
+    if tree.op in {"number", "name"}:
+        return float(tree.name) if tree.op == "number" else values[tree.name]
+    return _applied(tree, [_evaluate(arg, values) for arg in tree.args])
+
+
+def _applied(tree: Formula, args: Sequence[float]) -> float:
+    if tree.op == "neg":
+        return -args[0]
+    try:
+        if tree.op == "call":
+            return float(abs(args[0]) if tree.name == "abs" else getattr(math, tree.name)(*args))
+        return float(_ARITHMETIC[tree.op](*args))
+    except OverflowError:
+        return math.inf
+    except (ArithmeticError, ValueError, TypeError) as error:
+        why = "is a division by zero" if isinstance(error, ZeroDivisionError) else "is no real number"
+        raise FormulaFault(tree.column or 1, f'"{spelled(tree)[:60]}" {why}') from error
+
+
+def bounded(tree: Formula, args: Sequence[float]) -> float:
+    """Return the value of one node from the values of its arguments, all of them numbers of the text itself.
+
+    Raises `FormulaFault` where it is no number, or too large or too small to be worked with exactly.
+    """
+    value = _applied(tree, args)
+    vanished = tree.op in {"^", "*", "/"} and all(args) and abs(value) < 1 / LARGEST
+    if vanished or not abs(value) <= LARGEST:
+        raise FormulaFault(tree.column or 1, f'the value of "{spelled(tree)[:60]}" is beyond any number that can be meant')
+    return value
+
+
+_ARITHMETIC: dict[str, Callable[[float, float], float]] = {
+    "+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv, "^": operator.pow,
+}  # fmt: skip

@@ -1,0 +1,91 @@
+"""Whether the written velocity equations say what the geometry of the file says.
+
+Enters: written equations, those differentiated from [closure], positions on the closure.
+Raises `InputError` naming the equation that disagrees.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.errors import Fault, InputError, listing
+from coursework.geometry.closure import Closure
+from coursework.reduction.equations import VelocityEquations
+from coursework.reduction.system import compile_system
+
+Array = NDArray[np.float64]
+# Compared after scaling each row to its length: far above round-off, far below a wrong coefficient or sign.
+TOLERANCE = 1e-8
+_CONFIGURATIONS = 5
+
+
+def require_agreement(equations: VelocityEquations, closure: Closure | None) -> None:
+    """Compare values and Jacobian of written and derived equations at several closed positions.
+
+    Both are rows (A | b); the written ones must lie in the space the derived ones span together with the unknown
+    velocities that only the written ones know.
+    """
+    if closure is None or not equations.from_closure:
+        return
+    both = (*equations.from_closure, *equations.equations)
+    system = compile_system(equations, both)
+    first = len(equations.from_closure)
+    suspects: set[int] | None = None
+    for t, q in _configurations(closure):
+        matrix, right, _ = system.matrix(t, q)
+        rows = np.hstack([matrix, right[:, None]])
+        scale = np.max(np.abs(rows), axis=0, initial=0.0)
+        rows = rows / np.where(scale > 0, scale, 1.0)
+        lengths = np.linalg.norm(rows, axis=1, keepdims=True)
+        rows = rows / np.where(lengths > 0, lengths, 1.0)
+        inconsistent = _rank(rows) > _rank(rows[:, :-1])
+        if not inconsistent or _rank(rows[:first]) > _rank(rows[:first, :-1]):
+            continue  # they agree, or the geometry alone cannot follow its drive here: a dead point, told as such
+        culprits = set()
+        for index in range(first, len(both)):
+            kept = np.delete(rows, index, axis=0)
+            if _rank(kept) == _rank(kept[:, :-1]):
+                culprits.add(index)
+        suspects = culprits if suspects is None else suspects & culprits
+    if suspects is None:
+        return
+    file = str(equations.variant.path or equations.variant.name)
+    if not suspects:
+        text = (
+            "the written equations contradict the geometry of [points] and [closure] in more than one place. "
+            "Derive them again; until both agree, take [closure] out."
+        )
+        raise InputError([Fault(text, file)])
+    names = listing([both[index].name for index in sorted(suspects)], "or")
+    line = both[min(suspects)].line if len(suspects) == 1 else 0
+    text = (
+        f"equation {names} contradicts the geometry of [points] and [closure] (signs, lengths or angles differ). "
+        "Derive it again, or correct the geometry."
+    )
+    raise InputError([Fault(text, file, line)])
+
+
+def _rank(rows: Array) -> int:
+    sizes = np.linalg.svd(rows, compute_uv=False)
+    return int(np.sum(sizes > TOLERANCE * max(float(sizes[0]), 1e-300))) if len(sizes) else 0
+
+
+def _configurations(closure: Closure) -> list[tuple[float, Sequence[float]]]:
+    """Return the start and positions near it that close with the drive moved on; the start alone if none is found."""
+    end = closure.equations.variant.time.end
+    times = np.linspace(0.0, end / 50, _CONFIGURATIONS)
+    kept, known = closure.targets(times)
+    found: list[tuple[float, Sequence[float]]] = []
+    q = closure.start
+    for index, t in enumerate(times.tolist()):
+        guess = q.copy()
+        guess[list(closure.driven)] = known[index]
+        closed = closure.newton(t, guess, kept[index])
+        if closed is None:
+            break
+        q = closed
+        found.append((t, q.tolist()))
+    return found or [(0.0, closure.start.tolist())]

@@ -1,0 +1,127 @@
+"""A chain of groups along a whole motion in closed form: positions, and the start values a file leaves out.
+
+Enters: the chain's formulas and times.  Leaves: coordinates (n, m); velocities follow from the reduction.
+Raises `CannotAssemble` (groups) with the row at which a group cannot be put together.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import sympy as sp
+from numpy.typing import NDArray
+
+from coursework import groups
+from coursework.errors import Fault, InputError
+from coursework.formula.tree import Formula
+from coursework.geometry.drive import integrals
+from coursework.geometry.jets import compile_rows
+from coursework.groups import Guide, Pair
+from coursework.reduction.equations import VelocityEquations
+from coursework.variant.record import Group, Variant
+
+Array = NDArray[np.float64]
+# A start value written with fewer digits than this (rad or m) is taken for another position, not for rounding.
+START_TOLERANCE = 1e-6
+
+
+def is_chain(variant: Variant) -> bool:
+    """Return whether groups give every coordinate, the driven ones of cranks included."""
+    given = {name for group in variant.groups for name in group.coordinates}
+    return bool(given) and given == {c.name for c in variant.coordinates}
+
+
+def chain_positions(equations: VelocityEquations, times: Array) -> Array:
+    """Return the coordinates (n, m) of a chain at `times` (s, growing from 0), angles continuous, group after group."""
+    variant = equations.variant
+    names = [c.name for c in variant.coordinates]
+    q = np.zeros((len(times), len(names)))
+    for number, group in enumerate(variant.groups, start=1):
+        places = [names.index(name) for name in group.coordinates]
+        if group.kind == "crank":
+            coordinate = variant.coordinates[places[0]]
+            q[:, places[0]] = (coordinate.start or 0.0) + integrals(equations, [coordinate.rate], times)[:, 0]
+            continue
+        try:
+            found = _dyad(equations, group, times, q).coordinates
+        except (groups.CannotAssemble, ValueError) as error:
+            text = f"group {number} ({', '.join(group.coordinates)}): {error}"
+            raise InputError([Fault(text, str(variant.path or variant.name), group.line)]) from error
+        for column, place in enumerate(places):
+            coordinate = variant.coordinates[place]
+            angle = coordinate.unit == "rad"
+            q[:, place] = _continued(found[:, column], coordinate.start) if angle else found[:, column]
+    return q
+
+
+def start_values(equations: VelocityEquations) -> list[float]:
+    """Return the coordinates at t = 0; a chain gives those the file leaves out.
+
+    Raises `InputError` where a written start is not the position the chain closes in.
+    """
+    variant = equations.variant
+    if not is_chain(variant):
+        missing = [c for c in variant.coordinates if c.start is None]
+        text = "{} has no start, and the groups do not give every coordinate. Write its value at t = 0: start = …."
+        if missing:
+            file = str(variant.path or variant.name)
+            raise InputError([Fault(text.format(c.name), file, variant.line_of("coordinates", c.name)) for c in missing])
+        return [c.start for c in variant.coordinates if c.start is not None]
+    closed = chain_positions(equations, np.zeros(1))[0]
+    faults = []
+    for coordinate, value in zip(variant.coordinates, closed, strict=True):
+        if coordinate.start is not None and abs(coordinate.start - value) > START_TOLERANCE:
+            message = (
+                f"{coordinate.name} starts at {coordinate.start:.9g} {coordinate.unit}, but the chain closes at "
+                f"{value:.15g} {coordinate.unit} in the assembly mode given. "
+                "Write that value, leave `start` out, or change `mode`."
+            )
+            line = variant.line_of("coordinates", coordinate.name)
+            faults.append(Fault(message, str(variant.path or variant.name), line))
+    if faults:
+        raise InputError(faults)
+    return [float(value) for value in closed]
+
+
+def started(variant: Variant, start: list[float]) -> Variant:
+    """Return the variant with every start value filled in."""
+    filled = (replace(c, start=value) for c, value in zip(variant.coordinates, start, strict=True))
+    return replace(variant, coordinates=tuple(filled))
+
+
+def _continued(angles: Array, start: float | None) -> Array:
+    """Return the angles without jumps, the first one in the turn of `start`."""
+    smooth = np.unwrap(angles)
+    if start is not None and len(smooth):
+        smooth = smooth + 2 * np.pi * np.round((start - smooth[0]) / (2 * np.pi))
+    return np.asarray(smooth)
+
+
+def _dyad(equations: VelocityEquations, group: Group, times: Array, q: Array) -> groups.GroupMotion:
+    symbols = equations.symbols
+
+    def values(wanted: list[sp.Expr]) -> Array:
+        return compile_rows(equations, wanted, 0)(times, q)
+
+    def pair(formula: Formula) -> Pair:
+        return Pair(values(list(symbols.vector(formula))), None, None)
+
+    def scalar(formula: Formula) -> Array:
+        return np.asarray(values([symbols.scalar(formula)])[:, 0])
+
+    points = [pair(formula) for formula in group.start_points]
+    lengths = [scalar(formula) for formula in group.lengths]
+    guides = [Guide(pair(g.through), scalar(g.angle), offset=scalar(g.offset)) for g in group.guides]
+    if group.kind == "RRR":
+        return groups.rrr(*points, lengths=(lengths[0], lengths[1]), mode=group.mode, positions_only=True)
+    if group.kind == "RRP":
+        return groups.rrp(points[0], guides[0], length=lengths[0], mode=group.mode, positions_only=True)
+    if group.kind == "RPR":
+        end = lengths[0] if lengths else None
+        offset = scalar(group.offset)
+        return groups.rpr(*points, offset=offset, end_length=end, mode=group.mode, positions_only=True)
+    if group.kind == "RPP":
+        angle = scalar(group.angle) if group.angle else np.pi / 2
+        return groups.rpp(points[0], guides[0], slide_angle=angle, positions_only=True)
+    return groups.prp(guides[0], guides[1], positions_only=True)

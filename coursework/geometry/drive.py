@@ -1,0 +1,101 @@
+"""The drive as numbers: its values, its integral from t = 0, its breaks and its fastest oscillation.
+
+Enters: the drive of a variant.  Leaves: plain functions of time.  Used by `closure.py`, `chain.py`, the march, checks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import sympy as sp
+from numpy.typing import NDArray
+
+from coursework.errors import Fault, InputError
+from coursework.reduction.equations import VelocityEquations
+from coursework.reduction.symbolic import TIME, symbol
+from coursework.reduction.system import compile_values
+from coursework.variant.record import Variant
+
+Array = NDArray[np.float64]
+# Gauss-Legendre with 12 points is exact to round-off for a sinusoid over a tenth of its period.
+_POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(12)
+_PIECES_PER_RUN = 240
+
+
+def breaks(variant: Variant) -> tuple[float, ...]:
+    """Return the times (s) at which a piecewise drive or function changes its formula."""
+    laws = (*variant.drive, *variant.functions)
+    return tuple(sorted({time for law in laws for time, _ in law.pieces if time > 0}))
+
+
+def integrals(equations: VelocityEquations, names: Sequence[str], times: Array) -> Array:
+    """Return the integrals from 0 to each time (n,) of the named drives, (n, len(names)).
+
+    `times` grow from 0.  Composite Gauss-Legendre, split at rows and breaks; error near round-off for smooth drives.
+    """
+    if not names:
+        return np.zeros((len(times), 0))
+    _, rows = compile_values(equations, [symbol(name) for name in names])
+    finest = max(float(times[-1]), 1e-300) / _PIECES_PER_RUN
+    inner = [b for b in breaks(equations.variant) if b < times[-1]]
+    edges = np.unique(np.concatenate([[0.0], times, inner]))
+    counts = np.maximum(1, np.ceil(np.diff(edges) / finest).astype(int))
+    fine = np.concatenate(
+        [[edges[0]], *[np.linspace(a, b, c + 1)[1:] for a, b, c in zip(edges, edges[1:], counts, strict=False)]]
+    )
+    middle, half = (fine[1:] + fine[:-1]) / 2, np.diff(fine) / 2
+    at = middle[:, None] + half[:, None] * _POINTS
+    starts = np.zeros(len(equations.variant.coordinates))
+    with np.errstate(all="ignore"):
+        values = np.stack(np.broadcast_arrays(*rows(at, *starts), at)[:-1], axis=-1)
+    if not np.all(np.isfinite(values)):
+        place = np.argwhere(~np.isfinite(values))[0]
+        name, variant = names[place[2]], equations.variant
+        text = f"the drive {name} has no finite value at t = {at[place[0], place[1]]:.6g} s."
+        raise InputError([Fault(text, str(variant.path or variant.name), variant.line_of("drive", name))])
+    pieces = np.einsum("ipk,p,i->ik", values, _WEIGHTS, half)
+    total = np.vstack([np.zeros(len(names)), np.cumsum(pieces, axis=0)])
+    return np.asarray(total[np.searchsorted(fine, times)])
+
+
+def fastest(equations: VelocityEquations) -> float:
+    """Return the largest |d argument/dt| (rad/s) of a sine or cosine in the drive over the run, 0 without any."""
+    variant = equations.variant
+    slopes = []
+    for law in variant.drive:
+        definition = equations.symbols.definitions[symbol(law.name)]
+        slopes += [sp.diff(call.args[0], TIME) for call in definition.atoms(sp.sin, sp.cos)]
+    slopes = [slope for slope in slopes if slope != 0]
+    if not slopes:
+        return 0.0
+    _, rows = compile_values(equations, slopes)
+    times = np.linspace(0.0, variant.time.end, 257)
+    with np.errstate(all="ignore"):
+        values = rows(times, *np.zeros(len(variant.coordinates)))
+    return float(max(np.max(np.abs(value)) for value in values))
+
+
+def refuse_aliasing(equations: VelocityEquations, step: float) -> None:
+    """Raise `InputError` where the step misses the drive's oscillation altogether (less than two rows a period)."""
+    frequency = fastest(equations)
+    if frequency * step >= np.pi * (1 - 1e-12):
+        raise InputError(
+            f"The step {step:g} s is too large for this drive: it turns through {frequency * step:.3g} rad in one step, and from "
+            f"3.14 rad on the rows show another, slower motion that is not there. Take a step of at most "
+            f"{np.pi / 10 / frequency:.2g} s (20 rows a period)."
+        )
+
+
+def is_sinusoidal(equations: VelocityEquations) -> bool:
+    """Return whether every drive is zero or a plain sine or cosine of t, and one at least is not zero."""
+    moving = 0
+    for law in equations.variant.drive:
+        definition = equations.symbols.definitions[symbol(law.name)]
+        _, rest = definition.as_independent(TIME, as_Add=False)
+        if definition == 0:
+            continue
+        if not isinstance(rest, (sp.sin, sp.cos)) or sp.diff(rest.args[0], TIME).has(TIME):
+            return False
+        moving += 1
+    return moving > 0

@@ -1,0 +1,76 @@
+"""Any expression of the positions -> its value, rate and second rate along a motion.
+
+Enters: SymPy expressions of a scene.  Leaves: arrays.  Used for points, closed-form chains and accelerations.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from numpy.typing import NDArray
+
+from coursework.lower.programs import Assign, compile_function, program
+from coursework.reduction.equations import VelocityEquations
+from coursework.reduction.symbolic import TIME, symbol
+from coursework.reduction.system import tables
+
+Array = NDArray[np.float64]
+RowFunction = Callable[..., Any]
+
+
+def derivative(velocity: str) -> sp.Symbol:
+    """Return the symbol of the derivative of a velocity; no name of a file begins with _."""
+    return symbol(f"_d_{velocity}")
+
+
+def compile_rows(equations: VelocityEquations, wanted: Sequence[sp.Expr], order: int) -> Callable[..., Array]:
+    """Return `rows(t, q, u, du)` -> (n, len(wanted)); u and du are read from order 1 and 2 on.
+
+    `t` (n,), `q` (n, m) coordinates, `u` (n, k) rates then unknowns in file order, `du` (n, k) their derivatives.
+    """
+    variant = equations.variant
+    names = [c.name for c in variant.coordinates]
+    velocities = [*variant.rates, *(name for name, _ in variant.unknowns)]
+    arguments = ["t", *names]
+    if order >= 1:
+        arguments += velocities
+    if order >= 2:
+        arguments += [derivative(name).name for name in velocities]
+    results = [f"_out{place}" for place in range(len(wanted))]
+    given = {symbol(name) for name in velocities} if order >= 1 else set()
+    definitions = {name: value for name, value in equations.symbols.definitions.items() if name not in given}
+    statements = [Assign(symbol(result), value) for result, value in zip(results, wanted, strict=True)]
+    body = program(statements, definitions, variant.values, tables(equations))
+    function: RowFunction = compile_function("rows", arguments, body, results, numpy=True)
+
+    def rows(t: Array, q: Array, u: Array | None = None, du: Array | None = None) -> Array:
+        columns = [*q.T, *(u.T if u is not None and order >= 1 else ()), *(du.T if du is not None and order >= 2 else ())]
+        values = function(t, *columns)
+        return np.stack(np.broadcast_arrays(*values, t)[:-1], axis=-1).astype(float)
+
+    return rows
+
+
+def second_rate(equations: VelocityEquations, rate: sp.Expr) -> sp.Expr:
+    """Return d rate / d t, with `derivative(NAME)` for that of the velocity NAME."""
+    symbols = equations.symbols
+    total = symbols.partial(rate, TIME)
+    for coordinate, its_rate in symbols.rates.items():
+        total += symbols.partial(rate, coordinate) * its_rate
+    for name in (*equations.variant.rates, *(name for name, _ in equations.variant.unknowns)):
+        if symbol(name) not in symbols.definitions:
+            total += sp.diff(rate, symbol(name)) * derivative(name)
+    return total
+
+
+def jets(equations: VelocityEquations, wanted: Sequence[sp.Expr], order: int) -> list[Callable[..., Array]]:
+    """Return the row functions of value, rate (order >= 1) and second rate (order 2) of some expressions."""
+    levels = [list(wanted)]
+    if order >= 1:
+        levels.append([equations.symbols.rate(expr) for expr in wanted])
+    if order >= 2:
+        levels.append([second_rate(equations, expr) for expr in levels[1]])
+    return [compile_rows(equations, exprs, level) for level, exprs in enumerate(levels)]

@@ -1,0 +1,238 @@
+"""SymPy expressions -> lines of Python in which every value is computed once.
+
+Enters: statements made by this program.  Leaves: text that means the same over `math` and over NumPy.
+Used by `programs.py` only.
+Local value numbering (A. V. Aho, R. Sethi, J. D. Ullman, "Compilers", 1986, 9.8): equal values get one number, and a value
+that is read more than once gets a name.  SymPy's own `cse` and printers do it too and took a third of the time of a scene.
+"""
+
+from __future__ import annotations
+
+import keyword
+import math
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+
+import numpy as np
+import sympy as sp
+
+from coursework.errors import InputError
+
+_CALLS = {"sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "abs", "sign", "sqrt", "pow"}
+_SPELT = {"Abs": "abs"}
+_INVERSE = {"cot": "tan", "sec": "cos", "csc": "sin"}  # SymPy writes tan(pi/2 - x) as cot(x)
+_RESERVED = set(vars(math)) | set(vars(np)) | {"abs", "range", "sign"} | _CALLS
+_MOST_FACTORS = 16  # powers up to this one are products
+_SUM, _PRODUCT, _ATOM = 1, 2, 3
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """`text` gives values to the names `targets`."""
+
+    targets: tuple[str, ...]
+    text: str
+
+
+def identifier(name: str) -> str:
+    """Return a name that Python accepts and that hides nothing the generated code calls."""
+    return f"{name}_" if keyword.iskeyword(name) or name in _RESERVED or name.startswith("table_") else name
+
+
+@dataclass(slots=True)
+class StraightLine:
+    """Collects statements, then gives their lines.
+
+    `constants` become numbers; a name of `definitions` that no statement of `written` sets is defined where it is first read.
+    A value is an integer: its number, negative for the negative of it.  A form is an operation and the values it takes.
+    """
+
+    constants: Mapping[str, float]
+    definitions: Mapping[sp.Symbol, sp.Expr]
+    written: set[sp.Symbol]
+    _forms: list[tuple[str | int, ...]] = field(default_factory=lambda: [("",)])
+    _numbers: dict[tuple[str | int, ...], int] = field(default_factory=dict)
+    _uses: list[int] = field(default_factory=lambda: [0])
+    _folded: dict[int, float] = field(default_factory=dict)
+    _seen: dict[sp.Expr, int] = field(default_factory=dict)
+    _statements: list[tuple[tuple[str, ...], tuple[int, ...], str]] = field(default_factory=list)
+    _names: dict[int, str] = field(default_factory=dict)
+    _lines: list[Line] = field(default_factory=list)
+
+    def add(self, targets: Sequence[sp.Symbol], expressions: Sequence[sp.Expr], call: str = "") -> None:
+        """Add `target = expression`, or `targets = call((expressions…))`."""
+        values = tuple(self._value(expr) for expr in expressions)
+        for value in values:
+            self._uses[abs(value)] += 1
+        self._statements.append((tuple(identifier(target.name) for target in targets), values, call))
+
+    def lines(self) -> list[Line]:
+        """Return the lines of all statements in order."""
+        for targets, values, call in self._statements:
+            if call:
+                entries = ", ".join(self._text(value, _SUM) for value in values)
+                text = f"{', '.join(targets)} = {call}(({entries}))"
+            else:
+                (value,), (target,) = values, targets
+                fresh = value > 0 and value not in self._names and len(self._forms[value]) > 1
+                text = f"{target} = {self._body(value)[0] if fresh else self._text(value, _SUM)}"
+                if fresh:
+                    self._names[value] = target
+            self._lines.append(Line(targets, text))
+        return self._lines
+
+    def _value(self, expr: sp.Expr) -> int:
+        if expr not in self._seen:
+            self._seen[expr] = self._valued(expr)
+        return self._seen[expr]
+
+    def _valued(self, expr: sp.Expr) -> int:
+        if isinstance(expr, sp.Symbol):
+            return self._symbol(expr)
+        if isinstance(expr, sp.Rational):
+            # A quotient of two integers is rounded once by Python, so the decimal of the task sheet comes back exactly.
+            return self._constant(int(expr.p) / int(expr.q))
+        if isinstance(expr, sp.Add):
+            return self._sum([self._value(arg) for arg in expr.args])
+        if isinstance(expr, sp.Mul):
+            below = [arg for arg in expr.args if isinstance(arg, sp.Pow) and arg.exp.is_Number and arg.exp.is_negative]
+            above = [self._value(arg) for arg in expr.args if arg not in below] if below else list(map(self._value, expr.args))
+            return self._quotient(self._product(above), self._product([self._power(arg.base, -arg.exp) for arg in below]))
+        if isinstance(expr, sp.Pow):
+            if expr.exp.is_Number and expr.exp.is_negative:
+                return self._quotient(self._constant(1.0), self._power(expr.base, -expr.exp))
+            return self._power(expr.base, expr.exp)
+        if isinstance(expr, sp.Piecewise):
+            return self._pieces(expr.args)
+        if isinstance(expr, sp.DiracDelta) or (isinstance(expr, sp.Derivative) and isinstance(expr.expr, sp.sign)):
+            return self._constant(0.0)  # the slope of a sign, which is nothing but at the jump itself
+        if isinstance(expr, sp.Function):
+            return self._function(type(expr).__name__, [self._value(arg) for arg in expr.args])
+        if isinstance(expr, (sp.Float, sp.NumberSymbol)):
+            return self._constant(float(expr))
+        raise InputError(f"a formula of the variant leads to {str(expr)[:60]}, which is no real number.")
+
+    def _symbol(self, name: sp.Symbol) -> int:
+        if name.name in self.constants:
+            return self._constant(self.constants[name.name])
+        if name in self.definitions and name not in self.written:
+            self.written.add(name)
+            self.add([name], [self.definitions[name]])
+        return self._number(identifier(name.name))
+
+    def _number(self, *form: str | int) -> int:
+        found = self._numbers.get(form)
+        if found is None:
+            found = self._numbers[form] = len(self._forms)
+            self._forms.append(form)
+            self._uses.append(0)
+            for value in form[1:]:
+                self._uses[abs(int(value))] += 1
+        return found
+
+    def _constant(self, size: float) -> int:
+        if math.copysign(1.0, size) < 0:
+            return -self._constant(-size)
+        found = self._number(repr(size))
+        self._folded[found] = size
+        return found
+
+    def _apart(self, values: Sequence[int]) -> tuple[list[float], list[int]]:
+        """Return the constants among some values, and the others in order."""
+        constants = [math.copysign(self._folded[abs(v)], v) for v in values if abs(v) in self._folded]
+        return constants, sorted((v for v in values if abs(v) not in self._folded), key=abs)
+
+    def _sum(self, values: Sequence[int]) -> int:
+        constants, terms = self._apart(values)
+        if sum(constants) or not terms:
+            terms.append(self._constant(sum(constants)))
+        if len(terms) == 1:
+            return terms[0]
+        sign = 1 if terms[0] > 0 else -1  # so that a - b and b - a are one value
+        return sign * self._number("+", *[sign * term for term in terms])
+
+    def _product(self, values: Sequence[int]) -> int:
+        constants, factors = self._apart(values)
+        size = math.prod(constants)
+        sign = -1 if sum(factor < 0 for factor in factors) % 2 else 1
+        total = self._constant(size) if abs(size) != 1.0 or not factors else 0
+        if not total and size < 0:
+            sign = -sign
+        if total < 0:
+            total, sign = -total, -sign
+        for factor in map(abs, factors):
+            total = self._number("*", total, factor) if total else factor
+        return sign * total
+
+    def _quotient(self, above: int, below: int) -> int:
+        if abs(below) in self._folded and self._folded[abs(below)]:
+            return self._product([above, self._constant(1 / math.copysign(self._folded[abs(below)], below))])
+        sign = 1 if (above > 0) == (below > 0) else -1
+        return sign * self._number("/", abs(above), abs(below))
+
+    def _power(self, base: sp.Expr, exponent: sp.Expr) -> int:
+        value = self._value(base)
+        twice = 2 * exponent
+        if not (twice.is_Integer and 0 < twice <= 2 * _MOST_FACTORS):
+            # A negative number to a fractional power is no real number; `**` would go on in complex ones.
+            return self._function("pow", [value, self._value(exponent)])
+        whole, half = divmod(int(twice), 2)
+        factors = [self._function("sqrt", [value])] if half else []
+        while whole:
+            if whole % 2:
+                factors.append(value)
+            whole //= 2
+            value = self._product([value, value]) if whole else value
+        return self._product(factors)
+
+    def _function(self, name: str, values: list[int]) -> int:
+        name = _SPELT.get(name, name)
+        if name in _INVERSE:
+            return self._quotient(self._constant(1.0), self._function(_INVERSE[name], values))
+        if name not in _CALLS and not name.startswith("table_"):
+            raise InputError(f"a formula of the variant leads to the function {name}, which has no real value everywhere.")
+        known: Callable[..., float] | None = getattr(math, name, None)
+        if known and all(abs(value) in self._folded for value in values):
+            with suppress(ArithmeticError, ValueError):  # without a value it stays a call, and is told when it is made
+                return self._constant(known(*self._apart(values)[0]))
+        return self._number(name, *values)
+
+    def _pieces(self, pieces: Sequence[tuple[sp.Expr, sp.Basic]]) -> int:
+        value, condition = pieces[0]
+        if condition is sp.true or len(pieces) == 1:
+            return self._value(value)
+        sides = [self._value(side) for side in condition.args]
+        return self._number(f"if {condition.rel_op}", *sides, self._value(value), self._pieces(pieces[1:]))
+
+    def _text(self, value: int, level: int, *, inline: bool = False) -> str:
+        """Return a value as it stands inside a sum, a product or alone; `inline` without naming anything new."""
+        number = abs(value)
+        if number not in self._names and len(self._forms[number]) > 1 and self._uses[number] > 1 and not inline:
+            body = self._body(number)[0]
+            name = f"_c{len(self._names)}"
+            self._lines.append(Line((name,), f"{name} = {body}"))
+            self._names[number] = name
+        text, own = (self._names[number], _ATOM) if number in self._names else self._body(number, inline=inline)
+        if value < 0:
+            text, own = (f"-({text})" if own == _SUM else f"-{text}"), _SUM
+        return text if own >= level else f"({text})"
+
+    def _body(self, number: int, *, inline: bool = False) -> tuple[str, int]:
+        """Return the text of a value and what it is."""
+        operation, *rest = self._forms[number]
+        values = [int(value) for value in rest]
+        if not values:
+            return str(operation), _ATOM
+        if operation == "+":
+            first, *others = values
+            terms = [f" {'+' if v > 0 else '-'} {self._text(abs(v), _PRODUCT, inline=inline)}" for v in others]
+            return self._text(first, _SUM, inline=inline) + "".join(terms), _SUM
+        if operation in {"*", "/"}:
+            left = self._text(values[0], _PRODUCT, inline=inline)
+            return f"{left}{operation}{self._text(values[1], _ATOM, inline=inline)}", _PRODUCT
+        if str(operation).startswith("if "):
+            left, right, yes, no = (self._text(value, _SUM, inline=True) for value in values)
+            # Only the piece that holds may be computed: another one need not have a value there.
+            return f"_choose({left} {str(operation)[3:]} {right}, lambda: {yes}, lambda: {no})", _ATOM
+        return f"{operation}({', '.join(self._text(value, _SUM, inline=inline) for value in values)})", _ATOM

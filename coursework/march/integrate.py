@@ -1,0 +1,171 @@
+"""The march of the coursework: row by row with one scheme, every determinant watched.
+
+Enters: rates, a scheme, a step.  Leaves: a `Motion`; rows end before a dead point.  t = i*step, never a running sum.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.errors import InputError
+from coursework.geometry.closure import Closure
+from coursework.march.motion import Motion, Stop, rows_before
+from coursework.march.rates import Rates
+from coursework.schemes import SCHEMES
+from coursework.variant.record import whole_steps
+
+Array = NDArray[np.float64]
+# One step that turns a link whose angle stands in a determinant by more than this (rad) can cross a dead point unseen.
+WIDEST_STEP = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Correction:
+    """What keeps the positions closed: `newton` corrections a step, or Baumgarte's `gain` (1/s); none by default."""
+
+    closure: Closure | None = None
+    newton: int = 0
+    gain: float = 0.0
+
+
+def refuse_gain(gain: float, step: float) -> None:
+    """Raise `InputError` for a Baumgarte gain outside 0 < gain*step < 2: the error is multiplied by 1 - gain*step a step."""
+    if not 0 < gain * step < 2:
+        raise InputError(
+            f"The gain {gain:g} 1/s with the step {step:g} s multiplies the position error by {1 - gain * step:.3g} every step, "
+            f"so it grows. Take a gain between 0 and {2 / step:g} 1/s; {1 / step:g} 1/s removes the error in one step."
+        )
+
+
+def march(
+    rates: Rates, scheme: str, start: Sequence[float], step: float, end: float,
+    correction: Correction | None = None, stop: Stop | None = None, guarded: Sequence[int] = (),
+) -> Motion:  # fmt: skip
+    """March from `start` (rad, m) at t = 0 to `end` (s).
+
+    `stop`: where the true motion ends (rows beyond it are not computed).  `guarded`: the coordinates in determinants.
+    The motion stops also where the scheme itself steps over a dead point or out of the numbers.
+    """
+    rule = SCHEMES[scheme].step
+    size = len(rates.coordinates)
+    count = 0
+
+    def slopes(t: float, q: Array) -> Array:
+        nonlocal count
+        count += 1
+        return np.array(rates.evaluate(t, *q.tolist())[:size])
+
+    last = whole_steps(step, end)
+    if stop is not None:
+        last = min(last, rows_before(stop.time, step) - 1)
+    times: Array = np.arange(last + 1).astype(np.float64) * step
+    targets = correction.closure.targets(times) if correction and correction.closure and last >= 0 else None
+    q = np.array(start, dtype=float)
+    rows: list[tuple[float, ...]] = []
+    positions: list[Array] = []
+    for index, t in enumerate(times.tolist()):
+        try:
+            row = rates.evaluate(t, *q.tolist())
+        except (ZeroDivisionError, ValueError, OverflowError):
+            stop = _kept(stop, _broken("its block is singular", index, t, step, q, rates))
+            break
+        if rows and (found := _crossed(rows[-1], row, rates, index, t, step, q)):
+            stop = _kept(stop, found)
+            break
+        rows.append(row)
+        positions.append(q)
+        if index == last:
+            break
+        known = _Known(row[:size], t, q, slopes)
+        try:
+            moved = rule(known, t, q, step)
+        except (ZeroDivisionError, ValueError, OverflowError):
+            stop = _kept(stop, _broken("inside the next step a block is singular", index, t, step, q, rates))
+            break
+        wide = [place for place in guarded if abs(float(moved[place] - q[place])) > WIDEST_STEP]
+        if wide:
+            turned = float(moved[wide[0]] - q[wide[0]])
+            stop = _kept(stop, _too_wide(rates.coordinates[wide[0]], turned, index, t, step, q, rates))
+            break
+        if correction and targets is not None:
+            moved = _corrected(correction, targets, index, step, t, q, moved)
+        q = moved
+        if not np.all(np.isfinite(q)):
+            stop = _kept(stop, _broken("the values left the range of numbers", index, t, step, q, rates))
+            break
+    velocities = len(rates.velocities)
+    table = np.array(rows).reshape(len(rows), velocities + len(rates.blocks))
+    return Motion(
+        times[: len(rows)].copy(), np.array(positions).reshape(len(rows), size), table[:, :velocities].copy(),
+        table[:, velocities:].copy(), np.zeros((len(rows), 0)), rates.coordinates, rates.velocities, scheme, step,
+        max(0, count + len(rows) - 1), stop,
+    )  # fmt: skip
+
+
+def _kept(true: Stop | None, found: Stop) -> Stop:
+    """Return the stop of the true motion where there is one: the scheme's own is told behind it."""
+    if true is None:
+        return found
+    return replace(true, meaning=f"{true.meaning} The scheme itself loses the motion before: {found.cause}")
+
+
+class _Known:
+    """The slopes function; the value at the row's own (t, q) is already known and not computed again."""
+
+    def __init__(self, first: tuple[float, ...], t: float, q: Array, slopes: Callable[[float, Array], Array]) -> None:
+        self.first, self.t, self.q, self.slopes = np.array(first), t, q, slopes
+
+    def __call__(self, t: float, q: Array) -> Array:
+        return self.first if q is self.q and t == self.t else self.slopes(t, q)
+
+
+def _corrected(
+    correction: Correction, targets: tuple[Array, Array], index: int, step: float, t: float, q: Array, moved: Array
+) -> Array:
+    closure = correction.closure
+    assert closure is not None
+    kept, known = targets
+    if correction.gain:
+        return np.asarray(moved + step * correction.gain * closure.linear(t, q, kept[index]))
+    moved = moved.copy()
+    moved[list(closure.driven)] = known[index + 1]
+    for _ in range(correction.newton):
+        moved = moved + closure.correction(t + step, moved, kept[index + 1])[0]
+    return moved
+
+
+def _crossed(
+    before: tuple[float, ...], after: tuple[float, ...], rates: Rates, index: int, t: float, step: float, q: Array
+) -> Stop | None:
+    first = len(rates.velocities)
+    for place in range(len(rates.blocks)):
+        old, new = before[first + place], after[first + place]
+        if old * new <= 0 and old != 0:
+            cause = (
+                f"Between rows {index} and {index + 1} (t = {t - step:.6g} s to {t:.6g} s) the scheme stepped over a dead "
+                f"point: a determinant went from {old:.3g} to {new:.3g}. The true motion has none there; the step {step:g} s "
+                "is too large."
+            )
+            return Stop("step too large", t, float(index), (), _named(rates, q), cause, "Take a smaller step or a better scheme.")
+    return None
+
+
+def _too_wide(name: str, turned: float, index: int, t: float, step: float, q: Array, rates: Rates) -> Stop:
+    cause = (
+        f"At row {index + 1} (t = {t:.6g} s) one step of {step:g} s would turn {name} by {turned:.3g} rad "
+        f"({np.degrees(turned):.0f}°); beyond {WIDEST_STEP:g} rad a dead point can be crossed unseen."
+    )
+    return Stop("step too large", t, float(index), (), _named(rates, q), cause, "Take a smaller step.")
+
+
+def _broken(what: str, index: int, t: float, step: float, q: Array, rates: Rates) -> Stop:
+    cause = f"At row {index + 1} (t = {t:.6g} s) the velocities cannot be computed: {what}."
+    return Stop("not finite", t, float(index), (), {}, cause, f"The rows before it are kept (step {step:g} s).")
+
+
+def _named(rates: Rates, q: Array) -> dict[str, float]:
+    return dict(zip(rates.coordinates, q.tolist(), strict=True))

@@ -1,0 +1,94 @@
+"""What a march leaves behind: the rows, and why it stopped.
+
+Enters: numbers from `integrate.py` or `exact_motion.py`.  Leaves: frozen `Motion`.  Read by checks, kinematics, report.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+# A row this part of its own time before an event stands at the event: its velocities are no numbers any more.
+AT_EVENT = 1e-9
+
+
+def rows_before(time: float, step: float) -> int:
+    """Return how many rows stand before an event at `time` (s)."""
+    return max(0, math.ceil(time / step * (1 - AT_EVENT) - AT_EVENT))
+
+
+@dataclass(frozen=True, slots=True)
+class Stop:
+    """Why a motion ended before its time.
+
+    `kind` is "dead point", "change point" (two branches meet), "touch", "too fast", "not finite" or "unreachable";
+    `time` in s; `row` as a fraction (5.84 lies between rows 5 and 6, counted from 0); `block` the unknown velocities of the
+    singular block; `coordinates` the configuration there; `determinant` its name in words; `cause` and `meaning` are
+    sentences for the reader; `branches` the velocities possible at a change point.
+    """
+
+    kind: str
+    time: float
+    row: float
+    block: tuple[str, ...]
+    coordinates: dict[str, float]
+    cause: str
+    meaning: str
+    branches: tuple[dict[str, float], ...] = ()
+
+    @property
+    def sentence(self) -> str:
+        """Return the whole finding as one paragraph."""
+        return f"{self.cause} {self.meaning}".strip()
+
+
+@dataclass(frozen=True, slots=True)
+class Motion:
+    """Rows of one run.
+
+    `t` (n,) s; `coordinates` (n, m) rad or m; `velocities` (n, k) for `velocity_names` (rates in file order, then
+    unknowns); `determinants` (n, blocks) raw and `scaled` (n, blocks) dimensionless; `scheme`, `step` (s),
+    `evaluations` of the right-hand side; `stop` or None.  `label` says how the rows came about.
+    """
+
+    t: Array
+    coordinates: Array
+    velocities: Array
+    determinants: Array
+    scaled: Array
+    coordinate_names: tuple[str, ...]
+    velocity_names: tuple[str, ...]
+    scheme: str
+    step: float
+    evaluations: int
+    stop: Stop | None = None
+    label: str = ""
+    notes: tuple[str, ...] = ()
+    residuals: Array = field(default_factory=lambda: np.zeros((0, 0)))
+
+    def __post_init__(self) -> None:
+        for rows in (self.t, self.coordinates, self.velocities, self.determinants, self.scaled, self.residuals):
+            rows.flags.writeable = False
+
+    def column(self, name: str) -> Array:
+        """Return one column by name (n,).  Raises `KeyError` for a name that is none."""
+        if name == "t":
+            return self.t
+        for names, rows in ((self.coordinate_names, self.coordinates), (self.velocity_names, self.velocities)):
+            if name in names:
+                return rows[:, names.index(name)]
+        raise KeyError(name)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Return the columns after t."""
+        return self.coordinate_names + self.velocity_names
+
+    @property
+    def rows(self) -> Array:
+        """Return all columns after t, (n, m + k)."""
+        return np.hstack([self.coordinates, self.velocities])

@@ -1,0 +1,46 @@
+"""The same march in another arithmetic: single, double or extended numbers, t = i*h or a running sum.
+
+Enters: rates, a scheme, a kind of number.  Leaves: positions.  Shows what round-off does; nothing else needs it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from coursework.march.rates import Rates
+from coursework.schemes import SCHEMES
+
+
+def has_extended() -> bool:
+    """Return whether this machine's long double is wider than a double (it is not on Windows)."""
+    return bool(np.finfo(np.longdouble).eps < np.finfo(np.float64).eps)
+
+
+def march_in(
+    kind: Any, rates: Rates, scheme: str, start: Sequence[float], step: float, steps: int,
+    *, every: int = 1, running_time: bool = False,
+) -> Any:  # fmt: skip
+    """Return the positions (steps // every + 1, m) computed in numbers of `kind` (np.float32, np.longdouble …).
+
+    `running_time` adds up t += h instead of t = i*h.
+    """
+    rule = SCHEMES[scheme].step
+    h = kind(step)
+    q = np.array(start, dtype=kind)
+    size = len(q)
+
+    def slopes(t: Any, at: Any) -> Any:
+        return np.array(rates.rows(t, *at)[:size], dtype=kind)
+
+    t = kind(0)
+    rows = [q]
+    with np.errstate(all="ignore"):
+        for index in range(steps):
+            q = rule(slopes, t, q, h)
+            t = t + h if running_time else kind(index + 1) * h
+            if (index + 1) % every == 0:
+                rows.append(q)
+    return np.array(rows, dtype=kind)

@@ -1,0 +1,114 @@
+"""Reduction -> plain functions for the march: every velocity and determinant at (t, q), and whole loops in one piece.
+
+Enters: a `Reduction`.  Leaves: `Rates`.  Used by `integrate.py`, `exact_motion.py`, the accuracy study.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from numpy.typing import NDArray
+
+from coursework.lower.programs import Assign, Program, Solve, Statement, compile_function, compile_later, program
+from coursework.reduction.blocks import Block, Reduction
+from coursework.reduction.equations import VelocityEquations
+from coursework.reduction.symbolic import symbol
+from coursework.reduction.system import tables
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Rates:
+    """The right-hand side of a scene.
+
+    `evaluate(t, *q)` -> velocities then determinants, floats; `rows` the same over arrays (n,).  `coordinates` integrated;
+    `velocities` returned (rates of the coordinates first); `blocks` indices evaluated; `body` the program behind them.
+    """
+
+    coordinates: tuple[str, ...]
+    velocities: tuple[str, ...]
+    blocks: tuple[int, ...]
+    evaluate: Callable[..., tuple[float, ...]]
+    rows: Callable[..., Any]
+    body: Program
+
+    @property
+    def source(self) -> str:
+        """Return the generated Python, readable and without symbols."""
+        return self.evaluate.__doc__ or ""
+
+    def table(self, t: Array, q: Array) -> tuple[Array, Array]:
+        """Return velocities (n, k) and determinants (n, blocks) for rows of coordinates (n, m)."""
+        values = np.stack(np.broadcast_arrays(*self.rows(t, *q.T), t)[:-1], axis=-1).astype(float)
+        return values[:, : len(self.velocities)], values[:, len(self.velocities) :]
+
+
+def compile_rates(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[str] | None = None) -> Rates:
+    """Return the right-hand side for all columns, or only for what `wanted` columns need.
+
+    The coordinates integrated are those wanted and those their velocities depend on.
+    """
+    variant = equations.variant
+    every = (*variant.rates, *(name for name, _ in variant.unknowns))
+    coordinates, velocities = _closure(equations, reduction, wanted) if wanted else (None, every)
+    kept = tuple(c.name for c in variant.coordinates if coordinates is None or c.name in coordinates)
+    first = tuple(c.rate for c in variant.coordinates if c.name in kept)
+    listed = first + tuple(name for name in every if name in velocities and name not in first)
+    blocks = reduction.needed(listed)
+    statements = [statement for index in blocks for statement in _statements(reduction.blocks[index], index)]
+    statements += [Assign(symbol(f"_{name}"), symbol(name)) for name in listed]
+    body = program(statements, equations.symbols.definitions, variant.values, tables(equations))
+    arguments = ["t", *kept]
+    results = [*(f"_{name}" for name in listed), *(f"_det{index}" for index in blocks)]
+    return Rates(
+        kept, listed, blocks,
+        compile_function("rates", arguments, body, results),
+        compile_later("rates", arguments, body, results), body,
+    )  # fmt: skip
+
+
+def _statements(block: Block, index: int) -> list[Statement]:
+    determinant = symbol(f"_det{index}")
+    unknowns = tuple(symbol(name) for name in block.unknowns)
+    if block.size > 2:
+        entries = (*(entry for row in block.matrix for entry in row), *block.right_side)
+        return [Solve(unknowns, determinant, entries)]
+    quotients = [Assign(name, numerator / determinant) for name, numerator in zip(unknowns, block.numerators, strict=True)]
+    return [Assign(determinant, block.symbolic_determinant), *quotients]
+
+
+def _closure(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[str]) -> tuple[set[str], set[str]]:
+    """Return the coordinates to integrate and the velocities to compute so that `wanted` columns come out."""
+    variant = equations.variant
+    rate_of = {c.name: c.rate for c in variant.coordinates}
+    definitions = equations.symbols.definitions
+    coordinates = {name for name in wanted if name in rate_of}
+    coordinates |= {name for name, rate in rate_of.items() if rate in wanted}
+    velocities = {name for name in wanted if name not in rate_of}
+    while True:
+        velocities |= {rate_of[name] for name in coordinates}
+        blocks = reduction.needed(tuple(velocities))
+        entries = [
+            e for i in blocks for e in (*reduction.blocks[i].right_side, *(x for row in reduction.blocks[i].matrix for x in row))
+        ]
+        needed = _names(entries, definitions) & set(rate_of)
+        if needed <= coordinates:
+            return coordinates, velocities
+        coordinates |= needed
+
+
+def _names(entries: Sequence[sp.Expr], definitions: dict[sp.Symbol, sp.Expr]) -> set[str]:
+    names: set[str] = set()
+    todo = [s for entry in entries for s in entry.free_symbols]
+    while todo:
+        name = todo.pop()
+        if name.name not in names:
+            names.add(name.name)
+            if name in definitions:
+                todo.extend(definitions[name].free_symbols)
+    return names

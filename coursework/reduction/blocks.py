@@ -1,0 +1,129 @@
+"""A(q, t) u = b(q, t) -> blocks in order, each with its determinant and what that means.
+
+Enters: `VelocityEquations`.  Leaves: `Reduction`.  Blocks of one and two by Cramer's rule, larger ones numerically (LU).
+Never SymPy's solvers or simplifiers: they take minutes on a six-bar where this takes milliseconds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from coursework.errors import Fault, InputError, listing
+from coursework.formula.tree import Formula, number
+from coursework.reduction.equations import VelocityEquation, VelocityEquations
+from coursework.reduction.independent import choose
+from coursework.reduction.magnitude import largest
+from coursework.reduction.matching import blocks as block_order
+from coursework.reduction.matching import match
+from coursework.reduction.meaning import meaning
+from coursework.reduction.symbolic import symbol
+from coursework.reduction.tidy import as_formula
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """Unknown velocities solved together.
+
+    `matrix` (size, size) and `right_side` (size,) in SymPy, with the velocities of earlier blocks by name; `determinant`
+    as shown (None for three unknowns and more); `meaning` of a vanishing determinant; `largest` absolute value the
+    determinant can take (0 where no bound is known).
+    """
+
+    unknowns: tuple[str, ...]
+    equations: tuple[str, ...]
+    matrix: tuple[tuple[sp.Expr, ...], ...]
+    right_side: tuple[sp.Expr, ...]
+    determinant: Formula | None
+    meaning: str
+    largest: float = 0.0
+
+    @property
+    def size(self) -> int:
+        """Return the number of unknowns."""
+        return len(self.unknowns)
+
+    @property
+    def symbolic_determinant(self) -> sp.Expr:
+        """Return the determinant of a block of one or two."""
+        m = self.matrix
+        return m[0][0] if self.size == 1 else m[0][0] * m[1][1] - m[0][1] * m[1][0]
+
+    @property
+    def numerators(self) -> tuple[sp.Expr, ...]:
+        """Return determinant times unknown (Cramer) of a block of one or two."""
+        m, r = self.matrix, self.right_side
+        if self.size == 1:
+            return (r[0],)
+        return r[0] * m[1][1] - m[0][1] * r[1], m[0][0] * r[1] - r[0] * m[1][0]
+
+
+@dataclass(frozen=True, slots=True)
+class Reduction:
+    """`blocks` in the order of solution; `used` and `unused` names of equations; `notes` sentences about the latter."""
+
+    blocks: tuple[Block, ...]
+    used: tuple[str, ...]
+    unused: tuple[str, ...]
+    notes: tuple[str, ...]
+
+    def needed(self, wanted: Sequence[str]) -> tuple[int, ...]:
+        """Return the indices of the blocks that `wanted` velocities need, in order."""
+        names = set(wanted)
+        chosen = []
+        for index in range(len(self.blocks) - 1, -1, -1):
+            block = self.blocks[index]
+            if names & set(block.unknowns):
+                chosen.append(index)
+                entries = [*block.right_side, *(entry for row in block.matrix for entry in row)]
+                names |= {s.name for entry in entries for s in entry.free_symbols}
+        return tuple(sorted(chosen))
+
+
+def reduce(equations: VelocityEquations, start: Sequence[float]) -> Reduction:
+    """Return the reduction; `start` (coordinates at t = 0) decides only where equations are redundant.
+
+    Raises `InputError` for systems that do not determine the velocities.
+    """
+    choice = choose(equations, start)
+    used = [equations.equations[index] for index in choice.used]
+    names = equations.unknowns
+    rows = [frozenset(names.index(name) for name in equation.coefficients) for equation in used]
+    owner = match(rows, len(names))
+    found = []
+    for columns in block_order(rows, owner):
+        # Equations of a block in the author's order, unknowns in the order of the file.
+        members = [used[row] for row in sorted(owner[column] for column in columns)]
+        block = _block(members, [names[column] for column in columns], equations)
+        if block is None or block.size > 2:
+            choose(equations, start, numbers=True)
+        if block is None:
+            text = f"the determinant of equations {listing([e.name for e in members])} is zero in every position."
+            raise InputError([Fault(text, str(equations.variant.path or equations.variant.name))])
+        found.append(block)
+    unused = tuple(e.name for i, e in enumerate(equations.equations) if i not in choice.used)
+    return Reduction(tuple(found), tuple(equation.name for equation in used), unused, choice.notes)
+
+
+def _block(members: list[VelocityEquation], unknowns: list[str], equations: VelocityEquations) -> Block | None:
+    """Return the block of some equations, None where its determinant is zero in every position."""
+    matrix = tuple(tuple(equation.coefficients.get(name, sp.S.Zero) for name in unknowns) for equation in members)
+    right_side = tuple(_moved(equation, unknowns) for equation in members)
+    names = tuple(equation.name for equation in members)
+    if len(unknowns) > 2:
+        text = f"the determinant of the {len(unknowns)} equations {', '.join(names)} is zero"
+        return Block(tuple(unknowns), names, matrix, right_side, None, text)
+    bare = Block(tuple(unknowns), names, matrix, right_side, None, "")
+    determinant = as_formula(bare.symbolic_determinant, equations.order)
+    if determinant == number(0):
+        return None
+    about = meaning(determinant, equations.variant), largest(determinant, equations.variant)
+    return Block(tuple(unknowns), names, matrix, right_side, determinant, *about)
+
+
+def _moved(equation: VelocityEquation, unknowns: list[str]) -> sp.Expr:
+    """Return the right side with the terms of earlier velocities moved over."""
+    earlier = [slope * symbol(name) for name, slope in equation.coefficients.items() if name not in unknowns]
+    return sp.Add(equation.right_side, *[-term for term in earlier])

@@ -1,0 +1,190 @@
+"""Mechanism -> velocity equations A(q, t) u = b(q, t): as written, or differentiated from positions.
+
+Enters: a `Mechanism`.  Leaves: `VelocityEquations` (SymPy rows) and the position equations behind them.
+Raises `InputError` naming the term that is not linear in the unknown velocities.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from coursework.errors import Fault, InputError, listing
+from coursework.formula.tree import Formula, spelled
+from coursework.mechanism import Mechanism
+from coursework.reduction.symbolic import TIME, Symbols, placed, symbol
+from coursework.reduction.tidy import Order, as_sum
+from coursework.variant.record import Constraint, Variant
+
+Linear = tuple[dict[str, sp.Expr], sp.Expr]
+
+
+@dataclass(frozen=True, slots=True)
+class VelocityEquation:
+    """`sum coefficients[u] u = right_side`; `written` are both sides as the file has them, None if derived from positions."""
+
+    name: str
+    because: str
+    coefficients: dict[str, sp.Expr]
+    right_side: sp.Expr
+    written: tuple[Formula, Formula] | None = None
+    line: int = 0
+
+    def shown(self, order: Order) -> tuple[Formula, Formula]:
+        """Return both sides as a page shows them."""
+        left = sp.Add(*[slope * symbol(name) for name, slope in self.coefficients.items()])
+        return self.written or (as_sum(left, order), as_sum(self.right_side, order))
+
+
+@dataclass(frozen=True, slots=True)
+class Position:
+    """A position equation `expression = value kept`: `kept` is "zero", "start", or the drive it follows."""
+
+    name: str
+    expression: sp.Expr
+    kept: str
+
+
+@dataclass(frozen=True, slots=True)
+class VelocityEquations:
+    """All velocity equations of a mechanism, those of its [closure] beside them, and its symbols."""
+
+    variant: Variant
+    symbols: Symbols
+    order: Order
+    unknowns: tuple[str, ...]
+    equations: tuple[VelocityEquation, ...]
+    from_closure: tuple[VelocityEquation, ...]
+    positions: tuple[Position, ...]
+
+
+def differentiate(mechanism: Mechanism) -> VelocityEquations:
+    """Return the velocity equations of a mechanism.  Raises `InputError` for terms non-linear in the velocities."""
+    variant = mechanism.variant
+    symbols = Symbols(mechanism)
+    order = Order([f for c in mechanism.constraints for f in (c.left, c.right)], variant)
+    equations: list[VelocityEquation] = []
+    positions: list[Position] = []
+    faults: list[Fault] = []
+    for constraint in mechanism.constraints:
+        if not constraint.is_closure:
+            try:
+                with placed(variant, f"constraint {constraint.name}", constraint.line):
+                    equations.append(_written(constraint, variant, symbols))
+            except NonLinear as fault:
+                where = f"constraint {constraint.name}, column {fault.column}"
+                faults.append(Fault(fault.message, str(variant.path or variant.name), constraint.line, 0, where))
+            continue
+        with placed(variant, f"constraint {constraint.name}", constraint.line):
+            components = _components(constraint, symbols)
+        for position in components:
+            positions.append(position)
+            equations.append(_derived(position, constraint.because, variant, symbols, constraint.line))
+    if faults:
+        raise InputError(faults)
+    kept = _closure_positions(variant, symbols)
+    from_closure = tuple(_derived(position, _reason(position), variant, symbols) for position in kept)
+    if not equations:
+        equations = list(from_closure)
+        from_closure = ()
+    return VelocityEquations(variant, symbols, order, variant.sought, tuple(equations), from_closure, tuple(positions) + kept)
+
+
+def _components(constraint: Constraint, symbols: Symbols) -> list[Position]:
+    if not symbols.is_vector(constraint.left):
+        return [Position(constraint.name, symbols.scalar(constraint.left) - symbols.scalar(constraint.right), "zero")]
+    left, right = symbols.vector(constraint.left), symbols.vector(constraint.right)
+    return [Position(f"{constraint.name}{axis}", a - b, "zero") for axis, a, b in zip("xy", left, right, strict=True)]
+
+
+def _closure_positions(variant: Variant, symbols: Symbols) -> tuple[Position, ...]:
+    kept = []
+    if variant.driven:
+        point = symbols.vectors[variant.driven]
+        kept = [Position(f"{variant.driven}.{a}", e, f"V{variant.driven}{a}") for a, e in zip("xy", point, strict=True)]
+    for index, formula in enumerate(variant.holds, start=1):
+        plain = formula.op == "part" and formula.args[0].op == "name"
+        name = f"{formula.args[0].name}.{formula.name}" if plain else f"hold {index}"
+        with placed(variant, f"closure.holds.{index}", variant.line_of("closure", "holds", index - 1)):
+            kept.append(Position(name, symbols.scalar(formula), "start"))
+    return tuple(kept)
+
+
+def _reason(position: Position) -> str:
+    if position.kept == "start":
+        return f"{position.name} keeps its value"
+    return f"{position.name} follows the drive {position.kept}"
+
+
+def _derived(position: Position, because: str, variant: Variant, symbols: Symbols, line: int = 0) -> VelocityEquation:
+    sought = set(variant.sought)
+    coefficients = {}
+    rest = symbols.partial(position.expression, TIME)
+    for coordinate, rate in symbols.rates.items():
+        slope = symbols.partial(position.expression, coordinate)
+        if slope == 0:
+            continue
+        if rate.name in sought:
+            coefficients[rate.name] = slope
+        else:
+            rest += slope * rate
+    drive = sp.S.Zero if position.kept in {"zero", "start"} else symbol(position.kept)
+    return VelocityEquation(position.name, because, coefficients, drive - rest, line=line)
+
+
+def _written(constraint: Constraint, variant: Variant, symbols: Symbols) -> VelocityEquation:
+    unknown = set(variant.sought)
+    left, left_rest = _linear(constraint.left, unknown, symbols)
+    right, right_rest = _linear(constraint.right, unknown, symbols)
+    coefficients = {}
+    for name in variant.sought:
+        slope = left.get(name, sp.S.Zero) - right.get(name, sp.S.Zero)
+        if slope != 0:
+            coefficients[name] = slope
+    written = constraint.left, constraint.right
+    return VelocityEquation(constraint.name, constraint.because, coefficients, right_rest - left_rest, written, constraint.line)
+
+
+_WHERE = {"*": "a product of velocities", "/": "a denominator", "^": "a power", "call": "a function"}
+
+
+class NonLinear(ValueError):
+    """A velocity equation is not linear in the unknown velocities."""
+
+    def __init__(self, tree: Formula, names: set[str]) -> None:
+        self.column = tree.column
+        stand = "stands" if len(names) == 1 else "stand"
+        self.message = (
+            f"the equation is not linear in the unknown velocities: {listing(sorted(names))} {stand} in {_WHERE[tree.op]}, "
+            f'"{spelled(tree)[:60]}". A condition on a speed\'s magnitude is written for its direction instead: '
+            "choose the sign and give the velocity itself."
+        )
+        super().__init__(self.message)
+
+
+def _linear(tree: Formula, unknown: set[str], symbols: Symbols) -> Linear:
+    """Return ({velocity: coefficient}, rest) of a scalar formula."""
+    inside = unknown & set(tree.names())
+    if not inside:
+        return {}, symbols.scalar(tree)
+    if tree.op == "name":
+        return {tree.name: sp.S.One}, sp.S.Zero
+    if tree.op == "neg":
+        part, rest = _linear(tree.args[0], unknown, symbols)
+        return {name: -slope for name, slope in part.items()}, -rest
+    if tree.op in {"+", "-"}:
+        sign = 1 if tree.op == "+" else -1
+        (first, a), (second, b) = (_linear(arg, unknown, symbols) for arg in tree.args)
+        both = {name: first.get(name, sp.S.Zero) + sign * second.get(name, sp.S.Zero) for name in {**first, **second}}
+        return both, a + sign * b
+    if tree.op in {"*", "/"}:
+        carrier, factor = tree.args
+        if tree.op == "*" and not unknown & set(carrier.names()):
+            carrier, factor = factor, carrier
+        if unknown & set(factor.names()):
+            raise NonLinear(tree, inside)
+        part, rest = _linear(carrier, unknown, symbols)
+        scale = symbols.scalar(factor) if tree.op == "*" else 1 / symbols.scalar(factor)
+        return {name: slope * scale for name, slope in part.items()}, rest * scale
+    raise NonLinear(tree, inside)

@@ -1,0 +1,161 @@
+"""Which equations determine the unknown velocities; redundant, contradictory, missing ones said by name.
+
+Enters: velocity equations and the start.  Leaves: the indices to use and sentences.  Raises `InputError`.
+Source: Dulmage, Mendelsohn 1958 (structure); rank by orthogonalisation in the author's order (numbers).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.errors import Fault, InputError, listing
+from coursework.reduction.equations import VelocityEquations
+from coursework.reduction.matching import match, over_and_under
+from coursework.reduction.system import LinearSystem, compile_system
+
+Array = NDArray[np.float64]
+# A row counts as dependent where what is left of it after projection is below this part of its length: 1e-9 lies far above
+# round-off (1e-16 times the condition of a benign scene) and far below any angle a task sheet can mean.
+DEPENDENT = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """`used` indices of equations, `notes` sentences about those left out."""
+
+    used: tuple[int, ...]
+    notes: tuple[str, ...]
+
+
+def choose(equations: VelocityEquations, start: Sequence[float], *, numbers: bool = False) -> Choice:
+    """Return a maximal independent set of equations in the author's order.
+
+    `start`: coordinates at t = 0 (rad, m).  `numbers`: judge by numbers also where each velocity has an equation of its own,
+    which says nothing against two equations that are multiples of each other.  Raises `InputError` where velocities stay
+    undetermined or two equations contradict each other.
+    """
+    listed = equations.equations
+    rows = [frozenset(equations.unknowns.index(name) for name in equation.coefficients) for equation in listed]
+    owner = match(rows, len(equations.unknowns))
+    if len(listed) == len(equations.unknowns) and -1 not in owner and not numbers:
+        return Choice(tuple(range(len(listed))), ())
+    system = compile_system(equations, listed)
+    matrix, right, _ = system.matrix(0.0, start)
+    generic = _generic(system, start)
+    base = matrix if len(_kept(matrix)) == len(_kept(generic)) else generic
+    kept = _kept(base)
+    names = [equation.name for equation in listed]
+    sames, conflicts = _judge_dropped(matrix, right, kept, names)
+    if conflicts or len(kept) < len(equations.unknowns):
+        raise InputError([_fault(equations, base, kept, sames, conflicts, rows, owner)])
+    notes = tuple(f"Equation {_same(names)}; it is not needed and only checked." for names in sames)
+    return Choice(tuple(kept), notes)
+
+
+def _generic(system: LinearSystem, start: Sequence[float]) -> Array:
+    # Any fixed irrational shifts do: they leave the special positions in which a mechanism may start.
+    shifted = [value + 0.1 * ((0.618 * (i + 1)) % 1.0) + 0.05 for i, value in enumerate(start)]
+    return system.matrix(0.0137, shifted)[0]
+
+
+def _kept(matrix: Array) -> list[int]:
+    """Return the rows that are independent of the kept rows before them (modified Gram-Schmidt)."""
+    basis: list[Array] = []
+    kept = []
+    scale = np.max(np.abs(matrix), axis=0, initial=0.0)
+    scaled = matrix / np.where(scale > 0, scale, 1.0)
+    for index, row in enumerate(scaled):
+        length = float(np.linalg.norm(row))
+        rest = row.copy()
+        for direction in basis * 2:
+            rest = rest - (rest @ direction) * direction
+        if length > 0 and np.linalg.norm(rest) > DEPENDENT * length:
+            basis.append(rest / np.linalg.norm(rest))
+            kept.append(index)
+    return kept
+
+
+def _judge_dropped(
+    matrix: Array, right: Array, kept: list[int], names: list[str]
+) -> tuple[list[tuple[str, list[str]]], list[tuple[str, list[str], float]]]:
+    """Return (name, names it repeats) and (name, names it contradicts, by how much) of the rows left out."""
+    sames: list[tuple[str, list[str]]] = []
+    conflicts: list[tuple[str, list[str], float]] = []
+    for index in range(len(names)):
+        if index in kept:
+            continue
+        weights = np.linalg.lstsq(matrix[kept].T, matrix[index], rcond=None)[0]
+        involved = [names[k] for k, weight in zip(kept, weights, strict=True) if abs(weight) > DEPENDENT]
+        gap = float(right[index] - weights @ right[kept])
+        scale = abs(right[index]) + float(np.abs(weights) @ np.abs(right[kept]))
+        if abs(gap) > DEPENDENT * max(scale, 1e-300) and abs(gap) > 1e-12:
+            conflicts.append((names[index], involved, gap))
+        else:
+            sames.append((names[index], involved))
+    return sames, conflicts
+
+
+def _same(pair: tuple[str, list[str]]) -> str:
+    name, others = pair
+    if not others:
+        return f"{name} says nothing about the unknown velocities"
+    return f"{name} says the same as {listing(others)}" + (" together" if len(others) > 1 else "")
+
+
+def _fault(
+    equations: VelocityEquations, matrix: Array, kept: list[int], sames: list[tuple[str, list[str]]],
+    conflicts: list[tuple[str, list[str], float]], rows: list[frozenset[int]], owner: list[int],
+) -> Fault:  # fmt: skip
+    unknowns = equations.unknowns
+    sentences = [
+        f"{len(unknowns)} unknown velocities ({', '.join(unknowns)}) and {len(kept)} independent "
+        f"equation{'s' if len(kept) != 1 else ''} of {len(rows)}."
+    ]
+    for name, others, gap in conflicts:
+        wanted = f"equation {listing(others)}" if len(others) == 1 else f"equations {listing(others)} together"
+        said = wanted if others else "0 = 0"
+        sentences.append(f"Equation {name} contradicts {said}: the right sides differ by {abs(gap):.3g} at t = 0.")
+    sentences += ["Correct one of them or leave it out."] if conflicts else []
+    sentences += [f"Equation {_same(pair)}." for pair in sames]
+    if len(kept) < len(unknowns):
+        sentences.append(f"Missing: something for {listing(_undetermined(matrix, kept, unknowns))}.")
+        sentences.append(_structure(equations, rows, owner))
+        drives, ways = len(equations.variant.drive), len(unknowns) - len(kept)
+        prescribed = f"its {drives} drives prescribe" if drives != 1 else "its drive prescribes"
+        sentences.append(
+            f"The mechanism moves in {ways} more way{'s' if ways > 1 else ''} than {prescribed}; add a constraint or a drive."
+        )
+    file = str(equations.variant.path or equations.variant.name)
+    lines = {equation.name: equation.line for equation in equations.equations}
+    line = lines[conflicts[0][0]] if len(conflicts) == 1 else 0
+    return Fault(" ".join(part for part in sentences if part), file, line)
+
+
+def _undetermined(matrix: Array, kept: list[int], unknowns: tuple[str, ...]) -> list[str]:
+    if not kept:
+        return list(unknowns)
+    _, sizes, directions = np.linalg.svd(matrix[kept])
+    free = directions[int(np.sum(sizes > DEPENDENT * sizes[0])) :]
+    return [name for column, name in enumerate(unknowns) if np.max(np.abs(free[:, column]), initial=0.0) > DEPENDENT]
+
+
+def _structure(equations: VelocityEquations, rows: list[frozenset[int]], owner: list[int]) -> str:
+    """Say which equations crowd on few unknowns and which unknowns share too few equations."""
+    over, under = over_and_under(rows, owner)
+    names = [equation.name for equation in equations.equations]
+    sentence = ""
+    if over[0] and len(over[0]) > len(over[1]):
+        involved = listing([equations.unknowns[c] for c in over[1]])
+        several = len(over[0]) > 1
+        told = f"contain{'' if several else 's'} {f'only {involved}' if involved else 'no unknown velocity'}"
+        sentence = f"Equation{'s' if several else ''} {listing([names[r] for r in over[0]])} {told}"
+    if under[1]:
+        involved = listing([equations.unknowns[c] for c in under[1]])
+        plural = "s" if len(under[0]) > 1 else ""
+        where = f"only in equation{plural} {listing([names[r] for r in under[0]])}" if under[0] else "in no equation"
+        sentence += ("; " if sentence else "") + f"{involved} stand{'s' if len(under[1]) == 1 else ''} {where}"
+    return sentence + "." if sentence else ""

@@ -1,0 +1,42 @@
+"""The largest value a determinant can take, so that it is judged without units.
+
+Enters: the determinant as shown, and the data.  Leaves: a positive number.  Used by `blocks.py`.
+With it sin(φ1 - φ2), not r1 r2 sin(φ1 - φ2), decides: metres or millimetres give the same verdict.
+"""
+
+from __future__ import annotations
+
+import math
+
+from coursework.formula.tree import Formula
+from coursework.variant.record import Variant
+
+
+def largest(determinant: Formula, variant: Variant) -> float:
+    """Return the bound: trigonometric functions as 1, differences as sums; 0 where no bound is seen."""
+    lengths = [given.value for given in variant.given if given.si == "m"]
+    typical = max(map(abs, lengths), default=1.0)
+    values = {name: abs(value) for name, value in variant.values.items()} | {"pi": math.pi}
+    for coordinate in variant.coordinates:
+        if coordinate.unit == "m":
+            values[coordinate.name] = max(abs(coordinate.start or 0.0), typical)
+    return _bound(determinant, values)
+
+
+def _bound(tree: Formula, values: dict[str, float]) -> float:
+    if tree.op == "call":
+        return 1.0 if tree.name in {"sin", "cos"} else 0.0
+    if tree.op == "number":
+        return abs(float(tree.name))
+    if tree.op == "name":
+        return values.get(tree.name, 0.0)
+    parts = [_bound(arg, values) for arg in tree.args]
+    if tree.op in {"+", "-"}:
+        return parts[0] + parts[1]
+    if tree.op == "*":
+        return parts[0] * parts[1]
+    if tree.op == "/":
+        return parts[0] / parts[1] if parts[1] and tree.args[1].op in {"number", "name"} else 0.0
+    if tree.op == "^":
+        return float(parts[0] ** float(tree.args[1].name)) if tree.args[1].op == "number" else 0.0
+    return parts[0]

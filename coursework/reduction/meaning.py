@@ -1,0 +1,80 @@
+"""What a vanishing determinant means for the mechanism, in a sentence.
+
+Enters: the determinant as shown.  Leaves: words.  Used by `blocks.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import reduce
+
+from coursework.formula.tree import Formula, FormulaFault, evaluate, spelled
+from coursework.variant.record import Variant
+
+# At a singular position a factor this small beside the largest one is the factor that vanishes.
+_SMALL = 1e-3
+
+
+def meaning(determinant: Formula, variant: Variant, at: Mapping[str, float] | None = None) -> str:
+    """Return when the determinant is zero and what then holds, such as "links 1 and 2 lie on one line".
+
+    With the coordinates of a singular position `at`: only what holds there.
+    """
+    found = [sentence for factor in _vanishing(determinant, variant, at) if (sentence := _factor(factor, variant))]
+    return "; or ".join(found) if found else "it is never zero"
+
+
+def vanishing(determinant: Formula, variant: Variant, at: Mapping[str, float] | None = None) -> Formula:
+    """Return the determinant without sign and constant lengths: the part that can be zero (that is zero `at` a position)."""
+    factors = _vanishing(determinant, variant, at)
+    return reduce(lambda a, b: Formula("*", (a, b)), factors) if factors else determinant
+
+
+def _vanishing(determinant: Formula, variant: Variant, at: Mapping[str, float] | None) -> list[Formula]:
+    lengths = {g.name for g in variant.given}
+    factors = [factor for factor in _factors(determinant) if not set(factor.names()) <= lengths]
+    if at is None or len(factors) < 2:
+        return factors
+    try:
+        sizes = [abs(evaluate(factor, {**variant.values, **at})) for factor in factors]
+    except (FormulaFault, KeyError):  # a factor that depends on the drive
+        return factors
+    return [factor for factor, size in zip(factors, sizes, strict=True) if size <= _SMALL * max(sizes)] or factors
+
+
+def _factors(tree: Formula) -> list[Formula]:
+    if tree.op == "neg":
+        return _factors(tree.args[0])
+    if tree.op == "*":
+        return _factors(tree.args[0]) + _factors(tree.args[1])
+    if tree.op == "/":
+        return _factors(tree.args[0])
+    return [tree]
+
+
+def _factor(tree: Formula, variant: Variant) -> str:
+    units = {c.name: c.unit for c in variant.coordinates}
+    if tree.op == "name" and units.get(tree.name) == "m":
+        return f"the distance {tree.name} is zero: the slider stands on the pivot of its guide"
+    angles = [name for name in tree.names() if units.get(name) == "rad"]
+    if tree.op == "call" and tree.name == "sin" and len(angles) == 2 and tree.args[0].op == "-":
+        first, second = (_link(name, variant) for name in angles)
+        return f"{first} and {second} lie on one line (stretched or folded)"
+    if tree.op == "call" and tree.name in {"sin", "cos"} and len(angles) == 1 and tree.args[0].op == "name":
+        direction = "vertical" if tree.name == "cos" else "horizontal"
+        return f"{_link(angles[0], variant)} is {direction}"
+    if tree.op == "call" and tree.name == "cos" and len(angles) in {1, 2}:
+        return f"{' and '.join(_link(name, variant) for name in angles)} stand(s) at a right angle to the guide"
+    if tree.op in {"+", "-"}:
+        return f"the lever arms of {_listed(angles, variant)} cancel"
+    return f"{spelled(tree)} is zero" if tree.names() else ""
+
+
+def _link(angle: str, variant: Variant) -> str:
+    rate = next((c.rate for c in variant.coordinates if c.name == angle), "")
+    names = [link.name for link in variant.links if link.rate == rate]
+    return f"link {names[0]}" if names else f"the link at angle {angle}"
+
+
+def _listed(angles: list[str], variant: Variant) -> str:
+    return ", ".join(_link(angle, variant) for angle in angles) or "the links"

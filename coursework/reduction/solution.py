@@ -1,0 +1,53 @@
+"""Blocks -> the velocities as a textbook writes them: ω3 = V_My / (r (2 cos φ3 + sin φ3)).
+
+Enters: `VelocityEquations` and their `Reduction`.  Leaves: formulas for a page.  Nothing numeric reads them.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from coursework.formula.tree import Formula, number
+from coursework.reduction.blocks import Reduction
+from coursework.reduction.equations import VelocityEquations
+from coursework.reduction.symbolic import expanded, symbol
+from coursework.reduction.tidy import product, quotient
+
+Solution = tuple[tuple[str, Formula], ...]
+
+
+def solutions(equations: VelocityEquations, reduction: Reduction) -> tuple[Solution, ...]:
+    """Return (velocity, its formula) for every block, nothing for blocks of three and more, which are solved numerically.
+
+    Earlier velocities stay names, or are put in where the formula becomes shorter so.
+    """
+    order = equations.order
+    before: dict[sp.Symbol, sp.Expr] = {}
+    found: list[Solution] = []
+    for block in reduction.blocks:
+        if block.size > 2:
+            found.append(())
+            continue
+        determinant = block.symbolic_determinant
+        bottom = product(determinant, order)
+        shown = []
+        for name, numerator in zip(block.unknowns, block.numerators, strict=True):
+            plain = quotient(numerator, bottom, order)
+            if before and before.keys() & numerator.free_symbols:
+                other = quotient(numerator.xreplace(before), bottom, order)
+                plain = other if _size(other) < _size(plain) else plain
+            shown.append((name, plain))
+            if block.size == 1 and not _divisor(plain).names():
+                before[symbol(name)] = expanded(numerator / determinant)
+        found.append(tuple(shown))
+    return tuple(found)
+
+
+def _divisor(tree: Formula) -> Formula:
+    """Return what a shown solution is divided by."""
+    inner = tree.args[0] if tree.op == "neg" else tree
+    return inner.args[1] if inner.op == "/" else number(1)
+
+
+def _size(tree: Formula) -> int:
+    return sum(1 for _ in tree.walk())

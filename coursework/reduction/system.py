@@ -1,0 +1,85 @@
+"""Velocity equations -> the numbers of A(q, t) u = b(q, t) at any time and position.
+
+Enters: `VelocityEquations`.  Leaves: `LinearSystem`: A (m, n) and b (m,) as arrays.
+Used where the equations themselves are judged: independence, residuals, dead points, closure of positions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from numpy.typing import NDArray
+
+from coursework.lower.programs import Assign, compile_function, compile_later, program
+from coursework.lower.tabulated import TableLaw
+from coursework.reduction.equations import VelocityEquation, VelocityEquations
+from coursework.reduction.symbolic import symbol
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class LinearSystem:
+    """`matrix(t, q)` -> (A (m, n), b (m,), known rates (k,)); with arrays (r,) of rows: (r, m, n), (r, m), (r, k)."""
+
+    names: tuple[str, ...]
+    unknowns: tuple[str, ...]
+    known: tuple[str, ...]
+    places: tuple[tuple[int, int], ...]
+    scalar: Callable[..., Any]
+    rows: Callable[..., Any]
+
+    def matrix(self, t: float, q: Sequence[float]) -> tuple[Array, Array, Array]:
+        """Return A, b and the driven rates at one time (s) and position."""
+        return self._fill(np.array(self.scalar(t, *q), dtype=float))
+
+    def matrices(self, t: Array, q: Array) -> tuple[Array, Array, Array]:
+        """Return A (r, m, n), b (r, m) and the driven rates (r, k) for r rows at once."""
+        values = np.stack(np.broadcast_arrays(*self.rows(t, *q.T), t)[:-1], axis=-1)
+        return self._fill(np.asarray(values, dtype=float))
+
+    def _fill(self, values: Array) -> tuple[Array, Array, Array]:
+        m, n, count = len(self.names), len(self.unknowns), len(self.places)
+        matrix = np.zeros((*values.shape[:-1], m, n))
+        for position, (row, column) in enumerate(self.places):
+            matrix[..., row, column] = values[..., position]
+        return matrix, values[..., count : count + m], values[..., count + m :]
+
+
+def tables(equations: VelocityEquations) -> dict[str, TableLaw]:
+    """Return the tabulated laws of a variant."""
+    laws = (*equations.variant.drive, *equations.variant.functions)
+    return {law.name: TableLaw(law.name, law.table, law.method) for law in laws if law.table}
+
+
+def compile_system(equations: VelocityEquations, rows: Sequence[VelocityEquation]) -> LinearSystem:
+    """Return the linear system of some velocity equations."""
+    variant = equations.variant
+    wanted: list[sp.Expr] = []
+    places = []
+    for index, equation in enumerate(rows):
+        for name, coefficient in equation.coefficients.items():
+            places.append((index, equations.unknowns.index(name)))
+            wanted.append(coefficient)
+    wanted += [equation.right_side for equation in rows] + [symbol(rate) for rate in variant.known_rates]
+    functions = compile_values(equations, wanted)
+    return LinearSystem(
+        tuple(equation.name for equation in rows), equations.unknowns, variant.known_rates, tuple(places), *functions
+    )
+
+
+def compile_values(equations: VelocityEquations, wanted: Sequence[sp.Expr]) -> tuple[Callable[..., Any], Callable[..., Any]]:
+    """Return (scalar, rows) functions of (t, *coordinates) that give the values of `wanted`."""
+    variant = equations.variant
+    results = [f"_out{place}" for place in range(len(wanted))]
+    statements = [Assign(symbol(result), value) for result, value in zip(results, wanted, strict=True)]
+    body = program(statements, equations.symbols.definitions, variant.values, tables(equations))
+    arguments = ["t", *(c.name for c in variant.coordinates)]
+    return (
+        compile_function("values", arguments, body, results),
+        compile_later("values", arguments, body, results),
+    )

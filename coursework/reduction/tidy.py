@@ -1,0 +1,278 @@
+"""SymPy expression -> formula in the author's order and the textbook's compact form.
+
+Enters: expressions of a small block.  Leaves: `Formula` for a page.  Nothing numeric reads it.
+A rewrite of our own: common factors out, cos a cos b + sin a sin b -> cos(a - b) and its three sisters.
+SymPy's own simplifiers take seconds where this takes a millisecond, and shuffle the author's terms.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import reduce
+from math import gcd
+
+import sympy as sp
+
+from coursework.formula.tree import Formula, number
+from coursework.reduction.symbolic import expanded
+from coursework.variant.record import Variant
+
+# Beyond this many operations a formula is shown as it is: nobody reads it, and expanding it costs.
+MAX_OPERATIONS = 400
+Atoms = dict[sp.Expr, int]
+Term = tuple[Fraction, tuple[tuple[sp.Expr, int], ...]]
+
+
+class Order:
+    """The author's order: names and functions as they first appear in the equations."""
+
+    def __init__(self, formulas: list[Formula], variant: Variant) -> None:
+        names = [name for formula in formulas for name in formula.names()]
+        names += [g.name for g in variant.given] + [law.name for law in (*variant.drive, *variant.functions)]
+        names += [*variant.sought, *(c.name for c in variant.coordinates), *variant.rates]
+        self._names = {name: place for place, name in enumerate(dict.fromkeys(names))}
+        calls = [node.name for formula in formulas for node in formula.walk() if node.op == "call"]
+        self._calls = {name: place for place, name in enumerate(dict.fromkeys([*calls, "cos", "sin"]))}
+
+    def rank(self, atom: sp.Expr) -> tuple[int, ...]:
+        """Return the place of a symbol, function or power: names before functions."""
+        if isinstance(atom, sp.Symbol):
+            return (0, self._names.get(atom.name, len(self._names)))
+        if isinstance(atom, sp.Pow):
+            return self.rank(atom.base)
+        inner = tuple(sorted(self._names.get(s.name, len(self._names)) for s in atom.free_symbols))
+        return (1, self._calls.get(_call_name(atom), 99), *inner)
+
+    def term(self, term: Term) -> tuple[tuple[int, ...], ...]:
+        """Return the place of a term in a sum."""
+        return tuple(sorted(self.rank(atom) for atom, _ in term[1]))
+
+
+def _call_name(atom: sp.Expr) -> str:
+    return {"Abs": "abs"}.get(type(atom).__name__, type(atom).__name__)
+
+
+@dataclass(frozen=True, slots=True)
+class Product:
+    """factor * product of atoms * sum of terms (empty for 1), tidied."""
+
+    factor: Fraction
+    atoms: tuple[tuple[sp.Expr, int], ...]
+    terms: tuple[Term, ...]
+
+
+def product(expr: sp.Expr, order: Order) -> Product:
+    """Return an expression as one product; a sum that cannot be taken apart becomes its terms."""
+    if expr == 0:
+        return Product(Fraction(0), (), ())
+    if expr.count_ops() > MAX_OPERATIONS:
+        return Product(Fraction(1), ((expr, 1),), ())
+    terms = _pair_angles([_term(part) for part in sp.Add.make_args(expanded(expr))], order)
+    if not terms:
+        return Product(Fraction(0), (), ())
+    common = _common(terms)
+    terms = [(factor, _divide(atoms, common)) for factor, atoms in terms]
+    terms.sort(key=order.term)
+    content = reduce(
+        lambda a, b: Fraction(gcd(a.numerator, b.numerator), _lcm(a.denominator, b.denominator)), [abs(f) for f, _ in terms]
+    )
+    if terms[0][0] < 0:
+        content = -content
+    terms = [(factor / content, atoms) for factor, atoms in terms]
+    return Product(content, tuple(common.items()), () if len(terms) == 1 else tuple(terms))
+
+
+def quotient(above: sp.Expr, bottom: Product, order: Order) -> Formula:
+    """Return above / bottom with common factors cancelled."""
+    top = product(above, order)
+    atoms = dict(top.atoms)
+    for atom, power in bottom.atoms:
+        atoms[atom] = atoms.get(atom, 0) - power
+    up, down = top.terms, bottom.terms
+    if up == down:
+        up = down = ()
+    return _fraction(top.factor / bottom.factor, atoms, up, down, order)
+
+
+def as_formula(expr: sp.Expr, order: Order) -> Formula:
+    """Return an expression as a formula, tidied."""
+    if expr.count_ops() > MAX_OPERATIONS:
+        return _plain(expr, order)
+    # Bringing to one denominator costs more than all the rest; most expressions have none.
+    divided = any(power.exp.is_negative for power in expr.atoms(sp.Pow))
+    above, below = sp.fraction(sp.together(expr)) if divided else (expr, sp.S.One)
+    return quotient(above, product(below, order), order)
+
+
+def as_sum(expr: sp.Expr, order: Order) -> Formula:
+    """Return an expression as the plain sum of its terms, as a velocity equation is written."""
+    if expr.count_ops() > MAX_OPERATIONS:
+        return _plain(expr, order)
+    return _sum(tuple(sorted(map(_term, sp.Add.make_args(sp.expand(expr))), key=order.term)), order)
+
+
+def _lcm(a: int, b: int) -> int:
+    return a * b // gcd(a, b)
+
+
+def _term(expr: sp.Expr) -> Term:
+    coefficient, rest = expr.as_coeff_Mul()
+    atoms: Atoms = {}
+    factor = Fraction(1)
+    if coefficient.is_Rational:
+        factor = Fraction(int(coefficient.p), int(coefficient.q))
+    else:
+        atoms[coefficient] = 1
+    for part in sp.Mul.make_args(rest):
+        base, power = part.as_base_exp()
+        if not power.is_Integer:
+            base, power = part, 1
+        if base != 1:
+            atoms[base] = atoms.get(base, 0) + int(power)
+    return factor, tuple(atoms.items())
+
+
+def _common(terms: list[Term]) -> Atoms:
+    first = dict(terms[0][1])
+    for _, atoms in terms[1:]:
+        other = dict(atoms)
+        first = {atom: min(power, other[atom]) for atom, power in first.items() if atom in other}
+    return {atom: power for atom, power in first.items() if power}
+
+
+def _divide(atoms: tuple[tuple[sp.Expr, int], ...], common: Atoms) -> tuple[tuple[sp.Expr, int], ...]:
+    left = {atom: power - common.get(atom, 0) for atom, power in atoms}
+    return tuple((atom, power) for atom, power in left.items() if power)
+
+
+def _pair_angles(terms: list[Term], order: Order) -> list[Term]:
+    """Join pairs of terms by the addition theorems until none is left."""
+    merged = True
+    while merged:
+        merged = False
+        for i, first in enumerate(terms):
+            for j in range(i + 1, len(terms)):
+                joined = _join(first, terms[j], order)
+                if joined is not None:
+                    terms = [term for k, term in enumerate(terms) if k not in {i, j}] + ([joined] if joined[0] else [])
+                    merged = True
+                    break
+            if merged:
+                break
+    return terms
+
+
+def _join(first: Term, second: Term, order: Order) -> Term | None:
+    if abs(first[0]) != abs(second[0]):
+        return None
+    a, b = dict(first[1]), dict(second[1])
+    only_a = {atom: p - b.get(atom, 0) for atom, p in a.items() if p > b.get(atom, 0)}
+    only_b = {atom: p - a.get(atom, 0) for atom, p in b.items() if p > a.get(atom, 0)}
+    shared = {atom: min(p, b[atom]) for atom, p in a.items() if atom in b}
+    trig_a, trig_b = _two_angles(only_a), _two_angles(only_b)
+    if trig_a is None or trig_b is None:
+        return None
+    found = _addition(trig_a, trig_b, first[0], second[0], order)
+    if found is None:
+        return None
+    factor, merged = found
+    coefficient, rest = merged.as_coeff_Mul()
+    atoms = dict(shared)
+    if rest != 1:
+        atoms[rest] = atoms.get(rest, 0) + 1
+    return factor * Fraction(int(coefficient.p), int(coefficient.q)), tuple(atoms.items())
+
+
+def _two_angles(atoms: Atoms) -> list[tuple[str, sp.Expr]] | None:
+    """Return [(sin|cos, angle), (sin|cos, angle)] of a product of exactly two such functions."""
+    found = [
+        (type(atom).__name__, atom.args[0])
+        for atom, power in atoms.items()
+        for _ in range(power)
+        if isinstance(atom, (sp.sin, sp.cos))
+    ]
+    return found if len(found) == 2 and sum(atoms.values()) == 2 else None
+
+
+def _addition(
+    a: list[tuple[str, sp.Expr]], b: list[tuple[str, sp.Expr]], p: Fraction, q: Fraction, order: Order
+) -> tuple[Fraction, sp.Expr] | None:
+    angles = sorted({angle for _, angle in a}, key=lambda x: order.rank(sp.cos(x)))
+    if {angle for _, angle in b} != set(angles):
+        return None
+    x, y = angles if len(angles) == 2 else (angles[0], angles[0])
+    kinds = {"".join(sorted(kind for kind, _ in part)) for part in (a, b)}
+    if kinds == {"coscos", "sinsin"}:
+        cosines = p if a[0][0] == a[1][0] == "cos" else q
+        return cosines, sp.cos(x - y) if p == q else sp.cos(x + y)
+    if kinds == {"cossin"} and x != y:
+        leading = p if ("sin", x) in a else q
+        return leading, sp.sin(x + y) if p == q else sp.sin(x - y)
+    return None
+
+
+def _fraction(factor: Fraction, atoms: Atoms, up: tuple[Term, ...], down: tuple[Term, ...], order: Order) -> Formula:
+    if factor == 0:
+        return number(0)
+    above = {atom: power for atom, power in atoms.items() if power > 0}
+    below = {atom: -power for atom, power in atoms.items() if power < 0}
+    top = _factors(abs(factor.numerator), above, up, order)
+    bottom = _factors(factor.denominator, below, down, order)
+    tree = Formula("/", (top, bottom)) if bottom != number(1) else top
+    return Formula("neg", (tree,)) if factor < 0 else tree
+
+
+def _factors(numeral: int, atoms: Atoms, terms: tuple[Term, ...], order: Order) -> Formula:
+    parts = [] if numeral == 1 else [number(numeral)]
+    for atom, power in sorted(atoms.items(), key=lambda item: order.rank(item[0])):
+        base = _plain(atom, order)
+        parts.append(base if power == 1 else Formula("^", (base, number(power))))
+    if terms:
+        parts.append(_sum(terms, order))
+    return reduce(lambda a, b: Formula("*", (a, b)), parts) if parts else number(1)
+
+
+def _sum(terms: tuple[Term, ...], order: Order) -> Formula:
+    total: Formula | None = None
+    for factor, atoms in terms:
+        part = _fraction(abs(factor), dict(atoms), (), (), order)
+        if total is None:
+            total = Formula("neg", (part,)) if factor < 0 else part
+        else:
+            total = Formula("-" if factor < 0 else "+", (total, part))
+    return total or number(0)
+
+
+def _plain(expr: sp.Expr, order: Order) -> Formula:
+    """Return one atom as a formula without rewriting inside."""
+    if isinstance(expr, sp.Symbol):
+        return Formula("name", name=expr.name)
+    if expr == sp.pi:
+        return Formula("name", name="pi")
+    if expr.is_Rational:
+        return number(Fraction(int(expr.p), int(expr.q)))
+    if expr.is_Number:
+        return Formula("number", name=repr(float(expr)))
+    if isinstance(expr, sp.Pow):
+        base = _plain(expr.base, order)
+        if expr.exp == sp.Rational(1, 2):
+            return Formula("call", (base,), "sqrt")
+        return Formula("^", (base, _plain(expr.exp, order)))
+    if isinstance(expr, (sp.Add, sp.Mul)):
+        parts = sorted(expr.args, key=lambda part: (not part.is_Number) * 1 if expr.is_Mul else 0)
+        return reduce(lambda a, b: _joined(a, b, expr.is_Mul), [_plain(part, order) for part in parts])
+    arguments = tuple(_argument(arg, order) for arg in expr.args)
+    return Formula("call", arguments, _call_name(expr))
+
+
+def _argument(expr: sp.Expr, order: Order) -> Formula:
+    """Return what stands inside a function: a positive term first, so that φ1 - φ2 is not written -φ2 + φ1."""
+    terms = sorted(map(_term, sp.Add.make_args(expr)), key=lambda term: (term[0] < 0, order.term(term)))
+    return _sum(tuple(terms), order)
+
+
+def _joined(a: Formula, b: Formula, is_product: bool) -> Formula:
+    if is_product:
+        return Formula("neg", (b,)) if a == Formula("neg", (number(1),)) else Formula("*", (a, b))
+    return Formula("-", (a, b.args[0])) if b.op == "neg" else Formula("+", (a, b))
