@@ -83,20 +83,34 @@ def _timed(variant: Variant, step: float | None, end: float | None) -> Variant:
 
 
 def _sorted(variant: Variant, quantities: Iterable[str] | None) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Split what is asked for into quantities and columns of the table."""
+    """Split what is asked for into quantities and columns of the table.  Raises `InputError` for what cannot be had."""
+    if isinstance(quantities, str):
+        quantities = (quantities,)
     listed = tuple(quantities) if quantities is not None else variant.ask or DEFAULT
     columns = tuple(name for name in listed if name in variant.columns)
     asked = tuple(name for name in listed if name not in columns)
-    unknown = [name for name in asked if name not in ASKABLE]
-    if unknown:
-        known = ", ".join(ASKABLE)
-        text = f'there is no quantity "{unknown[0]}".{closest(unknown[0], [*ASKABLE, *variant.columns])} Known: {known}.'
-        if quantities is not None:
-            raise InputError(text)
-        line = variant.line_of("ask", "quantities", variant.ask.index(unknown[0]))
-        raise InputError([Fault(text, str(variant.path or variant.name), line, 0, "ask.quantities")])
+    faults = [_in_file(text, variant, name, quantities is None) for name in asked if (text := _cannot_ask(variant, name))]
+    if faults:
+        raise InputError(faults)
     whole = [name for name in asked if name not in RESTRICTABLE]
     if columns and whole:
         text = f'"{whole[0]}" needs every coordinate, not only what {listing(columns)} needs; ask for the whole table.'
         raise InputError(text)
     return asked or ("table",), columns
+
+
+def _cannot_ask(variant: Variant, name: str) -> str:
+    """Return why a quantity cannot be had of a variant, or an empty string."""
+    if name not in ASKABLE:
+        return f'there is no quantity "{name}".{closest(name, [*ASKABLE, *variant.columns])} Known: {", ".join(ASKABLE)}.'
+    if name == "points" and not (variant.points or any(group.meets for group in variant.groups)):
+        return "points are asked for, but the file names none. Add a section [points], or leave them out."
+    return ""
+
+
+def _in_file(text: str, variant: Variant, name: str, is_in_file: bool) -> Fault:
+    """Return the fault, with its line where the file itself asks."""
+    if not is_in_file:
+        return Fault(text)
+    line = variant.line_of("ask", "quantities", variant.ask.index(name))
+    return Fault(text, str(variant.path or variant.name), line, 0, "ask.quantities")

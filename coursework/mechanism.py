@@ -205,9 +205,14 @@ def _in_order(written: dict[str, Formula], variant: Variant) -> tuple[tuple[tupl
 def _mobility(variant: Variant) -> Mobility | None:
     """Count links and pairs from [links] and [frame], or from a chain of groups; None where neither stands."""
     if variant.groups and not variant.links:
-        links = sum(1 if group.kind == "crank" else 2 for group in variant.groups)
-        pairs = sum(1 if group.kind == "crank" else 3 for group in variant.groups)
-        return Mobility(links, pairs, 0)
+        dyads = sum(group.kind != "crank" for group in variant.groups)
+        in_groups = {name for group in variant.groups for name in group.coordinates}
+        beside = [c for c in variant.coordinates if c.name not in in_groups]
+        if any(c.rate not in variant.known_rates for c in beside):
+            return None  # what moves it is written as an equation, so its pairs are not known
+        # A driven coordinate is a link of its own with one pair, whether a crank or a formula carries it.
+        driven = len(variant.groups) - dyads + len(beside)
+        return Mobility(driven + 2 * dyads, driven + 3 * dyads, 0)
     if not variant.links:
         return None
     members: dict[str, int] = {}

@@ -160,6 +160,8 @@ class Run:
 
         tables: dict[str, ExtraTable] = {}
         motion = self.motion
+        if len(motion.t) < 2:
+            return tables  # a motion that stops at once has nothing to tabulate beside its one row
         if "accelerations" in self.asked:
             names = tuple(f"d{name}" for name in motion.velocity_names)
             units = tuple(f"{self.variant.unit_of(name)}²".replace("/s²", "/s²") for name in motion.velocity_names)
@@ -168,7 +170,8 @@ class Run:
         if "points" in self.asked:
             names, found = _moving(*self.values["point_accelerations" if "accelerations" in self.asked else "points"])
             units = tuple({"v": "m/s", "a": "m/s²"}.get(name.partition(".")[2][0], "m") for name in names)
-            tables["points"] = ExtraTable("Points", ("t", *names), ("s", *units), np.column_stack([motion.t, found]))
+            if names:
+                tables["points"] = ExtraTable("Points", ("t", *names), ("s", *units), np.column_stack([motion.t, found]))
         for name in ("analogs", "invariants"):
             if name in self.asked:
                 tables[name] = self.values[name]

@@ -86,7 +86,7 @@ def trials(scene: Scene, most: int = MOST_SUBSTEPS) -> Iterator[Trial]:
 
 
 def _by_loop(scene: Scene, loop: Loop, substeps: int, cost: int) -> tuple[Array, int]:
-    return trace(loop, scene.start, scene.step, scene.rows, substeps), cost
+    return trace(loop, scene.start, scene.step, scene.rows, substeps, scene.rates.latest), cost
 
 
 def _projected(scene: Scene, newton: int, substeps: int) -> tuple[Array, int]:

@@ -76,7 +76,7 @@ def _need(name: str, rates: Rates, start: Sequence[float], step: float, end: flo
 
     def error(steps: int) -> float:
         # Runge-Kutta 4 with four times the steps is the reference: 256 times less error than itself, more than any other.
-        gap = _rows(loop, start, end, steps, 1) - _rows(reference, start, end, steps, 4)
+        gap = _rows(loop, rates, start, end, steps, 1) - _rows(reference, rates, start, end, steps, 4)
         return float(np.max(np.abs(gap)))
 
     first = max(1, round(end / step))
@@ -117,13 +117,14 @@ def _smallest(error: Callable[[int], float], first: int, found: float, guess: in
     return high, at(high)
 
 
-def _rows(loop: Loop, start: Sequence[float], end: float, steps: int, inner: int) -> Array:
+def _rows(loop: Loop, rates: Rates, start: Sequence[float], end: float, steps: int, inner: int) -> Array:
     h = end / steps
     q = tuple(start)
     rows = [q]
     for index in range(steps):
         try:
-            q = loop(index * h, inner, h / inner, *q)
+            length = min(h, rates.latest((index + 1) * h) - index * h)
+            q = loop(index * h, inner, length / inner, *q)
         except (ArithmeticError, ValueError):
             return np.full((steps + 1, len(q)), np.inf if inner == 1 else 0.0)
         rows.append(q)

@@ -5,7 +5,7 @@ Enters: a generated loop, the grid, a reference.  Leaves: positions (rows, m), e
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -24,13 +24,18 @@ class Errors:
     end: float
 
 
-def trace(loop: Loop, start: Sequence[float], step: float, rows: int, substeps: int) -> Array:
-    """Return the positions at t = 0, step, … (rows + 1, m) with `substeps` steps a row."""
+def trace(
+    loop: Loop, start: Sequence[float], step: float, rows: int, substeps: int, latest: Callable[[float], float] | None = None
+) -> Array:
+    """Return the positions at t = 0, step, … (rows + 1, m) with `substeps` steps a row.
+
+    `latest(t)`: how far the steps before the row at t may look (`Rates.latest`).
+    """
     q = tuple(start)
     found = [q]
-    h = step / substeps
     for row in range(rows):
-        q = loop(row * step, substeps, h, *q)
+        length = min(step, latest((row + 1) * step) - row * step) if latest else step
+        q = loop(row * step, substeps, length / substeps, *q)
         found.append(q)
     return np.array(found)
 

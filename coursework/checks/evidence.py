@@ -17,6 +17,7 @@ from coursework.schemes import SCHEMES
 from coursework.variant.record import Variant
 
 Array = NDArray[np.float64]
+ONLY_SOME = "Only some columns were asked for."
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +41,11 @@ class Evidence:
     drive_frequency: float
     sinusoidal: bool
     fastest: tuple[tuple[float, float], ...] = ()
+
+    @property
+    def restricted(self) -> bool:
+        """Return whether only some columns were asked for."""
+        return len(self.motion.names) < len(self.variant.columns)
 
     @property
     def period(self) -> float:

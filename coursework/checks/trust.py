@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.checks.evidence import Evidence
+from coursework.checks.evidence import ONLY_SOME, Evidence
 from coursework.checks.result import Check, Verdict
 from coursework.march.integrate import WIDEST_STEP
 from coursework.reduction.magnitude import largest
@@ -22,8 +22,8 @@ _ROUNDS = 8
 def condition(evidence: Evidence) -> Check:
     """The equations leave at least six of sixteen digits in every row: 16 - log10 of their condition number."""
     motion, variant = evidence.motion, evidence.variant
-    if len(motion.coordinate_names) < len(variant.coordinates):
-        return Check("CONDITION", "Trustworthy digits", "SKIP", "Only some coordinates were asked for.")
+    if evidence.restricted:
+        return Check("CONDITION", "Trustworthy digits", "SKIP", ONLY_SOME)
     used = [equation for equation in evidence.equations.equations if equation.name in evidence.used]
     if not used:
         return Check("CONDITION", "Trustworthy digits", "SKIP", "There is nothing to solve for.")

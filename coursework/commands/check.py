@@ -12,7 +12,7 @@ from coursework.run import Run
 
 def check_variant(variant: str) -> int:
     """Return 0 where the whole motion is possible, 1 where it stops."""
-    run = solve(load(variant), quantities=("table",))
+    run = solve(load(variant))
     chosen = run.variant
     click.echo(f"{chosen.title}  ({chosen.name}, {chosen.path})")
     values = run.values

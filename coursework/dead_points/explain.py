@@ -34,7 +34,9 @@ def explain(
         where = "At the very first row, t = 0,"
     which = _equation(block, equations, coordinates) + _angles(block, equations, coordinates)
     cause = f"{where} the equations for {listing(block.unknowns)} become singular{which}.{_together(event, reduction)}"
-    holds = block.meaning if block.determinant is None else meaning_of(block.determinant, equations.variant, coordinates)
+    holds = block.meaning
+    if block.determinant is not None:
+        holds = meaning_of(block.determinant, equations.variant, block.equations, coordinates)
     kept = f"rows after row {rows} are not computed." if rows else "no row is computed."
     if event.kind == "dead point":
         meaning = (

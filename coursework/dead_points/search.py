@@ -69,6 +69,8 @@ def find_event(
 
     `breaks` are the times at which the drive changes its formula.  Raises `InputError` where the motion cannot be followed.
     """
+    if not len(scene.largest):
+        return None  # every velocity is given, so nothing can become singular
     walk = _Walk(scene, np.array([*start, 0.0], dtype=float), end, tolerance)
     event = walk.at_start()
     for goal in [*(b for b in breaks if 0 < b < end), end]:

@@ -30,6 +30,7 @@ def require_agreement(equations: VelocityEquations, closure: Closure | None) -> 
     """
     if closure is None or not equations.from_closure:
         return
+    _require_free(equations, closure)
     both = (*equations.from_closure, *equations.equations)
     system = compile_system(equations, both)
     first = len(equations.from_closure)
@@ -66,6 +67,26 @@ def require_agreement(equations: VelocityEquations, closure: Closure | None) -> 
         "Derive it again, or correct the geometry."
     )
     raise InputError([Fault(text, file, line)])
+
+
+def _require_free(equations: VelocityEquations, closure: Closure) -> None:
+    """Raise `InputError` where what [closure] keeps or drives is moved otherwise by driven coordinates alone."""
+    bound = [equation for equation in equations.from_closure if not equation.coefficients]
+    if not bound:
+        return
+    system = compile_system(equations, bound)
+    faults = []
+    rights = np.array([system.matrix(t, q)[1] for t, q in _configurations(closure)])
+    for equation, largest in zip(bound, np.max(np.abs(rights), axis=0), strict=True):
+        if largest > TOLERANCE:
+            text = (
+                f"{equation.name} depends on driven coordinates alone, and they contradict it by {largest:.3g} (in the unit of "
+                f"its rate), although {equation.because}. Take it out of [closure], or correct the drive."
+            )
+            variant = equations.variant
+            faults.append(Fault(text, str(variant.path or variant.name), variant.line_of("closure")))
+    if faults:
+        raise InputError(faults)
 
 
 def _rank(rows: Array) -> int:

@@ -13,8 +13,8 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from coursework import groups
-from coursework.errors import Fault, InputError
-from coursework.formula.tree import Formula
+from coursework.errors import Fault, InputError, listing
+from coursework.formula.tree import Formula, spelled
 from coursework.geometry.drive import integrals
 from coursework.geometry.jets import compile_rows
 from coursework.groups import Guide, Pair
@@ -27,27 +27,36 @@ START_TOLERANCE = 1e-6
 
 
 def is_chain(variant: Variant) -> bool:
-    """Return whether groups give every coordinate, the driven ones of cranks included."""
-    given = {name for group in variant.groups for name in group.coordinates}
-    return bool(given) and given == {c.name for c in variant.coordinates}
+    """Return whether groups give every coordinate that is not driven."""
+    given = _given_by_groups(variant)
+    return bool(given) and all(c.name in given or c.rate in variant.known_rates for c in variant.coordinates)
+
+
+def _given_by_groups(variant: Variant) -> set[str]:
+    return {name for group in variant.groups for name in group.coordinates}
 
 
 def chain_positions(equations: VelocityEquations, times: Array) -> Array:
-    """Return the coordinates (n, m) of a chain at `times` (s, growing from 0), angles continuous, group after group."""
+    """Return the coordinates (n, m) at `times` (s, growing from 0), angles continuous, group after group.
+
+    What neither a drive nor a group gives keeps its start value: that is right for all times in a chain, else at t = 0 only.
+    """
     variant = equations.variant
     names = [c.name for c in variant.coordinates]
-    q = np.zeros((len(times), len(names)))
+    q = np.tile([coordinate.start or 0.0 for coordinate in variant.coordinates], (len(times), 1))
+    driven = [place for place, coordinate in enumerate(variant.coordinates) if coordinate.rate in variant.known_rates]
+    q[:, driven] += integrals(equations, [variant.coordinates[place].rate for place in driven], times)
     for number, group in enumerate(variant.groups, start=1):
         places = [names.index(name) for name in group.coordinates]
         if group.kind == "crank":
-            coordinate = variant.coordinates[places[0]]
-            q[:, places[0]] = (coordinate.start or 0.0) + integrals(equations, [coordinate.rate], times)[:, 0]
             continue
         try:
             found = _dyad(equations, group, times, q).coordinates
-        except (groups.CannotAssemble, ValueError) as error:
-            text = f"group {number} ({', '.join(group.coordinates)}): {error}"
-            raise InputError([Fault(text, str(variant.path or variant.name), group.line)]) from error
+        except groups.CannotAssemble as error:
+            text = f"{group.kind}{_letters(group)} cannot be assembled at t = {times[error.row]:.6g} s: {error.reason}"
+            raise _fault(text, number, group, variant) from error
+        except ValueError as error:
+            raise _fault(str(error), number, group, variant) from error
         for column, place in enumerate(places):
             coordinate = variant.coordinates[place]
             angle = coordinate.unit == "rad"
@@ -55,18 +64,31 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
     return q
 
 
-def start_values(equations: VelocityEquations) -> list[float]:
-    """Return the coordinates at t = 0; a chain gives those the file leaves out.
+def _fault(text: str, number: int, group: Group, variant: Variant) -> InputError:
+    text = f"group {number} ({', '.join(group.coordinates)}): {text}"
+    return InputError([Fault(text, str(variant.path or variant.name), group.line)])
 
-    Raises `InputError` where a written start is not the position the chain closes in.
+
+def _letters(group: Group) -> str:
+    """Say which points of the file the letters of a group's sentences stand for."""
+    named = [(letter, spelled(point)) for letter, point in zip("BD", group.start_points, strict=False)]
+    told = [f"{letter} at {point}" for letter, point in named if letter != point]
+    return f", with {listing(told)}," if told else ""
+
+
+def start_values(equations: VelocityEquations) -> list[float]:
+    """Return the coordinates at t = 0; groups give those the file leaves out.
+
+    Raises `InputError` where a written start is not the position the groups close in.
     """
     variant = equations.variant
-    if not is_chain(variant):
-        missing = [c for c in variant.coordinates if c.start is None]
-        text = "{} has no start, and the groups do not give every coordinate. Write its value at t = 0: start = …."
-        if missing:
-            file = str(variant.path or variant.name)
-            raise InputError([Fault(text.format(c.name), file, variant.line_of("coordinates", c.name)) for c in missing])
+    given = _given_by_groups(variant)
+    missing = [c for c in variant.coordinates if c.start is None and c.name not in given]
+    if missing:
+        text = "{} has no start, and no group gives it. Write its value at t = 0: start = …."
+        file = str(variant.path or variant.name)
+        raise InputError([Fault(text.format(c.name), file, variant.line_of("coordinates", c.name)) for c in missing])
+    if not given:
         return [c.start for c in variant.coordinates if c.start is not None]
     closed = chain_positions(equations, np.zeros(1))[0]
     faults = []

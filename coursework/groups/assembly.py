@@ -28,11 +28,12 @@ class CannotAssemble(ValueError):
     """The links of a group do not meet.
 
     `row` is the first failing row and `rows` all of them, counted from 0; `shortage` (m) says by how much a
-    length is too short or too long in that first row.
+    length is too short or too long in that first row; `reason` is the sentence without the row.
     """
 
-    def __init__(self, sentence: str, rows: tuple[int, ...] = (0,), shortage: float = 0.0) -> None:
-        super().__init__(sentence, rows, shortage)  # all three, so that it travels through a process pool
+    def __init__(self, sentence: str, rows: tuple[int, ...] = (0,), shortage: float = 0.0, reason: str = "") -> None:
+        super().__init__(sentence, rows, shortage, reason)  # all of them, so that it travels through a process pool
+        self.reason = reason or sentence
         self.rows = rows
         self.row = rows[0]
         self.shortage = shortage
@@ -87,7 +88,8 @@ def refuse(group: str, rows: tuple[int, ...], found: str, verdict: str, shortage
     """Return the error for a group that does not close: what the first failing row shows, and the verdict."""
     more = len(rows) - 1
     others = "" if not more else " So does 1 later row." if more == 1 else f" So do {more} later rows."
-    return CannotAssemble(f"{group} cannot be assembled at row {rows[0]}: {found}; {verdict}.{others}", rows, shortage)
+    reason = f"{found}; {verdict}."
+    return CannotAssemble(f"{group} cannot be assembled at row {rows[0]}: {reason}{others}", rows, shortage, reason)
 
 
 def dead(group: str, rows: tuple[int, ...], found: str, *, placed: bool = True) -> AtDeadPoint:

@@ -14,7 +14,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.geometry.closure import Closure
-from coursework.geometry.drive import breaks
 from coursework.march.loops import generate_loop
 from coursework.march.motion import Motion
 from coursework.march.rates import Rates
@@ -28,8 +27,6 @@ AGREEMENT = 1e-13
 _MOST_HALVINGS = 30
 # Parts of one row after which a closure counts as not to be followed: a dead point takes about 60, a wrong motion all there are.
 _MOST_PARTS = 1000
-# Part of its time by which an interval ends before a break of the drive: the last slope must still see the old formula.
-_BEFORE_BREAK = 1e-13
 # A prediction further than this from the closed position (rad or m) is not trusted to be the same assembly.
 _FAR = 0.05
 
@@ -107,21 +104,20 @@ def _place(q: Array, closure: Closure, known: Array) -> Array:
     return q
 
 
-def refine(rates: Rates, start: Sequence[float], times: Array, split: Sequence[float] = ()) -> tuple[Array, float, int]:
+def refine(rates: Rates, start: Sequence[float], times: Array) -> tuple[Array, float, int]:
     """Return positions (n, m) by Runge-Kutta 4, the sum of the differences that are left, and the steps taken.
 
     Where eight and sixteen steps of an interval do not agree it is halved, so that a dead point ahead costs its own interval
-    only.  `split` are times at which the drive changes its formula: no step reaches across them.
+    only.  No step reaches across a time at which the drive changes its formula.
     """
     loop = generate_loop(SCHEMES["rk4"].step, rates)
     rows = [np.array(start, dtype=float)]
     gap, steps = 0.0, 0
     for begin, end in itertools.pairwise(times.tolist()):
-        edges = [begin, *[b for b in split if begin < b < end], end]
+        edges = [begin, *[b for b in rates.breaks if begin < b < end], end]
         q = rows[-1]
         for a, b in itertools.pairwise(edges):
-            at_break = any(abs(b - place) <= _BEFORE_BREAK * place for place in split)
-            q, left, taken = _halved(loop, a, b * (1 - _BEFORE_BREAK) if at_break else b, q)
+            q, left, taken = _halved(loop, a, min(b, rates.latest(b)), q)
             gap, steps = gap + left, steps + taken
         rows.append(q)
     return np.array(rows), gap, steps
@@ -164,7 +160,7 @@ def exact_motion(
             "Newton on the position equations, drive integrated to round-off",
         )
     else:
-        positions, gap, steps = refine(rates, start, times, breaks(equations.variant))
+        positions, gap, steps = refine(rates, start, times)
         evaluations = 4 * steps
         label = f"Runge-Kutta 4, every interval halved until two results agree; all together to {gap:.1e}"
     velocities, determinants = rates.table(times, positions)

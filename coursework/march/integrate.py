@@ -80,7 +80,7 @@ def march(
         positions.append(q)
         if index == last:
             break
-        known = _Known(row[:size], t, q, slopes)
+        known = _Known(row[:size], t, q, slopes, rates.latest((index + 1) * step))
         try:
             moved = rule(known, t, q, step)
         except (ZeroDivisionError, ValueError, OverflowError):
@@ -114,13 +114,18 @@ def _kept(true: Stop | None, found: Stop) -> Stop:
 
 
 class _Known:
-    """The slopes function; the value at the row's own (t, q) is already known and not computed again."""
+    """The slopes function of one step, which looks no further than `latest` (s).
 
-    def __init__(self, first: tuple[float, ...], t: float, q: Array, slopes: Callable[[float, Array], Array]) -> None:
-        self.first, self.t, self.q, self.slopes = np.array(first), t, q, slopes
+    The value at the row's own (t, q) is already known and not computed again.
+    """
+
+    def __init__(
+        self, first: tuple[float, ...], t: float, q: Array, slopes: Callable[[float, Array], Array], latest: float
+    ) -> None:
+        self.first, self.t, self.q, self.slopes, self.latest = np.array(first), t, q, slopes, latest
 
     def __call__(self, t: float, q: Array) -> Array:
-        return self.first if q is self.q and t == self.t else self.slopes(t, q)
+        return self.first if q is self.q and t == self.t else self.slopes(min(t, self.latest), q)
 
 
 def _corrected(

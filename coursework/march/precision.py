@@ -33,12 +33,13 @@ def march_in(
     size = len(q)
 
     def slopes(t: Any, at: Any) -> Any:
-        return np.array(rates.rows(t, *at)[:size], dtype=kind)
+        return np.array(rates.rows(min(t, latest), *at)[:size], dtype=kind)
 
     t = kind(0)
     rows = [q]
     with np.errstate(all="ignore"):
         for index in range(steps):
+            latest = kind(rates.latest((index + 1) * step))
             q = rule(slopes, t, q, h)
             t = t + h if running_time else kind(index + 1) * h
             if (index + 1) % every == 0:

@@ -5,6 +5,7 @@ Enters: a `Reduction`.  Leaves: `Rates`.  Used by `integrate.py`, `exact_motion.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -13,6 +14,7 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
+from coursework.geometry.drive import breaks
 from coursework.lower.programs import Assign, Program, Solve, Statement, compile_function, compile_later, program
 from coursework.reduction.blocks import Block, Reduction
 from coursework.reduction.equations import VelocityEquations
@@ -20,6 +22,8 @@ from coursework.reduction.symbolic import symbol
 from coursework.reduction.system import tables
 
 Array = NDArray[np.float64]
+# Part of its time by which a step ends before a break of the drive: its last slope must still see the old formula.
+_BEFORE_BREAK = 1e-13
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +31,8 @@ class Rates:
     """The right-hand side of a scene.
 
     `evaluate(t, *q)` -> velocities then determinants, floats; `rows` the same over arrays (n,).  `coordinates` integrated;
-    `velocities` returned (rates of the coordinates first); `blocks` indices evaluated; `body` the program behind them.
+    `velocities` returned (rates of the coordinates first); `blocks` indices evaluated; `body` the program behind them;
+    `breaks` the times (s) at which the drive changes its formula.
     """
 
     coordinates: tuple[str, ...]
@@ -36,11 +41,17 @@ class Rates:
     evaluate: Callable[..., tuple[float, ...]]
     rows: Callable[..., Any]
     body: Program
+    breaks: tuple[float, ...] = ()
 
     @property
     def source(self) -> str:
         """Return the generated Python, readable and without symbols."""
         return self.evaluate.__doc__ or ""
+
+    def latest(self, end: float) -> float:
+        """Return how far (s) a step that ends at `end` may look: up to a break of the drive that lies there, else any time."""
+        at_break = any(abs(end - time) <= _BEFORE_BREAK * time for time in self.breaks)
+        return end * (1 - _BEFORE_BREAK) if at_break else math.inf
 
     def table(self, t: Array, q: Array) -> tuple[Array, Array]:
         """Return velocities (n, k) and determinants (n, blocks) for rows of coordinates (n, m)."""
@@ -68,7 +79,7 @@ def compile_rates(equations: VelocityEquations, reduction: Reduction, wanted: Se
     return Rates(
         kept, listed, blocks,
         compile_function("rates", arguments, body, results),
-        compile_later("rates", arguments, body, results), body,
+        compile_later("rates", arguments, body, results), body, breaks(variant),
     )  # fmt: skip
 
 

@@ -119,7 +119,7 @@ def _block(members: list[VelocityEquation], unknowns: list[str], equations: Velo
     determinant = as_formula(bare.symbolic_determinant, equations.order)
     if determinant == number(0):
         return None
-    about = meaning(determinant, equations.variant), largest(determinant, equations.variant)
+    about = meaning(determinant, equations.variant, names), largest(determinant, equations.variant)
     return Block(tuple(unknowns), names, matrix, right_side, determinant, *about)
 
 

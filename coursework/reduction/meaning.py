@@ -5,7 +5,7 @@ Enters: the determinant as shown.  Leaves: words.  Used by `blocks.py`.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import reduce
 
 from coursework.formula.tree import Formula, FormulaFault, evaluate, spelled
@@ -15,13 +15,25 @@ from coursework.variant.record import Variant
 _SMALL = 1e-3
 
 
-def meaning(determinant: Formula, variant: Variant, at: Mapping[str, float] | None = None) -> str:
-    """Return when the determinant is zero and what then holds, such as "links 1 and 2 lie on one line".
+def meaning(determinant: Formula, variant: Variant, equations: Sequence[str], at: Mapping[str, float] | None = None) -> str:
+    """Return when the determinant of some equations is zero and what then holds, such as "links 1 and 2 lie on one line".
 
     With the coordinates of a singular position `at`: only what holds there.
     """
+    if _vanishing(determinant, variant, at) and (known := _of_group(variant, equations)):
+        return known
     found = [sentence for factor in _vanishing(determinant, variant, at) if (sentence := _factor(factor, variant))]
     return "; or ".join(found) if found else "it is never zero"
+
+
+def _of_group(variant: Variant, equations: Sequence[str]) -> str:
+    """Return what the determinant of a dyad with a guide means: there the angles alone do not tell link from guide."""
+    for number, group in enumerate(variant.groups, start=1):
+        if set(equations) == {f"G{number}x", f"G{number}y"}:
+            if group.kind == "RRP":
+                return f"{_link(group.coordinates[0], variant)} stands at a right angle to the guide"
+            return "the two guides are parallel" if group.kind in {"PRP", "RPP"} else ""
+    return ""
 
 
 def vanishing(determinant: Formula, variant: Variant, at: Mapping[str, float] | None = None) -> Formula:
@@ -57,17 +69,24 @@ def _factor(tree: Formula, variant: Variant) -> str:
     if tree.op == "name" and units.get(tree.name) == "m":
         return f"the distance {tree.name} is zero: the slider stands on the pivot of its guide"
     angles = [name for name in tree.names() if units.get(name) == "rad"]
-    if tree.op == "call" and tree.name == "sin" and len(angles) == 2 and tree.args[0].op == "-":
+    if tree.op == "call" and tree.name in {"sin", "cos"} and len(angles) == 2 and _is_difference(tree.args[0]):
         first, second = (_link(name, variant) for name in angles)
+        if tree.name == "cos":
+            return f"{first} and {second} stand at a right angle to each other"
         return f"{first} and {second} lie on one line (stretched or folded)"
     if tree.op == "call" and tree.name in {"sin", "cos"} and len(angles) == 1 and tree.args[0].op == "name":
         direction = "vertical" if tree.name == "cos" else "horizontal"
         return f"{_link(angles[0], variant)} is {direction}"
-    if tree.op == "call" and tree.name == "cos" and len(angles) in {1, 2}:
-        return f"{' and '.join(_link(name, variant) for name in angles)} stand(s) at a right angle to the guide"
+    if tree.op == "call" and tree.name == "cos" and len(angles) == 1 and tree.args[0].names() == (angles[0],):
+        return f"{_link(angles[0], variant)} stands at a right angle to the guide"
     if tree.op in {"+", "-"}:
         return f"the lever arms of {_listed(angles, variant)} cancel"
     return f"{spelled(tree)} is zero" if tree.names() else ""
+
+
+def _is_difference(tree: Formula) -> bool:
+    """Return whether a formula is one name less another."""
+    return tree.op == "-" and all(arg.op == "name" for arg in tree.args)
 
 
 def _link(angle: str, variant: Variant) -> str:

@@ -73,9 +73,16 @@ def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | No
         tuple((parts.names.canonical(key), parts.unit(("unknowns", key), unit)) for key, unit in file.unknowns.items()),
         functions, _time(file.time, parts), constraints, groups, points,
         tuple(_link(key, entry, list(file.links), parts) for key, entry in file.links.items()), _frame(file.frame, parts),
-        parts.names.canonical(file.closure.driven) if file.closure.driven else None, holds,
+        _driven(file.closure.driven, parts), holds,
         tuple(file.ask.quantities), tuple(file.remarks), _lines(parts.source),
     )  # fmt: skip
+
+
+def _driven(name: str | None, parts: Parts) -> str | None:
+    if name is None:
+        return None
+    parts.known_point(("closure", "driven"), name)
+    return parts.names.canonical(name)
 
 
 def _lines(source: Source) -> dict[tuple[str | int, ...], int]:
@@ -99,6 +106,8 @@ def _law(section: str, key: str, value: Any, parts: Parts) -> Law:
             (parts.number((*place, 0), at, "s"), _formula((*place, 1), text, parts, scope))
             for place, (at, text) in zip(places, value.pieces, strict=True)
         )
+        if pieces and pieces[0][0] != 0:
+            parts.say((*places[0], 0), f'the first piece begins at t = 0: write "0 s", found {value.pieces[0][0]!r}.')
         for place, ((earlier, _), (later, _)) in zip(places[1:], itertools.pairwise(pieces), strict=True):
             if later <= earlier:
                 parts.say(place, f"the times of the pieces must grow, found {later:g} s after {earlier:g} s.")
@@ -265,19 +274,15 @@ def _angle_names(formulas: Iterable[Formula], groups: tuple[Group, ...]) -> set[
 def _rules(variant: Variant, source: Source) -> list[Fault]:
     """What only the whole file can show."""
     faults = []
-    if not variant.constraints and not variant.groups and not (variant.driven or variant.holds):
+    if variant.sought and not (variant.constraints or variant.groups or variant.driven or variant.holds):
         faults.append(source.fault((), "no constraint is given: write [[constraint]] or [[group]] sections."))
     in_groups = {name for group in variant.groups for name in group.coordinates}
     for coordinate in variant.coordinates:
         if coordinate.start is None and coordinate.name not in in_groups:
             message = f'the value at t = 0 is missing. Write start = "0 {coordinate.unit}" with it.'
             faults.append(source.fault(("coordinates", coordinate.name), message))
-    points = [*(name for name, _ in variant.points), *(group.meets for group in variant.groups if group.meets)]
     laws = {law.name for law in variant.drive}
-    if variant.driven and variant.driven not in points:
-        message = f'the driven point "{variant.driven}" is not in [points].{closest(variant.driven, points)}'
-        faults.append(source.fault(("closure", "driven"), message))
-    elif variant.driven and (missing := [law for law in (f"V{variant.driven}{part}" for part in "xy") if law not in laws]):
+    if variant.driven and (missing := [law for law in (f"V{variant.driven}{part}" for part in "xy") if law not in laws]):
         message = f'the driven point {variant.driven} needs {" and ".join(missing)} in [drive]; "0" where it stands still.'
         faults.append(source.fault(("closure", "driven"), message))
     return faults + faults_of_zero_lengths(variant, source)

@@ -160,3 +160,58 @@ def test_the_march_keeps_its_first_row_whatever_the_scheme(run):
         assert np.array_equal(motion.rows[0], run.motion.rows[0])
         assert len(motion.t) == 25
         assert motion.t[3] == 3 * 0.02
+
+
+@pytest.mark.parametrize("period", ["0.40 s", "0.45 s", "0.2*2"])
+def test_a_wrong_period_is_found_however_coarse_the_step(period):
+    """The scheme's own error allows the mismatch of the rows; the true motion shows that it does not repeat."""
+    variant = coursework.load("31")
+    text = variant.path.read_text(encoding="utf-8").replace('"2*pi/p"', f'"{period}"')
+    run = coursework.solve(parse_variant(text), quantities=["table", "checks"])
+    found = {check.code: check for check in run.checks}
+    for code in ("PERIOD-POSITION", "PERIOD-VELOCITY"):
+        assert found[code].verdict == "FAIL"
+        assert "does not repeat after" in found[code].sentence
+
+
+def test_a_period_with_three_digits_passes():
+    text = coursework.load("31").path.read_text(encoding="utf-8").replace('"2*pi/p"', '"0.480 s"')
+    run = coursework.solve(parse_variant(text), quantities=["table", "checks"])
+    assert {check.verdict for check in run.checks if check.code.startswith("PERIOD")} == {"PASS"}
+
+
+CRANK = """
+[given]
+r = "0.1 m"
+l = "0.4 m"
+[drive]
+w1 = "10"
+[coordinates]
+phi1 = { start = "0.5 rad", rate = "w1" }
+phi2 = { start = "START rad", rate = "w2" }
+[time]
+step = "0.01 s"
+end = "0.1 s"
+[[constraint]]
+name = "y"
+closure = "r*sin(phi1) + l*sin(phi2) = 0"
+"""
+
+
+@pytest.mark.parametrize("options", [{}, {"project": 1}, {"scheme": "rk4"}])
+@pytest.mark.parametrize("start", ["-0.120", "-0.12015", "-0.1201453", "-0.1201453472"])
+def test_a_rounded_start_is_told_by_start_and_no_drift(start, options):
+    """The velocity equations keep what the start leaves open; nobody is blamed for it twice."""
+    run = coursework.solve(parse_variant(CRANK.replace("START", start)), quantities=["table", "checks"], **options)
+    found = {check.code: check.verdict for check in run.checks}
+    assert found["DRIFT"] == "PASS"
+    assert found["START"] == ("FAIL" if len(start) < 10 else "PASS")
+
+
+@pytest.mark.parametrize("columns", [["phi3"], ["w3"], ["phi1"], ["phi2", "phi3"], ["w4"]])
+def test_a_restricted_table_can_be_judged_as_far_as_it_goes(columns):
+    run = coursework.solve("31", quantities=columns)
+    found = {check.code: check.verdict for check in run.checks}
+    assert "ERROR" not in found.values()
+    assert "FAIL" not in found.values()
+    assert {code for code, verdict in found.items() if verdict == "SKIP"} >= {"INITIAL", "RESIDUAL", "CONDITION", "DRIFT"}

@@ -8,8 +8,10 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.accuracy.trace import trace
 from coursework.errors import InputError
 from coursework.march.integrate import march
+from coursework.march.loops import generate_loop
 from coursework.march.precision import march_in
 from coursework.schemes import SCHEMES
 from coursework.variant.record import whole_steps
@@ -198,3 +200,25 @@ def test_h31_the_order_shows_over_the_whole_grid_not_at_the_end(scheme, order, k
     assert ratios == pytest.approx(wanted[f"{key} end ratios"][:3], rel=5e-3)
     assert round(math.log2(ratios[-1])) == order + 1  # the trap
     assert round(math.log2(grid[-2] / grid[-1])) == order
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+@pytest.mark.parametrize("step", [0.02, 0.03])
+def test_a_break_on_a_row_is_met_by_every_scheme(scheme, step):
+    """The last slope of the step before the break sees the old drive: a constant rate is integrated exactly by all of them.
+
+    0.33 s is 11 steps of 0.03 s, which as a product of doubles lies below it.
+    """
+    at = round(11 * step, 10)
+    text = scene(
+        'p = { start = "0 rad", rate = "w1" }\nq = { start = "0 rad", rate = "w2" }',
+        drive=f'w1 = {{ pieces = [["0 s", "6"], ["{at} s", "-2"]] }}', step=step, end=round(22 * step, 10),
+        equations=["w2 = 2*w1"],
+    )  # fmt: skip
+    run = solve(text, scheme=scheme, quantities=("table", "checks"))
+    t = run.motion.t
+    assert np.max(np.abs(run.motion.column("p") - (6 * np.minimum(t, at) - 2 * np.maximum(t - at, 0)))) < 1e-12
+    assert np.max(np.abs(run.values["wide"][:, 0].astype(float) - run.motion.column("p"))) < 1e-12
+    rates = run.values["rates"]
+    rows = trace(generate_loop(SCHEMES[scheme].step, rates), run.values["start"], step, 22, 3, rates.latest)
+    assert np.max(np.abs(rows[:, 0] - run.motion.column("p"))) < 1e-12
