@@ -17,8 +17,8 @@ from coursework.graph import Values
 from coursework.quantities import ASKABLE, DEFAULT, QUANTITIES, RESTRICTABLE
 from coursework.run import Run, gather
 from coursework.settings import Settings
-from coursework.variant.reader import MAX_ROWS, read_variant
-from coursework.variant.record import Variant
+from coursework.variant.reader import read_variant
+from coursework.variant.record import MAX_ROWS, Variant
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -71,15 +71,25 @@ def exact(
 
 
 def _timed(variant: Variant, step: float | None, end: float | None) -> Variant:
-    h = step if step is not None else variant.time.step
-    last = end if end is not None else variant.time.end
+    h = _number(step, "step") if step is not None else variant.time.step
+    last = _number(end, "end") if end is not None else variant.time.end
     if not (np.isfinite(h) and h > 0):
         raise InputError(f"the step must be greater than 0, found {h:g} s.")
-    if not (np.isfinite(last) and last >= h * (1 - 1e-9)):
+    if not np.isfinite(last):
+        raise InputError(f"the end must be a number of seconds, found {last:g}.")
+    if last < h * (1 - 1e-9):
         raise InputError(f"the end ({last:g} s) must be at least one step ({h:g} s).")
     if last / h > MAX_ROWS:
         raise InputError(f"{last / h:.3g} rows are asked for; at most {MAX_ROWS} are computed. Take a larger step.")
     return variant.timed(h, last)
+
+
+def _number(value: object, name: str) -> float:
+    """Return a number of seconds.  Raises `InputError` for anything else."""
+    try:
+        return float(value)  # type: ignore[arg-type]
+    except (TypeError, ValueError):
+        raise InputError(f"the {name} must be a number of seconds, found {value!r}.") from None
 
 
 def _sorted(variant: Variant, quantities: Iterable[str] | None) -> tuple[tuple[str, ...], tuple[str, ...]]:

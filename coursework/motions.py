@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 
 from coursework.dead_points.explain import explain
 from coursework.dead_points.scaled_flow import Flow, compile_flow
-from coursework.dead_points.search import Event, find_event
+from coursework.dead_points.search import Event, NotFollowed, find_event
 from coursework.errors import InputError
 from coursework.geometry.agreement import require_agreement
 from coursework.geometry.chain import chain_positions, is_chain, start_values
 from coursework.geometry.closure import Closure, compile_closure, require_start
-from coursework.geometry.drive import breaks, refuse_aliasing
+from coursework.geometry.drive import breaks, refuse_aliasing, refuse_endless
 from coursework.march.exact_motion import NotReached, exact_motion
 from coursework.march.integrate import Correction, march
 from coursework.march.motion import Motion, Stop, rows_before
@@ -72,14 +72,20 @@ def flow(equations: VelocityEquations, reduction: Reduction, start: list[float])
     return compile_flow(equations, reduction, start)
 
 
-def event(flow: Flow, start: list[float], closure: Closure | None, variant: Variant) -> Event | None:
+def event(
+    flow: Flow, equations: VelocityEquations, start: list[float], closure: Closure | None, variant: Variant
+) -> Event | None:
     """The first dead or change point of the true motion, which starts closed also where the file's start is rounded."""
     time = variant.time
     horizon = time.end
     if time.period is not None and time.end > PERIODS_LOOKED_AT * time.period:
         horizon = PERIODS_LOOKED_AT * time.period
     closed = closure.newton(0.0, closure.start, closure.origin) if closure is not None and closure.complete else None
-    return find_event(flow, start if closed is None else closed.tolist(), horizon, breaks=breaks(variant))
+    try:
+        return find_event(flow, start if closed is None else closed.tolist(), horizon, breaks=breaks(variant))
+    except NotFollowed as error:
+        refuse_endless(equations, error.time)
+        raise
 
 
 def stop(event: Event | None, equations: VelocityEquations, reduction: Reduction, flow: Flow, variant: Variant) -> Stop | None:

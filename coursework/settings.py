@@ -11,6 +11,8 @@ from coursework.errors import InputError, closest
 from coursework.march.integrate import refuse_gain
 from coursework.schemes import SCHEMES
 
+MOST_CORRECTIONS = 20  # Newton's method has settled long before
+
 
 @dataclass(frozen=True, slots=True)
 class Settings:
@@ -27,6 +29,8 @@ class Settings:
         if self.scheme not in SCHEMES:
             known = ", ".join(SCHEMES)
             raise InputError(f'there is no scheme "{self.scheme}".{closest(self.scheme, list(SCHEMES))} Schemes: {known}.')
+        if not (isinstance(self.project, int) and 0 <= self.project <= MOST_CORRECTIONS):
+            raise InputError(f"the projection makes 0 to {MOST_CORRECTIONS} Newton corrections a step, found {self.project!r}.")
         if self.gain:
             refuse_gain(self.gain, step)
         if self.gain and self.project:

@@ -83,7 +83,7 @@ WRONG = {
     "step infinite": (["run", "31", "--step", "inf"], "the step must be greater than 0, found inf s."),
     "too many rows": (["run", "31", "--step", "4.8e-10"], "1e+09 rows are asked for; at most 200000 are computed."),
     "end before step": (["run", "31", "--end", "0.001"], "the end (0.001 s) must be at least one step (0.02 s)."),
-    "end nan": (["run", "31", "--end", "nan"], "the end (nan s) must be at least one step"),
+    "end nan": (["run", "31", "--end", "nan"], "the end must be a number of seconds, found nan."),
     "end text": (["run", "31", "--end", "abc"], "'abc' is not a valid float."),
     "aliasing": (["run", "31", "--step", "0.3"], "The step 0.3 s is too large for this drive"),
     "format": (["run", "31", "--format", "docx"], '"docx" is not a format of the report. Formats: html, pdf, csv.'),
@@ -209,3 +209,12 @@ def test_every_command_is_in_the_readme():
     text = (Path(__file__).parent.parent / "README.md").read_text(encoding="utf-8")
     for name in main.commands:
         assert f"coursework {name}" in text, name
+
+
+@pytest.mark.parametrize("options", [("--step", "auto", "--error", "0.01"), ("--precision", "single")])
+def test_one_where_the_motion_stops_before_a_step_can_be_chosen(options, tmp_path):
+    file = tmp_path / "stops.toml"
+    file.write_text(PAGE.replace('"4.35 rad"', '"0.02 rad"'), encoding="utf-8")
+    result = call("run", file, *options)
+    assert result.exit_code == 1
+    assert result.stdout.startswith("Stopped (dead point), so ")

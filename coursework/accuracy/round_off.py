@@ -15,8 +15,8 @@ from coursework.march.precision import march_in
 from coursework.march.rates import Rates
 
 Array = NDArray[np.float64]
-# Steps a row: from the coursework's step to where t += h in single precision has lost more than the scheme gained.
-SUBSTEPS = (1, 4, 16, 64, 256, 1024, 4096)
+# Steps a row: from the coursework's step to where single precision loses more than the scheme gains, also with t = i*h.
+SUBSTEPS = (1, 4, 16, 64, 256, 1024, 4096, 16384)
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
+from coursework.accuracy.methods import CLOSED
 from coursework.accuracy.record import StudyRow
 from coursework.schemes import SCHEMES
 
@@ -37,13 +38,19 @@ def sentences_of(
             f"{_size(projected[0].max_error, unit)}, "
             f"{_round(euler.max_error / projected[0].max_error)} times less than without it."
         )
-    closed = [row for row in rows if row.method.startswith("position closure") and not row.failed]
+    closed = [row for row in rows if row.method == CLOSED and not row.failed]
     if closed:
-        told.append("Where positions are known in closed form or by Newton, the exact answer costs no more than a good scheme.")
-    told.append(
-        f"The last row alone understates: there Euler is {_size(euler.end_error, unit)} off, "
-        f"{euler.max_error / max(euler.end_error, 1e-300):.2g} times less than at its worst row."
-    )
+        told.append(
+            f"Newton on the position equations gives the same rows to {_size(closed[0].max_error, unit)} with "
+            f"{closed[0].evaluations} evaluations{_time(closed[0])}: {_round(closed[0].evaluations / best.evaluations)} times "
+            f"the evaluations{_ratio(closed[0], best)} of {best.steps_or_tolerance} steps of {best.method}."
+        )
+    understated = euler.max_error / max(euler.end_error, 1e-300)
+    if understated >= 1.1:
+        told.append(
+            f"The last row alone understates: there Euler is {_size(euler.end_error, unit)} off, "
+            f"{understated:.2g} times less than at its worst row."
+        )
     for name, order in orders.items():
         if name in end_orders and end_orders[name] - order > 0.5 and any(name == s.title for s in SCHEMES.values()):
             told.append(

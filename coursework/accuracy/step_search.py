@@ -6,7 +6,9 @@ Raises `InputError` where the search or the run would take minutes, and says how
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import math
+from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,9 +19,13 @@ from coursework.errors import InputError
 from coursework.march.loops import Loop, generate_loop
 from coursework.march.rates import Rates
 from coursework.schemes import SCHEMES
+from coursework.variant.record import MAX_ROWS
 
 Array = NDArray[np.float64]
-MOST_STEPS = 2_000_000
+# As many as a table has rows.
+MOST_STEPS = MAX_ROWS
+# Trials of a search, and the steps of the one from which the time of all is foretold.
+_TRIALS, _SAMPLE = 8, 1000
 # Round-off of Runge-Kutta 4 in doubles grows to 1e-13; a wish must stay well above what can be told apart.
 LEAST_ERROR = 1e-10
 
@@ -63,11 +69,24 @@ def choose_step(rates: Rates, scheme: str, start: Sequence[float], step: float, 
     """Return the largest step end/N whose error over its N + 1 rows stays under `wish`."""
     if not (np.isfinite(wish) and wish >= LEAST_ERROR):
         raise InputError(f"an error of {wish:g} cannot be asked for: from {LEAST_ERROR:g} down round-off decides. Ask for more.")
-    own = _need(scheme, rates, start, step, end, wish)
-    # Only a scheme of the same or a higher order can be cheaper.
+    # Only a scheme of the same or a higher order can be cheaper; those are asked first, because they take no time.
     rivals = [name for name, rival in SCHEMES.items() if name != scheme and rival.order >= SCHEMES[scheme].order]
-    others = sorted((_need(name, rates, start, step, end, wish) for name in rivals), key=lambda need: need.evaluations)
+    others = []
+    for name in rivals:
+        with suppress(TooLong):
+            others.append(_need(name, rates, start, step, end, wish))
+    others.sort(key=lambda need: need.evaluations)
+    try:
+        own = _need(scheme, rates, start, step, end, wish)
+    except TooLong as refused:
+        cheaper = [f"{other.title} needs {other.steps} steps" for other in others]
+        advice = f" {'; '.join(cheaper)}: take --scheme with one of these." if cheaper else " Ask for a larger error."
+        raise InputError(f"{refused}{advice}") from None
     return StepChoice(end / own.steps, own, tuple(others))
+
+
+class TooLong(Exception):
+    """What was wished for would take minutes; the sentence says how long."""
 
 
 def _need(name: str, rates: Rates, start: Sequence[float], step: float, end: float, wish: float) -> Need:
@@ -79,42 +98,34 @@ def _need(name: str, rates: Rates, start: Sequence[float], step: float, end: flo
         gap = _rows(loop, rates, start, end, steps, 1) - _rows(reference, rates, start, end, steps, 4)
         return float(np.max(np.abs(gap)))
 
-    first = max(1, round(end / step))
-    found = error(first)
-    guess = first * (found / wish) ** (1 / scheme.order) if found > wish else first
-    if guess > MOST_STEPS:
-        spent = guess * seconds(lambda: loop(0.0, 1000, end / 1000, *start), repeats=1) / 1000
-        raise InputError(
-            f"{scheme.title} would need about {guess:.2g} steps for an error of {wish:g}, about {_duration(spent)} "
-            f"for the march alone (at most {MOST_STEPS} steps are searched). Take a scheme of higher order: --scheme rk4."
+    def too_long(steps: float) -> TooLong:
+        spent = _TRIALS * steps / _SAMPLE * seconds(lambda: error(_SAMPLE), repeats=1)
+        return TooLong(
+            f"{scheme.title} would need about {steps:.2g} steps for an error of {wish:g}, and finding the smallest number of "
+            f"them about {_duration(spent)}; a table has at most {MOST_STEPS} rows."
         )
-    steps, reached = _smallest(error, first, found, int(guess), wish)
-    return Need(scheme.title, steps, steps * scheme.slopes, reached)
 
-
-def _smallest(error: Callable[[int], float], first: int, found: float, guess: int, wish: float) -> tuple[int, float]:
-    """Return the smallest number of steps under the wish and its error: bracket it, then halve."""
-    known = {first: found}
-
-    def at(steps: int) -> float:
-        if steps not in known:
-            known[steps] = error(steps)
-        return known[steps]
-
-    high = max(guess, 1)
-    while at(high) > wish:
-        high = int(high * 1.3) + 1
-        if high > 2 * MOST_STEPS:
-            raise InputError(
-                f"an error of {wish:g} is not reached with {MOST_STEPS} steps; ask for more, or take a better scheme."
-            )
-    low = high
-    while low > 1 and at(low) <= wish:
-        high, low = low, max(1, int(low / 1.3))
+    first = min(max(1, round(end / step)), MOST_STEPS)
+    low, high = 0, MOST_STEPS + 1  # errors at `low` are above the wish, at `high` not; neither end is computed
+    steps = first
+    found = {}
     while high - low > 1:
-        middle = (low + high) // 2
-        low, high = (low, middle) if at(middle) <= wish else (middle, high)
-    return high, at(high)
+        found[steps] = error(steps)
+        if not np.isfinite(found[steps]):
+            guess = 2.0 * steps
+        else:
+            guess = steps * (found[steps] / wish) ** (1 / scheme.order) if found[steps] > 0 else 1.0
+        if found[steps] <= wish:
+            high = steps
+            steps = min(high - 1, max(low + 1, math.floor(guess)))
+        else:
+            low = steps
+            if guess > 1.3 * MOST_STEPS:
+                raise too_long(guess)
+            steps = max(low + 1, min(high - 1, math.ceil(guess)))
+    if high > MOST_STEPS:
+        raise too_long(high)
+    return Need(scheme.title, high, high * scheme.slopes, found[high])
 
 
 def _rows(loop: Loop, rates: Rates, start: Sequence[float], end: float, steps: int, inner: int) -> Array:

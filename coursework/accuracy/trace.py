@@ -49,10 +49,11 @@ def errors(positions: Array, reference: Array) -> Errors:
 def slope(costs: Sequence[float], found: Sequence[float], floor: float) -> float | None:
     """Return the order of accuracy measured by least squares of log error on log steps.
 
-    Only points between ten times the round-off `floor` and 0.1 count; None where fewer than two remain.
+    Only the finest three points count that lie between ten times the round-off `floor` and 0.1: coarse steps have not reached
+    the order yet.  None where fewer than two remain.
     """
     kept = [(np.log(cost), np.log(error)) for cost, error in zip(costs, found, strict=True) if 10 * floor < error < 0.1]
     if len(kept) < 2:
         return None
-    x, y = np.array(kept).T
+    x, y = np.array(kept[-3:]).T
     return float(-np.polyfit(x, y, 1)[0])

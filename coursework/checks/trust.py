@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from coursework.checks.evidence import ONLY_SOME, Evidence
 from coursework.checks.result import Check, Verdict
-from coursework.march.integrate import WIDEST_STEP
+from coursework.march.integrate import TOO_LARGE, WIDEST_STEP
 from coursework.reduction.magnitude import largest
 from coursework.reduction.system import compile_system
 from coursework.reduction.tidy import as_formula
@@ -69,7 +69,8 @@ def _or_one(sizes: Array) -> Array:
 def peak(evidence: Evidence) -> Check:
     """No link turns by more than one radian in one step, also where it is fastest between two rows."""
     variant, step = evidence.variant, evidence.motion.step
-    if evidence.motion.stop is not None or not evidence.fastest:
+    stop = evidence.motion.stop
+    if (stop is not None and stop.kind != TOO_LARGE) or not evidence.fastest:
         return Check("PEAK", "Fastest link", "SKIP", "The motion stops, and near its end the velocities grow without bound.")
     turning = [
         (rate, when, coordinate)

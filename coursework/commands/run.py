@@ -12,7 +12,6 @@ from coursework.errors import InputError, closest
 from coursework.output import own_tables, write_record, write_tables
 from coursework.run import Run
 from coursework.schemes import SCHEMES
-from coursework.variant.record import Variant
 
 FORMATS = ("html", "pdf", "csv")
 _MARKS = {"PASS": "✓", "FAIL": "✗", "SKIP": "–", "ERROR": "!"}
@@ -30,7 +29,12 @@ def run_variant(
         return tell_round_off(solve(chosen, scheme, _step(step), end, quantities=("table",)))
     if error is not None and step != "auto":
         raise InputError("--error is a wish for --step auto; a fixed step has the error it has.")
-    h = auto_step(chosen, scheme, end, error) if step == "auto" else _step(step)
+    h = _step(step)
+    if step == "auto":
+        found = solve(chosen, scheme, end=end, quantities=("table",))
+        if found.stop is not None:
+            return tell_stop(found, "no step makes this motion possible")
+        h = auto_step(found, error)
     run = solve(
         chosen, scheme, h, end, quantities=quantities or None, project=int(project), gain=gain,
         student=student, group=group, date=date,
@@ -56,16 +60,20 @@ def check_formats(formats: tuple[str, ...]) -> None:
             raise InputError(f'"{name}" is not a format of the report.{closest(name, FORMATS)} Formats: {", ".join(FORMATS)}.')
 
 
-def auto_step(variant: Variant, scheme: str, end: float | None, error: float | None) -> float:
+def tell_stop(run: Run, consequence: str) -> int:
+    """Say why a motion stops and what therefore cannot be had; return the exit status of a stopped motion."""
+    assert run.stop is not None
+    click.echo(f"Stopped ({run.stop.kind}), so {consequence}. {run.stop.sentence}")
+    return 1
+
+
+def auto_step(run: Run, error: float | None) -> float:
     """Return the step for `--step auto --error WISH`, and say what it costs."""
     if error is None:
         raise InputError("--step auto needs the wish: --error 0.001 (rad or m, the largest error over the rows).")
     from coursework.accuracy.step_search import choose_step
 
-    run = solve(variant, scheme, end=end, quantities=("table",))
-    if run.stop is not None:
-        raise InputError(f"no step makes this motion possible. {run.stop.sentence}")
-    choice = choose_step(run.values["rates"], scheme, run.values["start"], run.step, run.end, error)
+    choice = choose_step(run.values["rates"], run.scheme, run.values["start"], run.step, run.end, error)
     for sentence in choice.sentences:
         click.echo(sentence)
     return choice.step
@@ -76,7 +84,7 @@ def tell_round_off(run: Run) -> int:
     from coursework.accuracy.round_off import round_off_curve
 
     if run.stop is not None:
-        raise InputError(f"the motion stops, so there is no error to show. {run.stop.sentence}")
+        return tell_stop(run, "there is no error to show")
     click.echo("Largest error of the last row (rad or m), against the exact motion:")
     click.echo(f"{'steps':>8} {'double':>12} {'single':>12} {'single, t += h':>15}")
     rows = len(run.motion.t) - 1
@@ -93,8 +101,9 @@ def tell_round_off(run: Run) -> int:
 
 
 def _step(text: str | None) -> float | None:
-    if text is None:
+    if text in {None, "auto"}:
         return None
+    assert text is not None
     try:
         return float(text.removesuffix("s").strip())
     except ValueError:

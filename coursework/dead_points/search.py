@@ -62,6 +62,14 @@ class Event:
     together: tuple[int, ...] = ()
 
 
+class NotFollowed(InputError):
+    """The motion could not be followed beyond `time` (s), and not because of the mechanism."""
+
+    def __init__(self, message: str, time: float) -> None:
+        super().__init__(message)
+        self.time = time
+
+
 def find_event(
     scene: Flow, start: Sequence[float], end: float, *, tolerance: float = TOLERANCE, breaks: Sequence[float] = ()
 ) -> Event | None:
@@ -122,7 +130,7 @@ class _Walk:
             self.state, self.scaled, self.length = step.state, after, following
             if nearer and (event := self._at_rest(block)) is not None:
                 return event if event.time < latest else None
-        raise InputError(f"the motion could not be followed beyond t = {self.state[-1]:.6g} s.")
+        raise NotFollowed(f"the motion could not be followed beyond t = {self.state[-1]:.6g} s.", float(self.state[-1]))
 
     def _determinants(self, state: Array) -> Array:
         *q, t = state.tolist()
@@ -156,7 +164,8 @@ class _Walk:
                     continue
                 if self.end - t < 100 * AT_END * self.end:
                     return None
-                raise InputError(f"the equations cannot be computed beyond t = {t:.6g} s: {error}") from error
+                why = str(error) if isinstance(error, OutsideTable) else "a formula has no value there."
+                raise NotFollowed(f"the motion cannot be followed beyond t = {t:.6g} s: {why}", t) from error
             ratio = float(np.max(np.abs(step.error) / (self.tolerance * sizes)))
             if ratio <= 1.0:
                 return step, self.length, next_length(self.length, ratio, 8)

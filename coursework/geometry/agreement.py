@@ -60,8 +60,9 @@ def require_agreement(equations: VelocityEquations, closure: Closure | None) -> 
             "Derive them again; until both agree, take [closure] out."
         )
         raise InputError([Fault(text, file)])
-    names = listing([both[index].name for index in sorted(suspects)], "or")
-    line = both[min(suspects)].line if len(suspects) == 1 else 0
+    found = [both[index] for index in sorted(suspects)]
+    names = listing([e.name if len(found) == 1 else f"{e.name} (line {e.line})" for e in found], "or")
+    line = found[0].line
     text = (
         f"equation {names} contradicts the geometry of [points] and [closure] (signs, lengths or angles differ). "
         "Derive it again, or correct the geometry."

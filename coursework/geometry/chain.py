@@ -18,12 +18,16 @@ from coursework.formula.tree import Formula, spelled
 from coursework.geometry.drive import integrals
 from coursework.geometry.jets import compile_rows
 from coursework.groups import Guide, Pair
+from coursework.groups.rpr import MODES as RPR_MODES
+from coursework.groups.rrp import MODES as RRP_MODES
+from coursework.groups.rrr import MODES as RRR_MODES
 from coursework.reduction.equations import VelocityEquations
 from coursework.variant.record import Group, Variant
 
 Array = NDArray[np.float64]
 # A start value written with fewer digits than this (rad or m) is taken for another position, not for rounding.
 START_TOLERANCE = 1e-6
+_TWO_MODES = {"RRR": RRR_MODES, "RRP": RRP_MODES, "RPR": RPR_MODES}
 
 
 def is_chain(variant: Variant) -> bool:
@@ -51,7 +55,7 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
         if group.kind == "crank":
             continue
         try:
-            found = _dyad(equations, group, times, q).coordinates
+            found = _dyad(equations, group, _mode(equations, group, q[:1]), times, q).coordinates
         except groups.CannotAssemble as error:
             text = f"{group.kind}{_letters(group)} cannot be assembled at t = {times[error.row]:.6g} s: {error.reason}"
             raise _fault(text, number, group, variant) from error
@@ -120,7 +124,34 @@ def _continued(angles: Array, start: float | None) -> Array:
     return np.asarray(smooth)
 
 
-def _dyad(equations: VelocityEquations, group: Group, times: Array, q: Array) -> groups.GroupMotion:
+def _mode(equations: VelocityEquations, group: Group, q: Array) -> int:
+    """Return the assembly mode: the one written, else the one the start values show; an RPR then counts its slide from D.
+
+    Raises `ValueError` where neither tells.
+    """
+    if group.mode or group.kind not in _TWO_MODES:
+        return group.mode
+    starts = [c.start for name in group.coordinates for c in equations.variant.coordinates if c.name == name]
+    for mode in (1, -1):
+        closed = _dyad(equations, group, mode, np.zeros(1), q).coordinates[0]
+        kinds = [equations.variant.unit_of(name) for name in group.coordinates]
+        if all(
+            start is not None and abs(_nearest(value, start, kind) - start) <= START_TOLERANCE
+            for value, start, kind in zip(closed.tolist(), starts, kinds, strict=True)
+        ):
+            return mode
+    if group.kind == "RPR":
+        return 1
+    meanings = _TWO_MODES[group.kind]
+    raise ValueError(f'{group.kind} closes in two ways. Write mode = "+1" ({meanings[1]}) or mode = "-1" ({meanings[-1]}).')
+
+
+def _nearest(value: float, start: float, unit: str) -> float:
+    """Return an angle in the turn of `start`, anything else as it is."""
+    return value + 2 * np.pi * round((start - value) / (2 * np.pi)) if unit == "rad" else value
+
+
+def _dyad(equations: VelocityEquations, group: Group, mode: int, times: Array, q: Array) -> groups.GroupMotion:
     symbols = equations.symbols
 
     def values(wanted: list[sp.Expr]) -> Array:
@@ -136,13 +167,13 @@ def _dyad(equations: VelocityEquations, group: Group, times: Array, q: Array) ->
     lengths = [scalar(formula) for formula in group.lengths]
     guides = [Guide(pair(g.through), scalar(g.angle), offset=scalar(g.offset)) for g in group.guides]
     if group.kind == "RRR":
-        return groups.rrr(*points, lengths=(lengths[0], lengths[1]), mode=group.mode, positions_only=True)
+        return groups.rrr(*points, lengths=(lengths[0], lengths[1]), mode=mode, positions_only=True)
     if group.kind == "RRP":
-        return groups.rrp(points[0], guides[0], length=lengths[0], mode=group.mode, positions_only=True)
+        return groups.rrp(points[0], guides[0], length=lengths[0], mode=mode, positions_only=True)
     if group.kind == "RPR":
         end = lengths[0] if lengths else None
         offset = scalar(group.offset)
-        return groups.rpr(*points, offset=offset, end_length=end, mode=group.mode, positions_only=True)
+        return groups.rpr(*points, offset=offset, end_length=end, mode=mode, positions_only=True)
     if group.kind == "RPP":
         angle = scalar(group.angle) if group.angle else np.pi / 2
         return groups.rpp(points[0], guides[0], slide_angle=angle, positions_only=True)

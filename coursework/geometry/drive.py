@@ -21,6 +21,8 @@ Array = NDArray[np.float64]
 # Gauss-Legendre with 12 points is exact to round-off for a sinusoid over a tenth of its period.
 _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(12)
 _PIECES_PER_RUN = 240
+# This part of the run beside a moment, and so many times its usual size, tell that a drive grows beyond bounds there.
+_NEAR, _BEYOND = 1e-6, 1e4
 
 
 def breaks(variant: Variant) -> tuple[float, ...]:
@@ -85,6 +87,34 @@ def refuse_aliasing(equations: VelocityEquations, step: float) -> None:
             f"3.14 rad on the rows show another, slower motion that is not there. Take a step of at most "
             f"{np.pi / 10 / frequency:.2g} s (20 rows a period)."
         )
+
+
+def refuse_endless(equations: VelocityEquations, time: float) -> None:
+    """Raise `InputError` where a drive has no finite value about `time` (s), or turns a crank by turns in one step."""
+    variant = equations.variant
+    names = [law.name for law in variant.drive]
+    if not names:
+        return
+    _, rows = compile_values(equations, [symbol(name) for name in names])
+    near = _NEAR * variant.time.end
+    times = np.concatenate([np.linspace(0.0, time / 2, 33), [time - near, time, time + near]])
+    starts = np.zeros(len(variant.coordinates))
+    with np.errstate(all="ignore"):
+        values = np.abs(np.stack(np.broadcast_arrays(*rows(times, *starts), times)[:-1]).astype(float))
+    usual, there = np.max(values[:, :-3], axis=1), np.max(values[:, -3:], axis=1)
+    faults = []
+    angles = {coordinate.rate for coordinate in variant.coordinates if coordinate.unit == "rad"}
+    for name, before, now in zip(names, usual, there, strict=True):
+        text = ""
+        if not now < _BEYOND * before:
+            text = f"the drive {name} has no finite value about t = {time:.6g} s. Correct its formula, or end the table before."
+        elif name in angles and now * variant.time.step > 2 * np.pi:
+            turned, most = now * variant.time.step, 0.1 / now
+            text = f"the drive {name} turns its crank by {turned:.3g} rad in one step. Take a step of about {most:.2g} s."
+        if text:
+            faults.append(Fault(text, str(variant.path or variant.name), variant.line_of("drive", name)))
+    if faults:
+        raise InputError(faults)
 
 
 def is_sinusoidal(equations: VelocityEquations) -> bool:

@@ -28,11 +28,11 @@ def accelerations(equations: VelocityEquations, reduction: Reduction, motion: Mo
         moving = sp.Add(*[slope * symbol(name) for name, slope in equation.coefficients.items()], -equation.right_side)
         still = {derivative(name): sp.S.Zero for name in equations.unknowns}
         rest.append(-second_rate(equations, moving).xreplace(still))
-    sought = np.zeros((len(motion.t), len(used)))
+    sought: Array = np.zeros((len(motion.t), len(used)))
     if sought.size:
         right = compile_rows(equations, rest, 1)(motion.t, motion.coordinates, motion.velocities)
         matrix, _, _ = compile_system(equations, used).matrices(motion.t, motion.coordinates)
-        sought = np.linalg.solve(matrix, right[..., None])[..., 0]
+        sought = np.asarray(np.linalg.solve(matrix, right[..., None])[..., 0], dtype=float)
     known = [equations.symbols.partial(symbol(rate), TIME) for rate in variant.known_rates]
     driven = compile_rows(equations, known, 0)(motion.t, motion.coordinates) if known else np.zeros((len(motion.t), 0))
     columns = {**dict(zip(equations.unknowns, sought.T, strict=True)), **dict(zip(variant.known_rates, driven.T, strict=True))}

@@ -47,8 +47,9 @@ class TableLaw:
         last = len(self.nodes) - 1
         if np.any(place < -1e-6) or np.any(place > last + 1e-6):
             found = float(np.asarray(argument, dtype=float).flat[int(np.argmax(np.abs(place - last / 2)))])
+            covered = f"{self.nodes[0]:.9g} to {self.nodes[-1]:.9g}"
             raise OutsideTable(
-                f"the table of {self.name} covers {self.nodes[0]:g} to {self.nodes[-1]:g}, but {found:g} is asked for."
+                f"the table of {self.name} covers {covered}, but {found:.9g} is asked for. Add nodes, or end the motion before."
             )
         inside = np.clip(np.floor(place).astype(int), 0, last - 1)
         result = self._hermite(place, inside, order) if self.method == "spline" else self._quartic(place, inside, order)

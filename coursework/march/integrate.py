@@ -21,6 +21,8 @@ from coursework.variant.record import whole_steps
 Array = NDArray[np.float64]
 # One step that turns a link whose angle stands in a determinant by more than this (rad) can cross a dead point unseen.
 WIDEST_STEP = 1.0
+# The kind of a stop that the scheme makes and the mechanism does not.
+TOO_LARGE = "step too large"
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,7 +157,7 @@ def _crossed(
                 f"point: a determinant went from {old:.3g} to {new:.3g}. The true motion has none there; the step {step:g} s "
                 "is too large."
             )
-            return Stop("step too large", t, float(index), (), _named(rates, q), cause, "Take a smaller step or a better scheme.")
+            return Stop(TOO_LARGE, t, float(index), (), _named(rates, q), cause, "Take a smaller step or a better scheme.")
     return None
 
 
@@ -164,7 +166,7 @@ def _too_wide(name: str, turned: float, index: int, t: float, step: float, q: Ar
         f"At row {index + 1} (t = {t:.6g} s) one step of {step:g} s would turn {name} by {turned:.3g} rad "
         f"({np.degrees(turned):.0f}°); beyond {WIDEST_STEP:g} rad a dead point can be crossed unseen."
     )
-    return Stop("step too large", t, float(index), (), _named(rates, q), cause, "Take a smaller step.")
+    return Stop(TOO_LARGE, t, float(index), (), _named(rates, q), cause, "Take a smaller step.")
 
 
 def _broken(what: str, index: int, t: float, step: float, q: Array, rates: Rates) -> Stop:

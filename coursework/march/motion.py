@@ -25,7 +25,7 @@ def rows_before(time: float, step: float) -> int:
 class Stop:
     """Why a motion ended before its time.
 
-    `kind` is "dead point", "change point" (two branches meet), "touch", "too fast", "not finite" or "unreachable";
+    `kind` is "dead point", "change point" (two branches meet), "step too large" or "not finite" (the scheme's own doing);
     `time` in s; `row` as a fraction (5.84 lies between rows 5 and 6, counted from 0); `block` the unknown velocities of the
     singular block; `coordinates` the configuration there; `determinant` its name in words; `cause` and `meaning` are
     sentences for the reader; `branches` the velocities possible at a change point.

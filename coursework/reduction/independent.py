@@ -119,7 +119,10 @@ def _fault(
         wanted = f"equation {listing(others)}" if len(others) == 1 else f"equations {listing(others)} together"
         said = wanted if others else "0 = 0"
         sentences.append(f"Equation {name} contradicts {said}: the right sides differ by {abs(gap):.3g} at t = 0.")
-    sentences += ["Correct one of them or leave it out."] if conflicts else []
+    if conflicts:
+        driven = listing([law.name for law in equations.variant.drive])
+        many = f", or drive less: {driven} are prescribed" if len(equations.variant.drive) > 1 else ""
+        sentences.append(f"Correct one of them or leave it out{many}.")
     sentences += [f"Equation {_same(pair)}." for pair in sames]
     if len(kept) < len(unknowns):
         sentences.append(f"Missing: something for {listing(_undetermined(matrix, kept, unknowns))}.")

@@ -13,6 +13,8 @@ from coursework.variant.record import Variant
 
 # At a singular position a factor this small beside the largest one is the factor that vanishes.
 _SMALL = 1e-3
+# The sine of an angle given with all digits of pi is still this much beside zero.
+_ROUNDING = 1e-12
 
 
 def meaning(determinant: Formula, variant: Variant, equations: Sequence[str], at: Mapping[str, float] | None = None) -> str:
@@ -44,7 +46,7 @@ def vanishing(determinant: Formula, variant: Variant, at: Mapping[str, float] | 
 
 def _vanishing(determinant: Formula, variant: Variant, at: Mapping[str, float] | None) -> list[Formula]:
     lengths = {g.name for g in variant.given}
-    factors = [factor for factor in _factors(determinant) if not set(factor.names()) <= lengths]
+    factors = [factor for factor in _factors(determinant) if not set(factor.names()) <= lengths or _is_nothing(factor, variant)]
     if at is None or len(factors) < 2:
         return factors
     try:
@@ -52,6 +54,14 @@ def _vanishing(determinant: Formula, variant: Variant, at: Mapping[str, float] |
     except (FormulaFault, KeyError):  # a factor that depends on the drive
         return factors
     return [factor for factor, size in zip(factors, sizes, strict=True) if size <= _SMALL * max(sizes)] or factors
+
+
+def _is_nothing(factor: Formula, variant: Variant) -> bool:
+    """Return whether a factor of given data alone, such as the sine of the angle between two guides, is zero."""
+    try:
+        return abs(evaluate(factor, variant.values)) < _ROUNDING
+    except (FormulaFault, KeyError):
+        return False
 
 
 def _factors(tree: Formula) -> list[Formula]:
@@ -81,7 +91,8 @@ def _factor(tree: Formula, variant: Variant) -> str:
         return f"{_link(angles[0], variant)} stands at a right angle to the guide"
     if tree.op in {"+", "-"}:
         return f"the lever arms of {_listed(angles, variant)} cancel"
-    return f"{spelled(tree)} is zero" if tree.names() else ""
+    always = "" if set(tree.names()) - set(variant.values) else " with these data, in every position"
+    return f"{spelled(tree)} is zero{always}" if tree.names() else ""
 
 
 def _is_difference(tree: Formula) -> bool:

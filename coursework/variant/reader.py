@@ -20,14 +20,12 @@ from coursework.variant import schema
 from coursework.variant.at_start import faults_at_start
 from coursework.variant.names import Names
 from coursework.variant.parts import Parts
-from coursework.variant.record import Constraint, Coordinate, Frame, Given, Group, Guide, Law, Link, Time, Variant
+from coursework.variant.record import MAX_ROWS, Constraint, Coordinate, Frame, Given, Group, Guide, Law, Link, Time, Variant
 from coursework.variant.record import whole_steps as _whole_steps
 from coursework.variant.shape import read_shape
 from coursework.variant.source import Source, read_bytes, read_source
 from coursework.variant.tables import read_table
 from coursework.variant.zero_lengths import faults_of_zero_lengths
-
-MAX_ROWS = 200_000
 
 
 def read_variant(path: Path) -> Variant:
@@ -180,7 +178,7 @@ def _group(index: int, entry: schema.Group, parts: Parts) -> Group:
         parts.names.canonical(entry.meets) if entry.meets else None,
         tuple(parts.scalar((*path, "lengths", i), value) for i, value in enumerate(entry.lengths)),
         tuple(parts.names.canonical(coordinate) for coordinate in entry.coordinates),
-        int(entry.mode or 1),
+        int(entry.mode or 0),
         guides,
         scalar("offset", entry.offset if entry.offset is not None else 0),
         scalar("angle", entry.angle) if entry.angle is not None else None,

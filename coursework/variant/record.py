@@ -11,6 +11,9 @@ from pathlib import Path
 
 from coursework.formula.tree import Formula
 
+# More rows than this nobody reads; a step much smaller than the coursework needs is a slip of the pen.
+MAX_ROWS = 200_000
+
 
 @dataclass(frozen=True, slots=True)
 class Given:
@@ -95,7 +98,7 @@ class Guide:
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """An Assur group or crank of a chain."""
+    """An Assur group or crank of a chain; `mode` is +1, -1, or 0 where the file leaves it to the start values."""
 
     kind: str
     start_points: tuple[Formula, ...]

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.accuracy.round_off import RoundOffRow
+from coursework.accuracy import step_search
+from coursework.accuracy.round_off import RoundOffRow, round_off_curve
 from coursework.accuracy.step_search import choose_step
 from coursework.errors import InputError
 from coursework.march.precision import march_in
@@ -36,7 +37,7 @@ def test_the_cheaper_alternatives_are_told(values):
 
 
 def test_what_would_take_minutes_is_refused_with_the_time(values):
-    with pytest.raises(InputError, match=r"would need about .* steps .* (min|h|s) for the march alone"):
+    with pytest.raises(InputError, match=r"about .* steps .* finding .* about [\d.]+ (min|h); .*Runge-Kutta 4 needs \d+ steps"):
         choose_step(values["rates"], "euler", values["start"], 0.02, 0.48, 1e-9)
 
 
@@ -59,3 +60,29 @@ def test_adding_up_the_time_spoils_single_precision(values):
     coarse, fine = (RoundOffRow(n, 0.0, error(n, False), error(n, True)) for n in (6144, 24576))
     assert fine.running > 1.5 * coarse.running
     assert fine.single < coarse.single / 2
+
+
+def test_no_step_of_a_wish_is_tried_beyond_the_rows_of_a_table(values, monkeypatch):
+    """A wish that needs more rows than a table has is refused after some coarse trials, not after minutes."""
+    tried = []
+    rows = step_search._rows
+
+    def counted(loop, rates, start, end, steps, inner):
+        tried.append(steps)
+        return rows(loop, rates, start, end, steps, inner)
+
+    monkeypatch.setattr(step_search, "_rows", counted)
+    for wish in (2.5e-6, 1e-9):
+        with pytest.raises(InputError, match="a table has at most 200000 rows"):
+            choose_step(values["rates"], "euler", values["start"], 0.02, 0.48, wish)
+    assert max(tried) <= 200_000
+    assert len(tried) < 100
+
+
+def test_single_precision_has_a_best_step(values):
+    """The V: round-off takes back what ever smaller steps gain, also with t = i*h."""
+    end = coursework.solve("31", quantities=["table"]).exact.coordinates[-1]
+    curve = list(round_off_curve(values["rates"], "euler", values["start"], 0.02, 24, end))
+    best = min(range(len(curve)), key=lambda place: curve[place].single)
+    assert 0 < best < len(curve) - 1
+    assert curve[-1].double < curve[best].double

@@ -169,3 +169,14 @@ def test_the_guides_of_a_dyad_are_named_when_they_become_parallel():
     stop = coursework.solve(parse_variant(text)).stop
     assert stop.time == pytest.approx(1.6, abs=1e-8)
     assert "the two guides are parallel" in stop.meaning
+
+
+def test_a_mode_that_is_not_written_is_taken_from_the_start_or_asked_for():
+    for mode, start in (("+1", 0.768793548991278), ("-1", -0.768793548991278)):
+        named = BESIDE.replace("PHI2", "").replace("MODE", mode)
+        other = 1.6871299784681 if mode == "+1" else 4.59605532871149
+        by_start = named.replace(f'mode = "{mode}"', "").replace("phi2 = { ", f'phi2 = {{ start = "{start} rad", ')
+        by_start = by_start.replace("phi3 = { ", f'phi3 = {{ start = "{other} rad", ')
+        assert coursework.solve(parse_variant(by_start)).motion.column("phi2")[0] == pytest.approx(start, abs=1e-14)
+    with pytest.raises(coursework.InputError, match=r'RRR closes in two ways. Write mode = "\+1" \(C to the left'):
+        _ = coursework.solve(parse_variant(named.replace('mode = "-1"', ""))).motion

@@ -215,3 +215,11 @@ def test_a_restricted_table_can_be_judged_as_far_as_it_goes(columns):
     assert "ERROR" not in found.values()
     assert "FAIL" not in found.values()
     assert {code for code, verdict in found.items() if verdict == "SKIP"} >= {"INITIAL", "RESIDUAL", "CONDITION", "DRIFT"}
+
+
+@pytest.mark.parametrize("step", [0.02, 0.001, 0.0004, 0.0001])
+def test_the_period_is_judged_whatever_the_step(step):
+    """0.48 s is the period 0.480366 s to the task sheet, also where a row lies nearer to it."""
+    run = coursework.solve("31", step=step, quantities=["table", "checks"])
+    found = {check.code: check.verdict for check in run.checks}
+    assert {found[code] for code in ("PERIOD-POSITION", "PERIOD-VELOCITY", "PERIOD-ASSEMBLY", "SINUSOID")} == {"PASS"}

@@ -8,7 +8,7 @@ import pytest
 
 from coursework.errors import InputError
 from coursework.variant.reader import parse_variant
-from tests.hard.scenes import CASES, V31, check, expected, rates, scene, solve
+from tests.hard.scenes import CASES, V31, check, expected, four_bar, rates, scene, solve
 from tests.hard.test_change_points import chain
 
 
@@ -202,3 +202,32 @@ def test_h17_the_four_by_four_of_the_raw_case():
     raw = run.values["flow"].system.matrix(0.0, run.motion.coordinates[0].tolist())[0]
     assert np.linalg.cond(raw) > 1e5
     assert check(run, "CONDITION").rows[0][1] < 100
+
+
+def test_a_determinant_of_given_data_alone_is_told_as_such():
+    """Guides at an angle that the data make zero: no position of the mechanism helps."""
+    text = scene(rates("w1", "w2"), given='gamma = "0 rad"', drive='w1 = "1"', equations=["w2*sin(gamma) = w1*sin(gamma) + w1"])
+    stop = solve(text).stop
+    assert stop.kind == "dead point"
+    assert "sin(gamma) is zero with these data, in every position" in stop.meaning
+
+
+def test_one_drive_too_many_is_told():
+    text = V31.replace("[drive]", '[drive]\nw1 = "2"')
+    assert "or drive less: w1, VMx and VMy are prescribed" in message(text)
+
+
+@pytest.mark.parametrize(
+    ("drive", "told"),
+    [
+        ("1/(t - 0.05)", "the drive w1 has no finite value about t = 0.05 s"),
+        ("sqrt(0.05 - t)", "the drive w1 has no finite value about t = 0.05 s"),
+        ("log(0.05 - t)", "the drive w1 has no finite value about t = 0.05 s"),
+        ("1e5", "turns its crank by 2e+03 rad in one step"),
+    ],
+)
+def test_a_drive_without_a_value_is_named_with_its_line(drive, told):
+    text = four_bar(0.4, 1.0, 0.7, 1.2, (0.0, 0.768793548991278, 1.6871299784681), speed=drive, end=0.2)
+    found = message(text)
+    assert told in found
+    assert found.startswith("variant:")
