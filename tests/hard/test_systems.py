@@ -206,7 +206,8 @@ def test_h17_the_four_by_four_of_the_raw_case():
 
 def test_a_determinant_of_given_data_alone_is_told_as_such():
     """Guides at an angle that the data make zero: no position of the mechanism helps."""
-    text = scene(rates("w1", "w2"), given='gamma = "0 rad"', drive='w1 = "1"', equations=["w2*sin(gamma) = w1*sin(gamma) + w1"])
+    equations = ["w2 + w3*cos(gamma) = w1", "w3*sin(gamma) = w1"]
+    text = scene(rates("w1", "w2", "w3"), given='gamma = "0 rad"', drive='w1 = "1"', equations=equations)
     stop = solve(text).stop
     assert stop.kind == "dead point"
     assert "sin(gamma) is zero with these data, in every position" in stop.meaning
