@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
-from coursework.errors import CourseworkError, closest
+from coursework.errors import CourseworkError, closest, listing
 
 Rules = Mapping[str, Callable[..., Any]]
 
@@ -24,16 +24,19 @@ class UnknownQuantity(CourseworkError):
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """`order` of the quantities computed; `needed_by` the first that asks for each; `left_out` the rest."""
+    """`order` of the quantities computed; `needed_by` the first that asks for each; `left_out` the rest, and what needs them."""
 
     order: tuple[str, ...]
     needed_by: Mapping[str, str]
-    left_out: tuple[str, ...]
+    left_out: Mapping[str, tuple[str, ...]]
 
     def lines(self) -> list[str]:
         """Return the plan for a reader."""
         computed = [f"  {name:<16} {'asked for' if by == name else f'needed by {by}'}" for name, by in self.needed_by.items()]
-        left = [f"  {name:<16} nothing asked for needs it" for name in self.left_out]
+        left = [
+            f"  {name:<16} " + (f"only for {listing(users)}, not asked for" if users else "not asked for")
+            for name, users in self.left_out.items()
+        ]
         return ["Computed, in this order:", *computed, "Left out:", *(left or ["  nothing"])]
 
 
@@ -61,7 +64,8 @@ def make_plan(rules: Rules, wanted: Iterable[str], given: Iterable[str]) -> Plan
 
     for name in wanted:
         visit(name, name, ())
-    return Plan(tuple(needed_by), needed_by, tuple(name for name in rules if name not in needed_by))
+    users = {name: tuple(user for user, rule in rules.items() if name in needs(rule)) for name in rules}
+    return Plan(tuple(needed_by), needed_by, {name: users[name] for name in rules if name not in needed_by})
 
 
 @dataclass(slots=True)

@@ -132,7 +132,8 @@ def accuracy(
 
     if stop is not None or settings.columns:
         return None
-    scene = Scene(rates, start, variant.time.step, len(exact.t) - 1, closure)
+    units = tuple(coordinate.unit for coordinate in variant.coordinates)
+    scene = Scene(rates, start, variant.time.step, len(exact.t) - 1, closure, units)
     return make_study(scene, exact, budget, settings.scheme)
 
 

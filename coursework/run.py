@@ -123,6 +123,12 @@ class Run:
         return reduction
 
     @property
+    def partials(self) -> dict[str, tuple[str, str]]:
+        """Return the names given to derivatives of drives and functions: name -> (what, by what)."""
+        partials: dict[str, tuple[str, str]] = self.values["equations"].symbols.partials
+        return partials
+
+    @property
     def solutions(self) -> tuple[Solution, ...]:
         """Return for every block the velocities as formulas, nothing where it is solved numerically."""
         found: tuple[Solution, ...] = self.values["solutions"]
@@ -198,6 +204,13 @@ class Run:
         """Return the plan where the pages show `more` besides what was asked for."""
         plan = make_plan(QUANTITIES, [*wanted(self.asked), *more], ("variant", "settings"))
         return replace(plan, needed_by={**plan.needed_by, **dict.fromkeys(more, "the pages")})
+
+    def blocks_evaluated(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        """Return the blocks of velocities that each row needs, and those that nothing asked for needs, by their unknowns."""
+        needed = self.values["rates"].blocks
+        named = [", ".join(block.unknowns) for block in self.reduction.blocks]
+        left = tuple(f"({name})" for place, name in enumerate(named) if place not in needed)
+        return tuple(f"({named[place]})" for place in needed), left
 
     @property
     def versions(self) -> dict[str, str]:

@@ -24,14 +24,14 @@ def test_a_plan_names_ancestors_in_order_and_who_needs_them():
     plan = make_plan(RULES, ["area"], ["given"])
     assert plan.order == ("length", "width", "area")
     assert plan.needed_by == {"length": "area", "width": "area", "area": "area"}
-    assert plan.left_out == ("unused",)
+    assert plan.left_out == {"unused": ()}
     assert plan.lines() == [
         "Computed, in this order:",
         "  length           needed by area",
         "  width            needed by area",
         "  area             asked for",
         "Left out:",
-        "  unused           nothing asked for needs it",
+        "  unused           not asked for",
     ]
 
 
@@ -108,6 +108,30 @@ def test_exact_calls(scene):
     assert run.values.calls == dict.fromkeys(computed, 1)
     assert set(run.plan.order) <= computed
     assert set(run.plan.left_out) == set(QUANTITIES) - set(run.plan.order)
+
+
+def test_what_nothing_asked_for_needs_names_what_would():
+    told = make_plan(RULES, ["length"], ["given"]).lines()
+    assert "  width            only for area, not asked for" in told
+    assert "  area             only for unused, not asked for" in told
+
+
+def test_a_new_quantity_costs_a_table_nothing(monkeypatch):
+    """A quantity added to the program is not computed, and nothing is computed more often, unless somebody asks for it."""
+    before = coursework.solve("31", quantities=["table"])
+    before.columns()
+
+    def torque(motion, accelerations):
+        """A quantity of tomorrow."""
+        return motion.velocities * accelerations
+
+    monkeypatch.setitem(QUANTITIES, "torque", torque)
+    after = coursework.solve("31", quantities=["table"])
+    after.columns()
+    assert after.values.calls == before.values.calls
+    assert after.plan.left_out["torque"] == ()
+    assert after.values["torque"].shape == after.motion.velocities.shape
+    assert after.values.calls["torque"] == 1
 
 
 def test_looking_again_computes_nothing():

@@ -39,13 +39,14 @@ TOLERANCES = (1e-5, 1e-7, 1e-9, 1e-11)
 
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """What a trial needs: rates, start, row distance h (s), number of rows, closure if known."""
+    """What a trial needs: rates, start, row distance h (s), number of rows, closure if known; `units` of the coordinates."""
 
     rates: Rates
     start: Sequence[float]
     step: float
     rows: int
     closure: Closure | None
+    units: tuple[str, ...]
 
     @property
     def times(self) -> Array:

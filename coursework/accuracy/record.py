@@ -6,12 +6,12 @@ Leaves `study.py`; read by the report and the command line.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 
 @dataclass(frozen=True, slots=True)
 class StudyRow:
-    """One method at one setting; errors in rad or m, `seconds` None where not timed, `failed` a sentence if it did."""
+    """One method at one setting; errors in `unit` and `end_unit`, `seconds` None where not timed, `failed` says why it did."""
 
     method: str
     steps_or_tolerance: str
@@ -20,13 +20,15 @@ class StudyRow:
     end_error: float
     seconds: float | None
     failed: str = ""
+    unit: str = "rad"
+    end_unit: str = "rad"
 
 
 @dataclass(frozen=True, slots=True)
 class AccuracyStudy:
     """`rows`; measured `orders` by method (`end_orders` from the last row alone); the coursework's `own` point
     (method, evaluations, error, seconds); round-off `floor`; `reference_label`; `budget` of the last row per coordinate
-    (name, unit, total, scheme, period, round-off); `sentences`; `overhead` (what, seconds).
+    (name, unit, total, scheme, period, round-off); `sentences`; `overhead` (what, seconds); `machine` where it was timed.
     """
 
     rows: tuple[StudyRow, ...]
@@ -39,3 +41,4 @@ class AccuracyStudy:
     sentences: Sequence[str]
     overhead: Sequence[tuple[str, float]]
     seconds_shown: bool
+    machine: Mapping[str, str] = field(default_factory=dict)

@@ -14,14 +14,14 @@ from coursework.schemes import SCHEMES
 
 
 def sentences_of(
-    rows: Sequence[StudyRow], orders: Mapping[str, float], end_orders: Mapping[str, float], own: StudyRow, unit: str
+    rows: Sequence[StudyRow], orders: Mapping[str, float], end_orders: Mapping[str, float], own: StudyRow
 ) -> tuple[str, ...]:
     """Return the findings: the own step, the better scheme at the same step, what equal accuracy costs, the end-row trap."""
     best = _first(rows, SCHEMES["rk4"].title)
     euler = _first(rows, SCHEMES["euler"].title)
-    told = [f"{own.steps_or_tolerance} steps of {own.method}: {_size(own.max_error, unit)} off at worst{_time(own)}."]
+    told = [f"{own.steps_or_tolerance} steps of {own.method}: {_size(own.max_error, own.unit)} off at worst{_time(own)}."]
     told.append(
-        f"The same {best.steps_or_tolerance} steps of {best.method} are {_size(best.max_error, unit)} off: "
+        f"The same {best.steps_or_tolerance} steps of {best.method} are {_size(best.max_error, best.unit)} off: "
         f"{_round(euler.max_error / best.max_error)} times less error than Euler for "
         f"{best.evaluations / euler.evaluations:.3g} times the evaluations{_ratio(best, euler)}."
     )
@@ -35,20 +35,20 @@ def sentences_of(
     if projected:
         told.append(
             f"Euler with one Newton projection a step, {projected[0].steps_or_tolerance} steps: "
-            f"{_size(projected[0].max_error, unit)}, "
+            f"{_size(projected[0].max_error, projected[0].unit)}, "
             f"{_round(euler.max_error / projected[0].max_error)} times less than without it."
         )
     closed = [row for row in rows if row.method == CLOSED and not row.failed]
     if closed:
         told.append(
-            f"Newton on the position equations gives the same rows to {_size(closed[0].max_error, unit)} with "
+            f"Newton on the position equations gives the same rows to {_size(closed[0].max_error, closed[0].unit)} with "
             f"{closed[0].evaluations} evaluations{_time(closed[0])}: {_round(closed[0].evaluations / best.evaluations)} times "
             f"the evaluations{_ratio(closed[0], best)} of {best.steps_or_tolerance} steps of {best.method}."
         )
     understated = euler.max_error / max(euler.end_error, 1e-300)
     if understated >= 1.1:
         told.append(
-            f"The last row alone understates: there Euler is {_size(euler.end_error, unit)} off, "
+            f"The last row alone understates: there Euler is {_size(euler.end_error, euler.end_unit)} off, "
             f"{understated:.2g} times less than at its worst row."
         )
     for name, order in orders.items():
@@ -77,7 +77,7 @@ def _steps_for(rows: Sequence[StudyRow], error: float) -> float | None:
 def _size(value: float, unit: str) -> str:
     if unit == "rad" and value >= 1e-3:
         return f"{value:.3g} rad ({math.degrees(value):.2g}°)"
-    return f"{value:.3g} {unit or 'rad or m'}"
+    return f"{value:.3g} {unit}"
 
 
 def _round(value: float) -> str:

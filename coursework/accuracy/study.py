@@ -7,6 +7,8 @@ independent of the schemes; the error of the last row alone is kept beside it be
 
 from __future__ import annotations
 
+import os
+import platform
 import time
 from collections.abc import Callable, Sequence
 
@@ -51,7 +53,8 @@ def make_study(
             )
             continue
         spent = seconds(trial.run) if timed else None
-        rows.append(StudyRow(trial.method, trial.setting, evaluations, found.grid, found.end, spent))
+        units = scene.units[found.grid_at], scene.units[found.end_at]
+        rows.append(StudyRow(trial.method, trial.setting, evaluations, found.grid, found.end, spent, "", *units))
     orders, end_orders = _orders(rows, floor), _orders(rows, floor, end=True)
     title = SCHEMES[scheme].title
     own_row = next(row for row in rows if row.method == title)
@@ -59,9 +62,9 @@ def make_study(
     label = exact.label
     if agreement:  # where there is no closure, the reference is such a run itself
         label += f"; a refined Runge-Kutta run (itself settled to {gap:.0e}) differs from it by {agreement:.1e}"
-    unit = "rad" if all(name_unit[1] == "rad" for name_unit in budget) else ""
-    told = sentences_of(rows, orders, end_orders, own_row, unit)
-    return AccuracyStudy(tuple(rows), orders, end_orders, own, floor, label, tuple(budget), told, tuple(overhead), timed)
+    told = sentences_of(rows, orders, end_orders, own_row)
+    where = machine() if timed else {}
+    return AccuracyStudy(tuple(rows), orders, end_orders, own, floor, label, tuple(budget), told, tuple(overhead), timed, where)
 
 
 def _finer(scene: Scene, fine: int) -> Array:
@@ -79,6 +82,14 @@ def _orders(rows: Sequence[StudyRow], floor: float, *, end: bool = False) -> dic
         if measured is not None:
             found[method] = measured
     return found
+
+
+def machine() -> dict[str, str]:
+    """Return on what the times were measured: they mean nothing without it."""
+    return {
+        "system": f"{platform.system()} {platform.machine()}", "processors": str(os.cpu_count() or 1),
+        "python": f"{platform.python_implementation()} {platform.python_version()}",
+    }  # fmt: skip
 
 
 def time_of(work: Callable[[], object]) -> float:

@@ -18,10 +18,12 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class Errors:
-    """Largest |coordinate - reference| (rad or m): over the whole grid, and in the last row only."""
+    """Largest |coordinate - reference| (rad or m): over the whole grid, and in the last row only; in which coordinate."""
 
     grid: float
     end: float
+    grid_at: int
+    end_at: int
 
 
 def trace(
@@ -42,8 +44,9 @@ def trace(
 
 def errors(positions: Array, reference: Array) -> Errors:
     """Return the errors of some rows against the same rows of the reference."""
-    gaps = np.max(np.abs(positions - reference), axis=1)
-    return Errors(float(np.max(gaps)), float(gaps[-1]))
+    gaps = np.abs(positions - reference)
+    columns = np.max(gaps, axis=0)
+    return Errors(float(np.max(columns)), float(np.max(gaps[-1])), int(np.argmax(columns)), int(np.argmax(gaps[-1])))
 
 
 def slope(costs: Sequence[float], found: Sequence[float], floor: float) -> float | None:

@@ -51,7 +51,8 @@ def timed_study(run: Run) -> AccuracyStudy:
     time = run.variant.time
     if values["closure"] is None and run.exact.evaluations == 0:
         raise InputError("there is no reference to measure errors against.")
-    scene = Scene(values["rates"], values["start"], time.step, len(run.exact.t) - 1, values["closure"])
+    units = tuple(coordinate.unit for coordinate in run.variant.coordinates)
+    scene = Scene(values["rates"], values["start"], time.step, len(run.exact.t) - 1, values["closure"], units)
     command = [sys.executable, "-c", "import numpy, sympy"]
     overhead = (
         ("start and imports", time_of(lambda: subprocess.run(command, check=True))),

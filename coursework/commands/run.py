@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from coursework.api import load, solve
-from coursework.errors import InputError, closest
+from coursework.errors import InputError, closest, listing
 from coursework.output import own_tables, write_record, write_tables
 from coursework.run import Run
 from coursework.schemes import SCHEMES
@@ -42,6 +42,8 @@ def run_variant(
     if plan:
         on_pages = ("solutions",) if {"html", "pdf"} & set(formats) else ()
         click.echo("\n".join(run.plan_with(*on_pages).lines()))
+        used, left = run.blocks_evaluated()
+        click.echo(f"In each row: the velocities {listing(used)}; left out: {listing(left) or 'nothing'}.")
         return 0
     folder = out or Path(f"coursework-{chosen.name}")
     written = write_all(run, folder, formats)

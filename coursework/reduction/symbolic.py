@@ -77,6 +77,7 @@ class Symbols:
         self.rates = {symbol(c.name): symbol(c.rate) for c in variant.coordinates}
         self.definitions: dict[sp.Symbol, sp.Expr] = {}
         self.vectors: dict[str, Vector] = {}
+        self.partials: dict[str, tuple[str, str]] = {}
         self._taken = variant.names
         self._derivatives: dict[tuple[sp.Symbol, sp.Symbol], sp.Expr] = {}
         for section, laws in (("drive", variant.drive), ("functions", variant.functions)):
@@ -174,6 +175,7 @@ class Symbols:
             if value.free_symbols:
                 derived = symbol(self._free_name(f"{name}_{by}"))
                 self.definitions[derived] = value
+                self.partials[derived.name] = (name.name, by.name)
                 value = derived
             self._derivatives[name, by] = value
         return self._derivatives[name, by]

@@ -144,4 +144,5 @@ def _overhead(desk: Desk, study: AccuracyStudy) -> list[Part]:
     values = tuple(seconds for _, seconds in study.overhead)
     svg, height = bars("overhead", labels, [Bar("", values)], say("accuracy.seconds"), texts=texts, logarithmic=True)
     alt = say("accuracy.overhead_alt", parts=say.listing([f"{a} {b}" for a, b in zip(labels, texts, strict=True)]))
-    return [Figure(svg, WIDTH, height, alt, desk.say("accuracy.overhead"))]
+    where = [Paragraph(desk.say("accuracy.machine", **study.machine), "note")] if study.machine else []
+    return [Figure(svg, WIDTH, height, alt, desk.say("accuracy.overhead")), *where]

@@ -95,6 +95,12 @@ def derivation(desk: Desk) -> list[Part]:
         return []
     unknowns = [name for block in blocks for name in block.unknowns]
     parts: list[Part] = [Paragraph(desk.say("derivation.intro", unknowns=desk.symbol_list(unknowns)))]
+    shown = dict.fromkeys(name for solution in desk.run.solutions for _, formula in solution for name in formula.names())
+    for name in shown:
+        if name in desk.run.partials:
+            law, by = desk.run.partials[name]
+            symbols = {"symbol": desk.symbol_list([name]), "law": desk.symbol_list([law]), "by": desk.symbol_list([by])}
+            parts.append(Paragraph(desk.say("derivation.partial", **symbols)))
     found: set[str] = set()
     for number, (block, solution) in enumerate(zip(blocks, desk.run.solutions, strict=True), start=1):
         parts += _solved(desk, block, solution, number, found) if solution else _numeric(desk, block)

@@ -18,8 +18,11 @@ GREEK = {
 }  # fmt: skip
 _NAME = re.compile(r"\w+(\.\w+)?")
 _GREEK_HEAD = re.compile(rf"({'|'.join(sorted(GREEK, key=len, reverse=True))})(?=$|[\dA-Z_])_?(\w*)")
+# "phij", "wb": the angle of side j, the angular velocity of b.  Not after letters that begin words (mud, pin, chin).
+_NAMED_AFTER = re.compile(r"(alpha|beta|gamma|delta|theta|phi|psi|omega|w)([a-z])")
 _LETTER_HEAD = re.compile(r"([^\W\d_])(?:_(\w+)|(\d\w*)|([A-Z]\w*|[xy]))")
 _WORD_HEAD = re.compile(r"([^\W\d_]{2,})(?:_(\w+)|(\d\w*))")
+_GREEK_SUBSCRIPT = re.compile(rf"({'|'.join(sorted((n for n in GREEK if len(n) > 2), key=len, reverse=True))})(\d*)")
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _DOT_ABOVE = "\u0307"
 
@@ -68,6 +71,12 @@ def _lowered(subscript: str) -> str:
     return f"({' '.join(re.findall(r'[0-9]+|.', subscript))})"
 
 
+def _greek(subscript: str) -> str:
+    """Return a subscript with the name of a Greek letter before its digits as that letter: r_phi1 -> r with φ1."""
+    match = _GREEK_SUBSCRIPT.fullmatch(subscript)
+    return GREEK[match[1]] + match[2] if match else subscript
+
+
 @lru_cache(maxsize=4096)
 def symbol(name: str, rates: frozenset[str] = frozenset()) -> Symbol:
     """Return the symbol of a name; "d" before one of `rates` (or before a Greek name) is the dot of a derivative.
@@ -83,10 +92,12 @@ def symbol(name: str, rates: frozenset[str] = frozenset()) -> Symbol:
         inner = symbol(name[1:])
         return Symbol(inner.letter, inner.subscript, dotted=True)
     if match := _GREEK_HEAD.fullmatch(name):
+        return Symbol(GREEK[match[1]], _greek(match[2]))
+    if match := _NAMED_AFTER.fullmatch(name):
         return Symbol(GREEK[match[1]], match[2])
     if name.isalpha() and name.isupper():
         return Symbol(name)  # AB, BM: the segment between two points
     for pattern in (_LETTER_HEAD, _WORD_HEAD):
         if match := pattern.fullmatch(name):
-            return Symbol(match[1], next(part for part in match.groups()[1:] if part))
+            return Symbol(match[1], _greek(next(part for part in match.groups()[1:] if part)))
     return Symbol(name)

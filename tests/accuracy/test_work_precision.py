@@ -26,7 +26,7 @@ def run():
 
 @pytest.fixture(scope="module")
 def scene(run):
-    return Scene(run.values["rates"], run.values["start"], 0.02, 24, run.values["closure"])
+    return Scene(run.values["rates"], run.values["start"], 0.02, 24, run.values["closure"], ("rad",) * 3)
 
 
 @pytest.fixture(scope="module")
@@ -107,8 +107,8 @@ def test_a_method_that_fails_is_listed_not_dropped(run):
         def evaluate(self, t, *q):
             raise ZeroDivisionError
 
-    scene = Scene(run.values["rates"], run.values["start"], 0.02, 24, run.values["closure"])
-    broken = Scene(Broken(), scene.start, scene.step, scene.rows, None)
+    scene = Scene(run.values["rates"], run.values["start"], 0.02, 24, run.values["closure"], ("rad",) * 3)
+    broken = Scene(Broken(), scene.start, scene.step, scene.rows, None, scene.units)
     failed = [row for row in make_study(broken, run.exact, (), "euler").rows if row.failed]
     assert {row.method for row in failed} == {"Dormand-Prince 5(4)"}
     assert all("did not finish" in row.failed for row in failed)

@@ -78,6 +78,9 @@ class Study:
     sentences: tuple[str, ...]
     overhead: tuple[tuple[str, float], ...]
     seconds_shown: bool = True
+    machine: dict[str, str] = field(
+        default_factory=lambda: {"system": "Linux x86_64", "processors": "2", "python": "CPython 3.11"}
+    )
 
 
 @dataclass(frozen=True)
@@ -118,6 +121,7 @@ class Run:
     date: str | None = None
     graph: Graph | None = None
     settings: Settings = field(default_factory=lambda: Settings())
+    partials: dict[str, tuple[str, str]] = field(default_factory=dict)
 
     @property
     def solutions(self) -> tuple[tuple[tuple[str, Formula], ...], ...]:

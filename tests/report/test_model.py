@@ -198,7 +198,8 @@ def unusual(stand_in: ModuleType) -> list[Any]:
         stand_in.run(checks=wide.many(1), settings=stand_in.Settings(2, 0.0), exact=replace(stand_in.exact(), label="")),
         stand_in.run(checks=wide.each(1), settings=stand_in.Settings(0, 5.0), motion=stand_in.euler(0), exact=None),
         stand_in.run(checks=wide.each(2), motion=stand_in.euler(999), exact=None, scheme="unknown"),
-        wide.of_lengths(), wide.of_groups(), stand_in.run(reduction=wide.large), stand_in.run(equations=wide.equations),
+        wide.of_lengths(), wide.of_groups(), stand_in.run(partials={"r3": ("r", "phi1")}),
+        stand_in.run(reduction=wide.large), stand_in.run(equations=wide.equations),
         stand_in.stopped(), replace(stand_in.stopped(), phases="1.59 < alpha < 4.69"), wide.at_a_row(),
     ]  # fmt: skip
 
