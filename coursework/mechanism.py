@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from coursework.errors import Fault, InputError, listing
 from coursework.formula.tree import Formula, number
+from coursework.sentences import say
 from coursework.variant.record import Constraint, Group, Link, Variant
 
 # A point built from points built from points grows like a power of two; beyond this no mechanism is meant.
@@ -96,7 +97,7 @@ def _as_closure(group: Group, index: int, variant: Variant) -> tuple[Constraint 
     _check_shape(group, index, variant)
     names = [Formula("name", name=coordinate) for coordinate in group.coordinates]
     start = group.start_points
-    because = f"{group.kind} group {index} closes"
+    because = say("equation.closes", kind=group.kind, number=index)
     if group.kind == "crank":
         return None, _plus(start[0], _along(group.lengths[0], names[0]))
     if group.kind == "RRR":

@@ -26,6 +26,7 @@ from coursework.march.rates import Rates, compile_rates
 from coursework.mechanism import Mechanism, build
 from coursework.reduction.blocks import Reduction, reduce
 from coursework.reduction.equations import VelocityEquations, differentiate
+from coursework.sentences import say
 from coursework.settings import Settings
 from coursework.variant.record import Variant, whole_steps
 
@@ -185,7 +186,7 @@ def _nothing(every: Rates) -> Motion:
     empty = np.zeros((0, 0))
     return Motion(
         np.zeros(0), np.zeros((0, len(every.coordinates))), np.zeros((0, len(every.velocities))), empty, empty.copy(),
-        every.coordinates, every.velocities, "exact", 0.0, 0, label="no row: the motion stops at the first one",
+        every.coordinates, every.velocities, "exact", 0.0, 0, label=say("exact.nothing"),
     )  # fmt: skip
 
 

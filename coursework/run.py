@@ -20,6 +20,7 @@ from coursework.quantities import QUANTITIES
 from coursework.reduction.blocks import Reduction
 from coursework.reduction.solution import Solution
 from coursework.schemes import SCHEMES
+from coursework.sentences import say, say_or
 from coursework.settings import Settings
 from coursework.variant.record import Variant
 
@@ -142,7 +143,7 @@ class Run:
     @property
     def scheme_title(self) -> str:
         """Return the scheme's name in words."""
-        return SCHEMES[self.settings.scheme].title
+        return say_or(f"scheme.{self.settings.scheme}", SCHEMES[self.settings.scheme].title)
 
     @property
     def scheme_order(self) -> int:
@@ -172,12 +173,14 @@ class Run:
             names = tuple(f"d{name}" for name in motion.velocity_names)
             units = tuple(f"{self.variant.unit_of(name)}²".replace("/s²", "/s²") for name in motion.velocity_names)
             rows = np.column_stack([motion.t, self.values["accelerations"]])
-            tables["accelerations"] = ExtraTable("Accelerations", ("t", *names), ("s", *units), rows)
+            tables["accelerations"] = ExtraTable(say("extra.accelerations"), ("t", *names), ("s", *units), rows)
         if "points" in self.asked:
             names, found = _moving(*self.values["point_accelerations" if "accelerations" in self.asked else "points"])
             units = tuple({"v": "m/s", "a": "m/s²"}.get(name.partition(".")[2][0], "m") for name in names)
             if names:
-                tables["points"] = ExtraTable("Points", ("t", *names), ("s", *units), np.column_stack([motion.t, found]))
+                tables["points"] = ExtraTable(
+                    say("extra.points"), ("t", *names), ("s", *units), np.column_stack([motion.t, found])
+                )
         for name in ("analogs", "invariants"):
             if name in self.asked:
                 tables[name] = self.values[name]

@@ -21,6 +21,7 @@ from coursework.march.integrate import Correction, march
 from coursework.march.loops import Loop, generate_loop
 from coursework.march.rates import Rates
 from coursework.schemes import SCHEMES
+from coursework.sentences import say, say_count, say_or
 
 Array = NDArray[np.float64]
 # Steps a row: up to 4096 for Euler (98 304 steps for 24 rows), where its error has fallen by three orders.
@@ -32,7 +33,6 @@ CHEAP_SUBSTEPS = 256
 PROJECTED_COST = 128
 USUAL_SUBSTEPS = (1, 2, 4, 8, 16, 64)
 PROJECTED_SUBSTEPS = (1, 2, 4, 8)
-CLOSED = "position closure (Newton)"
 # A step of the pair ends at each row, so that a coarser tolerance changes nothing.
 TOLERANCES = (1e-5, 1e-7, 1e-9, 1e-11)
 
@@ -69,6 +69,16 @@ class Trial:
     closed: bool = False
 
 
+def title_of(name: str) -> str:
+    """Return what a scheme of `SCHEMES` is called."""
+    return say_or(f"scheme.{name}", SCHEMES[name].title)
+
+
+def projected_title(newton: int) -> str:
+    """Return what Euler with so many Newton projections a step is called."""
+    return say_count("study.projected", newton)
+
+
 def trials(scene: Scene, most: int = MOST_SUBSTEPS) -> Iterator[Trial]:
     """Yield every trial with at most `most` steps a row, method after method."""
     for name, scheme in SCHEMES.items():
@@ -76,19 +86,16 @@ def trials(scene: Scene, most: int = MOST_SUBSTEPS) -> Iterator[Trial]:
         for substeps in (n for n in SUBSTEPS.get(name, USUAL_SUBSTEPS) if n <= most):
             count = scene.rows * substeps
 
-            yield Trial(scheme.title, f"{count}", 1, partial(_by_loop, scene, loop, substeps, count * scheme.slopes))
+            yield Trial(title_of(name), f"{count}", 1, partial(_by_loop, scene, loop, substeps, count * scheme.slopes))
     if scene.closure is not None and scene.closure.complete:
         for newton in (1, 2):
             for substeps in (n for n in PROJECTED_SUBSTEPS if n * PROJECTED_COST <= most):
-                plural = "s" if newton > 1 else ""
                 setting = f"{scene.rows * substeps}"
-                yield Trial(
-                    f"Euler + {newton} Newton projection{plural}", setting, substeps, partial(_projected, scene, newton, substeps)
-                )
+                yield Trial(projected_title(newton), setting, substeps, partial(_projected, scene, newton, substeps))
     for tolerance in TOLERANCES:
-        yield Trial("Dormand-Prince 5(4)", f"tol {tolerance:.0e}", 1, partial(_adaptive, scene, tolerance))
+        yield Trial(say("study.adaptive"), say("study.tolerance", value=tolerance), 1, partial(_adaptive, scene, tolerance))
     if scene.closure is not None and scene.closure.complete:
-        yield Trial(CLOSED, f"{scene.rows}", 1, partial(_closed, scene), closed=True)
+        yield Trial(say("study.closed"), f"{scene.rows}", 1, partial(_closed, scene), closed=True)
 
 
 def _by_loop(scene: Scene, loop: Loop, substeps: int, cost: int) -> tuple[Array, int]:

@@ -15,14 +15,14 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.accuracy.methods import CHEAP_SUBSTEPS, MOST_SUBSTEPS, Scene, trials
+from coursework.accuracy.methods import CHEAP_SUBSTEPS, MOST_SUBSTEPS, Scene, title_of, trials
 from coursework.accuracy.record import AccuracyStudy, StudyRow
 from coursework.accuracy.sentences import sentences_of
 from coursework.accuracy.timing import seconds
 from coursework.accuracy.trace import errors, slope
 from coursework.march.exact_motion import follow_closure, refine
 from coursework.march.motion import Motion
-from coursework.schemes import SCHEMES
+from coursework.sentences import say
 
 Array = NDArray[np.float64]
 
@@ -49,19 +49,19 @@ def make_study(
             found = errors(positions, other if trial.closed else fine[trial.fine])
         except (ArithmeticError, ValueError, np.linalg.LinAlgError) as error:
             rows.append(
-                StudyRow(trial.method, trial.setting, 0, np.nan, np.nan, None, f"did not finish ({type(error).__name__})")
+                StudyRow(trial.method, trial.setting, 0, np.nan, np.nan, None, say("study.failed", kind=type(error).__name__))
             )
             continue
         spent = seconds(trial.run) if timed else None
         units = scene.units[found.grid_at], scene.units[found.end_at]
         rows.append(StudyRow(trial.method, trial.setting, evaluations, found.grid, found.end, spent, "", *units))
     orders, end_orders = _orders(rows, floor), _orders(rows, floor, end=True)
-    title = SCHEMES[scheme].title
+    title = title_of(scheme)
     own_row = next(row for row in rows if row.method == title)
     own = (title, own_row.evaluations, own_row.max_error, own_row.seconds)
     label = exact.label
     if agreement:  # where there is no closure, the reference is such a run itself
-        label += f"; a refined Runge-Kutta run (itself settled to {gap:.0e}) differs from it by {agreement:.1e}"
+        label = say("study.reference", label=label, gap=gap, agreement=agreement)
     told = sentences_of(rows, orders, end_orders, own_row)
     where = machine() if timed else {}
     return AccuracyStudy(tuple(rows), orders, end_orders, own, floor, label, tuple(budget), told, tuple(overhead), timed, where)

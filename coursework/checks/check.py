@@ -6,7 +6,8 @@ from collections.abc import Callable
 
 from coursework.checks import curves, drift, equations, long_run, period, trust
 from coursework.checks.evidence import Evidence
-from coursework.checks.result import Check
+from coursework.checks.result import Check, judged
+from coursework.sentences import say
 
 CHECKS: dict[str, Callable[[Evidence], Check]] = {
     "STOP": drift.stopped,
@@ -31,15 +32,10 @@ def check_motion(evidence: Evidence) -> tuple[Check, ...]:
     found = []
     for code, rule in CHECKS.items():
         if not len(evidence.motion.t) and code != "STOP":
-            found.append(Check(code, _title(code), "SKIP", "There is no row to judge: the motion stops at the first one."))
+            found.append(judged(code, "SKIP", say("check.no_row")))
             continue
         try:
             found.append(rule(evidence))
         except (ArithmeticError, ValueError, KeyError, IndexError) as error:
-            sentence = f"The tool could not judge this ({type(error).__name__}: {error}); it counts neither for nor against you."
-            found.append(Check(code, _title(code), "ERROR", sentence))
+            found.append(judged(code, "ERROR", say("check.error", kind=type(error).__name__, error=str(error))))
     return tuple(found)
-
-
-def _title(code: str) -> str:
-    return code.replace("-", " ").capitalize()

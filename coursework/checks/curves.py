@@ -6,8 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.checks.evidence import Evidence
-from coursework.checks.result import Check
+from coursework.checks.result import Check, judged
 from coursework.geometry.drive import breaks
+from coursework.sentences import joined, say
 
 Array = NDArray[np.float64]
 # A difference this many times its neighbours' is a jump unless the half-step run shows the same steep slope.
@@ -26,20 +27,16 @@ def continuity(evidence: Evidence) -> Check:
     """No curve jumps: a steep slope and a turn from 2π to 0 are no jumps."""
     motion = evidence.motion
     if len(motion.t) < 5:
-        return Check("CONTINUITY", "Continuity", "SKIP", "Fewer than five rows: nothing to compare.")
+        return judged("CONTINUITY", "SKIP", say("check.CONTINUITY.skip"))
     worst, where, name = 0.0, 0, motion.names[0]
     for place, column in enumerate(motion.names):
         ratios = _jump_ratios(evidence, place)
         if float(np.max(ratios)) > worst:
             worst, where, name = float(np.max(ratios)), int(np.argmax(ratios)), column
-    if worst <= 1.0:
-        sentence = f"No curve jumps; {name} changes fastest for its surroundings, between rows {where + 1} and {where + 2}."
-        return Check("CONTINUITY", "Continuity", "PASS", sentence, worst, 1.0, "of a jump")
-    sentence = (
-        f"{name} jumps between rows {where + 1} and {where + 2} (t = {motion.t[where]:.6g} s to {motion.t[where + 1]:.6g} s): "
-        "the change is not explained by the slope of the curve."
-    )
-    return Check("CONTINUITY", "Continuity", "FAIL", sentence, worst, 1.0, "of a jump")
+    begin, end = float(motion.t[where]), float(motion.t[where + 1])
+    key = "check.CONTINUITY.pass" if worst <= 1.0 else "check.CONTINUITY.fail"
+    sentence = say(key, name=name, row=where + 1, next=where + 2, begin=begin, end=end)
+    return judged("CONTINUITY", "PASS" if worst <= 1.0 else "FAIL", sentence, worst, 1.0, say("unit.of_a_jump"))
 
 
 def _jump_ratios(evidence: Evidence, place: int) -> Array:
@@ -87,22 +84,17 @@ def sinusoid(evidence: Evidence) -> Check:
     """Under a sinusoidal drive the velocities are clearly sinusoidal (first three harmonics)."""
     motion, row = evidence.motion, evidence.period_row
     if not evidence.sinusoidal:
-        return Check("SINUSOID", "Sinusoidal character", "SKIP", "The drive is not a sine, so its velocities need not be.")
+        return judged("SINUSOID", "SKIP", say("check.SINUSOID.drive"))
     if motion.stop is not None or row is None or row >= len(motion.t) or row < 8:
-        return Check(
-            "SINUSOID", "Sinusoidal character", "SKIP", "The rows do not cover one whole period with eight rows or more."
-        )
+        return judged("SINUSOID", "SKIP", say("check.SINUSOID.rows"))
     shares = {name: _harmonic_share(motion.column(name)[: row + 1]) for name in motion.velocity_names}
     name = min(shares, key=lambda key: shares[key])
     share = shares[name]
-    rows = tuple((key, value, "of power") for key, value in shares.items())
+    unit = say("unit.of_power")
+    rows = tuple((key, value, unit) for key, value in shares.items())
     if share >= HARMONIC_SHARE:
-        sentence = (
-            f"The first three harmonics carry at least {share:.1%} of the oscillation of every velocity ({name} has least)."
-        )
-        return Check("SINUSOID", "Sinusoidal character", "PASS", sentence, share, HARMONIC_SHARE, "of power", rows)
-    sentence = f"{name} is not sinusoidal: its first three harmonics carry only {share:.1%} of its oscillation."
-    return Check("SINUSOID", "Sinusoidal character", "FAIL", sentence, share, HARMONIC_SHARE, "of power", rows)
+        return judged("SINUSOID", "PASS", say("check.SINUSOID.pass", share=share, name=name), share, HARMONIC_SHARE, unit, rows)
+    return judged("SINUSOID", "FAIL", say("check.SINUSOID.fail", share=share, name=name), share, HARMONIC_SHARE, unit, rows)
 
 
 def _harmonic_share(values: Array) -> float:
@@ -121,18 +113,14 @@ def rows_enough(evidence: Evidence) -> Check:
     if between:
         row = int(between[0] / step)
         late = row + 1 - between[0] / step
-        listed = ", ".join(f"{time:.6g} s" for time in breaks(evidence.variant))
-        sentence = (
-            f"The drive changes its formula at t = {between[0]:.6g} s, between rows {row + 1} and {row + 2}: the scheme goes on "
-            f"with the old one for {late:.3g} of a step, an error of first order whatever the scheme. Take a step that leaves a "
-            f"row at every break ({listed})."
-        )
-        return Check("STEP", "Step and drive", "FAIL", sentence, float(late), 0.0, "of a step")
+        listed = joined([say("check.STEP.time", time=time) for time in breaks(evidence.variant)], "join.comma")
+        sentence = say("check.STEP.break", time=between[0], row=row + 1, next=row + 2, late=float(late), breaks=listed)
+        return judged("STEP", "FAIL", sentence, float(late), 0.0, say("unit.of_a_step"))
     if not evidence.drive_frequency:
-        return Check("STEP", "Step and drive", "SKIP", "The drive does not oscillate.")
+        return judged("STEP", "SKIP", say("check.STEP.skip"))
     rows = 2 * np.pi / (evidence.drive_frequency * step)
-    verdict = rows >= ROWS_A_PERIOD * (1 - 1e-9)
-    sentence = f"The drive's fastest oscillation ({evidence.drive_frequency:.6g} rad/s) has {rows:.4g} rows a period" + (
-        "." if verdict else f"; take a step of at most {2 * np.pi / ROWS_A_PERIOD / evidence.drive_frequency:.3g} s."
-    )
-    return Check("STEP", "Step and drive", "PASS" if verdict else "FAIL", sentence, float(rows), float(ROWS_A_PERIOD), "rows")
+    enough = rows >= ROWS_A_PERIOD * (1 - 1e-9)
+    most = 2 * np.pi / ROWS_A_PERIOD / evidence.drive_frequency
+    key = "check.STEP.pass" if enough else "check.STEP.fail"
+    sentence = say(key, frequency=evidence.drive_frequency, rows=float(rows), step=float(most))
+    return judged("STEP", "PASS" if enough else "FAIL", sentence, float(rows), float(ROWS_A_PERIOD), say("unit.rows"))

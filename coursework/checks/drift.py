@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.checks.evidence import ONLY_SOME, Evidence
-from coursework.checks.result import Check
+from coursework.checks.evidence import Evidence
+from coursework.checks.result import Check, judged
 from coursework.geometry.closure import closed_start
+from coursework.sentences import joined, say
 
 Array = NDArray[np.float64]
 # A start that is off stays off: the velocity equations keep every residual as it is, up to the scheme's own error.
@@ -23,57 +24,47 @@ def stopped(evidence: Evidence) -> Check:
     stop = evidence.motion.stop
     rows = len(evidence.motion.t)
     if stop is None:
-        return Check("STOP", "Whole motion", "PASS", f"All {rows} rows are computed; the motion meets no dead point.")
-    return Check("STOP", "Whole motion", "FAIL", stop.sentence, stop.time, evidence.variant.time.end, "s")
+        return judged("STOP", "PASS", say("check.STOP.pass", rows=rows))
+    return judged("STOP", "FAIL", stop.sentence, stop.time, evidence.variant.time.end, "s")
 
 
 def start(evidence: Evidence) -> Check:
     """The start values close the mechanism; where they do not, the nearest closed start is printed."""
     closure = evidence.closure
     if closure is None or all(position.kept != "zero" for position in evidence.equations.positions):
-        return Check(
-            "START", "Start values", "SKIP", "No position equation fixes the start; the start values define its constants."
-        )
+        return judged("START", "SKIP", say("check.START.skip"))
     residual, closed = closed_start(closure)
     value = float(np.max(np.abs(residual)))
     limit = START_LIMIT * closure.scale
     if value <= limit:
-        return Check("START", "Start values", "PASS", "The start values close the mechanism.", value, limit, "m")
-    names = [c.name for c in evidence.variant.coordinates]
-    nearest = "there is no closed position near it"
+        return judged("START", "PASS", say("check.START.pass"), value, limit, "m")
+    sentence = say("check.START.none", value=value)
     if closed is not None:
-        nearest = "the nearest closed start is " + ", ".join(f"{n} = {q:.12g}" for n, q in zip(names, closed, strict=True))
-    sentence = f"The start values leave the mechanism open by {value:.3g} m; {nearest}."
-    return Check("START", "Start values", "FAIL", sentence, value, limit, "m")
+        names = [c.name for c in evidence.variant.coordinates]
+        start = [say("check.START.value", name=name, value=q) for name, q in zip(names, closed.tolist(), strict=True)]
+        sentence = say("check.START.nearest", value=value, start=joined(start, "join.comma"))
+    return judged("START", "FAIL", sentence, value, limit, "m")
 
 
 def drift(evidence: Evidence) -> Check:
     """The position equations stay satisfied within what the scheme's own error explains."""
     closure = evidence.closure
     if closure is None:
-        return Check(
-            "DRIFT", "Closure drift", "SKIP", "The file gives no position equation ([closure]), so nothing can drift visibly."
-        )
+        return judged("DRIFT", "SKIP", say("check.DRIFT.skip"))
     if evidence.restricted:
-        return Check("DRIFT", "Closure drift", "SKIP", ONLY_SOME)
+        return judged("DRIFT", "SKIP", say("check.only_some"))
     if evidence.scheme_error is None:
-        return Check("DRIFT", "Closure drift", "SKIP", "The run is too short to tell the scheme's own error from a fault.")
+        return judged("DRIFT", "SKIP", say("check.DRIFT.short"))
     residual, allowed = drift_rows(evidence)
     row, equation = (int(i) for i in np.unravel_index(np.argmax(np.abs(residual) / allowed), residual.shape))
     value, limit = float(abs(residual[row, equation])), float(allowed[row, equation])
     largest = np.max(np.abs(residual), axis=0)
-    rows = tuple((f"{name}: largest", float(size), "m") for name, size in zip(closure.names, largest, strict=True))
+    rows = tuple((say("check.largest", name=name), float(size), "m") for name, size in zip(closure.names, largest, strict=True))
     name = closure.names[equation]
     if value <= limit:
-        sentence = (
-            f"The mechanism stays closed within the scheme's error; {name} drifts furthest for its limit, in row {row + 1}. "
-            f"Largest drift of all: {float(np.max(largest)):.3g} m."
-        )
-        return Check("DRIFT", "Closure drift", "PASS", sentence, value, limit, "m", rows)
-    sentence = (
-        f"{name} is {value:.3g} m off in row {row + 1}, more than the scheme's own error explains: a row or an equation is wrong."
-    )
-    return Check("DRIFT", "Closure drift", "FAIL", sentence, value, limit, "m", rows)
+        sentence = say("check.DRIFT.pass", name=name, row=row + 1, largest=float(np.max(largest)))
+        return judged("DRIFT", "PASS", sentence, value, limit, "m", rows)
+    return judged("DRIFT", "FAIL", say("check.DRIFT.fail", name=name, value=value, row=row + 1), value, limit, "m", rows)
 
 
 def drift_rows(evidence: Evidence) -> tuple[Array, Array]:

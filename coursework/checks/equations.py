@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.checks.evidence import ONLY_SOME, Evidence
-from coursework.checks.result import Check, Verdict
+from coursework.checks.evidence import Evidence
+from coursework.checks.result import Check, Verdict, judged
 from coursework.reduction.system import compile_system
+from coursework.sentences import say
 
 # Relative to the sum of the absolute terms of the equation: some hundred roundings, far below any slip of a hand.
 LIMIT = 1e-11
@@ -16,36 +17,31 @@ LIMIT = 1e-11
 def initial(evidence: Evidence) -> Check:
     """The velocities of row 1 satisfy every equation, also those not used for solving."""
     if evidence.restricted:
-        return Check("INITIAL", "First row", "SKIP", ONLY_SOME)
+        return judged("INITIAL", "SKIP", say("check.only_some"))
     names, relative = residuals(evidence)
     worst = int(np.argmax(relative[0]))
     value = float(relative[0, worst])
     verdict: Verdict = "PASS" if value <= LIMIT else "FAIL"
-    count = len(names)
-    sentence = (
-        f"All {count} equations hold at t = 0; the largest residual is that of equation {names[worst]}."
-        if verdict == "PASS"
-        else f"Equation {names[worst]} is not satisfied by the velocities of row 1."
-    )
-    return Check("INITIAL", "First row", verdict, sentence, value, LIMIT, "relative")
+    sentence = say(f"check.INITIAL.{verdict.lower()}", count=len(names), name=names[worst])
+    return judged("INITIAL", verdict, sentence, value, LIMIT, say("unit.relative"))
 
 
 def every_row(evidence: Evidence) -> Check:
     """The velocities of every row satisfy every equation they were solved from."""
     if evidence.restricted:
-        return Check("RESIDUAL", "Every row", "SKIP", ONLY_SOME)
+        return judged("RESIDUAL", "SKIP", say("check.only_some"))
     names, relative = residuals(evidence)
     places = [place for place, name in enumerate(names) if name in evidence.used]
     others = [place for place in range(len(names)) if place not in places]
     row, chosen = (int(i) for i in np.unravel_index(np.argmax(relative[:, places]), (len(relative), len(places))))
     value, name = float(relative[row, places[chosen]]), names[places[chosen]]
     # An equation left out as redundant may hold on closed positions only, so the scheme's drift shows in it: told, not judged.
-    rows = tuple((f"{names[place]} (not used): largest", float(np.max(relative[:, place])), "relative") for place in others)
+    unit = say("unit.relative")
+    rows = tuple((say("check.RESIDUAL.unused", name=names[k]), float(np.max(relative[:, k])), unit) for k in others)
     if value <= LIMIT:
-        sentence = f"Every equation holds in each of the {len(relative)} rows."
-        return Check("RESIDUAL", "Every row", "PASS", sentence, value, LIMIT, "relative", rows)
-    sentence = f"Equation {name} is not satisfied in row {row + 1} (t = {evidence.motion.t[row]:.6g} s)."
-    return Check("RESIDUAL", "Every row", "FAIL", sentence, value, LIMIT, "relative", rows)
+        return judged("RESIDUAL", "PASS", say("check.RESIDUAL.pass", rows=len(relative)), value, LIMIT, unit, rows)
+    sentence = say("check.RESIDUAL.fail", name=name, row=row + 1, time=float(evidence.motion.t[row]))
+    return judged("RESIDUAL", "FAIL", sentence, value, LIMIT, unit, rows)
 
 
 def residuals(evidence: Evidence) -> tuple[tuple[str, ...], NDArray[np.float64]]:

@@ -19,7 +19,6 @@ from coursework.variant.record import Variant
 Array = NDArray[np.float64]
 # The task sheet ends its table at a round number beside the period (0.48 s for 0.480366 s): that counts as the period.
 NEAR_PERIOD = 0.01
-ONLY_SOME = "Only some columns were asked for."
 
 
 @dataclass(frozen=True, slots=True)

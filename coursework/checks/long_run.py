@@ -6,10 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.checks.evidence import Evidence
-from coursework.checks.result import Check
+from coursework.checks.result import Check, judged
+from coursework.sentences import joined, say
 
 Array = NDArray[np.float64]
-_CODE, _TITLE = "DRIFT-PER-PERIOD", "Drift per period"
+_CODE = "DRIFT-PER-PERIOD"
 # Part of a coordinate's own range by which the last period may lie beside the true one: nobody sees it in a drawing.
 LIMIT = 0.05
 # The table repeats itself where the last period changes by less than this part of what it is off.
@@ -22,9 +23,9 @@ def per_period(evidence: Evidence) -> Check:
     motion, exact = evidence.motion, evidence.exact
     whole = int((motion.t[-1] + motion.step / 2) / evidence.period)
     if whole < 2 or motion.stop is not None:
-        return Check(_CODE, _TITLE, "SKIP", "The run covers less than two periods.")
+        return judged(_CODE, "SKIP", say("check.DRIFT-PER-PERIOD.short"))
     if exact is None:
-        return Check(_CODE, _TITLE, "SKIP", "The true motion is not known on these rows.")
+        return judged(_CODE, "SKIP", say("check.DRIFT-PER-PERIOD.unknown"))
     ends = np.minimum(np.rint(np.arange(1, whole + 1) * evidence.period / motion.step).astype(int), len(motion.t) - 1)
     names = motion.coordinate_names
     true = np.array([exact.column(name) for name in names]).T
@@ -35,15 +36,15 @@ def per_period(evidence: Evidence) -> Check:
     worst = int(np.argmax(parts[-1]))
     name, unit, value = names[worst], evidence.unit(names[worst]), float(parts[-1, worst])
     first, last = float(gaps[0, worst]), float(gaps[-1, worst])
-    rows = tuple((f"{name} after {k} period(s)", float(gaps[k - 1, worst]), unit) for k in _SHOWN if k <= whole)
-    sentence = (
-        f"{name} is off the true motion by {first:.3g} {unit} after one period and by {last:.3g} {unit} after {whole}, "
-        f"{last / whole:.3g} {unit} a period."
+    rows = tuple(
+        (say("check.DRIFT-PER-PERIOD.after", name=name, periods=k), float(gaps[k - 1, worst]), unit) for k in _SHOWN if k <= whole
     )
+    found = {"name": name, "unit": unit, "first": first, "last": last, "periods": whole, "each": last / whole}
+    told = [say("check.DRIFT-PER-PERIOD.found", **found)]
     if value <= LIMIT:
-        return Check(_CODE, _TITLE, "PASS", sentence, value, LIMIT, "of its range", rows)
+        return judged(_CODE, "PASS", told[0], value, LIMIT, say("unit.of_its_range"), rows)
     moved = motion.coordinates[ends[-1]] - motion.coordinates[ends[-2]] - (true[ends[-1]] - true[ends[-2]])
     if float(np.max(np.abs(moved))) < REPEATS * abs(last):
-        sentence += " The table repeats itself all the same: the scheme has settled on a cycle that the mechanism does not make."
-    sentence += " For a run this long take a better scheme, or the projection."
-    return Check(_CODE, _TITLE, "FAIL", sentence, value, LIMIT, "of its range", rows)
+        told.append(say("check.DRIFT-PER-PERIOD.repeats"))
+    told.append(say("check.DRIFT-PER-PERIOD.advice"))
+    return judged(_CODE, "FAIL", joined(told), value, LIMIT, say("unit.of_its_range"), rows)

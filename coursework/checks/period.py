@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.checks.evidence import Evidence
-from coursework.checks.result import Check, Verdict
+from coursework.checks.result import Check, Verdict, judged
+from coursework.sentences import Sentence, joined, say
 
 Array = NDArray[np.float64]
 # The estimate from one halving of the step is right to its leading term; a factor of three covers the rest.
@@ -112,71 +113,69 @@ def _explained(evidence: Evidence, row: int) -> Array:
     return np.array([time * float(np.max(np.abs(slope))) for slope in slopes])
 
 
-def _judge(evidence: Evidence, code: str, title: str, names: tuple[str, ...], what: str) -> Check:
+def _judge(evidence: Evidence, code: str, names: tuple[str, ...]) -> Check:
     splits = mismatch(evidence)
     if splits is None:
-        return Check(code, title, "SKIP", _why_skipped(evidence))
+        return judged(code, "SKIP", _why_skipped(evidence))
     chosen = [split for split in splits if split.name in names]
     is_stated = evidence.variant.time.period is not None
     if not is_stated and (reason := _no_period(evidence, chosen)):
-        return Check(code, title, "SKIP", reason)
+        return judged(code, "SKIP", reason)
     may_stray = is_stated and evidence.exact is not None
     strayed = [split for split in chosen if may_stray and abs(split.period) > split.explained]
     worst = max(strayed or chosen, key=lambda split: abs(split.total) / split.limit)
     verdict: Verdict = "FAIL" if strayed or abs(worst.total) > worst.limit else "PASS"
-    turned = [f"{split.name} made {split.turns} whole turn(s)" for split in chosen if split.turns]
-    which = f"{what} {worst.name}"
-    note = f" {'; '.join(turned)}, taken off." if turned else ""
-    if verdict == "PASS":
-        sentence = f"The last row repeats the first within the error of the scheme; {which} differs most for its limit.{note}"
-    elif strayed:
-        sentence = (
-            f"The true motion itself does not repeat after {evidence.period:.6g} s: {worst.name} differs. Check the period.{note}"
-        )
+    if strayed:
+        sentence = say("check.PERIOD.period", period=evidence.period, name=worst.name)
     else:
-        sentence = f"The last row does not repeat the first: {which} differs by more than the scheme's error explains.{note}"
-    rows = tuple((f"{split.name}: {part}", getattr(split, part), split.unit) for split in chosen for part in _PARTS)
+        sentence = say(f"check.PERIOD.{verdict.lower()}", which=say(f"check.{code}.which", name=worst.name))
+    turned = [say("check.PERIOD.turns", name=split.name, turns=split.turns) for split in chosen if split.turns]
+    if turned:
+        sentence = joined([sentence, say("check.PERIOD.taken_off", turned=joined(turned, "join.semicolon"))])
+    rows = tuple(
+        (say("check.line", name=split.name, part=say(f"check.PERIOD.part.{part}")), getattr(split, part), split.unit)
+        for split in chosen
+        for part in _PARTS
+    )
     value, limit = (abs(worst.period), worst.explained) if strayed else (abs(worst.total), worst.limit)
-    return Check(code, title, verdict, sentence, value, limit, worst.unit, rows)
+    return judged(code, verdict, sentence, value, limit, worst.unit, rows)
 
 
 _PARTS = ("total", "scheme", "period", "roundoff")
 
 
-def _why_skipped(evidence: Evidence) -> str:
+def _why_skipped(evidence: Evidence) -> Sentence:
     if evidence.motion.stop is not None:
-        return f"The motion stopped at t = {evidence.motion.stop.time:.6g} s, so there is no last row to compare."
-    return f"The run ends at {evidence.motion.t[-1]:.6g} s, before one period of {evidence.period:.6g} s."
+        return say("check.PERIOD.stopped", time=evidence.motion.stop.time)
+    return say("check.PERIOD.short", end=float(evidence.motion.t[-1]), period=evidence.period)
 
 
 def _no_period(evidence: Evidence, chosen: list[Split]) -> str:
     spans = {split.name: float(np.ptp(evidence.motion.column(split.name))) for split in chosen}
     if any(abs(split.period) > 0.05 * spans[split.name] + _ROUND_OFF for split in chosen):
-        return "The file states no period and the true motion does not repeat at the end of the run."
+        return say("check.PERIOD.unstated")
     return ""
 
 
 def position(evidence: Evidence) -> Check:
     """The last row repeats the first in every coordinate (whole turns taken off)."""
-    return _judge(evidence, "PERIOD-POSITION", "Period, positions", evidence.motion.coordinate_names, "coordinate")
+    return _judge(evidence, "PERIOD-POSITION", evidence.motion.coordinate_names)
 
 
 def velocity(evidence: Evidence) -> Check:
     """The last row repeats the first in every velocity."""
-    return _judge(evidence, "PERIOD-VELOCITY", "Period, velocities", evidence.motion.velocity_names, "velocity")
+    return _judge(evidence, "PERIOD-VELOCITY", evidence.motion.velocity_names)
 
 
 def assembly(evidence: Evidence) -> Check:
     """Every determinant keeps its sign: the mechanism stays in one assembly over the whole run."""
     determinants = evidence.motion.determinants
     if len(determinants) < 2 or not determinants.shape[1]:
-        return Check("PERIOD-ASSEMBLY", "Period, assembly", "SKIP", "There are no two rows to compare.")
+        return judged("PERIOD-ASSEMBLY", "SKIP", say("check.PERIOD-ASSEMBLY.skip"))
     signs = np.sign(determinants)
     changed = np.argwhere(signs != signs[0])
     smallest = float(np.min(np.abs(evidence.motion.scaled))) if evidence.motion.scaled.size else None
     if len(changed):
-        row = int(changed[0][0])
-        sentence = f"A determinant changes its sign at row {row + 1}: the rows from there belong to another assembly."
-        return Check("PERIOD-ASSEMBLY", "Period, assembly", "FAIL", sentence, smallest, None, "relative")
-    sentence = "Every determinant keeps its sign: one assembly over the whole run. The value is the smallest determinant met."
-    return Check("PERIOD-ASSEMBLY", "Period, assembly", "PASS", sentence, smallest, None, "relative")
+        sentence = say("check.PERIOD-ASSEMBLY.fail", row=int(changed[0][0]) + 1)
+        return judged("PERIOD-ASSEMBLY", "FAIL", sentence, smallest, None, say("unit.relative"))
+    return judged("PERIOD-ASSEMBLY", "PASS", say("check.PERIOD-ASSEMBLY.pass"), smallest, None, say("unit.relative"))

@@ -8,6 +8,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from coursework.sentences import say
+
 Verdict = Literal["PASS", "FAIL", "SKIP", "ERROR"]
 
 
@@ -27,3 +29,11 @@ class Check:
     limit: float | None = None
     unit: str = ""
     rows: tuple[tuple[str, float, str], ...] = ()
+
+
+def judged(
+    code: str, verdict: Verdict, sentence: str, value: float | None = None, limit: float | None = None, unit: str = "",
+    rows: tuple[tuple[str, float, str], ...] = (),
+) -> Check:  # fmt: skip
+    """Return a check under the title that its code has in the words file."""
+    return Check(code, say(f"check.{code}.title"), verdict, sentence, value, limit, unit, rows)

@@ -5,12 +5,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.checks.evidence import ONLY_SOME, Evidence
-from coursework.checks.result import Check, Verdict
+from coursework.checks.evidence import Evidence
+from coursework.checks.result import Check, Verdict, judged
 from coursework.march.integrate import TOO_LARGE, WIDEST_STEP
 from coursework.reduction.magnitude import largest
 from coursework.reduction.system import compile_system
 from coursework.reduction.tidy import as_formula
+from coursework.sentences import joined, say
 
 Array = NDArray[np.float64]
 # A double has sixteen digits; six of them are more than any table of the coursework shows.
@@ -23,10 +24,10 @@ def condition(evidence: Evidence) -> Check:
     """The equations leave at least six of sixteen digits in every row: 16 - log10 of their condition number."""
     motion, variant = evidence.motion, evidence.variant
     if evidence.restricted:
-        return Check("CONDITION", "Trustworthy digits", "SKIP", ONLY_SOME)
+        return judged("CONDITION", "SKIP", say("check.only_some"))
     used = [equation for equation in evidence.equations.equations if equation.name in evidence.used]
     if not used:
-        return Check("CONDITION", "Trustworthy digits", "SKIP", "There is nothing to solve for.")
+        return judged("CONDITION", "SKIP", say("check.CONDITION.nothing"))
     system = compile_system(evidence.equations, used)
     matrix, _, _ = system.matrices(motion.t, motion.coordinates)
     sizes = np.max(np.abs(matrix), axis=0)
@@ -38,14 +39,13 @@ def condition(evidence: Evidence) -> Check:
     worst = int(np.argmax(numbers))
     digits = float(np.clip(DIGITS - np.log10(numbers[worst]), 0.0, DIGITS)) if np.isfinite(numbers[worst]) else 0.0
     verdict: Verdict = "PASS" if digits >= FEWEST else "FAIL"
-    sentence = (
-        f"The equations leave {digits:.1f} of 16 digits in row {worst + 1} (t = {motion.t[worst]:.6g} s), the worst one: "
-        f"their condition number is {numbers[worst]:.3g} there, rows and columns equilibrated."
-    )
+    largest_number, first_number = float(numbers[worst]), float(numbers[0])
+    when = float(motion.t[worst])
+    sentence = say("check.CONDITION.found", digits=digits, row=worst + 1, time=when, number=largest_number)
     if verdict == "FAIL":
-        sentence += " The mechanism is too close to a dead or change point for its velocities to mean much."
-    rows = (("condition number, worst row", float(numbers[worst]), ""), ("condition number, first row", float(numbers[0]), ""))
-    return Check("CONDITION", "Trustworthy digits", verdict, sentence, digits, FEWEST, "digits", rows)
+        sentence = joined([sentence, say("check.CONDITION.close")])
+    rows = (say("check.CONDITION.worst"), largest_number, ""), (say("check.CONDITION.first"), first_number, "")
+    return judged("CONDITION", verdict, sentence, digits, FEWEST, say("unit.digits"), rows)
 
 
 def equilibrated(matrix: Array, sizes: Array) -> Array:
@@ -71,20 +71,17 @@ def peak(evidence: Evidence) -> Check:
     variant, step = evidence.variant, evidence.motion.step
     stop = evidence.motion.stop
     if (stop is not None and stop.kind != TOO_LARGE) or not evidence.fastest:
-        return Check("PEAK", "Fastest link", "SKIP", "The motion stops, and near its end the velocities grow without bound.")
+        return judged("PEAK", "SKIP", say("check.PEAK.stopped"))
     turning = [
         (rate, when, coordinate)
         for (rate, when), coordinate in zip(evidence.fastest, variant.coordinates, strict=True)
         if coordinate.unit == "rad"
     ]
     if not turning:
-        return Check("PEAK", "Fastest link", "SKIP", "No coordinate is an angle.")
+        return judged("PEAK", "SKIP", say("check.PEAK.no_angle"))
     rate, when, coordinate = max(turning, key=lambda entry: entry[0])
     turned = rate * step
-    sentence = (
-        f"{coordinate.rate} is largest at t = {when:.6g} s: {rate:.4g} rad/s, {turned:.3g} rad of {coordinate.name} in one step"
-    )
+    found = {"rate": coordinate.rate, "time": when, "value": rate, "turned": turned, "name": coordinate.name}
     if turned <= WIDEST_STEP:
-        return Check("PEAK", "Fastest link", "PASS", f"{sentence}.", turned, WIDEST_STEP, "rad")
-    sentence += f"; the rows step over that. Take a step of at most {WIDEST_STEP / rate:.2g} s."
-    return Check("PEAK", "Fastest link", "FAIL", sentence, turned, WIDEST_STEP, "rad")
+        return judged("PEAK", "PASS", say("check.PEAK.pass", **found), turned, WIDEST_STEP, "rad")
+    return judged("PEAK", "FAIL", say("check.PEAK.fail", **found, step=WIDEST_STEP / rate), turned, WIDEST_STEP, "rad")

@@ -15,6 +15,7 @@ from coursework.api import load, solve
 from coursework.commands.run import check_formats
 from coursework.errors import InputError
 from coursework.run import Run
+from coursework.sentences import say
 
 
 def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...]) -> int:
@@ -55,9 +56,9 @@ def timed_study(run: Run) -> AccuracyStudy:
     scene = Scene(values["rates"], values["start"], time.step, len(run.exact.t) - 1, values["closure"], units)
     command = [sys.executable, "-c", "import numpy, sympy"]
     overhead = (
-        ("start and imports", time_of(lambda: subprocess.run(command, check=True))),
+        (say("study.imports"), time_of(lambda: subprocess.run(command, check=True))),
         (
-            "reduce and compile",
+            say("study.reduction"),
             sum(values.seconds[name] for name in ("equations", "reduction", "rates")),
         ),
     )

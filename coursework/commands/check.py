@@ -8,6 +8,7 @@ from coursework.api import load, solve
 from coursework.errors import listing
 from coursework.formula.tree import spelled
 from coursework.run import Run
+from coursework.sentences import say
 
 
 def check_variant(variant: str) -> int:
@@ -33,7 +34,7 @@ def check_variant(variant: str) -> int:
         determinant = spelled(block.determinant) if block.determinant is not None else "numerical"
         click.echo(
             f"    determinant {determinant}: zero when {block.meaning}"
-            if block.meaning != "it is never zero"
+            if block.meaning != say("determinant.never")
             else f"    determinant {determinant}: never zero"
         )
     if closure is None:

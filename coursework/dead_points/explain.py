@@ -8,13 +8,13 @@ from __future__ import annotations
 import math
 
 from coursework.dead_points.search import Event
-from coursework.errors import listing
 from coursework.formula.tree import spelled
 from coursework.march.motion import AT_EVENT, Stop, rows_before
 from coursework.reduction.blocks import Block, Reduction
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.meaning import meaning as meaning_of
 from coursework.reduction.meaning import vanishing
+from coursework.sentences import joined, say
 
 # Branches come from differences that are right to 1e-10, coordinates from a search that is better.
 _ROUNDING = 1e-9
@@ -29,30 +29,21 @@ def explain(
     row = event.time / step
     rows = rows_before(event.time, step)
     at_row = abs(row - rows) <= AT_EVENT * (1 + rows)
-    where = f"At t = {event.time:.6g} s, {f'at row {rows + 1}' if at_row else f'between rows {rows} and {rows + 1}'},"
+    where = say("event.at_row" if at_row else "event.between", time=event.time, row=rows + at_row, next=rows + 1)
     if not rows:
-        where = "At the very first row, t = 0,"
-    which = _equation(block, equations, coordinates) + _angles(block, equations, coordinates)
-    cause = f"{where} the equations for {listing(block.unknowns)} become singular{which}.{_together(event, reduction)}"
+        where = say("event.at_start")
+    which = joined([_equation(block, equations, coordinates), _angles(block, equations, coordinates)], "join.nothing")
+    cause = joined([say("event.cause", where=where, unknowns=block.unknowns, which=which), _together(event, reduction)])
     holds = block.meaning
     if block.determinant is not None:
         holds = meaning_of(block.determinant, equations.variant, block.equations, coordinates)
-    kept = f"rows after row {rows} are not computed." if rows else "no row is computed."
+    kept = say("event.kept", row=rows) if rows else say("event.none_kept")
     if event.kind == "dead point":
-        meaning = (
-            f"This is a dead point: {holds}. The drive asks for {event.demanded:.4g}{_unit(block, equations)} there in a "
-            f"direction in which the links can give none, so the mechanism cannot follow it; {kept}"
-        )
-    elif len(branches) == 1:
-        meaning = (
-            f"This is a removable singularity: {holds}. The equations stay consistent but do not give the velocities here"
-            f"{_branches(branches)}. The tool does not guess; {kept}"
-        )
+        demanded = say(_unit(block, equations), value=event.demanded)
+        meaning = say("event.dead", holds=holds, demanded=demanded, kept=kept)
     else:
-        meaning = (
-            f"This is a change point: {holds}. The equations stay consistent, two motions meet here and nothing in "
-            f"the data says which one follows{_branches(branches)}. The tool does not guess; {kept}"
-        )
+        key = "event.removable" if len(branches) == 1 else "event.change"
+        meaning = say(key, holds=holds, branches=_branches(branches), kept=kept)
     return Stop(event.kind, event.time, row, block.unknowns, coordinates, cause, meaning, branches)
 
 
@@ -62,21 +53,21 @@ def _together(event: Event, reduction: Reduction) -> str:
     if not others:
         return ""
     size = sum(block.size for block in reduction.blocks)
-    names = listing([f"({', '.join(block.unknowns)})" for block in others[:3]] + (["others"] if len(others) > 3 else []))
+    names = [f"({', '.join(block.unknowns)})" for block in others[:3]] + ([say("event.others")] if len(others) > 3 else [])
     rank = size - len(event.together)
-    return f" {len(others)} more block(s) do so together with it, {names}: the rank drops from {size} to {rank}."
+    return say("event.together", number=len(others), names=tuple(names), size=size, rank=rank)
 
 
 def _unit(block: Block, equations: VelocityEquations) -> str:
-    """Return " m/s" unless the equations are a scalar closure, whose unit is the author's."""
+    """Return the key of a velocity in m/s, or in the author's unit where the equations are a scalar closure."""
     scalars = {constraint.name for constraint in equations.variant.constraints if constraint.is_closure}
-    return " (in the unit of its equation)" if scalars & set(block.equations) else " m/s"
+    return "event.in_own_unit" if scalars & set(block.equations) else "event.in_m_per_s"
 
 
 def _equation(block: Block, equations: VelocityEquations, coordinates: dict[str, float]) -> str:
     if block.determinant is None:
         return ""
-    return f": {spelled(vanishing(block.determinant, equations.variant, coordinates))} = 0"
+    return say("event.equation", equation=spelled(vanishing(block.determinant, equations.variant, coordinates)))
 
 
 def _angles(block: Block, equations: VelocityEquations, coordinates: dict[str, float]) -> str:
@@ -86,19 +77,19 @@ def _angles(block: Block, equations: VelocityEquations, coordinates: dict[str, f
     for coordinate in equations.variant.coordinates:
         if coordinate.name in inside:
             value = _tidied(coordinates[coordinate.name])
-            shown.append(
-                f"{coordinate.name} = {value:.6g} rad = {math.degrees(value):.2f}°"
-                if coordinate.unit == "rad"
-                else f"{coordinate.name} = {value:.6g} m"
-            )
-    return f", with {listing(shown)}" if shown else ""
+            key = "event.angle" if coordinate.unit == "rad" else "event.length"
+            shown.append(say(key, name=coordinate.name, value=value, degrees=math.degrees(value)))
+    return say("event.with", values=tuple(shown)) if shown else ""
 
 
 def _branches(branches: tuple[dict[str, float], ...]) -> str:
-    told = [", ".join(f"{name} = {_tidied(value):.6g}" for name, value in branch.items()) for branch in branches]
+    told = [
+        joined([say("event.velocity", name=name, value=_tidied(value)) for name, value in branch.items()], "join.comma")
+        for branch in branches
+    ]
     if len(told) == 1:
-        return f"; one motion only goes on with the drive, with {told[0]}"
-    return f": either {'; or '.join(told)}" if told else ""
+        return say("event.one_branch", branch=told[0])
+    return say("event.branches", told=joined(told, "join.or_else")) if told else ""
 
 
 def _tidied(value: float) -> float:

@@ -16,6 +16,7 @@ from coursework.formula.tree import Formula
 from coursework.geometry.drive import breaks
 from coursework.reduction.blocks import Reduction
 from coursework.reduction.equations import VelocityEquations
+from coursework.sentences import joined, say
 from coursework.variant.record import Variant
 
 # Coarser than this, a motion that passes close by a dead point would be taken for one that meets it.
@@ -38,10 +39,10 @@ def phase_sentence(equations: VelocityEquations, reduction: Reduction, start: li
 
     intervals = _intervals(possible)
     if not intervals:
-        return f"With these data no phase {name} makes the whole motion possible."
-    told = " or ".join(f"{low:.4f} < {name} < {high:.4f}" for low, high in intervals)
+        return say("phase.none", name=name)
+    ranges = joined([say("phase.range", low=low, name=name, high=high) for low, high in intervals], "join.or")
     now = next(g.value for g in variant.given if g.name == name)
-    return f"The whole motion is possible for {told} (rad, modulo 2π); the file has {name} = {now:.6g}."
+    return say("phase.possible", ranges=ranges, name=name, now=now)
 
 
 def _phase_of(variant: Variant) -> str:

@@ -9,17 +9,18 @@ from __future__ import annotations
 import cmath
 import itertools
 import math
+from collections.abc import Callable
 
 from coursework.kinematics.graph_words import centre_letter
 from coursework.kinematics.instant_centres import Body, Centre, Findings, cross, dot
 from coursework.kinematics.layout import FOOT, Layout, lay_out
 from coursework.kinematics.scene import Rail, Sketch, Track
 from coursework.kinematics.sheet import PITCH, Place, Sheet, Word, inside, middle_of, plain
+from coursework.sentences import say
 from coursework.variant.record import Link
 
 BAR = 100.0  # mm, printed; a test reads it back from the PDF
 BAR_PEN = 'stroke="#010101" stroke-width="0.5" stroke-linecap="butt"'  # a colour of its own, so that it can be found
-BAR_WORDS = "must measure 100 mm; print at 100 %"
 LINK = 'stroke="black" stroke-width="0.8"'
 FRAME = 'stroke="black" stroke-width="0.35"'
 VELOCITY = 'stroke="black" stroke-width="0.4"'
@@ -35,17 +36,17 @@ GUIDE = 13.0  # mm of a rail to each side
 BLOCK = (4.2, 2.4)  # mm, half length and half height of a slider
 
 
-def draw(sketch: Sketch, findings: Findings, row: int, time: float) -> str:
-    """Return the drawing of one row (from 1) at a time (s)."""
+def draw(sketch: Sketch, findings: Findings, row: int, time: float, written: Callable[[str], str] = str) -> str:
+    """Return the drawing of one row (from 1) at a time (s); `written` puts its sentences into the language of a page."""
     layout = lay_out(sketch, findings)
-    return _Drawing(sketch, findings, layout).svg(f"row {row}, t = {time:.6g} s")
+    return _Drawing(sketch, findings, layout, written).svg(written(say("drawing.title", row=row, time=time)))
 
 
 class _Drawing:
     """One sheet being drawn, from what lies behind to what stands in front."""
 
-    def __init__(self, sketch: Sketch, findings: Findings, layout: Layout) -> None:
-        self.sketch, self.findings, self.layout = sketch, findings, layout
+    def __init__(self, sketch: Sketch, findings: Findings, layout: Layout, written: Callable[[str], str]) -> None:
+        self.sketch, self.findings, self.layout, self.written = sketch, findings, layout, written
         self.bodies = {body.name: body for body in sketch.scene.bodies}
         self.at = {name: layout.put(z) for name, z in sketch.scene.positions.items()}
         self.sheet = Sheet(layout.width, layout.height, layout.field)
@@ -258,9 +259,10 @@ class _Drawing:
         for k in range(11):
             tick = 2.4 if k % 5 == 0 else 1.4
             self.sheet.line(complex(left + 10 * k, base), complex(left + 10 * k, base - tick), FRAME)
-        self.sheet.text(complex(left, base - 4.2), (f"{BAR:g} mm: {BAR_WORDS}", "", ""), size=2.9)
-        speeds = f"velocities: 1 mm = {_decimal(layout.speed)} m/s" if any(self.findings.velocities.values()) else ""
-        lines = (f"scale {layout.scale_text}", speeds, title)
+        self.sheet.text(complex(left, base - 4.2), (self.written(say("drawing.bar", length=f"{BAR:g}")), "", ""), size=2.9)
+        moving = any(self.findings.velocities.values())
+        speeds = self.written(say("drawing.speeds", speed=_decimal(layout.speed))) if moving else ""
+        lines = (self.written(say("drawing.scale", scale=layout.scale_text)), speeds, title)
         for k, line in enumerate(lines):
             self.sheet.text(complex(left + BAR + 7, layout.height - FOOT + 4.6 + 4.2 * k), (line, "", ""), size=2.9)
         self.axes(complex(layout.width - 12, layout.height - 4.5))

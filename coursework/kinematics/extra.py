@@ -15,6 +15,7 @@ from coursework.errors import InputError
 from coursework.kinematics.analogs import acceleration_analog, velocity_analog
 from coursework.kinematics.invariants import from_true
 from coursework.march.motion import Motion
+from coursework.sentences import say
 from coursework.variant.record import Coordinate, Variant
 
 Array = NDArray[np.float64]
@@ -46,7 +47,7 @@ def analog_table(variant: Variant, motion: Motion, second: Array) -> ExtraTable:
         names += [f"d{coordinate.name}/d{crank.name}", f"d2{coordinate.name}/d{crank.name}2"]
         units += ["m/rad", "m/rad²"] if coordinate.unit == "m" else ["", "1/rad"]
         columns += [first, acceleration_analog(motion.velocities[:, place], second[:, place], omega, epsilon)]
-    return ExtraTable("Velocity and acceleration analogs (exact motion)", tuple(names), tuple(units), np.array(columns).T)
+    return ExtraTable(say("extra.analogs"), tuple(names), tuple(units), np.array(columns).T)
 
 
 def invariant_table(variant: Variant, motion: Motion, second: Array) -> ExtraTable:
@@ -70,10 +71,8 @@ def invariant_table(variant: Variant, motion: Motion, second: Array) -> ExtraTab
         stroke=abs(way), angle=abs(turn), omega_1=omega, epsilon_1=epsilon,
     )  # fmt: skip
     k = (phi - phi[0]) / turn
-    title = (
-        f"Invariants of {slider.name} over rows {rows.start + 1} to {rows.stop} (exact motion): "
-        f"S = {abs(way):.9g} m, Φ = {abs(turn):.9g} rad"
-    )
+    span = {"row": rows.start + 1, "last": rows.stop}
+    title = say("extra.invariants", name=slider.name, **span, stroke=abs(way), angle=abs(turn))
     return ExtraTable(title, ("k", "a_k", "b_k", "c_k"), ("", "", "", ""), np.array([k, found.a, found.b, found.c]).T)
 
 

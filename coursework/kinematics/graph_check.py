@@ -8,6 +8,7 @@ somebody looks at it (`drawing.py`).
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -43,10 +44,14 @@ class GraphCheck:
 
     @property
     def svg(self) -> str:
-        """Return the drawing, true to scale, with width and height in mm."""
+        """Return the drawing with English words, true to scale, with width and height in mm."""
+        return self.drawn(str)
+
+    def drawn(self, written: Callable[[str], str]) -> str:
+        """Return the drawing; `written` puts its sentences into the language of a page."""
         from coursework.kinematics.drawing import draw
 
-        return draw(self.sketch, self.findings, self.row, self.time)
+        return draw(self.sketch, self.findings, self.row, self.time, written)
 
     @property
     def scale(self) -> float:

@@ -9,9 +9,9 @@ import itertools
 import re
 from collections.abc import Mapping
 
-from coursework.errors import listing
 from coursework.kinematics.instant_centres import Body, Centre, Findings
 from coursework.kinematics.scene import Sketch
+from coursework.sentences import joined, say
 
 # A link longer or shorter than at the start by less than this share of the mechanism is round-off, not drift.
 RIGID = 1e-9
@@ -24,7 +24,9 @@ def centre_letter(sketch: Sketch) -> str:
 
 def _centre(body: Body, letter: str) -> str:
     """Return how the centre of a link is called in a sentence: P₃."""
-    return letter + (_lowered(body.name) if body.name.isascii() and body.name.isdecimal() else f" of link {body.name}")
+    if body.name.isascii() and body.name.isdecimal():
+        return letter + _lowered(body.name)
+    return say("drawing.centre", letter=letter, link=body.name)
 
 
 def _lowered(digits: str) -> str:
@@ -37,19 +39,16 @@ def omega_name(body: Body) -> str:
     if short or (body.rate is None and body.name.isdecimal() and body.name.isascii()):
         digits = short[1] if short else body.name
         return "ω" + _lowered(digits)
-    return body.rate or f"ω of link {body.name}"
+    return body.rate or say("drawing.omega", link=body.name)
 
 
 def how_found(sketch: Sketch, findings: Findings) -> list[str]:
     """Return how each link was dealt with, in the order of the file."""
-    sentences = [
-        f"V_{point} by a velocity plan: V_{a} + V_{point}{a} = V_{b} + V_{point}{b}, each difference at right angles to its link."
-        for point, (a, b) in findings.plans.items()
-    ]
+    sentences: list[str] = [say("drawing.plan", point=point, a=a, b=b) for point, (a, b) in findings.plans.items()]
     for body in sketch.scene.bodies:
         centre = findings.centres.get(body.name)
         if body.name in findings.missing:
-            sentences.append(f"Link {body.name} is not determined by the drawing.")
+            sentences.append(say("drawing.missing", link=body.name))
         elif centre is not None and not body.guide:
             sentences.append(_story(body, centre, sketch.wheels, centre_letter(sketch)))
     return sentences
@@ -57,14 +56,14 @@ def how_found(sketch: Sketch, findings: Findings) -> list[str]:
 
 def _story(body: Body, centre: Centre, wheels: Mapping[str, tuple[str, str]], letter: str) -> str:
     if centre.lines and centre.at is None:
-        return f"Link {body.name} translates: the velocities of {listing(centre.lines)} are parallel."
+        return say("drawing.translates", link=body.name, points=tuple(centre.lines))
     if len(centre.lines) == 1:
-        return f"{_centre(body, letter)} follows from the known rate of link {body.name} and the velocity of {centre.lines[0]}."
+        return say("drawing.follows", centre=_centre(body, letter), link=body.name, point=centre.lines[0])
     if centre.lines:
-        return f"{_centre(body, letter)} is where the perpendiculars to the velocities of {listing(centre.lines)} meet."
+        return say("drawing.meet", centre=_centre(body, letter), points=tuple(centre.lines))
     if body.name in wheels and centre.point == wheels[body.name][1]:
-        return f"Link {body.name} rolls: its instantaneous centre is the contact {centre.point}."
-    return f"Link {body.name} turns about {centre.point}."
+        return say("drawing.rolls", link=body.name, point=centre.point)
+    return say("drawing.turns", link=body.name, point=centre.point)
 
 
 def drift(sketch: Sketch) -> list[str]:
@@ -79,13 +78,8 @@ def drift(sketch: Sketch) -> list[str]:
                 continue
             length, first = abs(now[a] - now[b]), abs(start[a] - start[b])
             if abs(length - first) > allowed:
-                found.append(f"{a}{b} of link {link.name} is {1e3 * abs(length - first):.3g} mm too {_than(length, first)}")
-    found += [
-        f"{rail.point} stands {1e3 * abs(rail.off):.3g} mm beside its rail" for rail in sketch.rails if abs(rail.off) > allowed
-    ]
-    found += [f"{t.point} stands {1e3 * abs(t.off):.3g} mm off its circle" for t in sketch.tracks if abs(t.off) > allowed]
-    return [f"The scheme has drifted, so this row does not close: {'; '.join(found)}."] if found else []
-
-
-def _than(length: float, first: float) -> str:
-    return "long" if length > first else "short"
+                key = "drawing.long" if length > first else "drawing.short"
+                found.append(say(key, side=f"{a}{b}", link=link.name, off=1e3 * float(abs(length - first))))
+    found += [say("drawing.beside", point=r.point, off=1e3 * float(abs(r.off))) for r in sketch.rails if abs(r.off) > allowed]
+    found += [say("drawing.off", point=t.point, off=1e3 * float(abs(t.off))) for t in sketch.tracks if abs(t.off) > allowed]
+    return [say("drawing.drifted", found=joined(found, "join.semicolon"))] if found else []

@@ -17,6 +17,7 @@ from coursework.kinematics.instant_centres import Body, Scene, cross
 from coursework.march.motion import Motion
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import symbol
+from coursework.sentences import say
 from coursework.variant.record import Link, Variant
 
 # A contact touches what it touches at the start, where positions are exact but for rounded data of a task sheet.
@@ -153,10 +154,7 @@ class _Reader:
             at, begin = self.here.vector(f"rail {index}"), self.first.vector(f"rail {index}")
             point = through.name if through.op == "name" and through.name in known else ""
             if not point:
-                self.notes.append(
-                    f"Rail {index + 1} goes through no point of a link, so the drawing does not know what slides on it. "
-                    "Name that point in through."
-                )
+                self.notes.append(say("drawing.empty_rail", rail=index + 1))
             found.append(Rail(at, along, point, point in self.contacts, cross(along, at - begin) if point else 0.0))
         return tuple(found)
 
@@ -187,7 +185,7 @@ class _Reader:
             ]  # fmt: skip
             if contact not in resting and not shared and len(touching) == 1:
                 found[touching[0].name] = contact
-                self.notes.append(f"Link {touching[0].name} drives wheel {link} at {contact}: there both have one velocity.")
+                self.notes.append(say("drawing.drives", link=touching[0].name, wheel=link, contact=contact))
         return found
 
 

@@ -19,6 +19,7 @@ from coursework.march.motion import Motion
 from coursework.march.rates import Rates
 from coursework.reduction.equations import VelocityEquations
 from coursework.schemes import SCHEMES
+from coursework.sentences import say
 
 Array = NDArray[np.float64]
 Predictor = Callable[[float, float, Array], Array]
@@ -153,16 +154,16 @@ def exact_motion(
     """
     evaluations = 0
     if chain is not None:
-        positions, label = chain(times), "closed form of the groups"
+        positions, label = chain(times), say("exact.groups")
     elif closure is not None and closure.complete:
         positions, label = (
             follow_closure(closure, rates, times),
-            "Newton on the position equations, drive integrated to round-off",
+            say("exact.closure"),
         )
     else:
         positions, gap, steps = refine(rates, start, times)
         evaluations = 4 * steps
-        label = f"Runge-Kutta 4, every interval halved until two results agree; all together to {gap:.1e}"
+        label = say("exact.refined", gap=gap)
     velocities, determinants = rates.table(times, positions)
     return Motion(
         times, positions, velocities, determinants, np.zeros((len(times), 0)),

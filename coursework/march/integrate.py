@@ -16,6 +16,7 @@ from coursework.geometry.closure import Closure
 from coursework.march.motion import Motion, Stop, rows_before
 from coursework.march.rates import Rates
 from coursework.schemes import SCHEMES
+from coursework.sentences import say
 from coursework.variant.record import whole_steps
 
 Array = NDArray[np.float64]
@@ -73,7 +74,7 @@ def march(
         try:
             row = rates.evaluate(t, *q.tolist())
         except (ZeroDivisionError, ValueError, OverflowError):
-            stop = _kept(stop, _broken("its block is singular", index, t, step, q, rates))
+            stop = _kept(stop, _broken("event.singular", index, t, step, q, rates))
             break
         if rows and (found := _crossed(rows[-1], row, rates, index, t, step, q)):
             stop = _kept(stop, found)
@@ -86,7 +87,7 @@ def march(
         try:
             moved = rule(known, t, q, step)
         except (ZeroDivisionError, ValueError, OverflowError):
-            stop = _kept(stop, _broken("inside the next step a block is singular", index, t, step, q, rates))
+            stop = _kept(stop, _broken("event.singular_inside", index, t, step, q, rates))
             break
         wide = [place for place in guarded if abs(float(moved[place] - q[place])) > WIDEST_STEP]
         if wide:
@@ -97,7 +98,7 @@ def march(
             moved = _corrected(correction, targets, index, step, t, q, moved)
         q = moved
         if not np.all(np.isfinite(q)):
-            stop = _kept(stop, _broken("the values left the range of numbers", index, t, step, q, rates))
+            stop = _kept(stop, _broken("event.overflow", index, t, step, q, rates))
             break
     velocities = len(rates.velocities)
     table = np.array(rows).reshape(len(rows), velocities + len(rates.blocks))
@@ -112,7 +113,7 @@ def _kept(true: Stop | None, found: Stop) -> Stop:
     """Return the stop of the true motion where there is one: the scheme's own is told behind it."""
     if true is None:
         return found
-    return replace(true, meaning=f"{true.meaning} The scheme itself loses the motion before: {found.cause}")
+    return replace(true, meaning=say("event.both", meaning=true.meaning, cause=found.cause))
 
 
 class _Known:
@@ -152,26 +153,21 @@ def _crossed(
     for place in range(len(rates.blocks)):
         old, new = before[first + place], after[first + place]
         if old * new <= 0 and old != 0:
-            cause = (
-                f"Between rows {index} and {index + 1} (t = {t - step:.6g} s to {t:.6g} s) the scheme stepped over a dead "
-                f"point: a determinant went from {old:.3g} to {new:.3g}. The true motion has none there; the step {step:g} s "
-                "is too large."
-            )
-            return Stop(TOO_LARGE, t, float(index), (), _named(rates, q), cause, "Take a smaller step or a better scheme.")
+            between = {"row": index, "next": index + 1, "begin": t - step, "end": t}
+            cause = say("event.stepped_over", **between, old=old, new=new, step=step)
+            return Stop(TOO_LARGE, t, float(index), (), _named(rates, q), cause, say("event.better_scheme"))
     return None
 
 
 def _too_wide(name: str, turned: float, index: int, t: float, step: float, q: Array, rates: Rates) -> Stop:
-    cause = (
-        f"At row {index + 1} (t = {t:.6g} s) one step of {step:g} s would turn {name} by {turned:.3g} rad "
-        f"({np.degrees(turned):.0f}°); beyond {WIDEST_STEP:g} rad a dead point can be crossed unseen."
-    )
-    return Stop(TOO_LARGE, t, float(index), (), _named(rates, q), cause, "Take a smaller step.")
+    turn = {"turned": turned, "degrees": float(np.degrees(turned)), "widest": WIDEST_STEP}
+    cause = say("event.too_wide", row=index + 1, time=t, step=step, name=name, **turn)
+    return Stop(TOO_LARGE, t, float(index), (), _named(rates, q), cause, say("event.smaller_step"))
 
 
 def _broken(what: str, index: int, t: float, step: float, q: Array, rates: Rates) -> Stop:
-    cause = f"At row {index + 1} (t = {t:.6g} s) the velocities cannot be computed: {what}."
-    return Stop("not finite", t, float(index), (), {}, cause, f"The rows before it are kept (step {step:g} s).")
+    cause = say("event.broken", row=index + 1, time=t, what=say(what))
+    return Stop("not finite", t, float(index), (), {}, cause, say("event.rows_kept", step=step))
 
 
 def _named(rates: Rates, q: Array) -> dict[str, float]:

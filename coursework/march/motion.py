@@ -11,6 +11,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from coursework.sentences import joined
+
 Array = NDArray[np.float64]
 # A row this part of its own time before an event stands at the event: its velocities are no numbers any more.
 AT_EVENT = 1e-9
@@ -43,7 +45,7 @@ class Stop:
     @property
     def sentence(self) -> str:
         """Return the whole finding as one paragraph."""
-        return f"{self.cause} {self.meaning}".strip()
+        return joined([self.cause, self.meaning])
 
 
 @dataclass(frozen=True, slots=True)

@@ -21,6 +21,7 @@ from coursework.reduction.matching import match
 from coursework.reduction.meaning import meaning
 from coursework.reduction.symbolic import symbol
 from coursework.reduction.tidy import as_formula
+from coursework.sentences import say
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,7 +114,7 @@ def _block(members: list[VelocityEquation], unknowns: list[str], equations: Velo
     right_side = tuple(_moved(equation, unknowns) for equation in members)
     names = tuple(equation.name for equation in members)
     if len(unknowns) > 2:
-        text = f"the determinant of the {len(unknowns)} equations {', '.join(names)} is zero"
+        text = say("determinant.large", count=len(unknowns), names=", ".join(names))
         return Block(tuple(unknowns), names, matrix, right_side, None, text)
     bare = Block(tuple(unknowns), names, matrix, right_side, None, "")
     determinant = as_formula(bare.symbolic_determinant, equations.order)

@@ -15,6 +15,7 @@ from coursework.formula.tree import Formula, spelled
 from coursework.mechanism import Mechanism
 from coursework.reduction.symbolic import TIME, Symbols, placed, symbol
 from coursework.reduction.tidy import Order, as_sum
+from coursework.sentences import say
 from coursework.variant.record import Constraint, Variant
 
 Linear = tuple[dict[str, sp.Expr], sp.Expr]
@@ -113,8 +114,8 @@ def _closure_positions(variant: Variant, symbols: Symbols) -> tuple[Position, ..
 
 def _reason(position: Position) -> str:
     if position.kept == "start":
-        return f"{position.name} keeps its value"
-    return f"{position.name} follows the drive {position.kept}"
+        return say("equation.keeps", name=position.name)
+    return say("equation.follows", name=position.name, drive=position.kept)
 
 
 def _derived(position: Position, because: str, variant: Variant, symbols: Symbols, line: int = 0) -> VelocityEquation:

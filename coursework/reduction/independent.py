@@ -16,6 +16,7 @@ from coursework.errors import Fault, InputError, listing
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.matching import match, over_and_under
 from coursework.reduction.system import LinearSystem, compile_system
+from coursework.sentences import say
 
 Array = NDArray[np.float64]
 # A row counts as dependent where what is left of it after projection is below this part of its length: 1e-9 lies far above
@@ -52,7 +53,7 @@ def choose(equations: VelocityEquations, start: Sequence[float], *, numbers: boo
     sames, conflicts = _judge_dropped(matrix, right, kept, names)
     if conflicts or len(kept) < len(equations.unknowns):
         raise InputError([_fault(equations, base, kept, sames, conflicts, rows, owner)])
-    notes = tuple(f"Equation {_same(names)}; it is not needed and only checked." for names in sames)
+    notes = tuple(say("equation.redundant", same=_same(names)) for names in sames)
     return Choice(tuple(kept), notes)
 
 
@@ -102,8 +103,8 @@ def _judge_dropped(
 def _same(pair: tuple[str, list[str]]) -> str:
     name, others = pair
     if not others:
-        return f"{name} says nothing about the unknown velocities"
-    return f"{name} says the same as {listing(others)}" + (" together" if len(others) > 1 else "")
+        return say("equation.nothing", name=name)
+    return say("equation.same_together" if len(others) > 1 else "equation.same", name=name, others=tuple(others))
 
 
 def _fault(

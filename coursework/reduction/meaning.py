@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from functools import reduce
 
 from coursework.formula.tree import Formula, FormulaFault, evaluate, spelled
+from coursework.sentences import joined, say
 from coursework.variant.record import Variant
 
 # At a singular position a factor this small beside the largest one is the factor that vanishes.
@@ -25,7 +26,7 @@ def meaning(determinant: Formula, variant: Variant, equations: Sequence[str], at
     if _vanishing(determinant, variant, at) and (known := _of_group(variant, equations)):
         return known
     found = [sentence for factor in _vanishing(determinant, variant, at) if (sentence := _factor(factor, variant))]
-    return "; or ".join(found) if found else "it is never zero"
+    return joined(found, "join.or_else") if found else say("determinant.never")
 
 
 def _of_group(variant: Variant, equations: Sequence[str]) -> str:
@@ -33,8 +34,8 @@ def _of_group(variant: Variant, equations: Sequence[str]) -> str:
     for number, group in enumerate(variant.groups, start=1):
         if set(equations) == {f"G{number}x", f"G{number}y"}:
             if group.kind == "RRP":
-                return f"{_link(group.coordinates[0], variant)} stands at a right angle to the guide"
-            return "the two guides are parallel" if group.kind in {"PRP", "RPP"} else ""
+                return say("determinant.right_angle", link=_link(group.coordinates[0], variant))
+            return say("determinant.parallel") if group.kind in {"PRP", "RPP"} else ""
     return ""
 
 
@@ -77,22 +78,21 @@ def _factors(tree: Formula) -> list[Formula]:
 def _factor(tree: Formula, variant: Variant) -> str:
     units = {c.name: c.unit for c in variant.coordinates}
     if tree.op == "name" and units.get(tree.name) == "m":
-        return f"the distance {tree.name} is zero: the slider stands on the pivot of its guide"
+        return say("determinant.distance", name=tree.name)
     angles = [name for name in tree.names() if units.get(name) == "rad"]
     if tree.op == "call" and tree.name in {"sin", "cos"} and len(angles) == 2 and _is_difference(tree.args[0]):
         first, second = (_link(name, variant) for name in angles)
         if tree.name == "cos":
-            return f"{first} and {second} stand at a right angle to each other"
-        return f"{first} and {second} lie on one line (stretched or folded)"
+            return say("determinant.across", first=first, second=second)
+        return say("determinant.one_line", first=first, second=second)
     if tree.op == "call" and tree.name in {"sin", "cos"} and len(angles) == 1 and tree.args[0].op == "name":
-        direction = "vertical" if tree.name == "cos" else "horizontal"
-        return f"{_link(angles[0], variant)} is {direction}"
+        return say("determinant.vertical" if tree.name == "cos" else "determinant.horizontal", link=_link(angles[0], variant))
     if tree.op == "call" and tree.name == "cos" and len(angles) == 1 and tree.args[0].names() == (angles[0],):
-        return f"{_link(angles[0], variant)} stands at a right angle to the guide"
+        return say("determinant.right_angle", link=_link(angles[0], variant))
     if tree.op in {"+", "-"}:
-        return f"the lever arms of {_listed(angles, variant)} cancel"
-    always = "" if set(tree.names()) - set(variant.values) else " with these data, in every position"
-    return f"{spelled(tree)} is zero{always}" if tree.names() else ""
+        return say("determinant.arms", links=_listed(angles, variant))
+    key = "determinant.zero" if set(tree.names()) - set(variant.values) else "determinant.always_zero"
+    return say(key, formula=spelled(tree)) if tree.names() else ""
 
 
 def _is_difference(tree: Formula) -> bool:
@@ -103,8 +103,8 @@ def _is_difference(tree: Formula) -> bool:
 def _link(angle: str, variant: Variant) -> str:
     rate = next((c.rate for c in variant.coordinates if c.name == angle), "")
     names = [link.name for link in variant.links if link.rate == rate]
-    return f"link {names[0]}" if names else f"the link at angle {angle}"
+    return say("determinant.link", name=names[0]) if names else say("determinant.link_at", angle=angle)
 
 
 def _listed(angles: list[str], variant: Variant) -> str:
-    return ", ".join(_link(angle, variant) for angle in angles) or "the links"
+    return joined([_link(angle, variant) for angle in angles], "join.comma") if angles else say("determinant.links")

@@ -10,7 +10,7 @@ from coursework.accuracy.record import AccuracyStudy, StudyRow
 from coursework.report.accuracy_figures import Bar, Method, Panels, bars, panels
 from coursework.report.desk import Desk
 from coursework.report.figures import WIDTH
-from coursework.report.lettering import LONGEST_NAME, clean, numeral, printed, runs
+from coursework.report.lettering import LONGEST_NAME, numeral, printed, runs
 from coursework.report.numbers import NOTHING, with_unit
 from coursework.report.parts import Bullets, Cell, Column, Figure, Paragraph, Part, Table
 from coursework.report.tables import MARK, ONE_PAGE
@@ -46,7 +46,7 @@ def _figure(desk: Desk, study: AccuracyStudy) -> Figure:
     for name in dict.fromkeys(row.method for row in _finished(study)):
         rows = [row for row in _finished(study) if row.method == name]
         methods.append(Method(
-            clean(name, LONGEST_NAME), tuple(row.evaluations for row in rows),
+            desk.told(name, LONGEST_NAME), tuple(row.evaluations for row in rows),
             tuple(row.seconds if study.seconds_shown else None for row in rows),
             tuple(row.max_error for row in rows), tuple(row.end_error for row in rows),
             study.orders.get(name), _order_text(desk, study, name),
@@ -57,7 +57,7 @@ def _figure(desk: Desk, study: AccuracyStudy) -> Figure:
     floor = with_unit(desk.numbers.scalar(study.floor, 2), _unit(desk))
     caption = say("accuracy.caption_two" if page.timed else "accuracy.caption_one")
     caption += " " + say("accuracy.caption_rest", floor=floor)
-    caption += " " + say("accuracy.reference", label=printed(clean(study.reference_label)).rstrip("."))
+    caption += " " + say("accuracy.reference", label=printed(desk.told(study.reference_label)).rstrip("."))
     alt = say("accuracy.alt", methods=say.listing([method.name for method in methods]))
     svg, height = panels("accuracy", page)
     return Figure(svg, WIDTH, height, alt, desk.lettered(caption))
@@ -86,8 +86,8 @@ def _table(desk: Desk, study: AccuracyStudy) -> Table:
         if own:
             strong.append(len(rows))
         cells: list[Cell] = [
-            f"{MARK} {clean(row.method, LONGEST_NAME)}" if own else clean(row.method, LONGEST_NAME),
-            clean(row.steps_or_tolerance, LONGEST_NAME),
+            f"{MARK} {desk.told(row.method, LONGEST_NAME)}" if own else desk.told(row.method, LONGEST_NAME),
+            desk.told(row.steps_or_tolerance, LONGEST_NAME),
             numbers.whole(row.evaluations),
             numeral(numbers.scalar(row.max_error, ERROR_DIGITS)),
             numeral(numbers.scalar(row.end_error, ERROR_DIGITS)),
@@ -97,14 +97,15 @@ def _table(desk: Desk, study: AccuracyStudy) -> Table:
         rows.append(cells)
     notes = [desk.words("accuracy.own_mark", mark=MARK)] if strong else []
     if study.orders:
-        orders = ", ".join(f"{clean(name, LONGEST_NAME)} {_order_text(desk, study, name)}" for name in study.orders)
+        orders = ", ".join(f"{desk.told(name, LONGEST_NAME)} {_order_text(desk, study, name)}" for name in study.orders)
         notes.append(desk.words("accuracy.orders", orders=orders))
     return Table(columns, rows, desk.say("accuracy.study"), strong, rules, runs(" ".join(notes)), whole=len(rows) <= ONE_PAGE)
 
 
 def _failures(desk: Desk, study: AccuracyStudy) -> list[Part]:
+    told = desk.told
     failed = [
-        desk.rich(desk.words("accuracy.failure", method=row.method, steps=row.steps_or_tolerance, why=row.failed))
+        desk.say("accuracy.failure", method=told(row.method), steps=told(row.steps_or_tolerance), why=told(row.failed))
         for row in study.rows
         if row.failed
     ]
@@ -139,7 +140,7 @@ def _overhead(desk: Desk, study: AccuracyStudy) -> list[Part]:
     say = desk.words
     if not study.overhead or not study.seconds_shown:
         return []
-    labels = [clean(label, LONGEST_NAME) for label, _ in study.overhead]
+    labels = [desk.told(label, LONGEST_NAME) for label, _ in study.overhead]
     texts = [desk.numbers.duration(seconds) for _, seconds in study.overhead]
     values = tuple(seconds for _, seconds in study.overhead)
     svg, height = bars("overhead", labels, [Bar("", values)], say("accuracy.seconds"), texts=texts, logarithmic=True)

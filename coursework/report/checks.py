@@ -38,7 +38,7 @@ def checks(desk: Desk) -> list[Part]:
 
 def _judged(desk: Desk, check: Check) -> Judged:
     numbers = desk.numbers
-    unit = clean(check.unit)
+    unit = desk.told(check.unit)
     is_short = len(unit) <= SHORT_UNIT
     behind = unit if is_short else ""
     heads, lines = _lines(desk, check)
@@ -58,7 +58,7 @@ def _judged(desk: Desk, check: Check) -> Judged:
 
 def _lines(desk: Desk, check: Check) -> tuple[list[str], list[list[Cell]]]:
     """Return the further lines; labels "phi1: scheme", "phi1: period" … become a row with a column for each part."""
-    parts = [label.partition(": ") for label, _, _ in check.rows]
+    parts = [desk.words.written(label).partition(": ") for label, _, _ in check.rows]
     columns = list(dict.fromkeys(tail for _, _, tail in parts))
     rows = list(dict.fromkeys(head for head, _, _ in parts))
     values = {(head, tail): numeral(desk.numbers.scalar(row[1])) for (head, _, tail), row in zip(parts, check.rows, strict=True)}

@@ -12,6 +12,7 @@ from coursework.report.display import math_equation
 from coursework.report.lettering import clean, runs
 from coursework.report.parts import Bullets, Display, Equations, Paragraph, Part, Runs
 from coursework.report.source import Block, Solution
+from coursework.sentences import say
 from coursework.variant.record import Law
 
 
@@ -122,11 +123,11 @@ def _solved(desk: Desk, block: Block, solution: Solution, number: int, found: se
 
 
 def _vanishing(desk: Desk, meaning: str) -> Runs:
-    meaning = clean(meaning).rstrip(".")
+    if meaning == say("determinant.never"):
+        return desk.say("derivation.never")
+    meaning = desk.told(meaning).rstrip(".")
     if not meaning:
         return desk.say("derivation.determinant")
-    if meaning.startswith("it is never"):
-        return desk.say("derivation.never")
     return desk.lettered(desk.words("derivation.vanishes", meaning=meaning))
 
 
@@ -137,7 +138,7 @@ def _numeric(desk: Desk, block: Block) -> list[Part]:
         unknowns=desk.symbol_list(block.unknowns),
         equations=_names(desk, block),
     )
-    if meaning := clean(block.meaning).rstrip("."):
+    if meaning := desk.told(block.meaning).rstrip("."):
         sentence += " " + desk.words("derivation.numeric_vanishes", meaning=meaning)
     return [Paragraph(desk.lettered(sentence))]
 

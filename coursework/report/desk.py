@@ -63,7 +63,16 @@ class Desk:
 
     def rich(self, text: str, longest: int = LONGEST) -> Runs:
         """Return a sentence of the tool, cleaned, its numbers and symbols set."""
-        return self.lettered(printed(clean(text, longest)))
+        return self.lettered(printed(self.told(text, longest)))
+
+    def told(self, text: str, longest: int = LONGEST) -> str:
+        """Return a sentence of the tool in the language of the page, cleaned."""
+        return clean(self.words.written(text), longest)
+
+    def event(self, kind: str) -> str:
+        """Return what a stop is called."""
+        key = f"event.kind.{kind}"
+        return self.words(key) if self.words.has(key) else clean(kind)
 
     def quoted(self, text: str, longest: int = LONGEST) -> Runs:
         """Return a sentence of a file, cleaned, its symbols set and nothing else changed."""

@@ -9,7 +9,6 @@ from collections.abc import Sequence
 
 from coursework.report.desk import Desk
 from coursework.report.figures import HEIGHT, WIDTH, Curve, time_plot
-from coursework.report.lettering import clean
 from coursework.report.numbers import unit_text
 from coursework.report.parts import Figure, Part
 
@@ -49,16 +48,16 @@ def _figure(desk: Desk, names: Sequence[str], unit: str, number: int) -> Figure:
         y_label=say(f"plots.axis.{known}", unit=unit_text(unit)),
         thin_label=say("plots.exact_legend"),
         stop=stop,
-        stop_label=clean(run.stop.kind) if run.stop else "",
+        stop_label=desk.event(run.stop.kind) if run.stop else "",
     )
     what, symbols = say(f"plots.what.{known}"), desk.symbol_list(names)
     step = desk.quantity(run.step, "s")
-    caption = say("plots.caption", what=what, symbols=symbols, scheme=run.scheme_title, step=step)
+    caption = say("plots.caption", what=what, symbols=symbols, scheme=desk.told(run.scheme_title), step=step)
     if desk.exact is not None and any(curve.thin.size for curve in curves):
-        label = clean(desk.exact.label) or say("plots.exact_label")
+        label = desk.told(desk.exact.label) or say("plots.exact_label")
         caption += " " + say("plots.exact", label=label.rstrip("."))
     if run.stop is not None:
-        caption += " " + say("plots.stop", kind=clean(run.stop.kind), time=desk.quantity(run.stop.time, "s"))
+        caption += " " + say("plots.stop", kind=desk.event(run.stop.kind), time=desk.quantity(run.stop.time, "s"))
     first, last = desk.quantity(float(run.motion.t[0]), "s"), desk.quantity(float(run.motion.t[-1]), "s")
     alt = say("plots.alt", what=what, symbols=symbols, start=first, end=last)
     return Figure(svg, WIDTH, HEIGHT, alt, desk.lettered(caption))

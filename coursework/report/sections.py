@@ -43,7 +43,7 @@ def title(desk: Desk) -> list[Part]:
     run, say = desk.run, desk.words
     method = say(
         "title.method_text",
-        scheme=run.scheme_title,
+        scheme=desk.told(run.scheme_title),
         step=desk.quantity(run.step, "s"),
         end=desk.quantity(run.end, "s"),
     )
@@ -78,7 +78,7 @@ def _result(desk: Desk) -> str:
     if run.stop is None:
         return say("result.complete", end=desk.quantity(float(run.motion.t[-1]), "s"), **values)
     time = desk.quantity(run.stop.time, "s", STOP_DIGITS)
-    return say("result.stopped", time=time, kind=clean(run.stop.kind), **values)
+    return say("result.stopped", time=time, kind=desk.event(run.stop.kind), **values)
 
 
 def given(desk: Desk) -> list[Part]:
@@ -138,7 +138,7 @@ def dead_point(desk: Desk) -> list[Part]:
     if desk.run.phases:
         facts.append((say("stop.phases"), desk.rich(desk.run.phases)))
     kept = say("stop.kept", row=len(desk.run.motion.t))
-    kind = clean(stop.kind)
+    kind = desk.event(stop.kind)
     lead = say("stop.lead", kind=kind[:1].upper() + kind[1:], time=time)
     return [Paragraph(runs(kept), "callout", lead), Facts(facts)]
 
@@ -154,7 +154,7 @@ def graph_check(desk: Desk) -> list[Part]:
     if graph is None:
         return []
     row = desk.run.variant.time.check_row
-    figure = true_to_scale(graph.svg, desk.words("graph.alt", row=row or ""), desk.say("graph.caption"))
+    figure = true_to_scale(graph.drawn(desk.words.written), desk.words("graph.alt", row=row or ""), desk.say("graph.caption"))
     heads = [
         Column(desk.say(f"graph.{key}"), words=key == "quantity") for key in ("quantity", "measured", "tabled", "difference")
     ]
@@ -179,7 +179,7 @@ def method(desk: Desk) -> list[Part]:
     coordinates = run.motion.coordinate_names
     rates = [c.rate for c in run.variant.coordinates if c.name in coordinates]
     lines = LINES.get(run.scheme, ())
-    intro = desk.say("method.intro" if lines else "method.plain", title=run.scheme_title, order=run.scheme_order)
+    intro = desk.say("method.intro" if lines else "method.plain", title=desk.told(run.scheme_title), order=run.scheme_order)
     parts: list[Part] = [Paragraph(intro)]
     if lines:
         parts.append(Equations([Display(math, text) for math, text in lines]))
@@ -193,7 +193,7 @@ def method(desk: Desk) -> list[Part]:
         product = desk.numbers.plain(run.settings.gain * run.step)
         sentences.append(say("method.gain", gain=desk.quantity(run.settings.gain, "1/s"), product=product))
     if desk.exact is not None:
-        label = desk.exact.label or say("plots.exact_label")
+        label = desk.words.written(desk.exact.label) or say("plots.exact_label")
         sentences.append(say("method.exact", label=clean(label).rstrip(".")))
     parts.append(Paragraph(desk.lettered(" ".join(sentences))))
     if run.motion.notes:

@@ -5,7 +5,7 @@ Enters and leaves nothing; read it to see what a page is made of.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Protocol
 
 from coursework.accuracy.record import AccuracyStudy
@@ -68,10 +68,9 @@ class ExtraTable(Protocol):
 
 
 class GraphCheck(Protocol):
-    """A true-to-scale drawing (`svg` with width and height in mm) and (name, measured, table, difference, unit)."""
+    """A true-to-scale drawing (`drawn` with width and height in mm) and (name, measured, table, difference, unit)."""
 
-    @property
-    def svg(self) -> str: ...
+    def drawn(self, written: Callable[[str], str]) -> str: ...
     @property
     def rows(self) -> Sequence[tuple[str, float, float, float, str]]: ...
     @property

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from coursework.report.desk import Desk
-from coursework.report.lettering import clean, numeral, runs
+from coursework.report.lettering import numeral, runs
 from coursework.report.numbers import unit_text
 from coursework.report.parts import Cell, Column, Paragraph, Part, Table
 from coursework.report.source import ExtraTable
@@ -72,7 +72,7 @@ def motion_parts(desk: Desk) -> list[Part]:
     run, say = desk.run, desk.words
     names = run.motion.names
     units = [run.variant.unit_of(name) for name in names]
-    caption = say("table.caption", scheme=run.scheme_title, step=desk.quantity(run.step, "s"))
+    caption = say("table.caption", scheme=desk.told(run.scheme_title), step=desk.quantity(run.step, "s"))
     notes = []
     check_row = run.variant.time.check_row
     if check_row is not None and check_row <= len(run.motion.t):
@@ -85,7 +85,7 @@ def motion_parts(desk: Desk) -> list[Part]:
 
 def extra_parts(desk: Desk, extra: ExtraTable) -> list[Part]:
     """Return the table of a further quantity; with row and time where it has a line for every row."""
-    caption = clean(extra.title).rstrip(".") + "."
+    caption = desk.told(extra.title).rstrip(".") + "."
     whole = Grid(extra.names, extra.units, extra.rows)
     if extra.names[0] == "t":
         return _by_row(desk, whole.part(1), whole.rows[:, 0], caption, "")

@@ -5,6 +5,7 @@ Numbers: Euler by the coursework's own formulas, the exact motion by the closed 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from math import atan, cos, pi, sin
 from typing import Any
@@ -89,6 +90,9 @@ class Graph:
     rows: tuple[tuple[str, float, float, float, str], ...] = ()
     exact: tuple[tuple[str, float, float, str], ...] = ()
     notes: tuple[str, ...] = ()
+
+    def drawn(self, written: Callable[[str], str]) -> str:
+        return self.svg
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,128 @@
+"""Every sentence of a page is in the words file: a made-up language shows what is not, and no sentence is kept for nothing."""
+
+from __future__ import annotations
+
+import ast
+import copy
+import pickle
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import coursework
+from coursework import sentences
+from coursework.report import build_model, words
+from coursework.run import Run
+from coursework.sentences import Phrases, Sentence, joined, load_phrases, say
+from coursework.variant.reader import parse_variant
+from tests.report.test_model import FINDINGS, keys, text_of
+
+ROOT = Path(__file__).parents[2]
+V31 = (ROOT / "variants" / "31.toml").read_text(encoding="utf-8")
+ALL = ["table", "plots", "checks", "graph_check", "accelerations", "points", "accuracy"]
+
+
+def shouted(entry: Any) -> Any:
+    """Return words in capitals, with their gaps and single italic letters as they are, and a decimal comma."""
+    if isinstance(entry, dict):
+        return {key: "," if key == "decimal" else shouted(value) for key, value in entry.items()}
+    return "".join(part if part[:1] in "{*" else part.upper() for part in re.split(r"(\{[^}]*\}|\*\w\*)", entry) if part)
+
+
+SHOUTED = Phrases("xx", shouted(copy.deepcopy(dict(load_phrases().entries))))
+
+
+@pytest.fixture
+def language(monkeypatch: pytest.MonkeyPatch) -> str:
+    monkeypatch.setattr(words, "load_phrases", lambda language: SHOUTED if language == "xx" else load_phrases(language))
+    return "xx"
+
+
+def scenes() -> dict[str, tuple[str, dict[str, Any]]]:
+    """Return variant files, and how they are run."""
+    dead = V31.replace('"4.35 rad"', '"0.02 rad"')
+    twice = 'equation = "VMx - r3*w4 + 2*r3*w3*cos(phi3) - 4*r3*w3*sin(phi3) = 0"'
+    redundant = f'{V31}\n[[constraint]]\nname = "twice"\nbecause = ""\n{twice}\n'
+    names = ("example-1", "example-4", "v105", "variable-crank", "prp")
+    read = {name: (ROOT / "variants" / f"{name}.toml").read_text(encoding="utf-8") for name in names}
+    return {
+        "31": (V31, {"quantities": ALL}),
+        "31 projected": (V31, {"project": 2, "quantities": ALL}),
+        "31 dead": (dead, {}),
+        "31 coarse": (V31, {"step": 0.1, "end": 0.5}),
+        "31 long": (V31, {"end": 4.8, "quantities": ["table", "checks"]}),
+        "redundant": (redundant, {}),
+        "v105": (read["v105"], {"quantities": ALL}),
+        "chain": (read["example-1"], {"quantities": ["table", "plots", "checks", "accelerations", "points", "analogs"]}),
+        "slotted lever": (read["example-4"], {}),
+        "two guides": (read["prp"], {}),
+        "crank of variable length": (read["variable-crank"], {"quantities": ["table", "checks", "invariants"]}),
+    }  # fmt: skip
+
+
+def said(run: Run, language: str) -> list[str]:
+    """Return every text of a page, drawings included."""
+    found = []
+    for section in build_model(run, language).plain()["sections"]:
+        found.append(section["title"])
+        for part in section["parts"]:
+            drawing = part.pop("svg", "")
+            part.pop("columns", None)  # symbols beside each other are no sentence
+            found += re.findall(r">([^<>]+)</t(?:ext|span)>", drawing)
+            found.append(text_of(part))
+    return found
+
+
+@pytest.mark.parametrize("name", scenes())
+def test_no_sentence_of_a_page_stands_in_python(name: str, language: str) -> None:
+    """Three small words in a row on a page that shouts are a sentence nobody could translate, unless the file says them."""
+    text, options = scenes()[name]
+    run = coursework.solve(parse_variant(text), **options)
+    own = " ".join(text.split())
+    symbols = {*run.variant.names, "sin", "cos", "thin", "quad"}
+    for found in said(run, language):
+        for sentence in re.findall(r"(?:\b[a-z]{2,}\b[ ,]+){2,}[a-z]{2,}", found):
+            assert sentence in own or symbols & set(re.findall(r"\w+", sentence)), f"{sentence!r} in {found[:200]!r}"
+
+
+def test_numbers_inside_a_finding_have_the_decimal_sign_of_the_language(language: str) -> None:
+    page = (ROOT / "tests" / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
+    run = coursework.solve(parse_variant(page.replace('"4.35 rad"', '"0.02 rad"')), quantities=["table", "checks"])
+    told = " ".join(said(run, language))
+    assert "AT T = 0,116889 S" in told
+    assert "0.116889" not in told
+
+
+def test_a_finding_is_english_text_for_whoever_just_prints_it() -> None:
+    found = say("event.with", values=(say("event.length", name="s", value=0.5), "x", say("event.length", name="p", value=1.25)))
+    assert found == ", with s = 0.5 m, x and p = 1.25 m"
+    assert SHOUTED.written(found) == ", WITH s = 0,5 M, x AND p = 1,25 M"
+    assert SHOUTED.written("any other text") == "any other text"
+    both = joined([found, "", say("event.smaller_step")])
+    assert both == f"{found} Take a smaller step."
+    for copied in (pickle.loads(pickle.dumps(both)), copy.deepcopy(both)):
+        assert isinstance(copied, Sentence)
+        assert SHOUTED.written(copied) == SHOUTED.written(both)
+
+
+def test_a_key_that_does_not_exist_is_a_fault() -> None:
+    with pytest.raises(KeyError, match=r"no sentence check\.NOTHING"):
+        say("check.NOTHING")
+    assert sentences.say_or("scheme.of-somebody", "my scheme") == "my scheme"
+
+
+def test_every_finding_of_the_words_file_is_said_somewhere() -> None:
+    """Keys are searched in the source: literally, or as the f-string that makes them."""
+    spoken = set()
+    for path in (ROOT / "coursework").rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Constant) and isinstance(node.value, str):
+                spoken.add(re.escape(node.value) + r"(\.(one|many|plain|timed))?")
+            elif isinstance(node, ast.JoinedStr):
+                parts = (re.escape(v.value) if isinstance(v, ast.Constant) else r"[\w -]+" for v in node.values)
+                spoken.add("".join(parts))
+    pattern = re.compile("|".join(part for part in spoken if re.match(rf"({'|'.join(FINDINGS)})\\\.", part)))
+    listed = [key for key in keys(load_phrases().entries) if key.partition(".")[0] in FINDINGS]
+    assert sorted(key for key in listed if not pattern.fullmatch(key)) == []
