@@ -74,6 +74,7 @@ def _listed(_context: click.Context, _option: click.Parameter, value: str | None
 @click.option("--precision", type=click.Choice(["double", "single"]), default="double", help="single: see what round-off does.")
 @click.option("--plan", is_flag=True, help="Print what would be computed and what is left out, and stop.")
 @click.option("--profile", is_flag=True, help="Print calls and time of every quantity.")
+@click.option("--language", default="en", show_default=True, help="Language of the pages: a words file in reports/.")
 @click.option("--student", help="Name for the title block.")
 @click.option("--group", help="Group for the title block.")
 @click.option("--date", help="Date for the title block.")

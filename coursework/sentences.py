@@ -48,11 +48,22 @@ class Phrases:
         return isinstance(self._found(key), str)
 
     def template(self, key: str) -> str:
-        """Return a sentence with its gaps.  Raises `KeyError` for an unknown key."""
+        """Return a sentence with its gaps, in English where this language has none yet.  Raises `KeyError` for an unknown key."""
         found = self._found(key)
-        if not isinstance(found, str):
-            raise KeyError(f"words.{self.language}.toml has no sentence {key}")
-        return found
+        if isinstance(found, str):
+            return found
+        if self.language == ENGLISH:
+            raise KeyError(f"words.{ENGLISH}.toml has no sentence {key}")
+        return load_phrases().template(key)
+
+    def filled(self, key: str, template: str, values: Mapping[str, object]) -> str:
+        """Return a template with its gaps filled.  Raises `InputError` for a gap that the program does not know."""
+        try:
+            return template.format(**values)
+        except (KeyError, IndexError, ValueError, AttributeError) as error:
+            known = ", ".join(f"{{{name}}}" for name in values) or "none"
+            place = f"words.{self.language}.toml, {key}"
+            raise InputError(f"{place}: the gaps of this sentence cannot be filled ({error}). Known gaps: {known}.") from error
 
     def written(self, text: str) -> str:
         """Return a `Sentence` in this language; any other text as it is."""
@@ -66,7 +77,7 @@ class Phrases:
         parts = values.get("parts")
         if isinstance(parts, tuple):
             return template.join(map(self.written, parts))
-        return template.format(**{name: self._filling(value) for name, value in values.items()})
+        return self.filled(key, template, {name: self._filling(value) for name, value in values.items()})
 
     def _found(self, key: str) -> object:
         entry: Any = self.entries

@@ -12,6 +12,7 @@ from coursework.errors import InputError, closest, listing
 from coursework.output import own_tables, write_record, write_tables
 from coursework.run import Run
 from coursework.schemes import SCHEMES
+from coursework.sentences import load_phrases
 
 FORMATS = ("html", "pdf", "csv")
 _MARKS = {"PASS": "✓", "FAIL": "✗", "SKIP": "–", "ERROR": "!"}
@@ -20,10 +21,11 @@ _MARKS = {"PASS": "✓", "FAIL": "✗", "SKIP": "–", "ERROR": "!"}
 def run_variant(
     variant: str, *, out: Path | None, formats: tuple[str, ...], step: str | None, error: float | None, end: float | None,
     scheme: str, quantities: tuple[str, ...], project: bool, gain: float, precision: str, plan: bool, profile: bool,
-    student: str | None, group: str | None, date: str | None,
+    student: str | None, group: str | None, date: str | None, language: str,
 ) -> int:  # fmt: skip
     """Return the exit status of one run."""
     check_formats(formats)
+    load_phrases(language)
     chosen = load(variant)
     if precision == "single":
         return tell_round_off(solve(chosen, scheme, _step(step), end, quantities=("table",)))
@@ -46,7 +48,7 @@ def run_variant(
         click.echo(f"In each row: the velocities {listing(used)}; left out: {listing(left) or 'nothing'}.")
         return 0
     folder = out or Path(f"coursework-{chosen.name}")
-    written = write_all(run, folder, formats)
+    written = write_all(run, folder, formats, language)
     tell(run, folder, written)
     if profile:
         click.echo("\nquantity          calls      ms")
@@ -112,7 +114,7 @@ def _step(text: str | None) -> float | None:
         raise InputError(f'a step in seconds, such as 0.02, was expected, found "{text}".') from None
 
 
-def write_all(run: Run, folder: Path, formats: tuple[str, ...]) -> list[str]:
+def write_all(run: Run, folder: Path, formats: tuple[str, ...], language: str) -> list[str]:
     """Compute everything, then write the files; return their names."""
     run.columns()
     pages = [folder / f"report.{kind}" for kind in ("html", "pdf") if kind in formats]
@@ -126,7 +128,7 @@ def write_all(run: Run, folder: Path, formats: tuple[str, ...]) -> list[str]:
     if pages:
         from coursework.report import write_report
 
-        write_report(run, *pages)
+        write_report(run, *pages, language=language)
     return [*written, "run.json", *(page.name for page in pages)]
 
 

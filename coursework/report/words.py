@@ -25,7 +25,7 @@ class Words:
     def __call__(self, key: str, **values: object) -> str:
         """Return a sentence, such as `words("table.thinned", step="5", …)`.  Raises `KeyError` for an unknown key."""
         text = _OWN_LETTER.sub(rf"{ITALIC[0]}\1{ITALIC[1]}", self.phrases.template(key))
-        return text.format(**values) if values else text
+        return self.phrases.filled(key, text, values) if values else text
 
     def has(self, key: str) -> bool:
         """Return whether there is such a sentence."""

@@ -10,9 +10,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from click.testing import CliRunner
 
 import coursework
 from coursework import sentences
+from coursework.cli import main
 from coursework.report import build_model, words
 from coursework.run import Run
 from coursework.sentences import Phrases, Sentence, joined, load_phrases, say
@@ -126,3 +128,32 @@ def test_every_finding_of_the_words_file_is_said_somewhere() -> None:
     pattern = re.compile("|".join(part for part in spoken if re.match(rf"({'|'.join(FINDINGS)})\\\.", part)))
     listed = [key for key in keys(load_phrases().entries) if key.partition(".")[0] in FINDINGS]
     assert sorted(key for key in listed if not pattern.fullmatch(key)) == []
+
+
+def test_a_language_may_be_half_done_and_its_slips_are_told() -> None:
+    half = Phrases("yy", {"decimal": ".", "event": {"smaller_step": "Менший крок.", "rows_kept": "{steep:g}"}})
+    assert half.written(say("event.smaller_step")) == "Менший крок."
+    assert half.written(say("event.singular")) == "its block is singular"
+    with pytest.raises(coursework.InputError, match=r"words\.yy\.toml, event\.rows_kept: .* Known gaps: \{step\}\."):
+        half.written(say("event.rows_kept", step=0.02))
+
+
+def test_a_page_in_another_language_by_its_words_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A file beside words.en.toml is a language; an unknown one is refused before anything is computed."""
+    for name in ("words.en.toml", "report.html.j2", "report.css"):
+        (tmp_path / name).write_bytes((ROOT / "reports" / name).read_bytes())
+    words_file = (ROOT / "reports" / "words.en.toml").read_text(encoding="utf-8")
+    (tmp_path / "words.de.toml").write_text(words_file.replace('decimal = "."', 'decimal = ","'), encoding="utf-8")
+    monkeypatch.setattr(sentences, "folder", lambda _name: tmp_path)
+    load_phrases.cache_clear()
+    try:
+        page = tmp_path / "page.html"
+        coursework.write_report(coursework.solve("31", quantities=["table", "checks"]), page, language="de")
+        assert "0,48" in page.read_text(encoding="utf-8")
+        result = CliRunner().invoke(main, ["run", "31", "--language", "dee", "--out", str(tmp_path / "out")])
+        assert result.exit_code == 2
+        assert 'no words for the language "dee"' in result.stderr
+        assert 'Did you mean "de"?' in result.stderr
+        assert not (tmp_path / "out").exists()
+    finally:
+        load_phrases.cache_clear()
