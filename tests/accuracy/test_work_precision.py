@@ -125,3 +125,14 @@ def test_budget_of_the_last_row(run):
         assert (total, scheme, period) == pytest.approx(expected[name], abs=2e-6)
         assert abs(roundoff) < 1e-14
         assert total == pytest.approx(scheme + period + roundoff, abs=1e-15)
+
+
+def test_a_table_is_measured_against_the_motion_its_schemes_solve():
+    """Derivatives of a table belong to no curve through it: schemes and closed form come to rest 1e-7 rad apart."""
+    run = coursework.solve("variable-crank-table", quantities=["accuracy"])
+    study = run.accuracy
+    for method, order in {"explicit Euler": 1, "midpoint": 2, "Heun": 2, "Runge-Kutta 4": 4}.items():
+        assert study.orders[method] == pytest.approx(order, abs=0.1)
+    closed = next(row for row in study.rows if row.method == "position closure (Newton)")
+    assert 1e-8 < closed.max_error < 1e-6
+    assert "belong to another motion than the positions" in study.reference_label
