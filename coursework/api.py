@@ -67,7 +67,11 @@ def exact(
     # The quantities of a motion do not care which motion it is: they are computed for the exact rows here.
     values = Values(QUANTITIES, {**run.values.values, "motion": motion})
     names, rows = gather(motion, run.asked, values)
-    return pd.DataFrame(rows, index=pd.Index(motion.t, name="t"), columns=list(names))
+    table = pd.DataFrame(rows, index=pd.Index(motion.t, name="t"), columns=list(names))
+    if not run.settings.columns:
+        return table
+    rates = run.values["rates"]
+    return table[[*rates.coordinates, *rates.velocities]]
 
 
 def _timed(variant: Variant, step: float | None, end: float | None) -> Variant:

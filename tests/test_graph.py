@@ -221,3 +221,30 @@ def test_the_look_at_imports_sees_them(tmp_path):
     assert {"numpy", "sympy", "pandas"} <= imported(
         "import coursework\ncoursework.solve('31', quantities=['table']).table", tmp_path
     )
+
+
+@pytest.mark.parametrize("columns", [["phi3"], ["w3"], ["w4"], ["phi1"]])
+def test_the_exact_table_of_some_columns_has_the_same_columns(columns):
+    table = coursework.exact("31", quantities=columns)
+    assert list(table.columns) == list(coursework.solve("31", quantities=columns).table.columns)
+    assert np.array_equal(table, coursework.exact("31")[list(table.columns)])
+
+
+@pytest.mark.parametrize(
+    ("options", "told"),
+    [
+        ({"step": "fast"}, "the step must be a number of seconds, found 'fast'"),
+        ({"end": [1]}, "the end must be a number of seconds"),
+        ({"end": float("inf")}, "the end must be a number of seconds, found inf"),
+        ({"project": 1.5}, "0 to 20 Newton corrections a step, found 1.5"),
+        ({"project": -1}, "0 to 20 Newton corrections a step, found -1"),
+    ],
+)
+def test_arguments_that_are_no_numbers_are_refused_in_a_sentence(options, told):
+    with pytest.raises(coursework.InputError) as caught:
+        coursework.solve("31", **options)
+    assert told in str(caught.value)
+
+
+def test_one_quantity_may_be_named_without_a_list():
+    assert coursework.solve("31", quantities="table").asked == ("table",)
