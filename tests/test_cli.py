@@ -220,3 +220,9 @@ def test_one_where_the_motion_stops_before_a_step_can_be_chosen(options, tmp_pat
     result = call("run", file, *options)
     assert result.exit_code == 1
     assert result.stdout.startswith("Stopped (dead point), so ")
+
+
+def test_pages_of_an_earlier_run_are_told_from_those_of_this_one(tmp_path):
+    assert "earlier run" not in call("run", "31", "--quantities", "table", "--format", "csv,html", "--out", tmp_path / "o").stdout
+    again = call("run", "31", *QUICK, "--out", tmp_path / "o").stdout
+    assert again.splitlines()[-1] == "From an earlier run, and not of this one: report.html"

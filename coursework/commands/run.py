@@ -160,3 +160,6 @@ def tell(run: Run, folder: Path, written: list[str]) -> None:
             if check.verdict in {"FAIL", "ERROR"} and check.code != "STOP":
                 click.echo(f"  {check.code}: {check.sentence}")
     click.echo(f"Written to {folder}: {', '.join(written)}")
+    known = ("table.csv", *(f"report.{kind}" for kind in ("html", "pdf")))
+    if older := [name for name in known if name not in written and (folder / name).exists()]:
+        click.echo(f"From an earlier run, and not of this one: {listing(older)}")
