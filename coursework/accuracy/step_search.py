@@ -26,6 +26,8 @@ Array = NDArray[np.float64]
 MOST_STEPS = MAX_ROWS
 # Trials of a search, and the steps of the one from which the time of all is foretold.
 _TRIALS, _SAMPLE = 8, 1000
+# So many times the coursework's own steps tell by their order how many a wish needs.
+_COARSE = 8
 # Round-off of Runge-Kutta 4 in doubles grows to 1e-13; a wish must stay well above what can be told apart.
 LEAST_ERROR = 1e-10
 
@@ -121,7 +123,9 @@ def _need(name: str, rates: Rates, start: Sequence[float], step: float, end: flo
         else:
             low = steps
             if guess > 1.3 * MOST_STEPS:
-                raise too_long(guess)
+                if steps > _COARSE * first:
+                    raise too_long(guess)
+                guess = min(_COARSE * 2 * first, MOST_STEPS)  # coarse steps foretell little: look once more
             steps = max(low + 1, min(high - 1, math.ceil(guess)))
     if high > MOST_STEPS:
         raise too_long(high)

@@ -125,21 +125,21 @@ def _continued(angles: Array, start: float | None) -> Array:
 
 
 def _mode(equations: VelocityEquations, group: Group, q: Array) -> int:
-    """Return the assembly mode: the one written, else the one the start values show; an RPR then counts its slide from D.
+    """Return the assembly mode: the one written, else the one nearest to the start values; an RPR then counts its slide from D.
 
     Raises `ValueError` where neither tells.
     """
     if group.mode or group.kind not in _TWO_MODES:
         return group.mode
-    starts = [c.start for name in group.coordinates for c in equations.variant.coordinates if c.name == name]
-    for mode in (1, -1):
-        closed = _dyad(equations, group, mode, np.zeros(1), q).coordinates[0]
-        kinds = [equations.variant.unit_of(name) for name in group.coordinates]
-        if all(
-            start is not None and abs(_nearest(value, start, kind) - start) <= START_TOLERANCE
-            for value, start, kind in zip(closed.tolist(), starts, kinds, strict=True)
-        ):
-            return mode
+    chosen = [c for name in group.coordinates for c in equations.variant.coordinates if c.name == name]
+    starts = [(c.start, c.unit) for c in chosen if c.start is not None]
+    if len(starts) == len(chosen):
+
+        def distance(mode: int) -> float:
+            closed = _dyad(equations, group, mode, np.zeros(1), q).coordinates[0].tolist()
+            return max(abs(_nearest(value, start, unit) - start) for value, (start, unit) in zip(closed, starts, strict=True))
+
+        return min((1, -1), key=distance)
     if group.kind == "RPR":
         return 1
     meanings = _TWO_MODES[group.kind]
