@@ -11,23 +11,23 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.dead_points.explain import explain
-from coursework.dead_points.scaled_flow import Flow, compile_flow
-from coursework.dead_points.search import Event, NotFollowed, find_event
 from coursework.errors import InputError
 from coursework.geometry.agreement import require_agreement
 from coursework.geometry.chain import chain_positions, is_chain, start_values
 from coursework.geometry.closure import Closure, compile_closure, require_start
 from coursework.geometry.drive import breaks, refuse_aliasing, refuse_endless
-from coursework.march.exact_motion import NotReached, exact_motion
-from coursework.march.integrate import Correction, march
-from coursework.march.motion import Motion, Stop, rows_before
-from coursework.march.rates import Rates, compile_rates
+from coursework.integration.exact_motion import NotReached, exact_motion
+from coursework.integration.integrate import Correction, march
+from coursework.integration.motion import Motion, Stop, rows_before
+from coursework.integration.rates import Rates, compile_rates
 from coursework.mechanism import Mechanism, build
 from coursework.reduction.blocks import Reduction, reduce
 from coursework.reduction.equations import VelocityEquations, differentiate
 from coursework.sentences import say
 from coursework.settings import Settings
+from coursework.singular.explain import explain
+from coursework.singular.scaled_flow import Flow, compile_flow
+from coursework.singular.search import Event, NotFollowed, find_event
 from coursework.variant.record import Variant, whole_steps
 
 Array = NDArray[np.float64]
@@ -93,7 +93,7 @@ def stop(event: Event | None, equations: VelocityEquations, reduction: Reduction
     """The event in words: where the motion ends and why."""
     if event is None:
         return None
-    from coursework.dead_points.change_point import branches_at
+    from coursework.singular.change_point import branches_at
 
     found = branches_at(flow, event.block, event.time, event.position.tolist()) if event.kind == "change point" else ()
     return explain(event, equations, reduction, variant.time.step, found)
@@ -103,7 +103,7 @@ def phases(event: Event | None, equations: VelocityEquations, reduction: Reducti
     """For a motion that stops: the phases of the drive with which the whole motion would be possible, in a sentence."""
     if event is None:
         return ""
-    from coursework.dead_points.phases import phase_sentence
+    from coursework.singular.phases import phase_sentence
 
     return phase_sentence(equations, reduction, start)
 
@@ -194,7 +194,7 @@ def wide(
     motion: Motion, rates: Rates, reduction: Reduction, settings: Settings, start: list[float], variant: Variant
 ) -> Array | None:
     """The same rows in extended numbers: what round-off did to them.  None where that cannot be had."""
-    from coursework.march.precision import has_extended, march_in
+    from coursework.integration.extended_precision import has_extended, march_in
 
     small = len(motion.t) <= 2001 and all(block.size <= 2 for block in reduction.blocks)
     if not (small and has_extended()) or motion.stop is not None or settings.project or settings.gain:

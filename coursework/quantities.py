@@ -13,22 +13,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework import motions
-from coursework.dead_points.scaled_flow import Flow
 from coursework.geometry.closure import Closure
-from coursework.march.motion import Motion, Stop
-from coursework.march.rates import Rates
+from coursework.integration.motion import Motion, Stop
+from coursework.integration.rates import Rates
 from coursework.reduction.blocks import Reduction
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.solution import Solution
 from coursework.reduction.solution import solutions as solve_blocks
 from coursework.settings import Settings
+from coursework.singular.scaled_flow import Flow
 from coursework.variant.record import Variant
 
 if TYPE_CHECKING:
     from coursework.checks.evidence import Evidence
     from coursework.checks.result import Check
     from coursework.kinematics.extra import ExtraTable
-    from coursework.kinematics.graph_check import GraphCheck
+    from coursework.plans.graph_check import GraphCheck
 
 Array = NDArray[np.float64]
 Budget = tuple[tuple[str, str, float, float, float, float], ...]
@@ -117,7 +117,7 @@ def invariants(variant: Variant, exact: Motion, exact_accelerations: Array) -> E
 
 def graph_check(equations: VelocityEquations, motion: Motion, exact: Motion) -> GraphCheck | None:
     """The check row drawn to scale: instantaneous centres and velocities beside the table."""
-    from coursework.kinematics.graph_check import check_graph
+    from coursework.plans.graph_check import check_graph
 
     return check_graph(equations, motion, exact)
 

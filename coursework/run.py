@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from coursework.codegen.programs import SYMPY_VERSION
 from coursework.formula.tree import Formula
 from coursework.graph import Plan, Values, make_plan
-from coursework.lower.programs import SYMPY_VERSION
-from coursework.march.motion import Motion, Stop
+from coursework.integration.motion import Motion, Stop
 from coursework.quantities import QUANTITIES
 from coursework.reduction.blocks import Reduction
 from coursework.reduction.solution import Solution
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from coursework.accuracy.record import AccuracyStudy
     from coursework.checks.result import Check
     from coursework.kinematics.extra import ExtraTable
-    from coursework.kinematics.graph_check import GraphCheck
+    from coursework.plans.graph_check import GraphCheck
 
 
 @dataclass(frozen=True, slots=True)

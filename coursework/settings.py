@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from coursework.errors import InputError, closest
-from coursework.march.integrate import refuse_gain
+from coursework.integration.integrate import refuse_gain
 from coursework.schemes import SCHEMES
 
 MOST_CORRECTIONS = 20  # Newton's method has settled long before

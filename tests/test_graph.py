@@ -177,7 +177,7 @@ with contextlib.redirect_stdout(io.StringIO()):
 """
 HEAVY = {"numpy", "sympy", "pydantic", "pandas", "scipy", "matplotlib", "jinja2", "typst"}
 PAGES = {"pandas", "scipy", "matplotlib", "jinja2", "typst", "coursework.report"}
-EXTRA = {"coursework.kinematics.accelerations", "coursework.kinematics.points", "coursework.kinematics.graph_check",
+EXTRA = {"coursework.kinematics.accelerations", "coursework.kinematics.points", "coursework.plans.graph_check",
          "coursework.checks.check", "coursework.accuracy.study"}  # fmt: skip
 
 

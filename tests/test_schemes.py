@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.march.loops import generate_loop
+from coursework.integration.loops import generate_loop
 from coursework.schemes import SCHEMES
 from coursework.variant.reader import parse_variant
 

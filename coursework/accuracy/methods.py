@@ -15,11 +15,11 @@ from numpy.typing import NDArray
 
 from coursework.accuracy.trace import trace
 from coursework.geometry.closure import Closure
-from coursework.march.adaptive import integrate_adaptive
-from coursework.march.exact_motion import follow_closure
-from coursework.march.integrate import Correction, march
-from coursework.march.loops import Loop, generate_loop
-from coursework.march.rates import Rates
+from coursework.integration.adaptive import integrate_adaptive
+from coursework.integration.exact_motion import follow_closure
+from coursework.integration.integrate import Correction, march
+from coursework.integration.loops import Loop, generate_loop
+from coursework.integration.rates import Rates
 from coursework.schemes import SCHEMES
 from coursework.sentences import say, say_count, say_or
 

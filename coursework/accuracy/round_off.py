@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.march.precision import march_in
-from coursework.march.rates import Rates
+from coursework.integration.extended_precision import march_in
+from coursework.integration.rates import Rates
 
 Array = NDArray[np.float64]
 # Steps a row: from the coursework's step to where single precision loses more than the scheme gains, also with t = i*h.
@@ -33,7 +33,7 @@ def round_off_curve(
     rates: Rates, scheme: str, start: Sequence[float], step: float, rows: int, end: Array
 ) -> Iterator[RoundOffRow]:
     """Yield the curve, coarse to fine; some seconds in all."""
-    from coursework.march.loops import generate_loop
+    from coursework.integration.loops import generate_loop
     from coursework.schemes import SCHEMES
 
     loop = generate_loop(SCHEMES[scheme].step, rates)

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from coursework.accuracy.timing import seconds
 from coursework.errors import InputError
-from coursework.march.loops import Loop, generate_loop
-from coursework.march.rates import Rates
+from coursework.integration.loops import Loop, generate_loop
+from coursework.integration.rates import Rates
 from coursework.schemes import SCHEMES
 from coursework.variant.record import MAX_ROWS
 

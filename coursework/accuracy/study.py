@@ -20,8 +20,8 @@ from coursework.accuracy.record import AccuracyStudy, StudyRow
 from coursework.accuracy.sentences import sentences_of
 from coursework.accuracy.timing import seconds
 from coursework.accuracy.trace import errors, slope
-from coursework.march.exact_motion import follow_closure, refine
-from coursework.march.motion import Motion
+from coursework.integration.exact_motion import follow_closure, refine
+from coursework.integration.motion import Motion
 from coursework.sentences import say
 
 Array = NDArray[np.float64]

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.march.loops import Loop
+from coursework.integration.loops import Loop
 
 Array = NDArray[np.float64]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from coursework.checks import curves, drift, equations, long_run, period, trust
+from coursework.checks import conditioning, curves, drift, equations, long_run, period
 from coursework.checks.evidence import Evidence
 from coursework.checks.result import Check, judged
 from coursework.sentences import say
@@ -14,14 +14,14 @@ CHECKS: dict[str, Callable[[Evidence], Check]] = {
     "START": drift.start,
     "INITIAL": equations.initial,
     "RESIDUAL": equations.every_row,
-    "CONDITION": trust.condition,
+    "CONDITION": conditioning.condition,
     "PERIOD-POSITION": period.position,
     "PERIOD-VELOCITY": period.velocity,
     "PERIOD-ASSEMBLY": period.assembly,
     "CONTINUITY": curves.continuity,
     "SINUSOID": curves.sinusoid,
     "STEP": curves.rows_enough,
-    "PEAK": trust.peak,
+    "PEAK": conditioning.peak,
     "DRIFT": drift.drift,
     "DRIFT-PER-PERIOD": long_run.per_period,
 }

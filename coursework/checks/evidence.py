@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.geometry.closure import Closure
-from coursework.march.motion import Motion
+from coursework.integration.motion import Motion
 from coursework.reduction.equations import VelocityEquations
 from coursework.schemes import SCHEMES
 from coursework.variant.record import Variant

@@ -1,7 +1,7 @@
 """A formula as a checked tree: its names, its value from given data, its text.
 
 Enters: nodes from `reader.py` (or made by this program).  Leaves: `Formula`.  Any floor may read a tree; what
-depends on the motion becomes numbers only by way of `lower`.
+depends on the motion becomes numbers only by way of `codegen`.
 """
 
 from __future__ import annotations
@@ -108,7 +108,7 @@ def _enclosed(tree: Formula, least: int) -> str:
 def evaluate(tree: Formula, values: Mapping[str, float]) -> float:
     """Return the float value of a scalar formula whose names all stand in `values` (and pi).
 
-    Used for data such as the period "2*pi/p"; everything that depends on the motion goes through `lower`.
+    Used for data such as the period "2*pi/p"; everything that depends on the motion goes through `codegen`.
     Raises `FormulaFault` where the value is not a finite number.
     """
     value = float(_evaluate(tree, {"pi": math.pi, **values}))

@@ -16,7 +16,7 @@ from coursework import groups
 from coursework.errors import Fault, InputError, listing
 from coursework.formula.tree import Formula, spelled
 from coursework.geometry.drive import integrals
-from coursework.geometry.jets import compile_rows
+from coursework.geometry.time_derivatives import compile_rows
 from coursework.groups import Guide, Pair
 from coursework.groups.rpr import MODES as RPR_MODES
 from coursework.groups.rrp import MODES as RRP_MODES

@@ -1,6 +1,6 @@
 """Position equations as numbers: residual, Newton's correction, and what the drive has moved by a time.
 
-Enters: `VelocityEquations` with positions.  Leaves: `Closure`.  Used by `march` and the checks.
+Enters: `VelocityEquations` with positions.  Leaves: `Closure`.  Used by `integration` and the checks.
 """
 
 from __future__ import annotations

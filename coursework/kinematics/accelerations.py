@@ -9,8 +9,8 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from coursework.geometry.jets import compile_rows, derivative, second_rate
-from coursework.march.motion import Motion
+from coursework.geometry.time_derivatives import compile_rows, derivative, second_rate
+from coursework.integration.motion import Motion
 from coursework.reduction.blocks import Reduction
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import TIME, symbol

@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.errors import InputError
+from coursework.integration.motion import Motion
 from coursework.kinematics.analogs import acceleration_analog, velocity_analog
 from coursework.kinematics.invariants import from_true
-from coursework.march.motion import Motion
 from coursework.sentences import say
 from coursework.variant.record import Coordinate, Variant
 

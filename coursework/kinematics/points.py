@@ -8,8 +8,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.geometry.jets import jets
-from coursework.march.motion import Motion
+from coursework.geometry.time_derivatives import jets
+from coursework.integration.motion import Motion
 from coursework.reduction.equations import VelocityEquations
 
 Array = NDArray[np.float64]

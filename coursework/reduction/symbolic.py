@@ -2,7 +2,7 @@
 
 Enters: formulas of a `Mechanism`.  Leaves: expressions in symbols of its own; drives and functions stay names with a
 definition beside them, so that a page shows V_My and r, not what they stand for.
-Used by `equations.py`, `geometry` and `march`.
+Used by `equations.py`, `geometry` and `integration`.
 """
 
 from __future__ import annotations

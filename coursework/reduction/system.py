@@ -14,8 +14,8 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from coursework.lower.programs import Assign, compile_function, compile_later, program
-from coursework.lower.tabulated import TableLaw
+from coursework.codegen.programs import Assign, compile_function, compile_later, program
+from coursework.codegen.tabulated import TableLaw
 from coursework.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.reduction.symbolic import symbol
 

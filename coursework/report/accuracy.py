@@ -1,6 +1,6 @@
 """The section on accuracy: error against cost, what the mismatch of the last row is made of, where the time goes.
 
-Enters: a `Desk` whose run carries an accuracy study.  Leaves: figures, tables, sentences.
+Enters: a `PageContext` whose run carries an accuracy study.  Leaves: figures, tables, sentences.
 Running times differ from run to run, so this is the one section whose bytes do (unless the study hides seconds).
 """
 
@@ -8,71 +8,71 @@ from __future__ import annotations
 
 from coursework.accuracy.record import AccuracyStudy, StudyRow
 from coursework.report.accuracy_figures import Bar, Method, Panels, bars, panels
-from coursework.report.desk import Desk
 from coursework.report.figures import WIDTH
-from coursework.report.lettering import LONGEST_NAME, numeral, printed, runs
 from coursework.report.numbers import NOTHING, with_unit
+from coursework.report.page_context import PageContext
 from coursework.report.parts import Bullets, Cell, Column, Figure, Paragraph, Part, Table
 from coursework.report.tables import MARK, ONE_PAGE
+from coursework.report.text_runs import LONGEST_NAME, numeral, printed, runs
 
 ERROR_DIGITS = 3  # an error needs no more
 BUDGET_PARTS = ("scheme", "period", "roundoff")
 
 
-def accuracy(desk: Desk) -> list[Part]:
+def accuracy(context: PageContext) -> list[Part]:
     """What each method costs and reaches, in figures, a table and sentences."""
-    study = desk.run.accuracy
+    study = context.run.accuracy
     if study is None:
         return []
-    parts: list[Part] = [Bullets([desk.rich(sentence) for sentence in study.sentences])] if study.sentences else []
-    parts += [_figure(desk, study), _table(desk, study)]
-    parts += _failures(desk, study)
-    parts += _budget(desk, study)
-    return [*parts, *_overhead(desk, study)]
+    parts: list[Part] = [Bullets([context.rich(sentence) for sentence in study.sentences])] if study.sentences else []
+    parts += [_figure(context, study), _table(context, study)]
+    parts += _failures(context, study)
+    parts += _budget(context, study)
+    return [*parts, *_overhead(context, study)]
 
 
-def _unit(desk: Desk) -> str:
-    units = dict.fromkeys(c.unit for c in desk.run.variant.coordinates)
-    return desk.words.listing(list(units)) if len(units) < 2 else f" {desk.words('or')} ".join(units)
+def _unit(context: PageContext) -> str:
+    units = dict.fromkeys(c.unit for c in context.run.variant.coordinates)
+    return context.words.listing(list(units)) if len(units) < 2 else f" {context.words('or')} ".join(units)
 
 
 def _finished(study: AccuracyStudy) -> list[StudyRow]:
     return [row for row in study.rows if not row.failed]
 
 
-def _figure(desk: Desk, study: AccuracyStudy) -> Figure:
-    say = desk.words
+def _figure(context: PageContext, study: AccuracyStudy) -> Figure:
+    say = context.words
     methods = []
     for name in dict.fromkeys(row.method for row in _finished(study)):
         rows = [row for row in _finished(study) if row.method == name]
         methods.append(Method(
-            desk.told(name, LONGEST_NAME), tuple(row.evaluations for row in rows),
+            context.told(name, LONGEST_NAME), tuple(row.evaluations for row in rows),
             tuple(row.seconds if study.seconds_shown else None for row in rows),
             tuple(row.max_error for row in rows), tuple(row.end_error for row in rows),
-            study.orders.get(name), _order_text(desk, study, name),
+            study.orders.get(name), _order_text(context, study, name),
         ))  # fmt: skip
     labels = {key: say(f"accuracy.{key}") for key in ("evaluations", "seconds", "end_legend", "own_legend", "floor_legend")}
     own = (study.own[1], study.own[3] if study.seconds_shown else None, study.own[2]) if study.own else None
-    page = Panels(tuple(methods), own, study.floor, say("accuracy.error", unit=_unit(desk)), labels)
-    floor = with_unit(desk.numbers.scalar(study.floor, 2), _unit(desk))
+    page = Panels(tuple(methods), own, study.floor, say("accuracy.error", unit=_unit(context)), labels)
+    floor = with_unit(context.numbers.scalar(study.floor, 2), _unit(context))
     caption = say("accuracy.caption_two" if page.timed else "accuracy.caption_one")
     caption += " " + say("accuracy.caption_rest", floor=floor)
-    caption += " " + say("accuracy.reference", label=printed(desk.told(study.reference_label)).rstrip("."))
+    caption += " " + say("accuracy.reference", label=printed(context.told(study.reference_label)).rstrip("."))
     alt = say("accuracy.alt", methods=say.listing([method.name for method in methods]))
     svg, height = panels("accuracy", page)
-    return Figure(svg, WIDTH, height, alt, desk.lettered(caption))
+    return Figure(svg, WIDTH, height, alt, context.lettered(caption))
 
 
-def _order_text(desk: Desk, study: AccuracyStudy, name: str) -> str:
-    return desk.numbers.fixed(study.orders[name], 2) if name in study.orders else ""
+def _order_text(context: PageContext, study: AccuracyStudy, name: str) -> str:
+    return context.numbers.fixed(study.orders[name], 2) if name in study.orders else ""
 
 
-def _table(desk: Desk, study: AccuracyStudy) -> Table:
-    numbers = desk.numbers
+def _table(context: PageContext, study: AccuracyStudy) -> Table:
+    numbers = context.numbers
     keys = ["method", "steps", "evaluations", "max_error", "end_error"] + (["time"] if study.seconds_shown else [])
-    units = {"max_error": _unit(desk), "end_error": _unit(desk)}
+    units = {"max_error": _unit(context), "end_error": _unit(context)}
     columns = [
-        Column(desk.say(f"accuracy.head.{key}"), units.get(key, ""), words=key == "method")
+        Column(context.say(f"accuracy.head.{key}"), units.get(key, ""), words=key == "method")
         for key in keys
     ]  # fmt: skip
     rows: list[list[Cell]] = []
@@ -86,8 +86,8 @@ def _table(desk: Desk, study: AccuracyStudy) -> Table:
         if own:
             strong.append(len(rows))
         cells: list[Cell] = [
-            f"{MARK} {desk.told(row.method, LONGEST_NAME)}" if own else desk.told(row.method, LONGEST_NAME),
-            desk.told(row.steps_or_tolerance, LONGEST_NAME),
+            f"{MARK} {context.told(row.method, LONGEST_NAME)}" if own else context.told(row.method, LONGEST_NAME),
+            context.told(row.steps_or_tolerance, LONGEST_NAME),
             numbers.whole(row.evaluations),
             numeral(numbers.scalar(row.max_error, ERROR_DIGITS)),
             numeral(numbers.scalar(row.end_error, ERROR_DIGITS)),
@@ -95,55 +95,55 @@ def _table(desk: Desk, study: AccuracyStudy) -> Table:
         if study.seconds_shown:
             cells.append(NOTHING if row.seconds is None else numbers.duration(row.seconds))
         rows.append(cells)
-    notes = [desk.words("accuracy.own_mark", mark=MARK)] if strong else []
+    notes = [context.words("accuracy.own_mark", mark=MARK)] if strong else []
     if study.orders:
-        orders = ", ".join(f"{desk.told(name, LONGEST_NAME)} {_order_text(desk, study, name)}" for name in study.orders)
-        notes.append(desk.words("accuracy.orders", orders=orders))
-    return Table(columns, rows, desk.say("accuracy.study"), strong, rules, runs(" ".join(notes)), whole=len(rows) <= ONE_PAGE)
+        orders = ", ".join(f"{context.told(name, LONGEST_NAME)} {_order_text(context, study, name)}" for name in study.orders)
+        notes.append(context.words("accuracy.orders", orders=orders))
+    return Table(columns, rows, context.say("accuracy.study"), strong, rules, runs(" ".join(notes)), whole=len(rows) <= ONE_PAGE)
 
 
-def _failures(desk: Desk, study: AccuracyStudy) -> list[Part]:
-    told = desk.told
+def _failures(context: PageContext, study: AccuracyStudy) -> list[Part]:
+    told = context.told
     failed = [
-        desk.say("accuracy.failure", method=told(row.method), steps=told(row.steps_or_tolerance), why=told(row.failed))
+        context.say("accuracy.failure", method=told(row.method), steps=told(row.steps_or_tolerance), why=told(row.failed))
         for row in study.rows
         if row.failed
     ]
-    return [Paragraph(desk.say("accuracy.failures")), Bullets(failed)] if failed else []
+    return [Paragraph(context.say("accuracy.failures")), Bullets(failed)] if failed else []
 
 
-def _budget(desk: Desk, study: AccuracyStudy) -> list[Part]:
+def _budget(context: PageContext, study: AccuracyStudy) -> list[Part]:
     """One figure for each unit (angles and lengths share no axis), one table for all."""
-    say, numbers = desk.words, desk.numbers
+    say, numbers = context.words, context.numbers
     if not study.budget:
         return []
     parts: list[Part] = []
     for unit in dict.fromkeys(line[1] for line in study.budget):
         lines = [line for line in study.budget if line[1] == unit]
-        labels = [desk.symbol(line[0]) for line in lines]
+        labels = [context.symbol(line[0]) for line in lines]
         groups = [
             Bar(say(f"accuracy.{key}"), tuple(line[3:6][index] for line in lines)) for index, key in enumerate(BUDGET_PARTS)
         ]
         svg, height = bars(f"budget-{len(parts) + 1}", labels, groups, say("accuracy.difference", unit=unit))
-        alt = say("accuracy.budget_alt", names=desk.symbol_list([line[0] for line in lines]))
-        parts.append(Figure(svg, WIDTH, height, alt, desk.say("accuracy.budget")))
+        alt = say("accuracy.budget_alt", names=context.symbol_list([line[0] for line in lines]))
+        parts.append(Figure(svg, WIDTH, height, alt, context.say("accuracy.budget")))
     heads = ("coordinate", "total", *BUDGET_PARTS)
-    columns = [Column(desk.say(f"accuracy.{key}"), words=key == "coordinate") for key in heads]
+    columns = [Column(context.say(f"accuracy.{key}"), words=key == "coordinate") for key in heads]
     rows: list[list[Cell]] = []
     for line in study.budget:
         amounts = [numeral(with_unit(numbers.scalar(value, 4), line[1])) for value in (line[2], line[3], line[4], line[5])]
-        rows.append([desk.symbol_runs([line[0]]), *amounts])
+        rows.append([context.symbol_runs([line[0]]), *amounts])
     return [*parts, Table(columns, rows)]
 
 
-def _overhead(desk: Desk, study: AccuracyStudy) -> list[Part]:
-    say = desk.words
+def _overhead(context: PageContext, study: AccuracyStudy) -> list[Part]:
+    say = context.words
     if not study.overhead or not study.seconds_shown:
         return []
-    labels = [desk.told(label, LONGEST_NAME) for label, _ in study.overhead]
-    texts = [desk.numbers.duration(seconds) for _, seconds in study.overhead]
+    labels = [context.told(label, LONGEST_NAME) for label, _ in study.overhead]
+    texts = [context.numbers.duration(seconds) for _, seconds in study.overhead]
     values = tuple(seconds for _, seconds in study.overhead)
     svg, height = bars("overhead", labels, [Bar("", values)], say("accuracy.seconds"), texts=texts, logarithmic=True)
     alt = say("accuracy.overhead_alt", parts=say.listing([f"{a} {b}" for a, b in zip(labels, texts, strict=True)]))
-    where = [Paragraph(desk.say("accuracy.machine", **study.machine), "note")] if study.machine else []
-    return [Figure(svg, WIDTH, height, alt, desk.say("accuracy.overhead")), *where]
+    where = [Paragraph(context.say("accuracy.machine", **study.machine), "note")] if study.machine else []
+    return [Figure(svg, WIDTH, height, alt, context.say("accuracy.overhead")), *where]

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from coursework.march.motion import Array
+from coursework.integration.motion import Array
 from coursework.report.parts import Figure, Runs
 from coursework.report.symbols import Symbol
 

@@ -9,11 +9,11 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
-from coursework.report.desk import Desk
-from coursework.report.lettering import LONGEST_NAME, clean
+from coursework.report.page_context import PageContext
 from coursework.report.parts import Figure, Part, Section, Table
 from coursework.report.sections import all_sections
 from coursework.report.source import Run
+from coursework.report.text_runs import LONGEST_NAME, clean
 from coursework.report.words import Words, load_words
 
 LONGEST_RUNNING = (70, 36)  # characters of title and name above a later page: together one line
@@ -48,7 +48,7 @@ def build_model(run: Run, language: str = "en") -> ReportModel:
     Raises `InputError` where the language is not there.
     """
     words = load_words(language)
-    desk = Desk(run, words)
+    context = PageContext(run, words)
     variant = run.variant
     heading = words("title.heading", name=clean(variant.name, LONGEST_NAME), title=clean(variant.title, LONGEST_NAME))
     author = clean(run.student or "", LONGEST_NAME)
@@ -60,7 +60,7 @@ def build_model(run: Run, language: str = "en") -> ReportModel:
         heading=heading.rstrip(": "),
         author=author,
         running=" – ".join(running),
-        sections=tuple(_numbered(all_sections(desk), words)),
+        sections=tuple(_numbered(all_sections(context), words)),
     )
 
 

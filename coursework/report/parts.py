@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
-from coursework.report.lettering import Run
+from coursework.report.text_runs import Run
 
 Runs = list[Run]
 Cell = str | Runs

@@ -1,23 +1,23 @@
 """The section of graphs: velocities and coordinates over time, one figure for each unit.
 
-Enters: a `Desk`.  Leaves: figures.
+Enters: a `PageContext`.  Leaves: figures.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-from coursework.report.desk import Desk
 from coursework.report.figures import HEIGHT, WIDTH, Curve, time_plot
 from coursework.report.numbers import unit_text
+from coursework.report.page_context import PageContext
 from coursework.report.parts import Figure, Part
 
 MOST_CURVES = 7  # curves in one figure; as many as there are line styles
 
 
-def plots(desk: Desk) -> list[Part]:
+def plots(context: PageContext) -> list[Part]:
     """Velocities first, then coordinates: the march as marked lines, the exact motion thin behind."""
-    motion, variant = desk.run.motion, desk.run.variant
+    motion, variant = context.run.motion, context.run.variant
     if not len(motion.t):
         return []
     figures: list[Part] = []
@@ -25,22 +25,22 @@ def plots(desk: Desk) -> list[Part]:
         for unit in dict.fromkeys(variant.unit_of(name) for name in names):
             family = [name for name in names if variant.unit_of(name) == unit]
             for first in range(0, len(family), MOST_CURVES):
-                figures.append(_figure(desk, family[first : first + MOST_CURVES], unit, len(figures) + 1))
+                figures.append(_figure(context, family[first : first + MOST_CURVES], unit, len(figures) + 1))
     return figures
 
 
-def _curve(desk: Desk, name: str) -> Curve:
-    motion, exact = desk.run.motion, desk.exact
+def _curve(context: PageContext, name: str) -> Curve:
+    motion, exact = context.run.motion, context.exact
     if exact is None or name not in exact.names:
-        return Curve(desk.symbol(name), motion.t, motion.column(name))
-    return Curve(desk.symbol(name), motion.t, motion.column(name), exact.t, exact.column(name))
+        return Curve(context.symbol(name), motion.t, motion.column(name))
+    return Curve(context.symbol(name), motion.t, motion.column(name), exact.t, exact.column(name))
 
 
-def _figure(desk: Desk, names: Sequence[str], unit: str, number: int) -> Figure:
-    run, say = desk.run, desk.words
+def _figure(context: PageContext, names: Sequence[str], unit: str, number: int) -> Figure:
+    run, say = context.run, context.words
     known = unit if say.has(f"plots.axis.{unit}") else "other"
     stop = run.stop.time if run.stop else None
-    curves = [_curve(desk, name) for name in names]
+    curves = [_curve(context, name) for name in names]
     svg = time_plot(
         f"plot-{number}",
         curves,
@@ -48,16 +48,16 @@ def _figure(desk: Desk, names: Sequence[str], unit: str, number: int) -> Figure:
         y_label=say(f"plots.axis.{known}", unit=unit_text(unit)),
         thin_label=say("plots.exact_legend"),
         stop=stop,
-        stop_label=desk.event(run.stop.kind) if run.stop else "",
+        stop_label=context.event(run.stop.kind) if run.stop else "",
     )
-    what, symbols = say(f"plots.what.{known}"), desk.symbol_list(names)
-    step = desk.quantity(run.step, "s")
-    caption = say("plots.caption", what=what, symbols=symbols, scheme=desk.told(run.scheme_title), step=step)
-    if desk.exact is not None and any(curve.thin.size for curve in curves):
-        label = desk.told(desk.exact.label) or say("plots.exact_label")
+    what, symbols = say(f"plots.what.{known}"), context.symbol_list(names)
+    step = context.quantity(run.step, "s")
+    caption = say("plots.caption", what=what, symbols=symbols, scheme=context.told(run.scheme_title), step=step)
+    if context.exact is not None and any(curve.thin.size for curve in curves):
+        label = context.told(context.exact.label) or say("plots.exact_label")
         caption += " " + say("plots.exact", label=label.rstrip("."))
     if run.stop is not None:
-        caption += " " + say("plots.stop", kind=desk.event(run.stop.kind), time=desk.quantity(run.stop.time, "s"))
-    first, last = desk.quantity(float(run.motion.t[0]), "s"), desk.quantity(float(run.motion.t[-1]), "s")
+        caption += " " + say("plots.stop", kind=context.event(run.stop.kind), time=context.quantity(run.stop.time, "s"))
+    first, last = context.quantity(float(run.motion.t[0]), "s"), context.quantity(float(run.motion.t[-1]), "s")
     alt = say("plots.alt", what=what, symbols=symbols, start=first, end=last)
-    return Figure(svg, WIDTH, HEIGHT, alt, desk.lettered(caption))
+    return Figure(svg, WIDTH, HEIGHT, alt, context.lettered(caption))

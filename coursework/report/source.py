@@ -11,7 +11,7 @@ from typing import Any, Protocol
 from coursework.accuracy.record import AccuracyStudy
 from coursework.checks.result import Check
 from coursework.formula.tree import Formula
-from coursework.march.motion import Motion, Stop
+from coursework.integration.motion import Motion, Stop
 from coursework.variant.record import Variant
 
 

@@ -10,11 +10,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from coursework.report.desk import Desk
-from coursework.report.lettering import numeral, runs
 from coursework.report.numbers import unit_text
+from coursework.report.page_context import PageContext
 from coursework.report.parts import Cell, Column, Paragraph, Part, Table
 from coursework.report.source import ExtraTable
+from coursework.report.text_runs import numeral, runs
 
 MOST_ROWS = 200  # rows printed; a longer table is thinned, table.csv holds it whole
 MOST_COLUMNS = 10  # columns beside row and time that fit 170 mm at a readable size
@@ -41,12 +41,12 @@ def pace_of(rows: int, most: int = MOST_ROWS) -> int:
     return pace
 
 
-def row_at(desk: Desk, place: float) -> str:
+def row_at(context: PageContext, place: float) -> str:
     """Return where in the table (rows from 1) a place counted from 0 lies: 5.84 -> "between row 6 and row 7"."""
     nearest = round(place)
     if math.isclose(place, nearest, abs_tol=1e-6):
-        return desk.words("stop.at", row=nearest + 1)
-    return desk.words("stop.between", row=math.floor(place) + 1, next=math.floor(place) + 2)
+        return context.words("stop.at", row=nearest + 1)
+    return context.words("stop.between", row=math.floor(place) + 1, next=math.floor(place) + 2)
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,65 +67,67 @@ def rules_for(rows: int) -> list[int]:
     return list(range(RULE - 1, rows - 1, RULE)) if rows > 2 * RULE else []
 
 
-def motion_parts(desk: Desk) -> list[Part]:
+def motion_parts(context: PageContext) -> list[Part]:
     """Return the table of the motion and the sentences that belong to it."""
-    run, say = desk.run, desk.words
+    run, say = context.run, context.words
     names = run.motion.names
     units = [run.variant.unit_of(name) for name in names]
-    caption = say("table.caption", scheme=desk.told(run.scheme_title), step=desk.quantity(run.step, "s"))
+    caption = say("table.caption", scheme=context.told(run.scheme_title), step=context.quantity(run.step, "s"))
     notes = []
     check_row = run.variant.time.check_row
     if check_row is not None and check_row <= len(run.motion.t):
         notes.append(say("table.check_row", mark=MARK, row=check_row))
     if run.stop is not None:
-        time = desk.quantity(run.stop.time, "s")
+        time = context.quantity(run.stop.time, "s")
         notes.append(say("table.stopped", row=len(run.motion.t), time=time))
-    return _by_row(desk, Grid(names, units, run.motion.rows), run.motion.t, caption, " ".join(notes))
+    return _by_row(context, Grid(names, units, run.motion.rows), run.motion.t, caption, " ".join(notes))
 
 
-def extra_parts(desk: Desk, extra: ExtraTable) -> list[Part]:
+def extra_parts(context: PageContext, extra: ExtraTable) -> list[Part]:
     """Return the table of a further quantity; with row and time where it has a line for every row."""
-    caption = desk.told(extra.title).rstrip(".") + "."
+    caption = context.told(extra.title).rstrip(".") + "."
     whole = Grid(extra.names, extra.units, extra.rows)
     if extra.names[0] == "t":
-        return _by_row(desk, whole.part(1), whole.rows[:, 0], caption, "")
-    if len(extra.rows) == len(desk.run.motion.t):
-        return _by_row(desk, whole, desk.run.motion.t, caption, "")
-    columns, texts = _columns(desk, whole, thinned(len(extra.rows)))
+        return _by_row(context, whole.part(1), whole.rows[:, 0], caption, "")
+    if len(extra.rows) == len(context.run.motion.t):
+        return _by_row(context, whole, context.run.motion.t, caption, "")
+    columns, texts = _columns(context, whole, thinned(len(extra.rows)))
     return [
-        Table(columns, [list(row) for row in zip(*texts, strict=True)], desk.lettered(caption), whole=len(extra.rows) <= ONE_PAGE)
+        Table(
+            columns, [list(row) for row in zip(*texts, strict=True)], context.lettered(caption), whole=len(extra.rows) <= ONE_PAGE
+        )
     ]
 
 
-def _columns(desk: Desk, grid: Grid, kept: list[int]) -> tuple[list[Column], list[list[Cell]]]:
-    heads = [Column(desk.symbol_runs([n]), unit_text(u)) for n, u in zip(grid.names, grid.units, strict=True)]
-    texts = [desk.numbers.column(grid.rows[kept, index]) for index in range(len(heads))]
+def _columns(context: PageContext, grid: Grid, kept: list[int]) -> tuple[list[Column], list[list[Cell]]]:
+    heads = [Column(context.symbol_runs([n]), unit_text(u)) for n, u in zip(grid.names, grid.units, strict=True)]
+    texts = [context.numbers.column(grid.rows[kept, index]) for index in range(len(heads))]
     return heads, [[numeral(text) for text in column] for column in texts]
 
 
-def _by_row(desk: Desk, grid: Grid, t: Any, caption: str, note: str) -> list[Part]:
+def _by_row(context: PageContext, grid: Grid, t: Any, caption: str, note: str) -> list[Part]:
     """Return one table, or as many as the columns need; each repeats row and time."""
-    check_row = desk.run.variant.time.check_row
+    check_row = context.run.variant.time.check_row
     kept = thinned(len(t), keep=[check_row - 1] if check_row else [])
     labels: list[Cell] = [f"{MARK} {row + 1}" if row + 1 == check_row else str(row + 1) for row in kept]
-    times = desk.numbers.times([float(t[row]) for row in kept])
+    times = context.numbers.times([float(t[row]) for row in kept])
     strong = [kept.index(check_row - 1)] if check_row and check_row - 1 in kept else []
     parts: list[Part] = []
     if pace_of(len(t)) > 1:
-        rows_of = {"step": pace_of(len(t)), "printed": len(kept), "rows": desk.numbers.whole(len(t))}
-        parts.append(Paragraph(desk.say("table.thinned", **rows_of)))
+        rows_of = {"step": pace_of(len(t)), "printed": len(kept), "rows": context.numbers.whole(len(t))}
+        parts.append(Paragraph(context.say("table.thinned", **rows_of)))
     pieces = _pieces(grid.names)
     for number, (first, last) in enumerate(pieces, start=1):
-        heads, texts = _columns(desk, grid.part(first, last), kept)
-        columns = [Column(runs(desk.words("table.row"))), Column(desk.symbol_runs(["t"]), "s"), *heads]
+        heads, texts = _columns(context, grid.part(first, last), kept)
+        columns = [Column(runs(context.words("table.row"))), Column(context.symbol_runs(["t"]), "s"), *heads]
         rows = [list(row) for row in zip(labels, times, *texts, strict=True)]
-        which = desk.words("table.part", part=number, parts=len(pieces)) if len(pieces) > 1 else ""
+        which = context.words("table.part", part=number, parts=len(pieces)) if len(pieces) > 1 else ""
         below = runs(note) if number == len(pieces) else []
         parts.append(
             Table(
                 columns,
                 rows,
-                desk.lettered(f"{caption} {which}".strip()),
+                context.lettered(f"{caption} {which}".strip()),
                 strong,
                 rules_for(len(rows)),
                 below,

@@ -9,8 +9,8 @@ import re
 from dataclasses import dataclass
 
 from coursework.errors import listing
-from coursework.report.lettering import ITALIC
 from coursework.report.numbers import Numbers
+from coursework.report.text_runs import ITALIC
 from coursework.sentences import ENGLISH, Phrases, load_phrases
 
 _OWN_LETTER = re.compile(r"\*(\w)\*")  # *h* in the words file: a letter set italic

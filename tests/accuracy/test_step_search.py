@@ -8,7 +8,7 @@ from coursework.accuracy import step_search
 from coursework.accuracy.round_off import RoundOffRow, round_off_curve
 from coursework.accuracy.step_search import choose_step
 from coursework.errors import InputError
-from coursework.march.precision import march_in
+from coursework.integration.extended_precision import march_in
 
 
 @pytest.fixture(scope="module")

@@ -11,8 +11,8 @@ import coursework
 from coursework.accuracy.methods import Scene, trials
 from coursework.accuracy.study import make_study
 from coursework.accuracy.trace import errors, trace
-from coursework.march.exact_motion import follow_closure
-from coursework.march.loops import generate_loop
+from coursework.integration.exact_motion import follow_closure
+from coursework.integration.loops import generate_loop
 from coursework.schemes import SCHEMES
 
 REFERENCE = json.loads((Path(__file__).parent.parent / "reference" / "work_precision_v31.json").read_text(encoding="utf-8"))

@@ -8,7 +8,7 @@ from pathlib import Path
 import sympy as sp
 
 import coursework
-from coursework.march.loops import generate_loop
+from coursework.integration.loops import generate_loop
 from coursework.reduction.blocks import reduce
 from coursework.schemes import SCHEMES
 from tests.benchmarks import test_march as march

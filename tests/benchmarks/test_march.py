@@ -10,7 +10,7 @@ import pytest
 import sympy as sp
 
 import coursework
-from coursework.march.loops import generate_loop
+from coursework.integration.loops import generate_loop
 from coursework.reduction.blocks import reduce
 from coursework.schemes import SCHEMES
 

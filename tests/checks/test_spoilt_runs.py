@@ -10,7 +10,7 @@ import coursework
 from coursework import quantities
 from coursework.checks.check import CHECKS, check_motion
 from coursework.checks.period import mismatch
-from coursework.march.integrate import march
+from coursework.integration.integrate import march
 from coursework.variant.reader import parse_variant
 
 

@@ -19,7 +19,7 @@ from scipy.optimize import brentq, minimize_scalar
 
 import coursework
 from coursework.errors import InputError
-from coursework.march.integrate import march
+from coursework.integration.integrate import march
 from coursework.run import Run
 from coursework.variant.reader import parse_variant
 from tests.hard.families import Case, Margin, random_case

@@ -6,8 +6,8 @@ import math
 import numpy as np
 import pytest
 
-from coursework.dead_points.search import find_event
 from coursework.schemes import SCHEMES
+from coursework.singular.search import find_event
 from tests.hard.scenes import CASES, REFERENCE, V31_IMPOSSIBLE, expected, scene, solve
 
 LOCATED = 1e-8

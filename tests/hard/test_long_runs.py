@@ -8,7 +8,7 @@ import pytest
 
 import coursework
 from coursework.errors import InputError
-from coursework.march.exact_motion import NotReached, follow_closure
+from coursework.integration.exact_motion import NotReached, follow_closure
 from tests.hard.scenes import CASES, check, expected, scene, solve
 
 PERIOD = 2 * math.pi / 13.08

@@ -10,9 +10,9 @@ import pytest
 import coursework
 from coursework.accuracy.trace import trace
 from coursework.errors import InputError
-from coursework.march.integrate import march
-from coursework.march.loops import generate_loop
-from coursework.march.precision import march_in
+from coursework.integration.extended_precision import march_in
+from coursework.integration.integrate import march
+from coursework.integration.loops import generate_loop
 from coursework.schemes import SCHEMES
 from coursework.variant.record import whole_steps
 from tests.hard.scenes import CASES, V31, check, expected, numbers, scene, solve

@@ -15,11 +15,11 @@ import pytest
 
 from coursework import load, solve
 from coursework.catalogue import names
+from coursework.plans.layout import PAGE, SCALES, lay_out
 from coursework.errors import InputError
-from coursework.kinematics.graph_check import GraphCheck, check_graph
-from coursework.kinematics.instant_centres import Body, Centre, Findings, Scene, construct
-from coursework.kinematics.layout import PAGE, SCALES, lay_out
-from coursework.kinematics.scene import Sketch, read_scene
+from coursework.plans.graph_check import GraphCheck, check_graph
+from coursework.plans.instant_centres import Body, Centre, Findings, Scene, construct
+from coursework.plans.sketch import Sketch, read_scene
 from coursework.run import Run
 from coursework.variant.record import Link, Variant
 
@@ -373,7 +373,7 @@ def test_a_file_may_call_its_points_like_centres() -> None:
     variant = load("31")
     sketch = sketch_of("31")
     taken = replace(sketch, scene=replace(sketch.scene, positions={**sketch.scene.positions, "P3": 0j}))
-    from coursework.kinematics.graph_words import centre_letter, how_found
+    from coursework.plans.graph_words import centre_letter, how_found
 
     assert (centre_letter(sketch), centre_letter(taken)) == ("P", "IC")
     assert "IC₃ is where the perpendiculars to the velocities of M and C meet." in how_found(taken, check_of("31").findings)
@@ -385,7 +385,7 @@ def test_a_mechanism_without_size_is_drawn_all_the_same() -> None:
     still = scene(points, [Body("1", ("A", "B"))], fixed="A")
     sketch = Sketch(still, (), (), ("A",), (Link("1", ("A", "B"), None, None, None),), points, {}, {}, ("B",), ())
     nothing = Findings({}, {}, {}, {}, ("1",))
-    from coursework.kinematics.drawing import draw
+    from coursework.plans.drawing import draw
 
     assert lay_out(sketch, nothing).scale == 1
     assert "velocities" not in draw(sketch, nothing, 1, 0.0)

@@ -7,7 +7,7 @@ import pytest
 
 import coursework
 from coursework.accuracy.trace import trace
-from coursework.march.loops import generate_loop
+from coursework.integration.loops import generate_loop
 from coursework.schemes import SCHEMES
 from coursework.variant.reader import parse_variant
 

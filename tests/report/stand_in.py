@@ -15,7 +15,7 @@ import numpy as np
 from coursework.checks.result import Check
 from coursework.formula.reader import parse, parse_equation
 from coursework.formula.tree import Formula
-from coursework.march.motion import Motion, Stop
+from coursework.integration.motion import Motion, Stop
 from coursework.variant.record import Coordinate, Frame, Given, Law, Time, Variant
 
 R1, R2, R3, V, P, ALPHA, H, STEPS = 0.953, 0.847, 0.457, 4.5, 13.08, 4.35, 0.02, 24

@@ -15,7 +15,7 @@ import pytest
 
 from coursework.errors import InputError
 from coursework.formula.reader import parse
-from coursework.march.motion import Motion, Stop
+from coursework.integration.motion import Motion, Stop
 from coursework.report import build_model
 from coursework.report.words import Words, load_words
 from coursework.sentences import load_phrases

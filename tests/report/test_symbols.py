@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from coursework.report.lettering import LONGEST, clean, derivative, printed, runs
 from coursework.report.symbols import symbol
+from coursework.report.text_runs import LONGEST, clean, derivative, printed, runs
 
 
 @pytest.mark.parametrize(

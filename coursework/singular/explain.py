@@ -7,14 +7,14 @@ from __future__ import annotations
 
 import math
 
-from coursework.dead_points.search import Event
 from coursework.formula.tree import spelled
-from coursework.march.motion import AT_EVENT, Stop, rows_before
+from coursework.integration.motion import AT_EVENT, Stop, rows_before
 from coursework.reduction.blocks import Block, Reduction
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.meaning import meaning as meaning_of
 from coursework.reduction.meaning import vanishing
 from coursework.sentences import joined, say
+from coursework.singular.search import Event
 
 # Branches come from differences that are right to 1e-10, coordinates from a search that is better.
 _ROUNDING = 1e-9

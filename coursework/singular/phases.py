@@ -10,13 +10,13 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 
-from coursework.dead_points.scaled_flow import compile_flow
-from coursework.dead_points.search import find_event
 from coursework.formula.tree import Formula
 from coursework.geometry.drive import breaks
 from coursework.reduction.blocks import Reduction
 from coursework.reduction.equations import VelocityEquations
 from coursework.sentences import joined, say
+from coursework.singular.scaled_flow import compile_flow
+from coursework.singular.search import find_event
 from coursework.variant.record import Variant
 
 # Coarser than this, a motion that passes close by a dead point would be taken for one that meets it.

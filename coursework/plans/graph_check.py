@@ -14,11 +14,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from coursework.errors import InputError, listing
-from coursework.geometry.jets import jets
-from coursework.kinematics.graph_words import centre_letter, drift, how_found, omega_name
-from coursework.kinematics.instant_centres import Body, Findings, construct
-from coursework.kinematics.scene import Sketch, read_scene
-from coursework.march.motion import Motion
+from coursework.geometry.time_derivatives import jets
+from coursework.integration.motion import Motion
+from coursework.plans.graph_words import centre_letter, drift, how_found, omega_name
+from coursework.plans.instant_centres import Body, Findings, construct
+from coursework.plans.sketch import Sketch, read_scene
 from coursework.reduction.equations import VelocityEquations
 from coursework.variant.record import Variant
 
@@ -49,14 +49,14 @@ class GraphCheck:
 
     def drawn(self, written: Callable[[str], str]) -> str:
         """Return the drawing; `written` puts its sentences into the language of a page."""
-        from coursework.kinematics.drawing import draw
+        from coursework.plans.drawing import draw
 
         return draw(self.sketch, self.findings, self.row, self.time, written)
 
     @property
     def scale(self) -> float:
         """Return the denominator of the drawing's scale: 10 for 1:10."""
-        from coursework.kinematics.layout import lay_out
+        from coursework.plans.layout import lay_out
 
         return lay_out(self.sketch, self.findings).scale
 

@@ -16,11 +16,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.dead_points.change_point import nearest_change_point
-from coursework.dead_points.scaled_flow import Flow
+from coursework.codegen.tabulated import OutsideTable
 from coursework.errors import InputError
-from coursework.lower.tabulated import OutsideTable
-from coursework.march.adaptive import Step, dormand_prince_8, next_length
+from coursework.integration.adaptive import Step, dormand_prince_8, next_length
+from coursework.singular.change_point import nearest_change_point
+from coursework.singular.scaled_flow import Flow
 
 Array = NDArray[np.float64]
 Rule = Callable[[float, Array], Array]

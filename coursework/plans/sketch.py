@@ -12,9 +12,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from coursework.geometry.jets import compile_rows
-from coursework.kinematics.instant_centres import Body, Scene, cross
-from coursework.march.motion import Motion
+from coursework.geometry.time_derivatives import compile_rows
+from coursework.integration.motion import Motion
+from coursework.plans.instant_centres import Body, Scene, cross
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import symbol
 from coursework.sentences import say

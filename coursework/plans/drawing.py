@@ -11,11 +11,11 @@ import itertools
 import math
 from collections.abc import Callable
 
-from coursework.kinematics.graph_words import centre_letter
-from coursework.kinematics.instant_centres import Body, Centre, Findings, cross, dot
-from coursework.kinematics.layout import FOOT, Layout, lay_out
-from coursework.kinematics.scene import Rail, Sketch, Track
-from coursework.kinematics.sheet import PITCH, Place, Sheet, Word, inside, middle_of, plain
+from coursework.plans.layout import FOOT, Layout, lay_out
+from coursework.drawing.sheet import PITCH, Place, Sheet, Word, inside, middle_of, plain
+from coursework.plans.graph_words import centre_letter
+from coursework.plans.instant_centres import Body, Centre, Findings, cross, dot
+from coursework.plans.sketch import Rail, Sketch, Track
 from coursework.sentences import say
 from coursework.variant.record import Link
 

@@ -12,7 +12,7 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from coursework.lower.programs import Assign, compile_function, program
+from coursework.codegen.programs import Assign, compile_function, program
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import TIME, symbol
 from coursework.reduction.system import tables

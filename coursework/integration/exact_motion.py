@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.geometry.closure import Closure
-from coursework.march.loops import generate_loop
-from coursework.march.motion import Motion
-from coursework.march.rates import Rates
+from coursework.integration.loops import generate_loop
+from coursework.integration.motion import Motion
+from coursework.integration.rates import Rates
 from coursework.reduction.equations import VelocityEquations
 from coursework.schemes import SCHEMES
 from coursework.sentences import say

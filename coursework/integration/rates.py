@@ -14,8 +14,8 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
+from coursework.codegen.programs import Assign, Program, Solve, Statement, compile_function, compile_later, program
 from coursework.geometry.drive import breaks
-from coursework.lower.programs import Assign, Program, Solve, Statement, compile_function, compile_later, program
 from coursework.reduction.blocks import Block, Reduction
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import symbol

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.lower.tabulated import OutsideTable
+from coursework.codegen.tabulated import OutsideTable
 from coursework.reduction.blocks import Reduction
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.system import LinearSystem, compile_system

@@ -8,19 +8,19 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from coursework.march.motion import Motion
-from coursework.report.lettering import LONGEST, clean, derivative, printed, runs
+from coursework.integration.motion import Motion
 from coursework.report.numbers import Numbers, with_unit
 from coursework.report.parts import Runs
 from coursework.report.source import Run
 from coursework.report.symbols import Symbol, symbol
+from coursework.report.text_runs import LONGEST, clean, derivative, printed, runs
 from coursework.report.words import Words
 
 DATUM_DIGITS = 6  # digits of a converted datum or of a time: more than a task sheet ever gives
 
 
 @dataclass(frozen=True, slots=True)
-class Desk:
+class PageContext:
     """One run and one language."""
 
     run: Run

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.dead_points.scaled_flow import Flow
+from coursework.singular.scaled_flow import Flow
 
 Array = NDArray[np.float64]
 MAX_NEWTON = 12

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from coursework.errors import InputError
 from coursework.geometry.closure import Closure
-from coursework.march.motion import Motion, Stop, rows_before
-from coursework.march.rates import Rates
+from coursework.integration.motion import Motion, Stop, rows_before
+from coursework.integration.rates import Rates
 from coursework.schemes import SCHEMES
 from coursework.sentences import say
 from coursework.variant.record import whole_steps

@@ -1,6 +1,6 @@
 """Embedded pairs that choose their own step: Dormand and Prince 5(4), and 8(5,3) where twelve digits are wanted.
 
-Enters: a vector field.  Leaves: one accepted step at a time.  Used by `dead_points` and the accuracy study.
+Enters: a vector field.  Leaves: one accepted step at a time.  Used by `singular` and the accuracy study.
 Source: J. R. Dormand, P. J. Prince, "A family of embedded Runge-Kutta formulae", J. Comp. Appl. Math. 6 (1980);
 E. Hairer, S. P. Nørsett, G. Wanner, "Solving Ordinary Differential Equations I", 1993, II.10 (DOP853).
 """

@@ -11,9 +11,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from coursework.lower.programs import build
-from coursework.lower.straight_line import identifier
-from coursework.march.rates import Rates
+from coursework.codegen.programs import build
+from coursework.codegen.straight_line import identifier
+from coursework.integration.rates import Rates
 from coursework.schemes import StepFunction
 
 Loop = Callable[..., tuple[float, ...]]

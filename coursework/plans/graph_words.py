@@ -9,8 +9,8 @@ import itertools
 import re
 from collections.abc import Mapping
 
-from coursework.kinematics.instant_centres import Body, Centre, Findings
-from coursework.kinematics.scene import Sketch
+from coursework.plans.instant_centres import Body, Centre, Findings
+from coursework.plans.sketch import Sketch
 from coursework.sentences import joined, say
 
 # A link longer or shorter than at the start by less than this share of the mechanism is round-off, not drift.

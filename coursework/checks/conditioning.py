@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from coursework.checks.evidence import Evidence
 from coursework.checks.result import Check, Verdict, judged
-from coursework.march.integrate import TOO_LARGE, WIDEST_STEP
+from coursework.integration.integrate import TOO_LARGE, WIDEST_STEP
 from coursework.reduction.magnitude import largest
 from coursework.reduction.system import compile_system
 from coursework.reduction.tidy import as_formula

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from coursework.kinematics.instant_centres import Findings
-from coursework.kinematics.scene import Sketch
+from coursework.plans.instant_centres import Findings
+from coursework.plans.sketch import Sketch
 
 PAGE = (170.0, 220.0)  # mm: the text width of A4 with margins of 20 mm, and room for a caption
 EDGE = 3.0  # mm

@@ -17,8 +17,8 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from coursework.lower.straight_line import Line, StraightLine, identifier
-from coursework.lower.tabulated import TableLaw
+from coursework.codegen.straight_line import Line, StraightLine, identifier
+from coursework.codegen.tabulated import TableLaw
 
 SYMPY_VERSION: str = sp.__version__
 _NAME = re.compile(r"(?<![\w.])[A-Za-z_]\w*")

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from coursework.march.rates import Rates
+from coursework.integration.rates import Rates
 from coursework.schemes import SCHEMES
 
 

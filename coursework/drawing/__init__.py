@@ -1,0 +1,1 @@
+"""A position on paper: layout, symbols, SVG in millimetres."""

@@ -1,0 +1,1 @@
+"""Constructions with ruler and compasses, and what is read from them."""
