@@ -11,10 +11,10 @@ import itertools
 import math
 from collections.abc import Callable
 
-from coursework.plans.layout import FOOT, Layout, lay_out
 from coursework.drawing.sheet import PITCH, Place, Sheet, Word, inside, middle_of, plain
 from coursework.plans.graph_words import centre_letter
 from coursework.plans.instant_centres import Body, Centre, Findings, cross, dot
+from coursework.plans.layout import FOOT, Layout, lay_out
 from coursework.plans.sketch import Rail, Sketch, Track
 from coursework.sentences import say
 from coursework.variant.record import Link

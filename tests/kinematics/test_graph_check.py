@@ -15,10 +15,10 @@ import pytest
 
 from coursework import load, solve
 from coursework.catalogue import names
-from coursework.plans.layout import PAGE, SCALES, lay_out
 from coursework.errors import InputError
 from coursework.plans.graph_check import GraphCheck, check_graph
 from coursework.plans.instant_centres import Body, Centre, Findings, Scene, construct
+from coursework.plans.layout import PAGE, SCALES, lay_out
 from coursework.plans.sketch import Sketch, read_scene
 from coursework.run import Run
 from coursework.variant.record import Link, Variant
