@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import timeit
-
 import numpy as np
 from numpy.typing import NDArray
 
 from coursework.groups import GroupMotion, Pair, crank, rrr
+from tests.benchmarks.timer import ratio
 
 Array = NDArray[np.float64]
 ROWS = 1000
 PHI = np.linspace(0.0, 2 * np.pi, ROWS)
-REPEATS, CALLS = 15, 10
 
 
 def by_groups() -> GroupMotion:
@@ -55,5 +53,5 @@ def test_both_compute_the_same() -> None:
 
 
 def test_groups_cost_at_most_five_times_the_bare_formulas() -> None:
-    groups, hand = (min(timeit.repeat(call, number=CALLS, repeat=REPEATS)) for call in (by_groups, by_hand))
-    assert groups <= 5 * hand, f"{groups / hand:.2f} times; {groups / CALLS / ROWS * 1e6:.3f} microseconds a row"
+    found = ratio(by_groups, by_hand, most=5, repeats=100)
+    assert found <= 5, f"{found:.2f} times"
