@@ -1,0 +1,55 @@
+"""What the reader may know of the task before it looks into a submission.
+
+Enters: a variant and its Euler table.  Leaves: `Expected`, `Grid`.
+Used by the readers of this room (rows and units only) and by whoever marks.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from coursework.variant.record import Variant
+
+
+@dataclass(frozen=True, slots=True)
+class GridColumn:
+    """One column of the assigned table: name, SI unit (rad, m, 1/s, m/s), the key's values in SI.
+
+    The reader looks at `values` for the unit of a column without one in its header and for whole turns, for nothing else.
+    """
+
+    name: str
+    unit: str
+    values: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Grid:
+    """The assigned rows and columns: row k (from 1) stands at t = (k - 1)·step, in s."""
+
+    step: float
+    rows: int
+    columns: tuple[GridColumn, ...]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Return the names of the columns, in the order of the key."""
+        return tuple(column.name for column in self.columns)
+
+
+@dataclass(frozen=True, slots=True)
+class Expected:
+    """The grid, the variant whose names equations are written with, and the names that answers may have."""
+
+    grid: Grid
+    variant: Variant
+    answers: tuple[str, ...] = ()
+
+
+def grid_of(variant: Variant, columns: dict[str, tuple[float, ...]]) -> Grid:
+    """Return the grid of a variant from its Euler table (`columns` by name, SI; fewer rows where the motion stops)."""
+    units = {coordinate.name: coordinate.unit for coordinate in variant.coordinates}
+    units |= {coordinate.rate: {"rad": "1/s", "m": "m/s"}.get(coordinate.unit, "1/s") for coordinate in variant.coordinates}
+    units |= dict(variant.unknowns)
+    rows = min(len(values) for values in columns.values())
+    return Grid(variant.time.step, rows, tuple(GridColumn(name, units[name], columns[name]) for name in variant.columns))
