@@ -1,4 +1,4 @@
-"""Text such as "0.953 m" -> a number in SI and its kind.
+"""Text such as "0.953 m" -> a number in SI and its kind; which units there are, and of what.
 
 Enters: a value with its unit.  Leaves: `Quantity` (SI value, unit as written, SI unit).
 Used where a variant file is read and where numbers are written for a reader.
@@ -10,30 +10,77 @@ import math
 import re
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 
 from coursework.errors import closest
 
 _TURN = Fraction(math.pi)  # the double nearest to pi, as every later computation uses it
 
-# unit -> (factor to SI, SI unit); factors are exact so that "953 mm" and "0.953 m" give the same double
-UNITS: dict[str, tuple[Fraction, str]] = {
-    "m": (Fraction(1), "m"), "cm": (Fraction(1, 100), "m"), "mm": (Fraction(1, 1000), "m"),
-    "rad": (Fraction(1), "rad"), "deg": (_TURN / 180, "rad"), "°": (_TURN / 180, "rad"),
-    "s": (Fraction(1), "s"), "ms": (Fraction(1, 1000), "s"),
-    "1/s": (Fraction(1), "1/s"), "rad/s": (Fraction(1), "1/s"), "deg/s": (_TURN / 180, "1/s"), "rpm": (_TURN / 30, "1/s"),
-    "m/s": (Fraction(1), "m/s"), "cm/s": (Fraction(1, 100), "m/s"), "mm/s": (Fraction(1, 1000), "m/s"),
-    "m/s^2": (Fraction(1), "m/s^2"), "1/s^2": (Fraction(1), "1/s^2"), "rad/s^2": (Fraction(1), "1/s^2"),
-    "1": (Fraction(1), "1"),
+# Unit -> its size in SI.  Sizes are exact, so that "953 mm" and "0.953 m" give the same double.
+_LATIN = {
+    "m": {
+        "m": Fraction(1), "cm": Fraction(1, 100), "mm": Fraction(1, 1000),
+        "in": Fraction(254, 10_000), "ft": Fraction(3048, 10_000),
+    },
+    "rad": {"rad": Fraction(1), "deg": _TURN / 180, "°": _TURN / 180, "grad": _TURN / 180},
+    "s": {"s": Fraction(1), "ms": Fraction(1, 1000), "min": Fraction(60)},
+    "turn": {"rev": 2 * _TURN},
 }  # fmt: skip
+_CYRILLIC = {
+    "m": {"м": Fraction(1), "см": Fraction(1, 100), "мм": Fraction(1, 1000)},
+    "rad": {"рад": Fraction(1), "град": _TURN / 180, "°": _TURN / 180},
+    "s": {"с": Fraction(1), "мс": Fraction(1, 1000), "мин": Fraction(60)},
+    "turn": {"об": 2 * _TURN},
+}
 
+
+def _all_units() -> dict[str, tuple[Fraction, str]]:
+    units = {"1": (Fraction(1), "1"), "rpm": (_TURN / 30, "1/s")}
+    for script in (_LATIN, _CYRILLIC):
+        times, turning = script["s"], {"1": Fraction(1)} | script["rad"] | script["turn"]
+        for si in ("m", "rad", "s"):
+            units |= {unit: (size, si) for unit, size in script[si].items()}
+        for time, seconds in times.items():
+            units |= {f"{unit}/{time}": (size / seconds, "m/s") for unit, size in script["m"].items()}
+            units |= {f"{unit}/{time}^2": (size / seconds**2, "m/s^2") for unit, size in script["m"].items()}
+            units |= {f"{unit}/{time}": (size / seconds, "1/s") for unit, size in turning.items()}
+        second, _, minute = times
+        units |= {f"{unit}/{second}^2": (size, "1/s^2") for unit, size in turning.items()}
+        # Machines count turns a minute; 1/s is the angular velocity of a task sheet.
+        units[f"1/{minute}"] = (_TURN / 30, "1/s")
+    return units
+
+
+UNITS = _all_units()
+# SI unit -> (length, time) exponents, what has it, and the units that advice shows, the SI unit first.
+KINDS: dict[str, tuple[tuple[int, int], str, str]] = {
+    "m": ((1, 0), "a length", "m, cm, mm"),
+    "rad": ((0, 0), "an angle", "rad, deg"),
+    "s": ((0, 1), "a time", "s, ms, min"),
+    "1/s": ((0, -1), "an angular velocity", "rad/s, 1/s, deg/s, rpm"),
+    "m/s": ((1, -1), "a speed", "m/s, cm/s, mm/s"),
+    "m/s^2": ((1, -2), "an acceleration", "m/s^2, cm/s^2, mm/s^2"),
+    "1/s^2": ((0, -2), "an angular acceleration", "rad/s^2, 1/s^2, deg/s^2"),
+    "1": ((0, 0), "a number", "1"),
+}
 MAX_NUMBER = 1e12  # far beyond anything a task sheet says in SI
 _VALUE = re.compile(
-    r"\s*(?P<number>[-+−]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*(?P<unit>[^\d\s].*?|1/s(?:\^2)?)?\s*$"
+    r"\s*(?P<number>[-+−]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*"
+    r"(?P<unit>[^\d\s].*?|1\s*/\s*[^\W\d_].*?)?\s*$"
 )
+_WORDED = re.compile(r"(?:[^\W\d_]+(?:/[^\W\d_]+(?:\^2)?)?|1/[^\W\d_]+(?:\^2)?|°(?:/[^\W\d_]+(?:\^2)?)?)\Z")
+_PER = re.compile(r"(?:([^\W\d_]+|°)[·⋅*]?)?(s|с|min|мин)\^[-−]([12])\Z")
+_SIGNS = str.maketrans({"º": "°", "˚": "°", "²": "^2", "⁻": "^-", "¹": "1"})
+_LOOK_ALIKE = str.maketrans("acop", "асор")
+_HERTZ = {"hz", "гц", "khz", "кгц"}
 
 
 class UnitFault(ValueError):
-    """A value with a unit could not be read."""
+    """A value with a unit could not be read; `unit` is what stands in its place ("" where that is not the fault)."""
+
+    def __init__(self, message: str, unit: str = "") -> None:
+        super().__init__(message)
+        self.unit = unit
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,42 +93,101 @@ class Quantity:
     text: str
 
 
-def read(text: str | int | float) -> Quantity:
-    """Read "value unit" or a bare number.  Raises `UnitFault` with advice."""
+def read(text: str | int | float, wanted: str = "") -> Quantity:
+    """Read "value unit" or a bare number.
+
+    `wanted` is the SI unit that the place demands, "" for any; it guides the advice only.
+    Raises `UnitFault` with advice.
+
+    >>> read("120 об/мин").si
+    '1/s'
+    """
     if isinstance(text, bool):
         raise UnitFault(f"a value with a unit was expected, found {str(text).lower()}.")
     if isinstance(text, (int, float)):
-        return Quantity(_finite(text, str(text)), "", "", f"{text}")
+        value = _finite(text, text)
+        return Quantity(value, "", "", f"{text}")
     match = _VALUE.match(text)
-    unit = (match["unit"] or "").replace(" ", "").replace("**", "^").replace("²", "^2") if match else ""
+    unit = plain_unit(match["unit"] or "") if match else ""
     if not match or (unit and unit not in UNITS):
-        raise UnitFault(f'a value with a unit was expected, found "{text[:40]}".{_advice(text, unit)}')
+        raise UnitFault(unknown(text, unit, wanted), unit)
     factor, si = UNITS[unit] if unit else (Fraction(1), "")
     number = match["number"].replace("−", "-")
     value = _finite(float(number), text)
     if value == 0 and re.search("[1-9]", re.split("[eE]", number)[0]):
         raise UnitFault(f'the number "{text[:40]}" is too small to be told from 0.')
-    return Quantity(float(Fraction(number) * factor), unit, si, match["number"])
+    return Quantity(_finite(float(Fraction(number) * factor), text), unit, si, match["number"])
+
+
+def plain_unit(unit: str) -> str:
+    """Return a unit as `UNITS` writes it, where it is one: powers with ^2, divisions with a slash ("м·с⁻²" is м/с^2)."""
+    plain = "".join(unit.split()).translate(_SIGNS).replace("**", "^").replace("^-^", "^-")
+    if plain not in UNITS and not re.search("[A-Za-z]", cyrillic := plain.translate(_LOOK_ALIKE)):
+        plain = cyrillic  # the second of a keyboard left in Latin letters: 1/c
+    per = _PER.match(plain)
+    return f"{per[1] or 1}/{per[2]}{'^2' if per[3] == '2' else ''}" if per else plain
 
 
 def is_quantity(text: str) -> bool:
     """Return whether `text` looks like "value unit" and not like a formula."""
     match = _VALUE.match(text)
-    unit = (match["unit"] or "") if match else "no"
-    return match is not None and (not unit or unit in UNITS or re.fullmatch(r"[^\W\d_]+(?:/[^\W\d_]+)?|°", unit) is not None)
+    if match is None:
+        return False
+    unit = plain_unit(match["unit"] or "")
+    return not unit or unit in UNITS or _WORDED.match(unit) is not None
 
 
-def _advice(text: str, unit: str) -> str:
+def unknown(text: str, unit: str, wanted: str = "") -> str:
+    """Return what is said about "value unit" whose unit is not known.
+
+    Only units of what is `wanted` (an SI unit, "" for any) are offered, with a slash where one is written.
+    """
+    found = f'found "{text[:40]}"'
     if re.match(r"\s*[-+−]?\d+,\d", text):
-        return " Decimals are written with a point: 0.5."
-    if unit:
-        # "km" is not "m" written wrongly: only a word that is nearly a unit is taken for it.
-        return closest(unit, list(UNITS), 0.7) or f" Known units: {', '.join(UNITS)}."
-    return ' Write the number, then its unit: "0.5 m".'
+        return f"a value with a unit was expected, {found}. Decimals are written with a point: 0.5."
+    if not unit or not re.search(r"[^\W\d_]|°", unit):
+        return f'a value with a unit was expected, {found}. Write the number, then its unit: "0.5 m".'
+    if unit.lower() in _HERTZ:
+        return f"Hz says neither turns nor radians a second, {found}. Write rev/s, or 1/s."
+    if meant := _nearest(unit, (wanted,) if wanted else tuple(KINDS)):
+        return f"a value with a unit was expected, {found}.{meant}"
+    if wanted:
+        _, what, shown = KINDS[wanted]
+        return f"{what} was expected: {shown} ({found})."
+    return f"a value with a unit was expected, {found}. Known units: {known_units()}."
 
 
-def _finite(value: float, text: str) -> float:
+def unknown_unit(unit: str) -> str:
+    """Return what is said about a unit of [unknowns] that is not known."""
+    if unit.lower() in _HERTZ:
+        return f'Hz says neither turns nor radians a second, found "{unit[:40]}". Write 1/s, or rad/s.'
+    advice = _nearest(unit, ("1/s", "m/s")) or f" Known units: {known_units()}."
+    return f'a unit was expected, found "{unit[:40]}".{advice}'
+
+
+def known_units() -> str:
+    """Return the units that advice shows, by what they measure."""
+    return "; ".join(shown for _, _, shown in KINDS.values() if shown != "1")
+
+
+@lru_cache(maxsize=1000)
+def _nearest(unit: str, wanted: tuple[str, ...]) -> str:
+    # "km" is not "m" written wrongly: only a word that is nearly a unit is taken for it.
+    if f"1{unit}" in UNITS:
+        return f' Did you mean "1{unit}"?'
+    candidates = [known for known, (_, si) in UNITS.items() if ("/" in known) == ("/" in unit) and si in wanted]
+    return closest(unit[:40], candidates, 0.7)
+
+
+def _finite(value: float, text: str | int | float) -> float:
     # Compared before it becomes a double: a TOML integer may have thousands of digits.
     if value != value or abs(value) > MAX_NUMBER:
-        raise UnitFault(f'a finite number of at most 1e12 was expected, found "{text[:40]}".')
+        raise UnitFault(f"a finite number of at most 1e12 was expected, found {shown(text)}.")
     return float(value)
+
+
+def shown(value: str | int | float) -> str:
+    """Return a value as it stands in a message, shortened; the thousands of digits of a whole number are counted only."""
+    if isinstance(value, int) and abs(value) >= 10**40:
+        return f"a whole number of {int(value.bit_length() * math.log10(2)) + 1} digits"
+    return f'"{f"{value}"[:40]}"'

@@ -54,21 +54,21 @@ class Parts:
         if self.sure:
             self.say(path, message, column)
 
-    def quantity(self, path: Path, value: str | int | float) -> units.Quantity:
-        """Return "value unit" in SI."""
+    def quantity(self, path: Path, value: str | int | float, wanted: str = "") -> units.Quantity:
+        """Return "value unit" in SI; advice offers units of what is `wanted` (an SI unit, "" for any)."""
         try:
-            return units.read(value)
+            return units.read(value, wanted)
         except units.UnitFault as fault:
             self.say(path, str(fault))
             return _NOTHING
 
     def unit(self, path: Path, text: str) -> str:
         """Return the SI unit named by `text`."""
-        if text not in units.UNITS:
-            advice = closest(text, list(units.UNITS), 0.7) or f" Known units: {', '.join(units.UNITS)}."
-            self.say(path, f'a unit was expected, found "{text[:40]}".{advice}')
+        unit = units.plain_unit(text)
+        if unit not in units.UNITS:
+            self.say(path, units.unknown_unit(text))
             return "1"
-        return units.UNITS[text][1]
+        return units.UNITS[unit][1]
 
     def number(self, path: Path, value: str | int | float, si: str) -> float:
         """Return a quantity of unit `si`, or the value of a formula of given data such as "2*pi/p"; nan after a fault."""
@@ -81,9 +81,10 @@ class Parts:
             except KeyError as missing:
                 self.say(path, f"a number is needed here before the motion begins; {missing} is no given datum.")
             return math.nan
-        read = self.quantity(path, value)
+        read = self.quantity(path, value, si)
         if read.si not in {"", si}:
-            self.say(path, f'a value in {si} was expected, found "{value}".')
+            _, what, shown = units.KINDS[si]
+            self.say(path, f'{what} was expected: {shown} (found "{value}").')
             return math.nan
         return read.value if read is not _NOTHING else math.nan
 
