@@ -3,19 +3,85 @@
     python -m coursework.bootstrap run 31      any command of `coursework`
     python -m coursework.bootstrap test        the tests
 
-Uses the standard library only and is the same on Windows, macOS and Linux.
+Enters: the words of the command.  Leaves: `.venv` beside `pyproject.toml`, and the status of the command.
+Uses the standard library only and is the same on Windows, macOS and Linux; who calls it is a user's terminal.
 """
 
 from __future__ import annotations
 
+import importlib.util
 import os
+import shutil
 import subprocess
 import sys
-import venv
+import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 HOME = ROOT / ".venv"
+OLDEST = (3, 11)
+WRONG_INPUT, NOT_PREPARED, INTERRUPTED = 2, 3, 130
+SILENCE = 15  # seconds after which a word is due that the installation is still at work
+
+
+class NotPrepared(Exception):
+    """The environment cannot be made; the text says what the user can do."""
+
+
+def main(arguments: list[str]) -> int:
+    """Prepare, then run a command of `coursework`, or the tests; return its exit status."""
+    if not arguments or arguments[0] in {"-h", "--help"}:
+        print(__doc__)
+        return 0 if arguments else WRONG_INPUT
+    for stream in (sys.stdout, sys.stderr):
+        stream.reconfigure(errors="replace")  # type: ignore[union-attr]  # a folder's name may be beyond the terminal's letters
+    testing = arguments[0] == "test"
+    try:
+        refuse_too_old(sys.version_info[:2])
+        python = prepare("[test]" if testing else "")
+        if testing:
+            return subprocess.run([str(python), "-m", "pytest", *arguments[1:]], cwd=ROOT).returncode
+        return subprocess.run([str(python), "-m", "coursework", *arguments]).returncode
+    except NotPrepared as fault:
+        print(fault, file=sys.stderr)
+        return NOT_PREPARED
+    except KeyboardInterrupt:
+        print("Interrupted. The same command again goes on from here.", file=sys.stderr)
+        return INTERRUPTED
+
+
+def refuse_too_old(version: tuple[int, ...]) -> None:
+    """Raise `NotPrepared` for a Python older than `OLDEST`."""
+    if version < OLDEST:
+        wanted = ".".join(map(str, OLDEST))
+        other = f"py -{wanted}" if os.name == "nt" else f"python{wanted}"
+        raise NotPrepared(
+            f"Python {wanted} or newer is needed; this one ({sys.executable}) is {'.'.join(map(str, version))}. "
+            f'Install a newer one from python.org and call it by its number: "{other} -m coursework.bootstrap run 31".'
+        )
+
+
+def prepare(extra: str) -> Path:
+    """Make the environment and install the package with `extra` into it, whatever of both is missing; return its Python.
+
+    Installs again where pyproject.toml, the folder or Python has changed.  Raises `NotPrepared`.
+    """
+    python = python_of(HOME)
+    stamp = HOME / f"installed{extra or '-plain'}.txt"
+    content = f"{ROOT}\n{(ROOT / 'pyproject.toml').read_text(encoding='utf-8')}"
+    version = version_of(python)
+    if version and stamp.is_file() and stamp.read_text(encoding="utf-8") == f"{version}\n{content}":
+        return python
+    print(
+        f"Preparing coursework in {HOME}, once: a virtual environment (some seconds), then its packages from the Python "
+        f"package index (about {250 if extra else 90} MB; one to five minutes, as the connection allows).",
+        flush=True,
+    )
+    if not version or not answers(python, "-m", "pip", "--version"):
+        make_environment()
+    install(python, extra)
+    stamp.write_text(f"{version_of(python)}\n{content}", encoding="utf-8")
+    return python
 
 
 def python_of(home: Path) -> Path:
@@ -23,33 +89,73 @@ def python_of(home: Path) -> Path:
     return home / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 
 
-def prepare(extra: str) -> Path:
-    """Make the environment and install the package into it (again where pyproject.toml has changed); return its Python."""
-    python = python_of(HOME)
-    if not python.exists():
-        venv.create(HOME, with_pip=True)
-    stamp = HOME / f"installed{extra or '-plain'}.txt"
-    wanted = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
-    if not stamp.exists() or stamp.read_text(encoding="utf-8") != wanted:
-        command = [str(python), "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--editable", f"{ROOT}{extra}"]
-        subprocess.run(command, check=True)
-        stamp.write_text(wanted, encoding="utf-8")
-    return python
+def version_of(python: Path) -> str:
+    """Return the version of an interpreter, "" for one that is not there, does not start or is too old."""
+    return answers(python, "-c", f"import sys; print(*sys.version_info[:2]) if sys.version_info >= {OLDEST} else sys.exit(1)")
 
 
-def main(arguments: list[str]) -> int:
-    """Prepare, then run a command of `coursework`, or the tests."""
-    if not arguments:
-        print(__doc__)
-        return 2
+def answers(python: Path, *arguments: str) -> str:
+    """Return what a call of an interpreter prints, "" where it fails."""
     try:
-        python = prepare("[test]" if arguments[0] == "test" else "")
-    except subprocess.CalledProcessError:
-        print("The packages could not be installed. pip's own message stands above; most often there is no connection.")
-        return 3
-    if arguments[0] == "test":
-        return subprocess.run([str(python), "-m", "pytest", *arguments[1:]], cwd=ROOT).returncode
-    return subprocess.run([str(python), "-m", "coursework", *arguments]).returncode
+        return subprocess.run([str(python), *arguments], capture_output=True, text=True, check=True).stdout.strip()
+    except (OSError, subprocess.CalledProcessError):
+        return ""
+
+
+def make_environment() -> None:
+    """Make `.venv`; one that an interrupted try left half-made, or that another Python made, is made anew."""
+    missing = [name for name in ("venv", "ensurepip") if importlib.util.find_spec(name) is None]
+    if missing:
+        raise NotPrepared(lacking(missing[0]))
+    import venv
+
+    begun = time.monotonic()
+    try:
+        if HOME.exists() or HOME.is_symlink():
+            print(f"{HOME} is half-made or its Python is gone; it is made anew.", flush=True)
+            shutil.rmtree(HOME) if HOME.is_dir() and not HOME.is_symlink() else HOME.unlink()
+        venv.create(HOME, with_pip=True)
+    except subprocess.CalledProcessError as error:
+        raise NotPrepared(lacking("ensurepip")) from error
+    except OSError as error:
+        raise NotPrepared(
+            f"{HOME} could not be made: {error.strerror or error}. Is the folder writable, the disk not full?"
+        ) from error
+    print(f"  virtual environment: {time.monotonic() - begun:.0f} s", flush=True)
+
+
+def lacking(module: str) -> str:
+    """Return what to install where Python came without a part of itself, as on Debian and Ubuntu."""
+    number = f"{sys.version_info[0]}.{sys.version_info[1]}"
+    return (
+        f'This Python ({sys.executable}) came without its module "{module}". On Debian and Ubuntu it is one package: '
+        f"sudo apt install python{number}-venv   Elsewhere install Python from python.org. Then type the same command again."
+    )
+
+
+def install(python: Path, extra: str) -> None:
+    """Install the package from this folder, editable; a line now and then says that it is still at work."""
+    begun = time.monotonic()
+    command = [str(python), "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--editable", f"{ROOT}{extra}"]
+    with subprocess.Popen(command) as pip:
+        while still_at_work(pip):
+            print(f"  packages: at work for {time.monotonic() - begun:.0f} s", flush=True)
+    if pip.returncode:
+        raise NotPrepared(
+            "The packages could not be installed; pip's own message stands above. Most often there is no connection. "
+            "Type the same command again when there is: what has been fetched is kept."
+        )
+    command_line = python.with_name("coursework.exe" if os.name == "nt" else "coursework")
+    print(f"  packages: {time.monotonic() - begun:.0f} s. From now on the command is {command_line}", flush=True)
+
+
+def still_at_work(process: subprocess.Popen[bytes]) -> bool:
+    """Return whether a process has not ended after another `SILENCE`."""
+    try:
+        process.wait(SILENCE)
+    except subprocess.TimeoutExpired:
+        return True
+    return False
 
 
 if __name__ == "__main__":

@@ -43,15 +43,35 @@ def entries() -> list[Entry]:
 
 
 def find(path_or_name: str | Path) -> Path:
-    """Return the file of a path, or of a name in the catalogue.  Raises `InputError` with the closest name."""
+    """Return the file of a name in the catalogue, of a path, or of a path without its ending .toml.
+
+    Raises `InputError` for a name that is none of these, with the closest one.
+    """
     text = str(path_or_name)
-    if re.fullmatch(r"[\w-]+", text):
-        inside = folder("variants") / f"{text.lower()}.toml"
-        if inside.is_file():
-            return inside
-        if not Path(text).exists():
-            hint = closest(text.lower(), names())
-            raise InputError(
-                f'there is no variant "{text}" in the catalogue and no such file.{hint} "coursework variants" lists them.'
-            )
-    return Path(path_or_name)
+    is_name = re.fullmatch(r"[\w-]{1,60}", text) is not None
+    if is_name and text.lower() in names():
+        return folder("variants") / f"{text.lower()}.toml"
+    path = Path(text)
+    ended = path.with_name(f"{path.name}.toml") if path.name and path.suffix != ".toml" else path
+    if _is_file(ended) or _is_file(path):
+        return ended if _is_file(ended) else path
+    # An editor on Windows adds ".txt" behind the name, and the file manager does not show it.
+    if path.name and _is_file(doubled := ended.with_name(f"{ended.name}.txt")):
+        raise InputError(
+            f'there is no file "{ended}", but there is "{doubled}": the editor has added .txt, and Windows hides it. '
+            f'Rename it to "{ended.name}" (in Explorer: View, Show, File name extensions).'
+        )
+    if is_name and not path.is_dir():
+        hint = closest(text.lower(), [*names(), *(file.stem for file in sorted(Path().glob("*.toml")))])
+        raise InputError(
+            f'there is no variant "{text}" in the catalogue and no file "{ended}" in this folder.{hint} '
+            '"coursework variants" lists them.'
+        )
+    return path
+
+
+def _is_file(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except OSError:  # a name longer than the system knows
+        return False

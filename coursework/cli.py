@@ -60,11 +60,28 @@ def _listed(_context: click.Context, _option: click.Parameter, value: str | None
     return tuple(part.strip() for part in value.split(",") if part.strip()) if value else ()
 
 
+def _offered(name: str) -> Callable[[click.Context, click.Parameter, str], list[Any]]:
+    """Return what completes a word in the shell; nothing is imported before the tab key is pressed."""
+
+    def complete(context: click.Context, parameter: click.Parameter, typed: str) -> list[Any]:
+        from coursework.commands import completion
+
+        found: list[Any] = getattr(completion, name)(context, parameter, typed)
+        return found
+
+    return complete
+
+
+_VARIANT = click.argument("variant", shell_complete=_offered("variants"))
+
+
 @main.command("run")
-@click.argument("variant")
+@_VARIANT
 @click.option("--out", type=click.Path(path_type=Path), help="Folder for the results (default: coursework-NAME).")
 @click.option("--format", "formats", callback=_listed, default="html,pdf,csv", show_default=True, help="html, pdf, csv.")
-@click.option("--scheme", default="euler", show_default=True, help="euler, midpoint, heun, rk4.")
+@click.option(
+    "--scheme", default="euler", show_default=True, shell_complete=_offered("schemes"), help="euler, midpoint, heun, rk4."
+)
 @click.option("--step", help='Step in s, such as 0.02; "auto" with --error finds one.')
 @click.option("--error", type=float, help="With --step auto: largest error wanted over the rows, rad or m.")
 @click.option("--end", type=float, help="End of the run in s.")
@@ -74,7 +91,10 @@ def _listed(_context: click.Context, _option: click.Parameter, value: str | None
 @click.option("--precision", type=click.Choice(["double", "single"]), default="double", help="single: see what round-off does.")
 @click.option("--plan", is_flag=True, help="Print what would be computed and what is left out, and stop.")
 @click.option("--profile", is_flag=True, help="Print calls and time of every quantity.")
-@click.option("--language", default="en", show_default=True, help="Language of the pages: a words file in reports/.")
+@click.option(
+    "--language", default="en", show_default=True, shell_complete=_offered("languages"),
+    help="Language of the pages: a words file in reports/.",
+)  # fmt: skip
 @click.option("--student", help="Name for the title block.")
 @click.option("--group", help="Group for the title block.")
 @click.option("--date", help="Date for the title block.")
@@ -87,7 +107,7 @@ def run_command(variant: str, **options: Any) -> int:
 
 
 @main.command("check")
-@click.argument("variant")
+@_VARIANT
 @_guarded
 def check_command(variant: str) -> int:
     """Look at VARIANT: its faults, mobility, blocks, and whether the whole motion is possible."""
@@ -111,16 +131,17 @@ def variants_command() -> int:
 
 @main.command("new")
 @click.argument("name")
+@click.option("--from", "original", shell_complete=_offered("variants"), help="Copy this variant, with the tables it reads.")
 @_guarded
-def new_command(name: str) -> int:
-    """Write NAME.toml, a commented variant file to fill in."""
+def new_command(name: str, original: str | None) -> int:
+    """Write NAME.toml, a commented variant file to fill in, or a copy of another."""
     from coursework.commands.new import new_variant
 
-    return new_variant(name)
+    return new_variant(name, original)
 
 
 @main.command("accuracy")
-@click.argument("variant")
+@_VARIANT
 @click.option("--out", type=click.Path(path_type=Path), help="Folder for the page (default: coursework-NAME).")
 @click.option("--format", "formats", callback=_listed, default="html,pdf", show_default=True, help="html, pdf.")
 @_guarded

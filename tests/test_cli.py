@@ -70,7 +70,7 @@ def test_one_where_a_check_fails():
 
 
 WRONG = {
-    "no variant": (["run", "nosuch"], 'there is no variant "nosuch" in the catalogue and no such file.'),
+    "no variant": (["run", "nosuch"], 'there is no variant "nosuch" in the catalogue and no file "nosuch.toml" in this folder.'),
     "closest variant": (["run", "v10"], 'Did you mean "v110"? "coursework variants" lists them.'),
     "closest variant of check": (["check", "exampel-1"], 'Did you mean "example-1"?'),
     "no file": (["run", "x/y.toml"], "x/y.toml  the file cannot be read: there is no such file."),
@@ -111,6 +111,8 @@ WRONG = {
     "no argument": (["run"], "Missing argument 'VARIANT'."),
     "no option": (["run", "31", "--nope"], "No such option"),
     "no command": (["rnu"], "No such command 'rnu'."),
+    "new name of the catalogue": (["new", "V102"], '"V102" is a variant of the catalogue, and that one would run.'),
+    "copy of nothing": (["new", "mine", "--from", "v10"], 'there is no variant "v10" in the catalogue'),
     "new name": (["new", "a/b"], '"a/b" cannot be the name of a variant: letters, digits, _ and - only.'),
 }
 
@@ -146,18 +148,6 @@ def test_variants_lists_the_catalogue():
     for entry in entries():
         assert f"{entry.name} " in result.stdout
         assert entry.title in result.stdout
-
-
-def test_new_writes_a_file_that_runs():
-    result = call("new", "mine.toml")
-    assert (result.exit_code, result.stdout) == (0, "mine.toml is written. Fill it in, then: coursework check mine.toml\n")
-    assert call("check", "mine.toml").exit_code == 0
-    assert call("run", "mine.toml", *QUICK).exit_code == 0
-    Path("mine.toml").write_text("my work", encoding="utf-8")
-    again = call("new", "mine")
-    assert again.exit_code == 2
-    assert "mine.toml exists already and is left as it is." in again.stderr
-    assert Path("mine.toml").read_text(encoding="utf-8") == "my work"
 
 
 def test_check_shows_blocks_and_whether_the_motion_is_possible():

@@ -1,9 +1,12 @@
 """README.md says what is true: its commands run as written, its Python runs, its files exist."""
 
+import os
 import re
+import shlex
+import subprocess
+import sys
 from pathlib import Path
 
-import pytest
 from click.testing import CliRunner
 
 from coursework.cli import main
@@ -13,16 +16,25 @@ TEXT = (ROOT / "README.md").read_text(encoding="utf-8")
 COMMANDS = [line.split("#")[0].strip() for line in re.search(r"```sh\n(.*?)```", TEXT, re.S)[1].splitlines()]
 
 
-@pytest.mark.parametrize("command", COMMANDS)
-def test_command(command, tmp_path, monkeypatch):
-    import shlex
-
+def test_commands_run_as_written_one_after_the_other(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    words = shlex.split(command)
-    assert words[0] == "coursework"
-    result = CliRunner().invoke(main, words[1:])
-    assert result.exit_code == 0, result.output
-    assert result.output.strip()
+    for command in COMMANDS:
+        words = shlex.split(command)
+        assert words[0] == "coursework"
+        result = CliRunner().invoke(main, words[1:])
+        assert result.exit_code == 0, (command, result.output)
+        assert result.output.strip(), command
+
+
+def test_lines_for_the_shell_are_what_the_shell_can_run():
+    """Each line asks the tool for a script of completions, which names the tool."""
+    lines = re.findall(r"_COURSEWORK_COMPLETE=(\w+)_source coursework", TEXT)
+    assert lines == ["bash", "zsh", "fish"]
+    for shell in lines:
+        environment = {**os.environ, "_COURSEWORK_COMPLETE": f"{shell}_source"}
+        code = "from coursework.cli import main; main(prog_name='coursework')"
+        done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)
+        assert "coursework" in done.stdout
 
 
 def test_python_block(tmp_path, monkeypatch):

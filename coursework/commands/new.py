@@ -1,4 +1,8 @@
-"""`coursework new`: a commented variant file to fill in, which runs as it is."""
+"""`coursework new`: a variant file to fill in, which runs as it is: the commented template, or a copy of a variant.
+
+Enters: a name, and with --from what to copy.  Leaves: NAME.toml in the current folder, with the tables it reads.
+Used by `cli.py`.
+"""
 
 from __future__ import annotations
 
@@ -7,20 +11,47 @@ from pathlib import Path
 
 import click
 
+from coursework.api import load
+from coursework.catalogue import find, names
 from coursework.data import folder
-from coursework.errors import InputError
+from coursework.errors import InputError, listing
 from coursework.files import write_bytes
 
+# The first line of a catalogue file tells editors where the schema lies; beside a copy there is none.
+_SCHEMA_LINE = re.compile(r"\A#:schema[^\n]*\n\s*")
 
-def new_variant(name: str) -> int:
-    """Write NAME.toml in the current folder; an existing file is left alone."""
+
+def new_variant(name: str, original: str | None = None) -> int:
+    """Write NAME.toml, a copy of `original` or of the template; files that exist are left alone."""
     stem = name.removesuffix(".toml")
     if not re.fullmatch(r"[\w-]{1,60}", stem):
         raise InputError(f'"{name}" cannot be the name of a variant: letters, digits, _ and - only.')
+    if stem.lower() in names():
+        raise InputError(
+            f'"{stem}" is a variant of the catalogue, and that one would run. Choose another name, such as my-{stem}.'
+        )
     target = Path(f"{stem}.toml")
-    if target.exists():
-        raise InputError(f"{target} exists already and is left as it is. Choose another name.")
-    text = (folder("reports") / "new-variant.toml").read_text(encoding="utf-8")
-    write_bytes(target, text.replace("NAME", stem).encode("utf-8"))
-    click.echo(f"{target} is written. Fill it in, then: coursework check {target}")
+    contents = {target: _template(stem)} if original is None else _copies(target, original)
+    for path, content in contents.items():
+        if path.exists() and (path == target or path.read_bytes() != content):
+            raise InputError(f"{path} exists already and is left as it is. Choose another name, or another folder.")
+    for path, content in contents.items():
+        write_bytes(path, content)
+    listed = listing([str(path) for path in contents])
+    verb = "is" if len(contents) == 1 else "are"
+    click.echo(f"{listed} {verb} written. Fill it in with any text editor, then: coursework run {stem}")
     return 0
+
+
+def _template(stem: str) -> bytes:
+    text = (folder("reports") / "new-variant.toml").read_text(encoding="utf-8")
+    return text.replace("NAME", stem).encode("utf-8")
+
+
+def _copies(target: Path, original: str) -> dict[Path, bytes]:
+    """Return the file and its tables by the paths they go to.  Raises `InputError` where the original has faults."""
+    source = find(original)
+    variant = load(source)
+    tables = [law.file for law in (*variant.drive, *variant.functions) if law.file]
+    text = _SCHEMA_LINE.sub("", source.read_text(encoding="utf-8-sig"))
+    return {target: text.encode("utf-8"), **{Path(name): (source.parent / name).read_bytes() for name in tables}}

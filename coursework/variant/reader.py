@@ -116,7 +116,7 @@ def _law(section: str, key: str, value: Any, parts: Parts) -> Law:
         if parts.names.kinds.get(of) != "coordinate":
             known = [known for known, kind in parts.names.kinds.items() if kind == "coordinate"]
             parts.undeclared((*path, "of"), f'"{value.of}" is not in [coordinates].{closest(of, known)}')
-        return Law(name, table=table, of=of, method=value.method)
+        return Law(name, table=table, of=of, method=value.method, file=value.table)
     return Law(name, _formula(path, value, parts, scope))
 
 

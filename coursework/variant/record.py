@@ -28,7 +28,7 @@ class Given:
 
 @dataclass(frozen=True, slots=True)
 class Law:
-    """A known function: a formula, pieces (from time, s; formula), or a table of (argument, value)."""
+    """A known function: a formula, pieces (from time, s; formula), or a table of (argument, value) and the `file` it is in."""
 
     name: str
     formula: Formula | None = None
@@ -36,6 +36,7 @@ class Law:
     table: tuple[tuple[float, float], ...] = ()
     of: str = ""
     method: str = ""
+    file: str = ""
 
     @property
     def formulas(self) -> tuple[Formula, ...]:

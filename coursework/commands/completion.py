@@ -1,0 +1,44 @@
+"""What the shell offers behind the tab key.
+
+Enters: what has been typed of a word.  Leaves: its completions.  Used by `cli.py`.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from click import Context, Parameter
+from click.shell_completion import CompletionItem
+
+from coursework.catalogue import entries
+from coursework.data import folder
+from coursework.schemes import SCHEMES
+
+
+def variants(_context: Context, _parameter: Parameter, typed: str) -> list[CompletionItem]:
+    """Return the catalogue's names with their titles, and the variant files and folders beside what has been typed."""
+    listed = [CompletionItem(entry.name, help=entry.title) for entry in entries()]
+    listed += [CompletionItem(name) for name in _files(typed)]
+    return [item for item in listed if item.value.startswith(typed)]
+
+
+def schemes(_context: Context, _parameter: Parameter, typed: str) -> list[CompletionItem]:
+    """Return the schemes with their titles."""
+    return [CompletionItem(name, help=scheme.title) for name, scheme in SCHEMES.items() if name.startswith(typed)]
+
+
+def languages(_context: Context, _parameter: Parameter, typed: str) -> list[CompletionItem]:
+    """Return the languages that have a words file."""
+    codes = sorted(path.name.split(".")[1] for path in folder("reports").glob("words.*.toml"))
+    return [CompletionItem(code) for code in codes if code.startswith(typed)]
+
+
+def _files(typed: str) -> list[str]:
+    """Return the paths of .toml files and of folders in the folder that has been typed so far, folders with a slash."""
+    place = typed[: typed.rfind("/") + 1]
+    try:
+        found = sorted(Path(place or ".").iterdir())
+    except OSError:
+        return []
+    seen = [path for path in found if not path.name.startswith(".")]
+    return [f"{place}{path.name}{'/' if path.is_dir() else ''}" for path in seen if path.is_dir() or path.suffix == ".toml"]

@@ -1,0 +1,86 @@
+"""`coursework new`: what it writes runs as it is, and nothing that exists is touched."""
+
+from pathlib import Path
+
+import pytest
+
+import coursework
+from coursework.catalogue import names
+from coursework.data import folder as data_folder
+from tests.test_cli import QUICK, call
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_the_template_runs_as_it_is(folder):
+    result = call("new", "mine.toml")
+    told = "mine.toml is written. Fill it in with any text editor, then: coursework run mine\n"
+    assert (result.exit_code, result.stdout) == (0, told)
+    ran = call("run", "mine")
+    assert ran.exit_code == 0, ran.output
+    assert sorted(path.name for path in (folder / "coursework-mine").iterdir()) == [
+        "report.html", "report.pdf", "run.json", "table.csv",
+    ]  # fmt: skip
+    page = (folder / "coursework-mine" / "report.html").read_text(encoding="utf-8")
+    assert 'id="graph-check"' in page or "Graph-analytical check" in page
+    checked = call("check", "mine")
+    assert "W = 3·3 − 2·3 − 1 = 2, as many as the 2 freedom(s) driven." in checked.stdout
+
+
+def test_the_template_passes_every_check_and_follows_its_exact_motion():
+    call("new", "mine")
+    run = coursework.solve("mine")
+    assert [check.code for check in run.checks if check.verdict not in {"PASS", "SKIP"}] == []
+    ranges = run.exact.rows.max(axis=0) - run.exact.rows.min(axis=0)
+    assert (abs(run.motion.rows - run.exact.rows) <= 0.05 * ranges).all()
+
+
+def test_a_name_in_the_template_is_the_new_one():
+    call("new", "Кривошип-7")
+    text = Path("Кривошип-7.toml").read_text(encoding="utf-8")
+    assert "NAME" not in text
+    assert coursework.load("Кривошип-7").title == "Кривошип-7"
+
+
+@pytest.mark.parametrize("name", names())
+def test_a_copy_is_the_same_variant_with_its_tables(name, folder):
+    assert call("new", "mine", "--from", name).exit_code == 0
+    copy, original = coursework.load("mine"), coursework.load(name)
+    assert copy.name == "mine"
+    for part in ("title", "given", "drive", "coordinates", "functions", "time", "points", "ask"):
+        assert getattr(copy, part) == getattr(original, part), part
+    assert "#:schema" not in (folder / "mine.toml").read_text(encoding="utf-8")
+
+
+def test_a_copy_of_a_tabulated_variant_runs_where_it_is(folder):
+    result = call("new", "mine", "--from", "variable-crank-table")
+    assert result.stdout.startswith("mine.toml and variable-crank-table.csv are written.")
+    assert call("run", "mine", *QUICK).exit_code == 0
+    # A second copy finds the table of the first, which is the same.
+    assert call("new", "other", "--from", "mine").exit_code == 0
+    (folder / "variable-crank-table.csv").write_text("my own nodes", encoding="utf-8")
+    again = call("new", "third", "--from", "variable-crank-table")
+    assert again.exit_code == 2
+    assert "variable-crank-table.csv exists already and is left as it is." in again.stderr
+    assert not (folder / "third.toml").exists()
+
+
+def test_what_exists_is_left_alone():
+    Path("mine.toml").write_text("my work", encoding="utf-8")
+    for more in ([], ["--from", "31"]):
+        again = call("new", "mine", *more)
+        assert again.exit_code == 2
+        assert "mine.toml exists already and is left as it is." in again.stderr
+    assert Path("mine.toml").read_text(encoding="utf-8") == "my work"
+
+
+def test_a_faulty_file_is_not_copied():
+    Path("faulty.toml").write_bytes((data_folder("variants") / "31.toml").read_bytes().replace(b"r1*w1", b"r9*w1"))
+    result = call("new", "mine", "--from", "faulty")
+    assert result.exit_code == 2
+    assert "r9" in result.stderr
+    assert not Path("mine.toml").exists()
