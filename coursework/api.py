@@ -119,8 +119,6 @@ def _cannot_ask(variant: Variant, name: str) -> str:
         return f'there is no quantity "{name}".{closest(name, [*ASKABLE, *variant.columns])} Known: {", ".join(ASKABLE)}.'
     if name == "points" and not (variant.points or any(group.meets for group in variant.groups)):
         return "points are asked for, but the file names none. Add a section [points], or leave them out."
-    if name == "accelerations" and (twice := [f"d{rate}" for rate in variant.columns if f"d{rate}" in variant.columns]):
-        return f"the column {twice[0]} of the accelerations has the name of a velocity of this file. Rename {twice[0]}."
     return ""
 
 

@@ -23,6 +23,7 @@ from coursework.integration.rates import Rates, compile_rates
 from coursework.mechanism import Mechanism, build
 from coursework.reduction.blocks import Reduction, reduce
 from coursework.reduction.equations import VelocityEquations, differentiate
+from coursework.reduction.symbolic import symbol
 from coursework.sentences import say
 from coursework.settings import Settings
 from coursework.singular.explain import explain
@@ -130,15 +131,11 @@ def _march(
         correction = Correction(closure, settings.project, settings.gain)
     names = [c.name for c in variant.coordinates]
     begin = [value for name, value in zip(names, start, strict=True) if name in rates.coordinates]
-    free = [c.name for c in variant.coordinates if c.rate not in variant.known_rates]
-    inside = {s.name for i in rates.blocks for row in reduction.blocks[i].matrix for entry in row for s in entry.free_symbols}
-    guarded = [place for place, name in enumerate(rates.coordinates) if name in free and name in inside and _angle(variant, name)]
+    free = {symbol(c.name) for c in variant.coordinates if c.rate not in variant.known_rates and c.unit == "rad"}
+    inside = {s for i in rates.blocks for row in reduction.blocks[i].matrix for entry in row for s in entry.free_symbols}
+    guarded = [place for place, name in enumerate(rates.coordinates) if symbol(name) in free & inside]
     rows = march(rates, settings.scheme, begin, step, variant.time.end, correction, stop, guarded)
     return replace(rows, scaled=_scaled(rows, rates, flow))
-
-
-def _angle(variant: Variant, name: str) -> bool:
-    return variant.unit_of(name) == "rad"
 
 
 def _scaled(rows: Motion, rates: Rates, flow: Flow) -> Array:

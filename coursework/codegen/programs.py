@@ -1,8 +1,9 @@
 """THE door between symbols and numbers: SymPy expressions -> straight-line Python over `math` or NumPy.
 
 Enters: assignments in SymPy, made by this program.  Leaves: plain functions.
-No text of a user's file passes here: names were checked against letters, digits and _ when the file was read, numbers are
-printed by us.  Every other floor calls what `compile_function` returns and never sees SymPy's numbers.
+No text of a user's file passes here: names were checked against letters, digits and _ when the file was read and are
+private ones here (`names.py`), numbers are printed by us.  Every other floor calls what `compile_function` returns and
+never sees SymPy's numbers.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from coursework.codegen.straight_line import Line, StraightLine, identifier
+from coursework.codegen.straight_line import Line, StraightLine
 from coursework.codegen.tabulated import TableLaw
 
 SYMPY_VERSION: str = sp.__version__
@@ -81,8 +82,8 @@ def compile_function(
     name: str, arguments: Sequence[str], body: Program, results: Sequence[str], *, numpy: bool = False
 ) -> Callable[..., Any]:
     """Return `name(*arguments) -> (results…)`; with `numpy` every argument may be an array (n,)."""
-    lines = [f"def {name}({', '.join(map(identifier, arguments))}):", *(f"    {line.text}" for line in body.lines)]
-    lines.append(f"    return ({', '.join(map(identifier, results))}{',' if len(results) == 1 else ''})")
+    lines = [f"def {name}({', '.join(arguments)}):", *(f"    {line.text}" for line in body.lines)]
+    lines.append(f"    return ({', '.join(results)}{',' if len(results) == 1 else ''})")
     return build("\n".join(lines), name, body, numpy=numpy)
 
 
@@ -110,7 +111,7 @@ def build(source: str, name: str, body: Program, *, numpy: bool = False) -> Call
     """Return the function `name` of a source that this program printed itself."""
     namespace = dict(_ARRAYS if numpy else _MATH)
     namespace |= {"abs": abs, "sign": np.sign, "_solve": _solve_rows if numpy else _solve, "range": range}
-    namespace |= {f"table_{key}_{order}": law.function(order) for key, law in body.tables.items() for order in range(3)}
+    namespace |= {f"_table_{key}_{order}": law.function(order) for key, law in body.tables.items() for order in range(3)}
     namespace["__builtins__"] = {}
     builtins.exec(compile(source, f"<generated {name}>", "exec"), namespace)
     function: Callable[..., Any] = namespace[name]

@@ -8,13 +8,11 @@ that is read more than once gets a name.  SymPy's own `cse` and printers do it t
 
 from __future__ import annotations
 
-import keyword
 import math
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 
-import numpy as np
 import sympy as sp
 
 from coursework.errors import InputError
@@ -22,7 +20,6 @@ from coursework.errors import InputError
 _CALLS = {"sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "abs", "sign", "sqrt", "pow"}
 _SPELT = {"Abs": "abs"}
 _INVERSE = {"cot": "tan", "sec": "cos", "csc": "sin"}  # SymPy writes tan(pi/2 - x) as cot(x)
-_RESERVED = set(vars(math)) | set(vars(np)) | {"abs", "range", "sign"} | _CALLS
 _MOST_FACTORS = 16  # powers up to this one are products
 _SUM, _PRODUCT, _ATOM = 1, 2, 3
 
@@ -35,16 +32,12 @@ class Line:
     text: str
 
 
-def identifier(name: str) -> str:
-    """Return a name that Python accepts and that hides nothing the generated code calls."""
-    return f"{name}_" if keyword.iskeyword(name) or name in _RESERVED or name.startswith("table_") else name
-
-
 @dataclass(slots=True)
 class StraightLine:
     """Collects statements, then gives their lines.
 
-    `constants` become numbers; a name of `definitions` that no statement of `written` sets is defined where it is first read.
+    `constants`, by private name, become numbers; a name of `definitions` that no statement of `written` sets is defined
+    where it is first read.
     A value is an integer: its number, negative for the negative of it.  A form is an operation and the values it takes.
     """
 
@@ -59,13 +52,14 @@ class StraightLine:
     _statements: list[tuple[tuple[str, ...], tuple[int, ...], str]] = field(default_factory=list)
     _names: dict[int, str] = field(default_factory=dict)
     _lines: list[Line] = field(default_factory=list)
+    _helpers: int = 0
 
     def add(self, targets: Sequence[sp.Symbol], expressions: Sequence[sp.Expr], call: str = "") -> None:
         """Add `target = expression`, or `targets = call((expressions…))`."""
         values = tuple(self._value(expr) for expr in expressions)
         for value in values:
             self._uses[abs(value)] += 1
-        self._statements.append((tuple(identifier(target.name) for target in targets), values, call))
+        self._statements.append((tuple(target.name for target in targets), values, call))
 
     def lines(self) -> list[Line]:
         """Return the lines of all statements in order."""
@@ -119,7 +113,7 @@ class StraightLine:
         if name in self.definitions and name not in self.written:
             self.written.add(name)
             self.add([name], [self.definitions[name]])
-        return self._number(identifier(name.name))
+        return self._number(name.name)
 
     def _number(self, *form: str | int) -> int:
         found = self._numbers.get(form)
@@ -190,7 +184,7 @@ class StraightLine:
         name = _SPELT.get(name, name)
         if name in _INVERSE:
             return self._quotient(self._constant(1.0), self._function(_INVERSE[name], values))
-        if name not in _CALLS and not name.startswith("table_"):
+        if name not in _CALLS and not name.startswith("_table_"):
             raise InputError(f"a formula of the variant leads to the function {name}, which has no real value everywhere.")
         known: Callable[..., float] | None = getattr(math, name, None)
         if known and all(abs(value) in self._folded for value in values):
@@ -210,7 +204,8 @@ class StraightLine:
         number = abs(value)
         if number not in self._names and len(self._forms[number]) > 1 and self._uses[number] > 1 and not inline:
             body = self._body(number)[0]
-            name = f"_c{len(self._names)}"
+            name = f"k{self._helpers}"
+            self._helpers += 1
             self._lines.append(Line((name,), f"{name} = {body}"))
             self._names[number] = name
         text, own = (self._names[number], _ATOM) if number in self._names else self._body(number, inline=inline)

@@ -24,6 +24,9 @@ MAX_NUMBER = 1e12
 _FUNCTION_ALIASES = {
     "tg": "tan", "arctg": "atan", "arctan": "atan", "arcsin": "asin", "arccos": "acos", "ln": "log",
 }  # fmt: skip
+_COTANGENT = {"ctg", "cot"}
+# Words that mean a function wherever they stand, so that nothing can be called so.
+FUNCTION_WORDS = frozenset({*FUNCTIONS, *_FUNCTION_ALIASES, *_COTANGENT})
 _SIGNS = {"·": "*", "⋅": "*", "∙": "*", "×": "*", "−": "-", "–": "-", "÷": "/", "∕": "/", "²": "^2", "³": "^3"}
 _ADVICE = {
     "[": "use round parentheses", "]": "use round parentheses", "{": "use round parentheses", "}": "use round parentheses",
@@ -231,17 +234,17 @@ class _Reader:
         raise FormulaFault(token.column, f"a number, a name or ( was expected here (found {what})")
 
     def symbol(self, token: _Token) -> Formula:
-        if token.text in FUNCTIONS or token.text in _FUNCTION_ALIASES or token.text in {"ctg", "cot"}:
+        if token.text in FUNCTION_WORDS:
             raise FormulaFault(token.column, f"write the argument of {token.text} in parentheses: {token.text}(…)")
         return self.node("name", (), token.column, token.text)
 
     def call(self, token: _Token) -> Formula:
         name = _FUNCTION_ALIASES.get(token.text, token.text)
-        if name not in FUNCTIONS and name not in {"ctg", "cot"}:
+        if name not in FUNCTIONS and name not in _COTANGENT:
             known = ", ".join(FUNCTIONS)
             raise FormulaFault(token.column, f'"{token.text}(…)" is not allowed; the functions are {known}; a product needs *')
         arguments = self.arguments()
-        if name in {"ctg", "cot"} and len(arguments) == 1:
+        if name in _COTANGENT and len(arguments) == 1:
             above, below = (self.node("call", arguments, token.column, part) for part in ("cos", "sin"))
             return self.node("/", (above, below), token.column)
         wanted = FUNCTIONS.get(name, 1)

@@ -12,18 +12,19 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from coursework.codegen.programs import Assign, compile_function, program
+from coursework.codegen.names import acceleration, private
+from coursework.codegen.programs import Assign, compile_function
 from coursework.reduction.equations import VelocityEquations
-from coursework.reduction.symbolic import TIME, symbol
-from coursework.reduction.system import tables
+from coursework.reduction.symbolic import TIME, local, symbol
+from coursework.reduction.system import scene_program
 
 Array = NDArray[np.float64]
 RowFunction = Callable[..., Any]
 
 
 def derivative(velocity: str) -> sp.Symbol:
-    """Return the symbol of the derivative of a velocity; no name of a file begins with _."""
-    return symbol(f"_d_{velocity}")
+    """Return the symbol of the derivative of a velocity."""
+    return local(acceleration(velocity))
 
 
 def compile_rows(equations: VelocityEquations, wanted: Sequence[sp.Expr], order: int) -> Callable[..., Array]:
@@ -34,16 +35,12 @@ def compile_rows(equations: VelocityEquations, wanted: Sequence[sp.Expr], order:
     variant = equations.variant
     names = [c.name for c in variant.coordinates]
     velocities = [*variant.rates, *(name for name, _ in variant.unknowns)]
-    arguments = ["t", *names]
-    if order >= 1:
-        arguments += velocities
+    arguments = [private(name) for name in ("t", *names, *(velocities if order >= 1 else ()))]
     if order >= 2:
-        arguments += [derivative(name).name for name in velocities]
+        arguments += map(acceleration, velocities)
     results = [f"_out{place}" for place in range(len(wanted))]
-    given = {symbol(name) for name in velocities} if order >= 1 else set()
-    definitions = {name: value for name, value in equations.symbols.definitions.items() if name not in given}
-    statements = [Assign(symbol(result), value) for result, value in zip(results, wanted, strict=True)]
-    body = program(statements, definitions, variant.values, tables(equations))
+    statements = [Assign(local(result), value) for result, value in zip(results, wanted, strict=True)]
+    body = scene_program(equations, statements, [symbol(name) for name in velocities] if order >= 1 else ())
     function: RowFunction = compile_function("rows", arguments, body, results, numpy=True)
 
     def rows(t: Array, q: Array, u: Array | None = None, du: Array | None = None) -> Array:

@@ -11,8 +11,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+from coursework.codegen.names import private
 from coursework.codegen.programs import build
-from coursework.codegen.straight_line import identifier
 from coursework.integration.rates import Rates
 from coursework.schemes import StepFunction
 
@@ -22,10 +22,10 @@ Loop = Callable[..., tuple[float, ...]]
 def generate_loop(step: StepFunction, rates: Rates) -> Loop:
     """Return `loop(begin, steps, h, *q)`: the position `steps` steps of h (s) after `begin`, at t = begin + i*h.
 
-    Its own names begin with _, as no name of a file does: a coordinate may be called h.
+    Its own names begin with _, as no private name does: a coordinate may be called h.
     """
     recorder = _Recorder(rates)
-    position = _Vector(recorder, [identifier(name) for name in rates.coordinates])
+    position = _Vector(recorder, [private(name) for name in rates.coordinates])
     result = step(recorder.slopes, _Scalar(recorder, "t"), position, _Scalar(recorder, "_h"))
     state = ", ".join(position.names)
     comma = "," if len(position.names) == 1 else ""
@@ -57,11 +57,11 @@ class _Recorder:
         # A position is read many times inside, so it gets names; a sum that is read once stays an expression.
         q = _Vector(self, [name if name.isidentifier() else self.fresh(name) for name in q.names])
         self.count += 1
-        inside = {"t": t.name, **dict(zip(map(identifier, self.rates.coordinates), q.names, strict=True))}
-        skipped = {f"_{name}" for name in self.rates.velocities}
+        inside = {"t": t.name, **dict(zip(map(private, self.rates.coordinates), q.names, strict=True))}
+        skipped = {f"_{private(name)}" for name in self.rates.velocities}
         inside |= {name: f"_{self.count}_{name}" for line in self.rates.body.lines for name in line.targets}
         self.lines += [line.text for line in self.rates.body.renamed(inside) if not skipped & set(line.targets)]
-        return _Vector(self, [inside.get(rate, rate) for rate in map(identifier, self.rates.velocities[: len(q.names)])])
+        return _Vector(self, [inside.get(rate, rate) for rate in map(private, self.rates.velocities[: len(q.names)])])
 
 
 @dataclass(frozen=True)

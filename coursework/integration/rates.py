@@ -14,12 +14,13 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from coursework.codegen.programs import Assign, Program, Solve, Statement, compile_function, compile_later, program
+from coursework.codegen.names import private
+from coursework.codegen.programs import Assign, Program, Solve, Statement, compile_function, compile_later
 from coursework.geometry.drive import breaks
 from coursework.reduction.blocks import Block, Reduction
 from coursework.reduction.equations import VelocityEquations
-from coursework.reduction.symbolic import symbol
-from coursework.reduction.system import tables
+from coursework.reduction.symbolic import local, symbol
+from coursework.reduction.system import scene_program
 
 Array = NDArray[np.float64]
 # Part of its time by which a step ends before a break of the drive: its last slope must still see the old formula.
@@ -72,10 +73,10 @@ def compile_rates(equations: VelocityEquations, reduction: Reduction, wanted: Se
     listed = first + tuple(name for name in every if name in velocities and name not in first)
     blocks = reduction.needed(listed)
     statements = [statement for index in blocks for statement in _statements(reduction.blocks[index], index)]
-    statements += [Assign(symbol(f"_{name}"), symbol(name)) for name in listed]
-    body = program(statements, equations.symbols.definitions, variant.values, tables(equations))
-    arguments = ["t", *kept]
-    results = [*(f"_{name}" for name in listed), *(f"_det{index}" for index in blocks)]
+    statements += [Assign(local(_result(name)), symbol(name)) for name in listed]
+    body = scene_program(equations, statements)
+    arguments = [private(name) for name in ("t", *kept)]
+    results = [*map(_result, listed), *(f"_det{index}" for index in blocks)]
     return Rates(
         kept, listed, blocks,
         compile_function("rates", arguments, body, results),
@@ -84,13 +85,17 @@ def compile_rates(equations: VelocityEquations, reduction: Reduction, wanted: Se
 
 
 def _statements(block: Block, index: int) -> list[Statement]:
-    determinant = symbol(f"_det{index}")
+    determinant = local(f"_det{index}")
     unknowns = tuple(symbol(name) for name in block.unknowns)
     if block.size > 2:
         entries = (*(entry for row in block.matrix for entry in row), *block.right_side)
         return [Solve(unknowns, determinant, entries)]
     quotients = [Assign(name, numerator / determinant) for name, numerator in zip(unknowns, block.numerators, strict=True)]
     return [Assign(determinant, block.symbolic_determinant), *quotients]
+
+
+def _result(velocity: str) -> str:
+    return f"_{private(velocity)}"
 
 
 def _closure(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[str]) -> tuple[set[str], set[str]]:
@@ -104,22 +109,21 @@ def _closure(equations: VelocityEquations, reduction: Reduction, wanted: Sequenc
     while True:
         velocities |= {rate_of[name] for name in coordinates}
         blocks = reduction.needed(tuple(velocities))
-        entries = [
-            e for i in blocks for e in (*reduction.blocks[i].right_side, *(x for row in reduction.blocks[i].matrix for x in row))
-        ]
-        needed = _names(entries, definitions) & set(rate_of)
+        inside = _behind({s for index in blocks for s in reduction.blocks[index].symbols}, definitions)
+        needed = {name for name in rate_of if symbol(name) in inside}
         if needed <= coordinates:
             return coordinates, velocities
         coordinates |= needed
 
 
-def _names(entries: Sequence[sp.Expr], definitions: dict[sp.Symbol, sp.Expr]) -> set[str]:
-    names: set[str] = set()
-    todo = [s for entry in entries for s in entry.free_symbols]
+def _behind(symbols: set[sp.Symbol], definitions: dict[sp.Symbol, sp.Expr]) -> set[sp.Symbol]:
+    """Return some symbols and all that their definitions need."""
+    found: set[sp.Symbol] = set()
+    todo = list(symbols)
     while todo:
-        name = todo.pop()
-        if name.name not in names:
-            names.add(name.name)
-            if name in definitions:
-                todo.extend(definitions[name].free_symbols)
-    return names
+        symbol = todo.pop()
+        if symbol not in found:
+            found.add(symbol)
+            if symbol in definitions:
+                todo.extend(definitions[symbol].free_symbols)
+    return found

@@ -47,6 +47,12 @@ class Block:
         return len(self.unknowns)
 
     @property
+    def symbols(self) -> set[sp.Symbol]:
+        """Return every symbol in the matrix and the right side."""
+        entries = (*self.right_side, *(entry for row in self.matrix for entry in row))
+        return {symbol for entry in entries for symbol in entry.free_symbols}
+
+    @property
     def symbolic_determinant(self) -> sp.Expr:
         """Return the determinant of a block of one or two."""
         m = self.matrix
@@ -72,14 +78,13 @@ class Reduction:
 
     def needed(self, wanted: Sequence[str]) -> tuple[int, ...]:
         """Return the indices of the blocks that `wanted` velocities need, in order."""
-        names = set(wanted)
+        sought = set(map(symbol, wanted))
         chosen = []
         for index in range(len(self.blocks) - 1, -1, -1):
             block = self.blocks[index]
-            if names & set(block.unknowns):
+            if sought & set(map(symbol, block.unknowns)):
                 chosen.append(index)
-                entries = [*block.right_side, *(entry for row in block.matrix for entry in row)]
-                names |= {s.name for entry in entries for s in entry.free_symbols}
+                sought |= block.symbols
         return tuple(sorted(chosen))
 
 

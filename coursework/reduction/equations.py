@@ -122,14 +122,14 @@ def _derived(position: Position, because: str, variant: Variant, symbols: Symbol
     sought = set(variant.sought)
     coefficients = {}
     rest = symbols.partial(position.expression, TIME)
-    for coordinate, rate in symbols.rates.items():
-        slope = symbols.partial(position.expression, coordinate)
+    for coordinate in variant.coordinates:
+        slope = symbols.partial(position.expression, symbol(coordinate.name))
         if slope == 0:
             continue
-        if rate.name in sought:
-            coefficients[rate.name] = slope
+        if coordinate.rate in sought:
+            coefficients[coordinate.rate] = slope
         else:
-            rest += slope * rate
+            rest += slope * symbol(coordinate.rate)
     drive = sp.S.Zero if position.kept in {"zero", "start"} else symbol(position.kept)
     return VelocityEquation(position.name, because, coefficients, drive - rest, line=line)
 

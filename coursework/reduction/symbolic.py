@@ -14,6 +14,7 @@ from math import comb
 
 import sympy as sp
 
+from coursework.codegen.names import derivative, private, public
 from coursework.errors import Fault, InputError
 from coursework.formula.tree import Formula, FormulaFault, bounded, spelled
 from coursework.mechanism import Mechanism
@@ -27,7 +28,12 @@ _FUNCTIONS = {
 
 
 def symbol(name: str) -> sp.Symbol:
-    """Return the real symbol of a name."""
+    """Return the real symbol of a declared name, or of t."""
+    return local(private(name))
+
+
+def local(name: str) -> sp.Symbol:
+    """Return the real symbol of a private name."""
     return sp.Symbol(name, real=True)
 
 
@@ -78,7 +84,7 @@ class Symbols:
         self.definitions: dict[sp.Symbol, sp.Expr] = {}
         self.vectors: dict[str, Vector] = {}
         self.partials: dict[str, tuple[str, str]] = {}
-        self._taken = variant.names
+        self._declared = variant.names
         self._derivatives: dict[tuple[sp.Symbol, sp.Symbol], sp.Expr] = {}
         for section, laws in (("drive", variant.drive), ("functions", variant.functions)):
             for law in laws:
@@ -90,7 +96,7 @@ class Symbols:
 
     def _law(self, law: Law) -> sp.Expr:
         if law.table:
-            return sp.Function(f"table_{law.name}_0")(symbol(law.of))
+            return sp.Function(f"_table_{law.name}_0")(symbol(law.of))
         if law.pieces:
             branches = [
                 (self.scalar(formula), sp.Float(later[0] * (1 - _AT_BREAK)) > TIME)
@@ -173,18 +179,13 @@ class Symbols:
             else:
                 value = self.partial(definition, by)
             if value.free_symbols:
-                derived = symbol(self._free_name(f"{name}_{by}"))
+                derived = local(derivative(name.name, by.name, self._declared))
                 self.definitions[derived] = value
-                self.partials[derived.name] = (name.name, by.name)
+                law, below, told = (public(n, self._declared) for n in (name.name, by.name, derived.name))
+                self.partials[told] = (law, below)
                 value = derived
             self._derivatives[name, by] = value
         return self._derivatives[name, by]
-
-    def _free_name(self, name: str) -> str:
-        """Return a name that the file does not use itself."""
-        while name in self._taken:
-            name += "_"
-        return name
 
     def rate(self, expr: sp.Expr) -> sp.Expr:
         """Return d expr / d t along the motion: sum of partials times rates."""

@@ -6,7 +6,7 @@ Used where the equations themselves are judged: independence, residuals, dead po
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,10 +14,11 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from coursework.codegen.programs import Assign, compile_function, compile_later, program
+from coursework.codegen.names import private
+from coursework.codegen.programs import Assign, Program, Statement, compile_function, compile_later, program
 from coursework.codegen.tabulated import TableLaw
 from coursework.reduction.equations import VelocityEquation, VelocityEquations
-from coursework.reduction.symbolic import symbol
+from coursework.reduction.symbolic import local, symbol
 
 Array = NDArray[np.float64]
 
@@ -56,6 +57,14 @@ def tables(equations: VelocityEquations) -> dict[str, TableLaw]:
     return {law.name: TableLaw(law.name, law.table, law.method) for law in laws if law.table}
 
 
+def scene_program(equations: VelocityEquations, statements: Sequence[Statement], given: Iterable[sp.Symbol] = ()) -> Program:
+    """Return the program of some statements, its data as numbers; `given` symbols are arguments even where laws define them."""
+    kept = set(given)
+    definitions = {name: value for name, value in equations.symbols.definitions.items() if name not in kept}
+    constants = {private(name): value for name, value in equations.variant.values.items()}
+    return program(statements, definitions, constants, tables(equations))
+
+
 def compile_system(equations: VelocityEquations, rows: Sequence[VelocityEquation]) -> LinearSystem:
     """Return the linear system of some velocity equations."""
     variant = equations.variant
@@ -74,11 +83,10 @@ def compile_system(equations: VelocityEquations, rows: Sequence[VelocityEquation
 
 def compile_values(equations: VelocityEquations, wanted: Sequence[sp.Expr]) -> tuple[Callable[..., Any], Callable[..., Any]]:
     """Return (scalar, rows) functions of (t, *coordinates) that give the values of `wanted`."""
-    variant = equations.variant
     results = [f"_out{place}" for place in range(len(wanted))]
-    statements = [Assign(symbol(result), value) for result, value in zip(results, wanted, strict=True)]
-    body = program(statements, equations.symbols.definitions, variant.values, tables(equations))
-    arguments = ["t", *(c.name for c in variant.coordinates)]
+    statements = [Assign(local(result), value) for result, value in zip(results, wanted, strict=True)]
+    body = scene_program(equations, statements)
+    arguments = [private(name) for name in ("t", *(c.name for c in equations.variant.coordinates))]
     return (
         compile_function("values", arguments, body, results),
         compile_later("values", arguments, body, results),

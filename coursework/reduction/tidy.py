@@ -14,6 +14,7 @@ from math import gcd
 
 import sympy as sp
 
+from coursework.codegen.names import private, public
 from coursework.formula.tree import Formula, number
 from coursework.reduction.symbolic import expanded
 from coursework.variant.record import Variant
@@ -31,7 +32,8 @@ class Order:
         names = [name for formula in formulas for name in formula.names()]
         names += [g.name for g in variant.given] + [law.name for law in (*variant.drive, *variant.functions)]
         names += [*variant.sought, *(c.name for c in variant.coordinates), *variant.rates]
-        self._names = {name: place for place, name in enumerate(dict.fromkeys(names))}
+        self._names = {private(name): place for place, name in enumerate(dict.fromkeys(names))}
+        self._declared = variant.names
         calls = [node.name for formula in formulas for node in formula.walk() if node.op == "call"]
         self._calls = {name: place for place, name in enumerate(dict.fromkeys([*calls, "cos", "sin"]))}
 
@@ -43,6 +45,10 @@ class Order:
             return self.rank(atom.base)
         inner = tuple(sorted(self._names.get(s.name, len(self._names)) for s in atom.free_symbols))
         return (1, self._calls.get(_call_name(atom), 99), *inner)
+
+    def public(self, symbol: sp.Symbol) -> str:
+        """Return what a symbol is called in text: the declared name, or "∂r/∂phi" for a derivative."""
+        return public(symbol.name, self._declared)
 
     def term(self, term: Term) -> tuple[tuple[int, ...], ...]:
         """Return the place of a term in a sum."""
@@ -247,7 +253,7 @@ def _sum(terms: tuple[Term, ...], order: Order) -> Formula:
 def _plain(expr: sp.Expr, order: Order) -> Formula:
     """Return one atom as a formula without rewriting inside."""
     if isinstance(expr, sp.Symbol):
-        return Formula("name", name=expr.name)
+        return Formula("name", name=order.public(expr))
     if expr == sp.pi:
         return Formula("name", name="pi")
     if expr.is_Rational:

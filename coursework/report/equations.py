@@ -12,7 +12,7 @@ from enum import IntEnum
 
 from coursework.formula.tree import Formula
 from coursework.report.numbers import MINUS, TIMES, superscript
-from coursework.report.symbols import symbol
+from coursework.report.symbols import parts_of_derivative, symbol
 
 
 class Level(IntEnum):
@@ -91,6 +91,10 @@ class Setter:
         return Piece(digits.rstrip("."), Level.ATOM, opens="number", closes="number")
 
     def _name(self, name: str) -> Piece:
+        if parts := parts_of_derivative(name):
+            partial = "partial " if self.typst else "∂"
+            above, below = (Piece(partial + self._name(part).source, Level.POWER) for part in parts)
+            return self._quotient(above, below)
         found = symbol(name, self.rates)
         kind = "word" if len(found.letter) > 1 else ""
         return Piece(found.typst if self.typst else found.text, Level.ATOM, opens=kind, closes=kind)
@@ -171,7 +175,7 @@ class Setter:
         return self._applied((_TYPST_NAMES if self.typst else _TEXT_NAMES).get(tree.name, tree.name), tree.args)
 
     def _applied(self, head: str, args: tuple[Formula, ...]) -> Piece:
-        if len(args) == 1 and args[0].op == "name" and head != "abs":
+        if len(args) == 1 and args[0].op == "name" and head != "abs" and not parts_of_derivative(args[0].name):
             space = "" if head == "√" else " "
             return Piece(f"{head}{space}{self.set(args[0]).source}", Level.APPLIED, opens="function", closes="bare")
         inside = ", ".join(self.set(arg).source for arg in args)

@@ -1,6 +1,6 @@
 """Names of a variant file -> symbols as a textbook sets them: "w3" -> ω₃, "VMx" -> V with subscript Mx.
 
-Enters: a name (letters, digits, "_", one "." of a point's column).  Leaves: `Symbol`, in text or Typst math.
+Enters: a name (letters, digits, "_", one "." of a point's column), or "∂r/∂phi1".  Leaves: `Symbol`, in text or Typst math.
 Only names pass through here, never text of a student; what is no name is refused.
 """
 
@@ -77,12 +77,20 @@ def _greek(subscript: str) -> str:
     return GREEK[match[1]] + match[2] if match else subscript
 
 
+def parts_of_derivative(name: str) -> tuple[str, ...]:
+    """Return ("r", "phi1") for "∂r/∂phi1", the name of a derivative of a law; nothing for any other name."""
+    law, _, by = name.removeprefix("∂").rpartition("/∂")
+    return (law, by) if law else ()
+
+
 @lru_cache(maxsize=4096)
 def symbol(name: str, rates: frozenset[str] = frozenset()) -> Symbol:
     """Return the symbol of a name; "d" before one of `rates` (or before a Greek name) is the dot of a derivative.
 
     Raises `ValueError` for text that is no name.
     """
+    if parts := parts_of_derivative(name):
+        return Symbol("/".join(f"∂{symbol(part).text}" for part in parts))
     if not _NAME.fullmatch(name):
         raise ValueError(f"{name!r} is no name")
     if "." in name:

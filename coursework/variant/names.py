@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 
 from coursework.errors import Fault
 from coursework.formula.alphabet import foreign_letter, spell
-from coursework.formula.tree import FUNCTIONS
+from coursework.formula.reader import FUNCTION_WORDS
 from coursework.variant.schema import VariantFile
 from coursework.variant.source import Source
 
@@ -30,12 +30,13 @@ def _form(name: str) -> str:
 @dataclass(slots=True)
 class Names:
     """`kinds` maps each declared name to given, drive, coordinate, rate, unknown, function or point; `forms` what else it
-    may be written as.
+    may be written as; `columns` are the velocities of the table and where they stand.
     """
 
     kinds: dict[str, str] = field(default_factory=dict)
     forms: dict[str, list[str]] = field(default_factory=dict)
     declarations: list[tuple[str, str, tuple[str | int, ...]]] = field(default_factory=list)
+    columns: list[tuple[str, tuple[str | int, ...]]] = field(default_factory=list)
 
     @classmethod
     def declared(cls, file: VariantFile) -> Names:
@@ -47,10 +48,12 @@ class Names:
             names._add(key, "drive", ("drive", key))
         for key, entry in file.coordinates.items():
             names._add(key, "coordinate", ("coordinates", key))
+            names.columns.append((entry.rate, ("coordinates", key, "rate")))
             if spell(entry.rate) not in {spell(law) for law in file.drive}:
                 names._add(entry.rate, "rate", ("coordinates", key, "rate"))
         for key in file.unknowns:
             names._add(key, "unknown", ("unknowns", key))
+            names.columns.append((key, ("unknowns", key)))
         for key in file.functions:
             names._add(key, "function", ("functions", key))
         for key in file.points:
@@ -81,8 +84,9 @@ class Names:
         return alike[0] if len(alike) == 1 else plain
 
     def faults(self, source: Source) -> list[Fault]:
-        """Return a fault for each name declared twice, reserved, or not spelt with Latin or Greek letters."""
+        """Return a fault for each name declared twice, reserved, that of an acceleration, or with letters of another alphabet."""
         seen: dict[str, tuple[str, int]] = {}
+        made = {f"d{self.canonical(velocity)}": (velocity, source.positions.find(path)[0]) for velocity, path in self.columns}
         found = []
         for name, kind, path in self.declarations:
             plain = spell(name)
@@ -92,8 +96,12 @@ class Names:
             elif not _SHAPE.match(plain):
                 text = f'"{name}" is no name: letters, digits and _ only, a letter first.'
                 found.append(source.fault(path, text, at_key=kind != "rate"))
-            elif plain in _BUILT_IN or plain in FUNCTIONS:
+            elif plain in _BUILT_IN or plain in FUNCTION_WORDS:
                 text = f'"{name}" has a meaning of its own in formulas; take another name.'
+                found.append(source.fault(path, text, at_key=kind != "rate"))
+            elif plain in made and kind != "point":
+                velocity, line = made[plain]
+                text = f'"{name}" is what the acceleration of {velocity} (line {line}) is called in tables; take another name.'
                 found.append(source.fault(path, text, at_key=kind != "rate"))
             elif plain in seen:
                 first, line = seen[plain]

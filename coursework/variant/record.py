@@ -166,11 +166,10 @@ class Variant:
         return {given.name: given.value for given in self.given}
 
     @property
-    def names(self) -> frozenset[str]:
-        """Return every scalar name that the file declares."""
-        laws = [law.name for law in (*self.drive, *self.functions)]
-        moving = [*(c.name for c in self.coordinates), *self.rates, *(name for name, _ in self.unknowns)]
-        return frozenset([*self.values, *laws, *moving])
+    def names(self) -> tuple[str, ...]:
+        """Return t and every scalar name that the file declares, each once."""
+        laws = (law.name for law in (*self.drive, *self.functions))
+        return tuple(dict.fromkeys(["t", *self.values, *laws, *self.columns]))
 
     @property
     def rates(self) -> tuple[str, ...]:

@@ -102,7 +102,7 @@ def test_shown_and_computed_solve_the_system(system, seed):
 
 
 def evaluated(expression, values):
-    return float(expression.subs({symbol: values[symbol.name] for symbol in expression.free_symbols}))
+    return float(expression.subs({symbol: values[symbol.name.removeprefix("v_")] for symbol in expression.free_symbols}))
 
 
 @settings(max_examples=40, deadline=None)

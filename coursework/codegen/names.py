@@ -1,0 +1,55 @@
+"""Declared names -> private names of symbols and generated code, one to one, and back where text is made.
+
+Enters: names as a variant declares them (letters, digits, _).  Leaves: names that nothing else bears.
+Used by whoever makes symbols or generated code, and by `reduction.tidy`, which makes text of them.
+
+A declared name gets the prefix v_, the derivative of a velocity in time a_, a derivative by a coordinate the two numbers of
+declaration (d3_7, and d3_7_7 for the second), a value that is read twice k0, k1 …; what the tool adds of its own begins
+with _.  The time t keeps its name, which no file may declare.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+
+def private(name: str) -> str:
+    """Return the private name of a declared one, or of t.
+
+    >>> private("lambda")
+    'v_lambda'
+    """
+    return name if name == "t" else f"v_{name}"
+
+
+def acceleration(velocity: str) -> str:
+    """Return the private name of the derivative of a velocity in time."""
+    return f"a_{velocity}"
+
+
+def derivative(name: str, by: str, declared: Sequence[str]) -> str:
+    """Return the private name of the derivative of a private name by another, numbered as `declared` lists them.
+
+    >>> derivative("v_r", "v_phi", ["t", "r", "phi"]), derivative("d1_2", "t", ["t", "r", "phi"])
+    ('d1_2', 'd1_2_0')
+    """
+    numbers = name[1:] if name[0] == "d" else str(declared.index(_plain(name)))
+    return f"d{numbers}_{declared.index(_plain(by))}"
+
+
+def public(name: str, declared: Sequence[str]) -> str:
+    """Return what a private name stands for: the declared name, or "∂r/∂phi" for a derivative.
+
+    >>> public("v_e_", []), public("d1_2", ["t", "r", "phi"])
+    ('e_', '∂r/∂phi')
+    """
+    if name[0] != "d":
+        return _plain(name)
+    first, *others = (declared[int(number)] for number in name[1:].split("_"))
+    for by in others:
+        first = f"∂{first}/∂{by}"
+    return first
+
+
+def _plain(name: str) -> str:
+    return name.removeprefix("v_")
