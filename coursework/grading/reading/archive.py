@@ -1,0 +1,83 @@
+"""A zip in memory, opened with every size bounded while it is inflated.
+
+Enters: the bytes of an archive.  Leaves: names and parts, in chunks.  Raises `Refused`; nothing is ever extracted to a disk.
+Used by the readers of spreadsheets and of handed-in archives.
+"""
+
+from __future__ import annotations
+
+import io
+import zipfile
+import zlib
+from collections.abc import Iterator
+
+from coursework.grading.reading.limits import INFLATED_BYTES, PARTS, unreadable
+
+_CHUNK = 64 * 1024
+_END = b"PK\x05\x06"
+_DIRECTORY_BYTES = 256 * 1024  # of the list of parts, read before any part is
+_PACKED = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}
+
+
+class Archive:
+    """A zip whose inflated bytes are counted over everything that is read from it."""
+
+    def __init__(self, content: bytes, most_parts: int = PARTS, most_bytes: int = INFLATED_BYTES) -> None:
+        """Open an archive.  Raises `Refused` where it is damaged or has too many parts."""
+        self.left = most_bytes
+        end = content.rfind(_END)
+        if end < 0 or int.from_bytes(content[end + 12 : end + 16], "little") > _DIRECTORY_BYTES:
+            raise unreadable("damaged" if end < 0 else "too_large_open")
+        try:
+            self._zip = zipfile.ZipFile(io.BytesIO(content))
+        except (zipfile.BadZipFile, ValueError, OSError, NotImplementedError, EOFError) as error:
+            raise unreadable("damaged") from error
+        self.parts = {part.filename: part for part in self._zip.infolist() if not part.is_dir()}
+        if len(self._zip.infolist()) > most_parts:
+            raise unreadable("too_large_open")
+
+    def chunks(self, name: str) -> Iterator[bytes]:
+        """Give a part piece by piece.  Raises `Refused` where it is encrypted, damaged, or too large with all read so far."""
+        part = self.parts[name]
+        if part.flag_bits & 0x1:
+            raise unreadable("password")
+        if part.compress_type not in _PACKED:
+            raise unreadable("damaged")
+        try:
+            with self._zip.open(part) as file:
+                while chunk := file.read(_CHUNK):
+                    self.left -= len(chunk)
+                    if self.left < 0:
+                        raise unreadable("too_large_open")
+                    yield chunk
+        except (zipfile.BadZipFile, zlib.error, ValueError, OSError, EOFError, NotImplementedError, RuntimeError) as error:
+            raise unreadable("damaged") from error
+
+    def read(self, name: str, most: int) -> bytes:
+        """Return a whole part.  Raises `Refused` where it has more than `most` bytes."""
+        content = bytearray()
+        for chunk in self.chunks(name):
+            content += chunk
+            if len(content) > most:
+                raise unreadable("too_large_open")
+        return bytes(content)
+
+
+def legible_name(part: zipfile.ZipInfo) -> str:
+    """Return the name of a part; one written by an old Russian program without a mark of its alphabet is put right."""
+    name = part.filename
+    if part.flag_bits & 0x800 or name.isascii():
+        return name
+    try:
+        raw = name.encode("cp437")
+    except UnicodeEncodeError:
+        return name
+    for encoding in ("utf-8", "cp866"):
+        try:
+            guess = raw.decode(encoding)
+        except UnicodeDecodeError:
+            continue
+        # cp866 keeps the frames of cp437, so only a name with letters of the language is taken for one.
+        if any("Ѐ" <= letter <= "ӿ" for letter in guess) or encoding == "utf-8":
+            return guess
+    return name

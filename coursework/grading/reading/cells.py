@@ -1,0 +1,38 @@
+"""The rows of a sheet before anybody knows what they mean.
+
+Enters: nothing.  Leaves: `Cell`, `Sheet`.  Used by the readers of this room.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, NamedTuple
+
+from coursework.grading.reading.limits import BLANK_ROWS
+
+
+class Cell(NamedTuple):
+    """One cell as the file has it; a "number" is one a spreadsheet stored, a "formula" was never computed."""
+
+    text: str
+    kind: Literal["text", "number", "formula", "error", "date"] = "text"
+
+
+@dataclass(frozen=True, slots=True)
+class Sheet:
+    """Rows of cells (ragged), without the blank ones at the end; `name` of the sheet, None for a text file."""
+
+    name: str | None
+    rows: tuple[tuple[Cell, ...], ...]
+
+
+class BlankRows:
+    """Counts blank rows one behind the other; a table ends where there are too many."""
+
+    def __init__(self) -> None:
+        self.seen = 0
+
+    def too_many(self, is_blank: bool, times: int = 1) -> bool:
+        """Count a row, or `times` equal ones; return whether reading stops here."""
+        self.seen = self.seen + times if is_blank else 0
+        return self.seen > BLANK_ROWS

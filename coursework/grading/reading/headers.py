@@ -1,0 +1,173 @@
+"""The head of a column -> which column of the task it may be, and its unit.
+
+Enters: a head's text and the columns of the task.  Leaves: `Head`.  Aliases are made from the names of the columns.
+Used by the readers of this room.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+
+from coursework.formula.alphabet import spell
+
+TIME = "t"
+INDEX = "№"
+# Letters of the Cyrillic alphabet that a keyboard leaves in place of Latin ones, after casefold().
+_LATIN = str.maketrans("асеорхуіјѕвкмнт", "aceopxyijsbkmht")
+_PUNCTUATION = re.compile(r"[\s_,.;:$\\{}()\[\]'\"=*^~-]+")
+
+_UNITS = {
+    "rad": "рад rad радиан радиани радиан. radian radians 弧度", "deg": "град град. ° deg degree degrees grad º 度 градусы",
+    "1/s": "1/с 1/s 1/c рад/с rad/s rad/sec рад/сек с-1 s-1 с^-1 s^-1 1/сек 1/sec 弧度/秒 rad/秒 rad/с рад·с-1",
+    "deg/s": "град/с deg/s °/s °/с град/сек grad/s 度/秒 º/s", "rpm": "об/мин rpm об/хв u/min min-1 мин-1 хв-1 rev/min r/min 转/分",
+    "s": "с s c сек сек. sec 秒 seconds sekunden", "ms": "мс ms", "m": "м m", "mm": "мм mm", "cm": "см cm",
+    "m/s": "м/с m/s м/сек m/sec 米/秒", "mm/s": "мм/с mm/s", "cm/s": "см/с cm/s",
+}  # fmt: skip
+# For each SI unit of a column: the units it may be printed in, and what one of them is in SI.
+PRINTED: dict[str, dict[str, float]] = {
+    "rad": {"rad": 1.0, "deg": 0.017453292519943295},
+    "1/s": {"1/s": 1.0, "deg/s": 0.017453292519943295, "rpm": 0.10471975511965977},
+    "m": {"m": 1.0, "mm": 0.001, "cm": 0.01},
+    "m/s": {"m/s": 1.0, "mm/s": 0.001, "cm/s": 0.01},
+    "s": {"s": 1.0, "ms": 0.001},
+}
+_TIMES = ["t", "time", "время", "час", "zeit", "时间", "時間", "τ", "tau", "т", "t0", "ti", "tk"]
+_INDICES = ["№", "no", "n", "nr", "i", "k", "j", "#", "строка", "рядок", "шаг", "крок", "step", "row", "zeile", "schritt", "номер", "num", "number",
+    "序号", "行", "步",
+]  # fmt: skip
+# Words before or in place of a symbol, by the SI unit of the column, and the symbols that stand for it.
+_WORDS = {
+    "rad": ["кут", "угол", "angle", "winkel", "角", "角度", "转角", "уголповорота", "кутповороту", "угл", "крен"],
+    "1/s": ["угл.скорость", "угловаяскорость", "кутовашвидкість", "кутовашв", "angularvelocity", "angularspeed", "angvel",
+            "winkelgeschwindigkeit", "角速度", "скорость", "швидкість", "velocity", "speed", "geschwindigkeit", "угловаяск"],
+    "m": ["перемещение", "переміщення", "displacement", "weg", "位移", "ход", "хід"],
+    "m/s": ["скорость", "швидкість", "velocity", "speed", "geschwindigkeit", "速度"],
+}  # fmt: skip
+_SYMBOLS = {
+    "phi": ["phi", "fi", "f", "ф", "фи", "фі", "varphi", "ph"],
+    "w": ["w", "omega", "om", "ом", "омега", "щ"],
+    "theta": ["theta", "th", "тета", "тэта", "vartheta"], "psi": ["psi", "пси", "псі"], "alpha": ["alpha", "альфа"],
+    "beta": ["beta", "бета"], "gamma": ["gamma", "гамма"],
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Head:
+    """What a head may mean: a column, the time, a row number, several (lost Greek), or nothing known; its unit or ""."""
+
+    text: str
+    candidates: tuple[str, ...]
+    unit: str
+
+    @property
+    def is_certain(self) -> bool:
+        """Return whether the head names exactly one column."""
+        return len(self.candidates) == 1
+
+
+def fold(text: str) -> str:
+    """Return a text as heads are compared: one form of each letter, Latin for its look-alikes, Greek written out."""
+    plain = unicodedata.normalize("NFKC", text.replace("°", "º")).replace("º", "°").casefold()
+    return spell(plain.replace("−", "-").translate(_LATIN))
+
+
+_FOLDED_UNITS = {fold(spelling): unit for unit, spellings in _UNITS.items() for spelling in spellings.split()}
+
+
+def unit_of(text: str) -> str:
+    """Return the unit that a text is, "" where it is none."""
+    return _FOLDED_UNITS.get(re.sub(r"\s+", "", fold(text)).strip("[](){},;"), "")
+
+
+def read_head(text: str, columns: Iterable[tuple[str, str]]) -> Head:
+    """Return what a head means for a task whose columns are (name, SI unit).
+
+    >>> read_head("ω1z, 1/с", [("phi1", "rad"), ("w1", "1/s")])
+    Head(text='ω1z, 1/с', candidates=('w1',), unit='1/s')
+    """
+    known = tuple(columns)
+    body, unit = _without_unit(fold(text.strip())[:200])
+    key = _PUNCTUATION.sub("", body)
+    found = aliases(known).get(key, ())
+    if not found and key.startswith("?"):  # a Greek letter that the encoding could not hold
+        rest = key.lstrip("?").removesuffix("z")
+        found = tuple(name for name, _ in known if _parts(name)[1] == rest)
+    if len(found) > 1 and unit:
+        units = dict(known)
+        fitting = tuple(name for name in found if name not in units or _fits(unit, units[name]))
+        found = fitting or found
+    return Head(text.strip(), found, unit)
+
+
+def _fits(unit: str, si: str) -> bool:
+    return unit in PRINTED.get(si, {}) or (unit == "deg" and si == "1/s") or (unit == "rad" and si == "1/s")
+
+
+def _without_unit(text: str) -> tuple[str, str]:
+    """Return a folded head without its unit, and the unit."""
+    bracket = re.fullmatch(r"(.*?)[(\[]([^()\[\]]{1,20})[)\]]\s*", text)
+    if bracket:
+        if unit := unit_of(bracket[2]):
+            return bracket[1].rstrip("/, "), unit
+        if bracket[1] and bracket[2].strip() in {"t", "tk", "ti"}:
+            return bracket[1], ""
+    for pattern in (r"(.+?)\s*,\s*(\S.*)", r"(.+)\s+in\s+(\S+)", r"(.*\S)\s+(\S+)", r"(.+?)\s*/\s*(\S.*)", r"(.*[^\s°])\s*(°)"):
+        match = re.fullmatch(pattern, text)
+        if match and (unit := unit_of(match[2])):
+            return match[1], unit
+    return text, ""
+
+
+def _parts(name: str) -> tuple[str, str]:
+    """Return the stem and the index of a column's name, folded: phi1 -> phi, 1; wpsi -> w, psi; uC -> u, c; psi -> psi, ""."""
+    plain = fold(name)
+    for stem in ("phi", "theta", "psi", "alpha", "beta", "gamma", "omega"):
+        if plain.startswith(stem):
+            return stem, plain[len(stem) :]
+    return plain[:1], plain[1:]
+
+
+@lru_cache(maxsize=64)
+def aliases(columns: tuple[tuple[str, str], ...]) -> Mapping[str, tuple[str, ...]]:
+    """Return every folded head that is understood, with the columns it may mean; the names themselves come first."""
+    found: dict[str, list[str]] = {}
+
+    def offer(spelling: str, name: str) -> None:
+        names = found.setdefault(_PUNCTUATION.sub("", fold(spelling)), [])
+        if name not in names:
+            names.append(name)
+
+    parts = {name: _parts(name) for name, _ in columns}
+    own = {fold(name): name for name, _ in columns}
+    for name, unit in columns:
+        stem, index = parts[name]
+        symbols = _SYMBOLS.get(stem, [stem])
+        if [parts[other][1] for other, kind in columns if kind == unit].count(index) == 1:
+            # The only angle (speed …) with this index may be called by any symbol of its kind.
+            symbols = [
+                *symbols,
+                *{"rad": _SYMBOLS["phi"], "1/s": _SYMBOLS["w"], "m/s": ["v", "u"], "m": ["s", "x"]}.get(unit, []),
+            ]
+        for symbol in (*symbols, *_WORDS.get(unit, [])):
+            offer(symbol + index, name)
+            for word in _WORDS.get(unit, []):
+                offer(word + symbol + index, name)
+            if unit == "1/s":
+                offer(f"{symbol}{index}z", name)
+                offer(f"{symbol}z{index}", name)
+    for spelling in _TIMES:
+        offer(spelling, TIME)
+        for word in ("время", "час", "time", "zeit", "时间"):
+            offer(word + spelling, TIME)
+    for spelling in _INDICES:
+        offer(spelling, INDEX)
+    for word in ("№пп", "№строки", "№рядка", "nпп", "номерстроки", "№точки", "точка", "point", "№п/п"):
+        offer(word, INDEX)
+    # A column that is called so in the task is that column, whatever else the word could mean.
+    return {key: (own[key],) if key in own else tuple(names) for key, names in found.items()} | {
+        key: (name,) for key, name in own.items()
+    }

@@ -1,0 +1,48 @@
+"""How much of a submission is looked at, and how a reader gives up.
+
+Enters: nothing.  Leaves: the sizes of everything that is read; `Refused`.  Used by the readers of this room.
+"""
+
+from __future__ import annotations
+
+from coursework.grading.contents import Trouble
+from coursework.sentences import say
+
+FILE_BYTES = 4 * 1024 * 1024
+INFLATED_BYTES = 20 * 1024 * 1024
+FILES = 50
+LINE_CHARACTERS = 20_000
+ROWS = 600
+COLUMNS = 40
+BLANK_ROWS = 200
+SHEETS = 10
+PARTS = 200
+CELL_CHARACTERS = 500
+
+
+class Refused(Exception):
+    """A file cannot be marked as a table; `trouble` says why and what to do."""
+
+    def __init__(self, trouble: Trouble) -> None:
+        super().__init__(str(trouble.text))
+        self.trouble = trouble
+
+
+def unreadable(code: str, /, **values: object) -> Refused:
+    """Return the refusal of a file that cannot be read; its sentence is `reading.trouble.<code>`."""
+    return Refused(Trouble("unreadable", code, say(f"reading.trouble.{code}", **values)))
+
+
+def doubtful(code: str, /, **values: object) -> Refused:
+    """Return the refusal of a file that a person must look at."""
+    return Refused(Trouble("needs-review", code, say(f"reading.trouble.{code}", **values)))
+
+
+def rows_read(rows: int) -> int:
+    """Return how many rows of a file are read for a grid of `rows` rows."""
+    return max(ROWS, rows + 100)
+
+
+def columns_read(rows: int) -> int:
+    """Return how many columns are read: a transposed table has a column a row."""
+    return max(COLUMNS, rows + 10)

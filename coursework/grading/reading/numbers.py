@@ -1,0 +1,153 @@
+"""The text of one cell -> a number, how it was printed, or why it has none.
+
+Enters: a cell's text and the file's decimal mark.  Leaves: `Printed`.  Numbers by our own pattern, never by `float()` alone.
+Used by the readers of this room.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import NamedTuple
+
+from coursework.grading.contents import Flag
+
+_PLAIN = str.maketrans({
+    **{chr(0xFF10 + digit): str(digit) for digit in range(10)}, "．": ".", "，": ",", "＋": "+", "－": "-", "＝": "=",
+    "−": "-", "–": "-", "‐": "-", "‑": "-", "\u00a0": " ", "\u202f": " ", "\u2009": " ", "\u2007": " ", "\u3000": " ",
+    "’": "'", "ʼ": "'", "Е": "e", "е": "e", "\ufeff": "", "\u200b": "", "\u200e": "", "\u200f": "", "⋅": "·", "×": "·", "∙": "·",
+})  # fmt: skip
+_RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
+_POWER = re.compile(r"\s*[·*xх]\s*10\s*\^?\s*[({]?\s*([-+]?[0-9⁰¹²³⁴-⁹⁻⁺]{1,4})\s*[)}]?$")
+# A cell may repeat its unit; the unit of the column comes from the header or from the numbers themselves.
+_UNIT = re.compile(r"(?<=[0-9.,])\s*(?:°|рад/с|rad/s|1/[сcs]|[сs]-1|рад|rad|град\.?|deg|сек\.?|[сcs]|мм|mm|м|m)$", re.IGNORECASE)
+_ERROR = re.compile(
+    r"#.*|[-+]?nan(?:\(.*\))?|[-+]?inf(?:inity)?|[-+]?∞|n/?a|[-+]?1[.,]#.*|undefined|err:.*|ошибка.*|помилка.*|div/0!?",
+    re.IGNORECASE,
+)
+_MONTHS = (
+    "янв фев мар апр май мая июн июл авг сен окт ноя дек січ лют бер кві тра чер лип сер вер жов лис гру "
+    "jan feb mar mrz mär apr may mai jun jul aug sep oct okt nov dec dez"
+)  # fmt: skip
+_DATE = re.compile(
+    rf"\d{{1,4}}\s?[-./ ]\s?(?:{'|'.join(_MONTHS.split())})[а-яіїa-z]*\.?(?:\s?[-./ ]\s?\d{{2,4}})?"
+    rf"|(?:{'|'.join(_MONTHS.split())})[а-яіїa-z]*[-./ ]+\d{{1,4}}"
+    r"|\d{1,2}[./-]\d{1,2}[./-](?:\d{4}|\d{2})|\d{4}-\d{1,2}-\d{1,2}(?:[t ].*)?|\d{1,2}月\d{1,2}日|\d{4}年\d{1,2}月.*"
+    r"|\d{1,2}:\d{2}(?::\d{2})?",
+    re.IGNORECASE,
+)
+
+
+def _pattern(mark: str, other: str) -> re.Pattern[str]:
+    whole = rf"[1-9][0-9]{{0,2}}(?P<group>[ '{other}])[0-9]{{3}}(?:(?P=group)[0-9]{{3}}){{0,4}}|[0-9]{{1,40}}"
+    return re.compile(
+        rf"(?P<sign>[-+]?)\s?(?:(?P<whole>{whole})(?:{mark}(?P<part>[0-9]{{0,40}}))?|{mark}(?P<bare>[0-9]{{1,40}}))"
+        r"(?:\s?[eEdD]\s?(?P<power>[-+]?[0-9]{1,4}))?"
+    )
+
+
+_NUMBER = {".": _pattern(r"\.", ","), ",": _pattern(",", r"\.")}
+
+
+class Printed(NamedTuple):
+    """A cell: its text, its number (NaN if `flag`), the decimal place of its last digit, its significant digits."""
+
+    text: str
+    value: float
+    place: int
+    digits: int
+    flag: Flag
+
+    @property
+    def is_number(self) -> bool:
+        """Return whether there is a number."""
+        return not self.flag
+
+    @property
+    def stands_for_number(self) -> bool:
+        """Return whether a number stands here or stood here before a spreadsheet spoilt it."""
+        return self.flag in {"", "error", "date", "formula"}
+
+
+def plain_text(text: str) -> str:
+    """Return a cell's text as numbers are read: usual digits, minus and blanks, Mathcad's powers as e, no unit."""
+    bare = text.translate(_PLAIN).strip().strip('"').strip()
+    if bare.startswith("="):
+        bare = bare[1:].strip().strip('"')
+    bare = bare.removeprefix("'").strip()
+    if "10" in bare and (power := _POWER.search(bare)):
+        bare = f"{bare[: power.start()]}e{power[1].translate(_RAISED)}"
+    return _UNIT.sub("", bare) if bare and not bare[-1].isdigit() else bare
+
+
+def looks_numeric(text: str) -> bool:
+    """Return whether a cell is a number with either decimal mark."""
+    plain = plain_text(text)
+    return bool(plain) and (_NUMBER["."].fullmatch(plain) or _NUMBER[","].fullmatch(plain)) is not None
+
+
+def marks(texts: list[str]) -> tuple[int, int, int, int]:
+    """Return how many cells can only have a decimal comma, only a point, and could have either, by comma and by point."""
+    comma = point = either_comma = either_point = 0
+    for text in texts:
+        if "," not in text and "." not in text and "，" not in text and "．" not in text:
+            continue
+        plain = plain_text(text)
+        by_comma, by_point = _NUMBER[","].fullmatch(plain), _NUMBER["."].fullmatch(plain)
+        if by_comma and not by_point:
+            comma += 1
+        elif by_point and not by_comma:
+            point += 1
+        elif by_comma and by_point:
+            either_comma += "," in plain
+            either_point += "." in plain
+    return comma, point, either_comma, either_point
+
+
+def printed(text: str, mark: str, strict: bool = False) -> Printed:
+    """Return what a cell says; `mark` is the file's decimal mark, `strict` where the file uses both.
+
+    A cell that can only be read with the other mark is read with it; one that could mean two numbers follows the file's mark,
+    or counts as text where the file uses both marks.
+
+    >>> printed("1 234,50", ",")
+    Printed(text='1 234,50', value=1234.5, place=-2, digits=6, flag='')
+    """
+    plain = plain_text(text)
+    if not plain or plain in {"-", "--", "---", "—", "…", ".", "*"}:
+        return Printed(text, math.nan, 0, 0, "missing")
+    other = "," if mark == "." else "."
+    match = _NUMBER[mark].fullmatch(plain)
+    if not match or (strict and other in plain and mark not in plain):
+        second = _NUMBER[other].fullmatch(plain)
+        if match and second:
+            return Printed(text, math.nan, 0, 0, "text")
+        match = match or second
+    if match:
+        return _read(text, match)
+    if _ERROR.fullmatch(plain):
+        return Printed(text, math.nan, 0, 0, "error")
+    return Printed(text, math.nan, 0, 0, "date" if _DATE.fullmatch(plain) else "text")
+
+
+def _read(text: str, match: re.Match[str]) -> Printed:
+    whole = re.sub("[^0-9]", "", match["whole"] or "0")
+    part = match["bare"] or match["part"] or ""
+    power = int(match["power"] or 0)
+    value = float(f"{match['sign']}{whole}.{part or '0'}e{power}")
+    figures = (whole + part).lstrip("0")
+    if not math.isfinite(value) or (value == 0 and figures):
+        return Printed(text, math.nan, 0, 0, "error")
+    return Printed(text, value, power - len(part), len(figures), "")
+
+
+def stored(text: str) -> Printed:
+    """Return a number as a spreadsheet stores it: at most 15 digits, the noise behind them rounded away."""
+    match = _NUMBER["."].fullmatch(text.strip())
+    if not match:
+        return Printed(text, math.nan, 0, 0, "error")
+    read = _read(text, match)
+    if read.flag:
+        return read
+    short = _NUMBER["."].fullmatch(f"{read.value:.15g}")
+    return read if short is None else _read(f"{read.value:.15g}", short)._replace(value=read.value)

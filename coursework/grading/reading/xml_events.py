@@ -1,0 +1,72 @@
+"""Parts of a spreadsheet as a stream of elements, stopped as soon as enough is known.
+
+Enters: chunks of XML.  Leaves: calls of a handler.  Raises `Refused` for a DOCTYPE (entities) and for what is no XML.
+Used by `xlsx.py` and `ods.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Protocol
+from xml.parsers import expat
+
+from coursework.grading.reading.limits import Refused, unreadable
+
+_MOST_NESTED = 200
+
+
+class Handler(Protocol):
+    """What a reader of elements offers; names come without their prefix."""
+
+    def begin(self, name: str, attributes: dict[str, str]) -> None:
+        """Meet the beginning of an element; attribute names come without their prefix too."""
+
+    def end(self, name: str) -> None:
+        """Meet its end."""
+
+    def text(self, text: str) -> None:
+        """Meet text, perhaps in several pieces."""
+
+
+class Enough(Exception):
+    """A handler has what it wants."""
+
+
+def stream(chunks: Iterable[bytes], handler: Handler) -> None:
+    """Send the elements of a document to a handler until it has enough."""
+    parser = expat.ParserCreate()
+    depth = 0
+
+    def begin(name: str, attributes: dict[str, str]) -> None:
+        nonlocal depth
+        depth += 1
+        if depth > _MOST_NESTED:
+            raise unreadable("damaged")
+        handler.begin(name.rpartition(":")[2], {key.rpartition(":")[2]: value for key, value in attributes.items()})
+
+    def end(name: str) -> None:
+        nonlocal depth
+        depth -= 1
+        handler.end(name.rpartition(":")[2])
+
+    def doctype(*_: object) -> None:
+        raise unreadable("doctype")
+
+    parser.StartElementHandler = begin
+    parser.EndElementHandler = end
+    parser.CharacterDataHandler = handler.text
+    parser.StartDoctypeDeclHandler = doctype
+    parser.EntityDeclHandler = doctype
+    parser.buffer_text = True
+    try:
+        for chunk in chunks:
+            parser.Parse(chunk, False)
+        parser.Parse(b"", True)
+    except Enough:
+        return
+    except expat.ExpatError as error:
+        raise unreadable("damaged") from error
+    except (Refused, MemoryError):
+        raise
+    except (ValueError, LookupError) as error:  # an encoding that nobody knows
+        raise unreadable("damaged") from error
