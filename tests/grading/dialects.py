@@ -251,12 +251,14 @@ def ods_numbers(names: Sequence[str], rows: Texts, unit: str) -> bytes:
     body = ""
     for row in rows:
         cells = "".join(
-            f'<table:table-cell office:value-type="float" office:value="{float(text)!r}"><text:p>{text}</text:p></table:table-cell>'
+            f'<table:table-cell office:value-type="float" office:value="{float(text)!r}"><text:p>{text}</text:p>'
+            "</table:table-cell>"
             for text in row
         )
-        body += f'<table:table-row>{cells}<table:table-cell table:number-columns-repeated="16000"/></table:table-row>'
-    return document(f'<table:table table:name="Tabelle1"><table:table-row>{heads}</table:table-row>{body}'
-                    '<table:table-row table:number-rows-repeated="1048000"><table:table-cell/></table:table-row></table:table>')  # fmt: skip
+        rest = '<table:table-cell table:number-columns-repeated="16000"/>'
+        body += f"<table:table-row>{cells}{rest}</table:table-row>"
+    blank = '<table:table-row table:number-rows-repeated="1048000"><table:table-cell/></table:table-row>'
+    return document(f'<table:table table:name="Tabelle1"><table:table-row>{heads}</table:table-row>{body}{blank}</table:table>')
 
 
 def document(tables: str) -> bytes:

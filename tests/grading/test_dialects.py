@@ -13,11 +13,14 @@ from tests.grading.dialects import DIALECTS, STYLES, written
 from tests.grading.scenes import expected, times
 
 DIGITS = (2, 3, 4, 6)
-OF_SPREADSHEETS = {"xlsx_numbers", "ods_numbers"}  # they keep numbers, not how a program printed them
+# They keep the number itself; such a style is a format of the cell that the file shows, and all digits are stored.
+OF_SPREADSHEETS = {"xlsx_numbers", "ods_numbers"}
 
 
 def table_of(grid: Grid, dialect: str, style: str, digits: int, unit: str) -> Table:
     columns = {column.name: (column.unit, column.values) for column in grid.columns}
+    if dialect in OF_SPREADSHEETS and style in {"significant", "scientific"}:
+        digits = 15
     content = DIALECTS[dialect](grid.names, written(times(grid), columns, style, digits, unit), unit)
     read = read_table(content, f"table.{dialect}", grid)
     assert isinstance(read, Table), read.text

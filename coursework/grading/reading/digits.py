@@ -19,8 +19,8 @@ _SIGNIFICANT = 0.60  # least share of cells with the same number of significant 
 def last_places(cells: Sequence[Printed]) -> tuple[int, list[float]]:
     """Return the decimals of a column and the unit of each cell's last place, at least 1e-9.
 
-    A fixed number of decimals counts for every cell; a fixed number of significant digits gives each cell its own last place;
-    where zeros at the end were dropped, the longest cell tells.
+    A fixed number of decimals counts for every cell; a fixed number of significant digits gives each cell its own last place
+    (with the zeros that a program dropped); where zeros were dropped from fixed decimals, the longest cell tells.
     """
     numbers = [cell for cell in cells if cell.is_number]
     if not numbers:
@@ -29,12 +29,24 @@ def last_places(cells: Sequence[Printed]) -> tuple[int, list[float]]:
     most = max(decimals)
     if _is_significant(numbers, most) or (decimals[most] < _FIXED * len(numbers) and _same_digits(numbers)):
         usual = max(decimals, key=lambda count: (decimals[count], count))
-        return max(usual, 0), [_unit(-cell.place if cell.is_number else usual) for cell in cells]
+        digits = Counter(cell.digits for cell in numbers if cell.value).most_common(1)[0][0]
+        full = 0 if _keeps_zeros(numbers) else digits
+        return max(usual, 0), [_unit(_own_decimals(cell, full) if cell.is_number else usual) for cell in cells]
     return max(most, 0), [_unit(most)] * len(cells)
 
 
 def _unit(decimals: int) -> float:
     return max(FINEST, float(f"1e{-min(decimals, 300)}"))
+
+
+def _own_decimals(cell: Printed, full: int) -> int:
+    """Return the decimals of a cell; one with fewer than `full` significant digits lost zeros at its end."""
+    return -cell.place + (max(full - cell.digits, 0) if cell.value else 0)
+
+
+def _keeps_zeros(numbers: list[Printed]) -> bool:
+    """Return whether some number was printed with a zero at its end."""
+    return any(-300 < cell.place < 0 and round(cell.value * 10.0**-cell.place) % 10 == 0 for cell in numbers if cell.value)
 
 
 def _same_digits(numbers: list[Printed]) -> bool:

@@ -9,13 +9,14 @@ from __future__ import annotations
 import codecs
 import re
 from dataclasses import dataclass
+from itertools import pairwise
 
 _MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16-le"), (codecs.BOM_UTF16_BE, "utf-16-be"))
 # Words that head such tables; one of them in a decoding is worth more than any count of letters.
 _DOMAIN = re.compile(
     "рад|град|кут|угол|угл|время|час|швидк|скорость|вариант|варіант|таблиц|об/мин|об/хв|1/с|группа|група|студент|сек|вал|крив|"
     "角|时间|時間|速度|弧度|度|秒|表|学号|姓名|"
-    "winkel|zeit|geschwindigkeit|größe|grad|°|für|über|schritt",
+    "winkel|zeit|geschwindigkeit|größe|grad|für|über|schritt",
     re.IGNORECASE,
 )
 _SAMPLE = 20_000
@@ -68,19 +69,30 @@ def _clean(text: str, encoding: str) -> Decoded:
 def _score(sample: bytes, encoding: str) -> float:
     """Return how much a decoding looks like the words of a table: its words, its usual letters, no others."""
     text = sample.decode(encoding, errors="replace")
+    judge = {"gb18030": _chinese, "cp1252": _german}.get(encoding, _cyrillic)
     score = 50.0 * len(_DOMAIN.findall(text))
-    for letter in text:
-        if letter.isascii():
-            continue
+    for before, letter in pairwise(" " + text):
         if letter == "\ufffd" or not (letter.isprintable() or letter.isspace()):
             score -= 20
-        elif encoding in {"cp1251", "cp866"} and ("а" <= letter.lower() <= "я" or letter.lower() in "іїєґё№"):
-            score += 2 if encoding == "cp1251" else 1.5
-        elif encoding == "gb18030" and "\u4e00" <= letter <= "\u9fff":
-            # The common half of the characters begins the code's table; two chance bytes land anywhere in it.
-            score += 1 if letter.encode("gb2312", errors="ignore") else -3
-        elif encoding == "cp1252" and letter in "äöüßÄÖÜéèàçñáíóúêâî°²³·µ":
-            score += 1
-        elif letter not in "\u00a0\u202f°±²³·×µ−–—’«»№":
-            score -= 2
-    return score
+        elif not letter.isascii() and letter not in "\u00a0\u202f":
+            score += judge(before, letter)
+    return score if encoding != "cp866" else 0.9 * score
+
+
+def _cyrillic(before: str, letter: str) -> float:
+    if "а" <= letter.lower() <= "я" or letter.lower() in "іїєґё":
+        # A capital inside a word is what another alphabet looks like.
+        return -2 if letter.isupper() and before.islower() else 2
+    return 1 if letter in "№°·×−–—«»" else -2
+
+
+def _german(before: str, letter: str) -> float:
+    if letter in "äöüßÄÖÜéèàçñáíóúêâî":
+        return 1 if before.isascii() else -1
+    return 0.5 if letter in "°²³·µ×−–—" and before.isascii() else -2
+
+
+def _chinese(before: str, letter: str) -> float:
+    """Judge a character by its place in the code: the common ones stand first, two chance bytes land anywhere."""
+    raw = letter.encode("gb18030", errors="ignore")
+    return 5 if len(raw) == 2 and (0xB0 <= raw[0] <= 0xD7 or 0xA1 <= raw[0] <= 0xA6) and raw[1] >= 0xA1 else -3

@@ -21,7 +21,7 @@ from coursework.grading.submission import Note, note
 
 
 def read_table(content: bytes, name: str, grid: Grid) -> Table | Trouble:
-    """Return the table of one file, or why there is none that can be marked.
+    r"""Return the table of one file, or why there is none that can be marked.
 
     >>> from coursework.grading.expected import Grid, GridColumn
     >>> grid = Grid(0.1, 3, (GridColumn("phi1", "rad", (1.0, 1.1, 1.2)), GridColumn("w1", "1/s", (1.0, 1.0, 1.0))))

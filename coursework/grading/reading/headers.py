@@ -23,7 +23,7 @@ _PUNCTUATION = re.compile(r"[\s_,.;:$\\{}()\[\]'\"=*^~-]+")
 _UNITS = {
     "rad": "рад rad радиан радиани радиан. radian radians 弧度", "deg": "град град. ° deg degree degrees grad º 度 градусы",
     "1/s": "1/с 1/s 1/c рад/с rad/s rad/sec рад/сек с-1 s-1 с^-1 s^-1 1/сек 1/sec 弧度/秒 rad/秒 rad/с рад·с-1",
-    "deg/s": "град/с deg/s °/s °/с град/сек grad/s 度/秒 º/s", "rpm": "об/мин rpm об/хв u/min min-1 мин-1 хв-1 rev/min r/min 转/分",
+    "deg/s": "град/с deg/s °/s °/с град/сек grad/s 度/秒 º/s", "rpm": "об/мин rpm об/хв u/min min-1 мин-1 хв-1 rev/min r/min",
     "s": "с s c сек сек. sec 秒 seconds sekunden", "ms": "мс ms", "m": "м m", "mm": "мм mm", "cm": "см cm",
     "m/s": "м/с m/s м/сек m/sec 米/秒", "mm/s": "мм/с mm/s", "cm/s": "см/с cm/s",
 }  # fmt: skip
@@ -36,8 +36,9 @@ PRINTED: dict[str, dict[str, float]] = {
     "s": {"s": 1.0, "ms": 0.001},
 }
 _TIMES = ["t", "time", "время", "час", "zeit", "时间", "時間", "τ", "tau", "т", "t0", "ti", "tk"]
-_INDICES = ["№", "no", "n", "nr", "i", "k", "j", "#", "строка", "рядок", "шаг", "крок", "step", "row", "zeile", "schritt", "номер", "num", "number",
-    "序号", "行", "步",
+_INDICES = [
+    "№", "no", "n", "nr", "i", "k", "j", "#", "строка", "рядок", "шаг", "крок", "step", "row", "zeile", "schritt", "номер", "num",
+    "number", "序号", "行", "步",
 ]  # fmt: skip
 # Words before or in place of a symbol, by the SI unit of the column, and the symbols that stand for it.
 _WORDS = {
@@ -93,14 +94,19 @@ def read_head(text: str, columns: Iterable[tuple[str, str]]) -> Head:
     body, unit = _without_unit(fold(text.strip())[:200])
     key = _PUNCTUATION.sub("", body)
     found = aliases(known).get(key, ())
-    if not found and key.startswith("?"):  # a Greek letter that the encoding could not hold
-        rest = key.lstrip("?").removesuffix("z")
-        found = tuple(name for name, _ in known if _parts(name)[1] == rest)
+    if not found and "?" in key:  # a Greek letter that the encoding could not hold
+        word, _, rest = key.rpartition("?")
+        found = aliases(known).get(word.strip("?") + rest, ()) if word.strip("?") else _indexed(known, rest.removesuffix("z"))
     if len(found) > 1 and unit:
         units = dict(known)
         fitting = tuple(name for name in found if name not in units or _fits(unit, units[name]))
         found = fitting or found
     return Head(text.strip(), found, unit)
+
+
+def _indexed(columns: tuple[tuple[str, str], ...], index: str) -> tuple[str, ...]:
+    """Return the columns whose names have this index."""
+    return tuple(name for name, _ in columns if _parts(name)[1] == index)
 
 
 def _fits(unit: str, si: str) -> bool:

@@ -104,7 +104,7 @@ def _judged(rows: tuple[tuple[str, ...], ...], sign: str) -> tuple[tuple[float, 
     parsed = sum(counts)
     unparsed = sum(bool(cell) and not is_number for i in body for cell, is_number in zip(rows[i], numeric[i], strict=True))
     texts = [cell for i in body for cell, is_number in zip(rows[i], numeric[i], strict=True) if is_number]
-    has_pairs = sign == "," and not any("." in text or "," in text or "e" in text.lower() for text in texts) and len(texts) > 5
+    has_pairs = sign == "," and len(texts) > 5 and all(re.fullmatch("[-+]?[0-9]+", plain_text(text)) for text in texts)
     score = (
         columns >= 3 and not has_pairs, columns >= 2, _progresses(rows, body), -round(4 * unparsed / (parsed + unparsed)),
         sign != " ", parsed - 2 * unparsed, _fitting_mark(texts, sign),
