@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from coursework import groups
     from coursework.api import exact, load, solve
     from coursework.errors import CourseworkError, InputError, OutputError
-    from coursework.report import write_report
+    from coursework.report import notebook_html, write_report
     from coursework.run import Run
     from coursework.variant.record import Variant
 
@@ -25,12 +25,13 @@ __version__ = "1.0.0"
 
 _HOMES = {
     "load": "coursework.api", "solve": "coursework.api", "exact": "coursework.api", "Run": "coursework.run",
-    "write_report": "coursework.report", "Variant": "coursework.variant.record",
+    "write_report": "coursework.report", "notebook_html": "coursework.report", "Variant": "coursework.variant.record",
     "CourseworkError": "coursework.errors", "InputError": "coursework.errors", "OutputError": "coursework.errors",
 }  # fmt: skip
 
 __all__ = [
-    "CourseworkError", "InputError", "OutputError", "Run", "Variant", "exact", "groups", "load", "solve", "write_report",
+    "CourseworkError", "InputError", "OutputError", "Run", "Variant", "exact", "groups", "load", "notebook_html", "solve",
+    "write_report",
 ]  # fmt: skip
 
 

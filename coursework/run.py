@@ -7,12 +7,13 @@ from __future__ import annotations
 
 import platform
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from coursework.codegen.programs import SYMPY_VERSION
+from coursework.errors import visible
 from coursework.formula.tree import Formula
 from coursework.graph import Plan, Values, make_plan
 from coursework.integration.motion import Motion, Stop
@@ -45,7 +46,7 @@ class ShownEquation:
     used: bool
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Run:
     """A run: `variant` (with the step and end used), `settings`, `asked` quantities, and `values` computed on demand.
 
@@ -55,7 +56,7 @@ class Run:
     variant: Variant
     settings: Settings
     asked: tuple[str, ...]
-    values: Values = field(repr=False)
+    values: Values
     student: str | None = None
     group: str | None = None
     date: str | None = None
@@ -225,11 +226,16 @@ class Run:
             "numpy": np.__version__, "sympy": SYMPY_VERSION,
         }  # fmt: skip
 
+    def __repr__(self) -> str:
+        asked = ", ".join((*self.asked, *self.settings.columns))
+        return (
+            f"<Run of {visible(self.variant.name)}: {self.scheme}, h = {self.step:g} s, 0 to {self.end:g} s, asked for {asked}>"
+        )
+
     def _repr_html_(self) -> str:
-        shown = self.table.head(60).to_html(float_format=lambda value: f"{value:.6g}")
-        note = f"<p>{_escaped(self.stop.sentence)}</p>" if self.stop else ""
-        title = _escaped(self.variant.title)
-        return f"<h3>{title}</h3><p>{self.scheme_title}, h = {self.motion.step:g} s</p>{note}{shown}"
+        import coursework  # pages are made floors above this one, by the function that the package offers for it
+
+        return coursework.notebook_html(self)
 
 
 def _moving(names: tuple[str, ...], rows: Any) -> tuple[tuple[str, ...], Any]:
@@ -237,12 +243,6 @@ def _moving(names: tuple[str, ...], rows: Any) -> tuple[tuple[str, ...], Any]:
     speeds = {name.partition(".")[0] for name, column in zip(names, rows.T, strict=True) if ".v" in name and np.any(column)}
     kept = [place for place, name in enumerate(names) if name.partition(".")[0] in speeds]
     return tuple(names[place] for place in kept), rows[:, kept]
-
-
-def _escaped(text: str) -> str:
-    import html
-
-    return html.escape(text)
 
 
 def wanted(asked: Iterable[str]) -> tuple[str, ...]:

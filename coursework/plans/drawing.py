@@ -10,6 +10,7 @@ import cmath
 import itertools
 import math
 from collections.abc import Callable
+from dataclasses import replace
 
 from coursework.drawing.sheet import PITCH, Place, Sheet, Word, inside, middle_of, plain
 from coursework.plans.graph_words import centre_letter
@@ -36,9 +37,15 @@ GUIDE = 13.0  # mm of a rail to each side
 BLOCK = (4.2, 2.4)  # mm, half length and half height of a slider
 
 
-def draw(sketch: Sketch, findings: Findings, row: int, time: float, written: Callable[[str], str] = str) -> str:
-    """Return the drawing of one row (from 1) at a time (s); `written` puts its sentences into the language of a page."""
+def draw(
+    sketch: Sketch, findings: Findings, row: int, time: float, written: Callable[[str], str] = str, *, upright: bool = False
+) -> str:
+    """Return the drawing of one row (from 1) at a time (s); `written` puts its sentences into the language of a page.
+
+    On paper a wide sheet stands on its left side; `upright`, as a screen shows it, it does not.
+    """
     layout = lay_out(sketch, findings)
+    layout = replace(layout, turned=layout.turned and not upright)
     return _Drawing(sketch, findings, layout, written).svg(written(say("drawing.title", row=row, time=time)))
 
 

@@ -47,11 +47,11 @@ class GraphCheck:
         """Return the drawing with English words, true to scale, with width and height in mm."""
         return self.drawn(str)
 
-    def drawn(self, written: Callable[[str], str]) -> str:
-        """Return the drawing; `written` puts its sentences into the language of a page."""
+    def drawn(self, written: Callable[[str], str], *, upright: bool = False) -> str:
+        """Return the drawing; `written` puts its sentences into the language of a page, `upright` is how a screen shows it."""
         from coursework.plans.drawing import draw
 
-        return draw(self.sketch, self.findings, self.row, self.time, written)
+        return draw(self.sketch, self.findings, self.row, self.time, written, upright=upright)
 
     @property
     def scale(self) -> float:

@@ -5,7 +5,8 @@ Enters: a `Run`.  Leaves: files.  Used by the command line, the notebook and the
 
 from coursework.report.html import render_html
 from coursework.report.model import ReportModel, build_model
+from coursework.report.notebook import notebook_html
 from coursework.report.pdf import render_pdf
 from coursework.report.write import write_report
 
-__all__ = ["ReportModel", "build_model", "render_html", "render_pdf", "write_report"]
+__all__ = ["ReportModel", "build_model", "notebook_html", "render_html", "render_pdf", "write_report"]

@@ -17,8 +17,9 @@ if TYPE_CHECKING:
     from jinja2 import Template
 
 
-@lru_cache(maxsize=1)
-def _template() -> Template:
+@lru_cache
+def template(name: str) -> Template:
+    """Return a template of `reports/`; what is filled in is escaped, and a gap that nothing fills is an error."""
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
     looks = Environment(
@@ -28,7 +29,7 @@ def _template() -> Template:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    return looks.get_template("report.html.j2")
+    return looks.get_template(name)
 
 
 @lru_cache(maxsize=1)
@@ -40,7 +41,7 @@ def render_html(model: ReportModel) -> str:
     """Return the report as one HTML page; equations are drawn by Typst, or stand as text where it is missing."""
     page = model.plain()
     drawn = _drawn(page)
-    return _template().render(page=page, style=_stylesheet(), pictures=drawn.pictures, glyphs=drawn.glyphs)
+    return template("report.html.j2").render(page=page, style=_stylesheet(), pictures=drawn.pictures, glyphs=drawn.glyphs)
 
 
 def _drawn(page: dict[str, Any]) -> Drawn:

@@ -49,19 +49,24 @@ def build_model(run: Run, language: str = "en") -> ReportModel:
     """
     words = load_words(language)
     context = PageContext(run, words)
-    variant = run.variant
-    heading = words("title.heading", name=clean(variant.name, LONGEST_NAME), title=clean(variant.title, LONGEST_NAME))
+    heading = heading_of(context)
     author = clean(run.student or "", LONGEST_NAME)
-    pair = zip((heading.rstrip(": "), author), LONGEST_RUNNING, strict=True)
+    pair = zip((heading, author), LONGEST_RUNNING, strict=True)
     running = [clean(text, longest) for text, longest in pair if text]
     return ReportModel(
         language=language,
         kind=words("title.kind"),
-        heading=heading.rstrip(": "),
+        heading=heading,
         author=author,
         running=" – ".join(running),
         sections=tuple(_numbered(all_sections(context), words)),
     )
+
+
+def heading_of(context: PageContext) -> str:
+    """Return the heading of a page: name and title of the variant."""
+    name, title = (clean(text, LONGEST_NAME) for text in (context.run.variant.name, context.run.variant.title))
+    return context.words("title.heading", name=name, title=title).rstrip(": ")
 
 
 def _numbered(sections: Iterable[Section], words: Words) -> Iterator[Section]:

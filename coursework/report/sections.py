@@ -41,12 +41,6 @@ Writer = Callable[[PageContext], list[Part]]
 def title(context: PageContext) -> list[Part]:
     """Whose work it is, what it is about, and how it came out."""
     run, say = context.run, context.words
-    method = say(
-        "title.method_text",
-        scheme=context.told(run.scheme_title),
-        step=context.quantity(run.step, "s"),
-        end=context.quantity(run.end, "s"),
-    )
     lines = [
         ("student", run.student),
         ("group", run.group),
@@ -56,8 +50,15 @@ def title(context: PageContext) -> list[Part]:
         ("date", run.date),
     ]
     facts = [(say(f"title.{key}"), _plain(value)) for key, value in lines if value]
-    facts += [(say("title.method"), runs(method)), (say("title.result"), runs(_result(context)))]
+    facts += [(say("title.method"), runs(method_line(context))), (say("title.result"), runs(_result(context)))]
     return [Facts(facts)]
+
+
+def method_line(context: PageContext) -> str:
+    """Return scheme, step and end in one line."""
+    run = context.run
+    step, end = context.quantity(run.step, "s"), context.quantity(run.end, "s")
+    return context.words("title.method_text", scheme=context.told(run.scheme_title), step=step, end=end)
 
 
 def remarks(context: PageContext) -> list[Part]:

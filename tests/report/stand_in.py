@@ -91,7 +91,7 @@ class Graph:
     exact: tuple[tuple[str, float, float, str], ...] = ()
     notes: tuple[str, ...] = ()
 
-    def drawn(self, written: Callable[[str], str]) -> str:
+    def drawn(self, written: Callable[[str], str], *, upright: bool = False) -> str:
         return self.svg
 
 

@@ -16,7 +16,7 @@ import pytest
 from coursework.errors import InputError
 from coursework.formula.reader import parse
 from coursework.integration.motion import Motion, Stop
-from coursework.report import build_model
+from coursework.report import build_model, notebook_html
 from coursework.report.words import Words, load_words
 from coursework.sentences import load_phrases
 from coursework.variant.record import Law
@@ -277,6 +277,7 @@ def test_every_word_of_a_page_can_be_said(stand_in: ModuleType, monkeypatch: pyt
     monkeypatch.setattr(Words, "__call__", recorded)
     for run in unusual(stand_in):
         build_model(run)
+        notebook_html(run)
     everything = keys(load_phrases().entries)
     assert sorted(said - everything) == []
     assert sorted(key for key in everything - said if key.partition(".")[0] not in FINDINGS) == []

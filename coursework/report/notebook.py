@@ -1,0 +1,50 @@
+"""What a notebook shows of a run: the drawing where there is one, the plots, the checks.
+
+Enters: a `Run`.  Leaves: a piece of HTML that fetches nothing and keeps its looks to itself.
+Used by `Run._repr_html_`, by way of the package, and by whoever writes a page of his own.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from coursework.report.checks import checks
+from coursework.report.figures import true_to_scale
+from coursework.report.html import template
+from coursework.report.model import heading_of
+from coursework.report.page_context import PageContext
+from coursework.report.parts import Part
+from coursework.report.plots import plots
+from coursework.report.sections import Writer, dead_point, method_line
+from coursework.report.source import Run
+from coursework.report.text_runs import runs
+from coursework.report.words import load_words
+
+
+def drawing(context: PageContext) -> list[Part]:
+    """The drawing of the graph-analytical check, upright and as wide as the notebook."""
+    graph, say = context.run.graph, context.words
+    if graph is None:
+        return []
+    row = context.run.variant.time.check_row
+    svg = graph.drawn(say.written, upright=True)
+    return [replace(true_to_scale(svg, say("graph.alt", row=row or ""), context.say("notebook.drawing", row=row)), exact=False)]
+
+
+SHOWN: tuple[tuple[Writer, str], ...] = ((dead_point, ""), (drawing, "graph_check"), (plots, ""), (checks, "checks"))
+
+
+def notebook_html(run: Run, language: str = "en") -> str:
+    """Return a run as a notebook shows it: what is asked of it, and the plots of its rows always.
+
+    Raises `InputError` where the language is not there.
+
+    >>> import coursework
+    >>> page = notebook_html(coursework.solve("31", quantities=["table", "checks"]))
+    >>> page.count("<svg"), "PERIOD-POSITION" in page
+    (2, True)
+    """
+    context = PageContext(run, load_words(language))
+    parts = [part for write, quantity in SHOWN if quantity in ("", *run.asked) for part in write(context)]
+    page = {"language": language, "heading": heading_of(context), "method": runs(method_line(context)), "parts": parts}
+    return template("notebook.html.j2").render(page=page, pictures={})
