@@ -16,6 +16,7 @@ from coursework.errors import Fault, InputError, closest, listing
 from coursework.graph import Values
 from coursework.quantities import ASKABLE, DEFAULT, QUANTITIES, RESTRICTABLE
 from coursework.run import Run, gather
+from coursework.schemes import DEFAULT_SCHEME
 from coursework.settings import Settings
 from coursework.variant.reader import read_variant
 from coursework.variant.record import MAX_ROWS, Variant
@@ -31,7 +32,7 @@ def load(path_or_name: str | Path) -> Variant:
 
 def solve(
     variant: Variant | str | Path,
-    scheme: str = "euler",
+    scheme: str = DEFAULT_SCHEME.name,
     step: float | None = None,
     end: float | None = None,
     *,

@@ -1,7 +1,7 @@
 """The command line: options -> one library call -> exit status.  Progress and colours live here only.
 
 Exit status: 0 all passed; 1 a check failed or the motion stopped; 2 the input is wrong; 3 a fault of the tool.
-Only click is imported at start; everything else inside the command that needs it.
+Only click and the tableaux are imported at start; everything else inside the command that needs it.
 """
 
 from __future__ import annotations
@@ -14,6 +14,8 @@ from pathlib import Path
 from typing import Any
 
 import click
+
+from coursework.schemes import DEFAULT_SCHEME, SCHEMES
 
 _FORMATS = ("html", "pdf", "csv")
 PASSED, FAILED, WRONG_INPUT, OUR_FAULT = 0, 1, 2, 3
@@ -80,7 +82,7 @@ _VARIANT = click.argument("variant", shell_complete=_offered("variants"))
 @click.option("--out", type=click.Path(path_type=Path), help="Folder for the results (default: coursework-NAME).")
 @click.option("--format", "formats", callback=_listed, default="html,pdf,csv", show_default=True, help="html, pdf, csv.")
 @click.option(
-    "--scheme", default="euler", show_default=True, shell_complete=_offered("schemes"), help="euler, midpoint, heun, rk4."
+    "--scheme", default=DEFAULT_SCHEME.name, show_default=True, shell_complete=_offered("schemes"), help=f"{', '.join(SCHEMES)}."
 )
 @click.option("--step", help='Step in s, such as 0.02; "auto" with --error finds one.')
 @click.option("--error", type=float, help="With --step auto: largest error wanted over the rows, rad or m.")

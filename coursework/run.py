@@ -20,8 +20,8 @@ from coursework.integration.motion import Motion, Stop
 from coursework.quantities import QUANTITIES
 from coursework.reduction.blocks import Reduction
 from coursework.reduction.solution import Solution
-from coursework.schemes import SCHEMES
-from coursework.sentences import say, say_or
+from coursework.schemes import SCHEMES, Scheme
+from coursework.sentences import say, title_of
 from coursework.settings import Settings
 from coursework.variant.record import Variant
 
@@ -144,12 +144,12 @@ class Run:
     @property
     def scheme_title(self) -> str:
         """Return the scheme's name in words."""
-        return say_or(f"scheme.{self.settings.scheme}", SCHEMES[self.settings.scheme].title)
+        return title_of(self.tableau)
 
     @property
-    def scheme_order(self) -> int:
-        """Return the scheme's order of accuracy."""
-        return SCHEMES[self.settings.scheme].order
+    def tableau(self) -> Scheme:
+        """Return the scheme itself."""
+        return SCHEMES[self.settings.scheme]
 
     @property
     def step(self) -> float:

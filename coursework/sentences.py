@@ -15,6 +15,7 @@ from typing import Any
 
 from coursework.data import folder
 from coursework.errors import InputError, closest, listing
+from coursework.schemes import Scheme
 
 ENGLISH = "en"
 
@@ -69,6 +70,8 @@ class Phrases:
         """Return a `Sentence` in this language; any other text as it is."""
         if not isinstance(text, Sentence) or self.language == ENGLISH:
             return text
+        if not (self.has(text.key) or load_phrases().has(text.key)):
+            return str(text)  # the title of a record, which this language does not translate
         return self.composed(text.key, text.values)
 
     def composed(self, key: str, values: Mapping[str, object]) -> str:
@@ -126,9 +129,10 @@ def say(key: str, /, **values: object) -> Sentence:
     return Sentence(load_phrases().composed(key, values), key, values)
 
 
-def say_or(key: str, text: str) -> str:
-    """Return the finding of a key, or `text` where nobody wrote words for it (a scheme somebody added)."""
-    return say(key) if load_phrases().has(key) else text
+def title_of(scheme: Scheme) -> Sentence:
+    """Return what a scheme is called: by its record, or where a words file says so by the key `scheme.NAME`."""
+    key = f"scheme.{scheme.name}"
+    return say(key) if load_phrases().has(key) else Sentence(scheme.title, key, {})
 
 
 def say_count(key: str, number: int, /, **values: object) -> Sentence:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from coursework.errors import InputError, closest
 from coursework.integration.integrate import refuse_gain
-from coursework.schemes import SCHEMES
+from coursework.schemes import DEFAULT_SCHEME, SCHEMES
 
 MOST_CORRECTIONS = 20  # Newton's method has settled long before
 
@@ -18,7 +18,7 @@ MOST_CORRECTIONS = 20  # Newton's method has settled long before
 class Settings:
     """`project` Newton corrections a step; `gain` Baumgarte's gain (1/s); `columns` of the table asked for, () for all."""
 
-    scheme: str = "euler"
+    scheme: str = DEFAULT_SCHEME.name
     project: int = 0
     gain: float = 0.0
     columns: tuple[str, ...] = ()

@@ -20,18 +20,18 @@ from coursework.integration.exact_motion import follow_closure
 from coursework.integration.integrate import Correction, march
 from coursework.integration.loops import Loop, generate_loop
 from coursework.integration.rates import Rates
-from coursework.schemes import SCHEMES
-from coursework.sentences import say, say_count, say_or
+from coursework.schemes import DEFAULT_SCHEME, SCHEMES
+from coursework.sentences import say, say_count, title_of
 
 Array = NDArray[np.float64]
-# Steps a row: up to 4096 for Euler (98 304 steps for 24 rows), where its error has fallen by three orders.
-SUBSTEPS = {"euler": (1, 2, 4, 8, 16, 64, 256, 1024, 4096)}
+# Steps a row: with the first order up to 4096 (98 304 steps for 24 rows), where the error has fallen by three orders.
+USUAL_SUBSTEPS = (1, 2, 4, 8, 16, 64)
+FIRST_ORDER_SUBSTEPS = (*USUAL_SUBSTEPS, 256, 1024, 4096)
 MOST_SUBSTEPS = 4096
 # A page made beside a run takes the rows that are cheap; the rest continues the same straight line.
 CHEAP_SUBSTEPS = 256
 # A step with Newton corrections costs as much as this many generated steps.
 PROJECTED_COST = 128
-USUAL_SUBSTEPS = (1, 2, 4, 8, 16, 64)
 PROJECTED_SUBSTEPS = (1, 2, 4, 8)
 # A step of the pair ends at each row, so that a coarser tolerance changes nothing.
 TOLERANCES = (1e-5, 1e-7, 1e-9, 1e-11)
@@ -69,24 +69,18 @@ class Trial:
     closed: bool = False
 
 
-def title_of(name: str) -> str:
-    """Return what a scheme of `SCHEMES` is called."""
-    return say_or(f"scheme.{name}", SCHEMES[name].title)
-
-
 def projected_title(newton: int) -> str:
-    """Return what Euler with so many Newton projections a step is called."""
+    """Return what the coursework's scheme with so many Newton projections a step is called."""
     return say_count("study.projected", newton)
 
 
 def trials(scene: Scene, most: int = MOST_SUBSTEPS) -> Iterator[Trial]:
     """Yield every trial with at most `most` steps a row, method after method."""
-    for name, scheme in SCHEMES.items():
-        loop = generate_loop(scheme.step, scene.rates)
-        for substeps in (n for n in SUBSTEPS.get(name, USUAL_SUBSTEPS) if n <= most):
+    for scheme in SCHEMES.values():
+        loop = generate_loop(scheme, scene.rates)
+        for substeps in (n for n in (FIRST_ORDER_SUBSTEPS if scheme.order == 1 else USUAL_SUBSTEPS) if n <= most):
             count = scene.rows * substeps
-
-            yield Trial(title_of(name), f"{count}", 1, partial(_by_loop, scene, loop, substeps, count * scheme.slopes))
+            yield Trial(title_of(scheme), f"{count}", 1, partial(_by_loop, scene, loop, substeps, count * scheme.slopes))
     if scene.closure is not None and scene.closure.complete:
         for newton in (1, 2):
             for substeps in (n for n in PROJECTED_SUBSTEPS if n * PROJECTED_COST <= most):
@@ -103,9 +97,9 @@ def _by_loop(scene: Scene, loop: Loop, substeps: int, cost: int) -> tuple[Array,
 
 
 def _projected(scene: Scene, newton: int, substeps: int) -> tuple[Array, int]:
-    motion = march(
-        scene.rates, "euler", scene.start, scene.step / substeps, scene.step * scene.rows, Correction(scene.closure, newton)
-    )
+    correction = Correction(scene.closure, newton)
+    end = scene.step * scene.rows
+    motion = march(scene.rates, DEFAULT_SCHEME.name, scene.start, scene.step / substeps, end, correction)
     steps = scene.rows * substeps
     return motion.coordinates, steps * (1 + newton)
 

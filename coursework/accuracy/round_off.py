@@ -36,7 +36,7 @@ def round_off_curve(
     from coursework.integration.loops import generate_loop
     from coursework.schemes import SCHEMES
 
-    loop = generate_loop(SCHEMES[scheme].step, rates)
+    loop = generate_loop(SCHEMES[scheme], rates)
     for substeps in SUBSTEPS:
         count, h = rows * substeps, step / substeps
         double = np.array(loop(0.0, count, h, *start))

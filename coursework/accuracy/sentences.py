@@ -8,38 +8,38 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
-from coursework.accuracy.methods import projected_title, title_of
+from coursework.accuracy.methods import projected_title
 from coursework.accuracy.record import StudyRow
-from coursework.schemes import SCHEMES
-from coursework.sentences import Sentence, say
+from coursework.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
+from coursework.sentences import Sentence, say, title_of
 
 
 def sentences_of(
     rows: Sequence[StudyRow], orders: Mapping[str, float], end_orders: Mapping[str, float], own: StudyRow
 ) -> tuple[str, ...]:
     """Return the findings: the own step, the better scheme at the same step, what equal accuracy costs, the end-row trap."""
-    best = _first(rows, title_of("rk4"))
-    euler = _first(rows, title_of("euler"))
+    best = _first(rows, title_of(PRECISE))
+    usual = _first(rows, title_of(DEFAULT_SCHEME))
     reached = {"steps": best.steps_or_tolerance, "method": best.method}
     told = [_told("study.own", _time(own), steps=own.steps_or_tolerance, method=own.method, size=_size(own.max_error, own.unit))]
-    gain = {"less": _round(euler.max_error / best.max_error), "more": best.evaluations / euler.evaluations}
-    told.append(_told("study.best", _ratio(best, euler), **reached, **gain, size=_size(best.max_error, best.unit)))
+    gain = {"less": _round(usual.max_error / best.max_error), "more": best.evaluations / usual.evaluations}
+    told.append(_told("study.best", _ratio(best, usual), **reached, **gain, size=_size(best.max_error, best.unit)))
     if steps := _steps_for(rows, best.max_error):
         needed = {"needed": _round(steps), "more": _round(steps / best.evaluations)}
         told.append(_told("study.equal", _predicted(rows, steps, best), **reached, **needed))
     projected = [row for row in rows if row.method == projected_title(1) and not row.failed]
     if projected:
         found = {"steps": projected[0].steps_or_tolerance, "size": _size(projected[0].max_error, projected[0].unit)}
-        told.append(say("study.with_projection", **found, less=_round(euler.max_error / projected[0].max_error)))
+        told.append(say("study.with_projection", **found, less=_round(usual.max_error / projected[0].max_error)))
     closed = [row for row in rows if row.method == say("study.closed") and not row.failed]
     if closed:
         cost = {"evaluations": closed[0].evaluations, "more": _round(closed[0].evaluations / best.evaluations)}
         size = _size(closed[0].max_error, closed[0].unit)
         told.append(_told("study.by_closure", _ratio(closed[0], best), **reached, **cost, size=size))
-    understated = euler.max_error / max(euler.end_error, 1e-300)
+    understated = usual.max_error / max(usual.end_error, 1e-300)
     if understated >= 1.1:
-        told.append(say("study.end_row", size=_size(euler.end_error, euler.end_unit), less=understated))
-    titles = [title_of(name) for name in SCHEMES]
+        told.append(say("study.end_row", size=_size(usual.end_error, usual.end_unit), less=understated))
+    titles = [title_of(scheme) for scheme in SCHEMES.values()]
     for name, order in orders.items():
         if name in end_orders and end_orders[name] - order > 0.5 and name in titles:
             told.append(say("study.end_order", method=name, seeming=end_orders[name], order=order))
@@ -52,10 +52,10 @@ def _first(rows: Sequence[StudyRow], method: str) -> StudyRow:
 
 def _steps_for(rows: Sequence[StudyRow], error: float) -> float | None:
     """Return the Euler steps that reach `error`: from the finest row on, the error falls as 1/steps."""
-    euler = [row for row in rows if row.method == title_of("euler") and not row.failed]
-    last = euler[-1]
+    usual = [row for row in rows if row.method == title_of(DEFAULT_SCHEME) and not row.failed]
+    last = usual[-1]
     if not (0 < error < last.max_error):
-        enough = [row for row in euler if row.max_error <= error]
+        enough = [row for row in usual if row.max_error <= error]
         return float(enough[0].evaluations) if enough else None
     return last.evaluations * last.max_error / error
 
@@ -88,7 +88,7 @@ def _ratio(row: StudyRow, other: StudyRow) -> dict[str, object]:
 
 
 def _predicted(rows: Sequence[StudyRow], steps: float, best: StudyRow) -> dict[str, object]:
-    finest = [row for row in rows if row.method == title_of("euler") and row.seconds][-1:]
+    finest = [row for row in rows if row.method == title_of(DEFAULT_SCHEME) and row.seconds][-1:]
     if not finest or not best.seconds or not finest[0].seconds:
         return {}
     spent = steps * finest[0].seconds / finest[0].evaluations

@@ -15,14 +15,15 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.accuracy.methods import CHEAP_SUBSTEPS, MOST_SUBSTEPS, Scene, title_of, trials
+from coursework.accuracy.methods import CHEAP_SUBSTEPS, MOST_SUBSTEPS, Scene, trials
 from coursework.accuracy.record import AccuracyStudy, StudyRow
 from coursework.accuracy.sentences import sentences_of
 from coursework.accuracy.timing import seconds
 from coursework.accuracy.trace import errors, slope
 from coursework.integration.exact_motion import follow_closure, refine
 from coursework.integration.motion import Motion
-from coursework.sentences import say
+from coursework.schemes import SCHEMES
+from coursework.sentences import say, title_of
 
 Array = NDArray[np.float64]
 # Closed positions and a refined run that differ by more (rad or m) are two motions, not two roundings of one.
@@ -62,7 +63,7 @@ def make_study(
         units = scene.units[found.grid_at], scene.units[found.end_at]
         rows.append(StudyRow(trial.method, trial.setting, evaluations, found.grid, found.end, spent, "", *units))
     orders, end_orders = _orders(rows, floor), _orders(rows, floor, end=True)
-    title = title_of(scheme)
+    title = title_of(SCHEMES[scheme])
     own_row = next(row for row in rows if row.method == title)
     own = (title, own_row.evaluations, own_row.max_error, own_row.seconds)
     label = exact.label

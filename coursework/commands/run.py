@@ -11,7 +11,6 @@ from coursework.api import load, solve
 from coursework.errors import InputError, closest, listing
 from coursework.output import own_tables, write_record, write_tables
 from coursework.run import Run
-from coursework.schemes import SCHEMES
 from coursework.sentences import load_phrases
 
 FORMATS = ("html", "pdf", "csv")
@@ -45,6 +44,7 @@ def run_variant(
         on_pages = ("solutions",) if {"html", "pdf"} & set(formats) else ()
         click.echo("\n".join(run.plan_with(*on_pages).lines()))
         used, left = run.blocks_evaluated()
+        click.echo(f"Scheme: {run.scheme_title}, {run.tableau.slopes} evaluations a step.")
         click.echo(f"In each row: the velocities {listing(used)}; left out: {listing(left) or 'nothing'}.")
         return 0
     folder = out or Path(f"coursework-{chosen.name}")
@@ -136,7 +136,7 @@ def tell(run: Run, folder: Path, written: list[str]) -> None:
     """Print the summary."""
     motion = run.motion
     click.echo(f"{run.variant.title}  ({run.variant.name})")
-    click.echo(f"{SCHEMES[run.settings.scheme].title}, h = {motion.step:g} s, {len(motion.t)} rows")
+    click.echo(f"{run.scheme_title}, h = {motion.step:g} s, {len(motion.t)} rows")
     if gain := run.settings.gain:
         share = gain * motion.step
         told = f"gain·step = {share:.3g}, a position error becomes {1 - share:.3g} of itself a step"

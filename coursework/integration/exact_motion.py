@@ -18,14 +18,16 @@ from coursework.integration.loops import generate_loop
 from coursework.integration.motion import Motion
 from coursework.integration.rates import Rates
 from coursework.reduction.equations import VelocityEquations
-from coursework.schemes import SCHEMES
-from coursework.sentences import say
+from coursework.schemes import PRECISE
+from coursework.sentences import say, title_of
 
 Array = NDArray[np.float64]
 Predictor = Callable[[float, float, Array], Array]
 # Two results of one interval must agree to this (rad or m) where no position is known; what is used is the extrapolated one.
 AGREEMENT = 1e-13
 _MOST_HALVINGS = 30
+# With half the step the error is smaller by this and 1: what is left of the difference of two results.
+_GAIN = 2**PRECISE.order - 1
 # Parts of one row after which a closure counts as not to be followed: a dead point takes about 60, a wrong motion all there are.
 _MOST_PARTS = 1000
 # A prediction further than this from the closed position (rad or m) is not trusted to be the same assembly.
@@ -42,14 +44,14 @@ class NotReached(Exception):
 
 
 def predictor(rates: Rates) -> Predictor:
-    """Return `predict(t, h, q)`: four Runge-Kutta steps over h."""
+    """Return `predict(t, h, q)`: four steps of the precise scheme over h."""
 
     def slopes(t: float, q: Array) -> Array:
         return np.array(rates.evaluate(t, *q.tolist())[: len(q)])
 
     def predict(t: float, h: float, q: Array) -> Array:
         for part in range(4):
-            q = SCHEMES["rk4"].step(slopes, t + part * h / 4, q, h / 4)
+            q = PRECISE.step(slopes, t + part * h / 4, q, h / 4)
         return q
 
     return predict
@@ -106,12 +108,12 @@ def _place(q: Array, closure: Closure, known: Array) -> Array:
 
 
 def refine(rates: Rates, start: Sequence[float], times: Array) -> tuple[Array, float, int]:
-    """Return positions (n, m) by Runge-Kutta 4, the sum of the differences that are left, and the steps taken.
+    """Return positions (n, m) by the precise scheme, the sum of the differences that are left, and the steps taken.
 
     Where eight and sixteen steps of an interval do not agree it is halved, so that a dead point ahead costs its own interval
     only.  No step reaches across a time at which the drive changes its formula.
     """
-    loop = generate_loop(SCHEMES["rk4"].step, rates)
+    loop = generate_loop(PRECISE, rates)
     rows = [np.array(start, dtype=float)]
     gap, steps = 0.0, 0
     for begin, end in itertools.pairwise(times.tolist()):
@@ -130,14 +132,14 @@ def _halved(
     """Return the position after an interval, extrapolated from two results, their difference and the steps."""
     try:
         coarse, fine = (np.array(loop(begin, count, (end - begin) / count, *q.tolist())) for count in (8, 16))
-        gap = float(np.max(np.abs(fine - coarse), initial=0.0)) / 15
+        gap = float(np.max(np.abs(fine - coarse), initial=0.0)) / _GAIN
     except (ArithmeticError, ValueError):
         coarse = fine = q
         gap = np.inf
     if gap < AGREEMENT or depth >= _MOST_HALVINGS:
         if not np.isfinite(gap):
             raise ZeroDivisionError(f"the velocities cannot be computed between t = {begin:.9g} s and {end:.9g} s")
-        return fine + (fine - coarse) / 15, gap, 24
+        return fine + (fine - coarse) / _GAIN, gap, 24
     middle = (begin + end) / 2
     q, left, steps = _halved(loop, begin, middle, q, depth + 1)
     after, right, more = _halved(loop, middle, end, q, depth + 1)
@@ -162,8 +164,8 @@ def exact_motion(
         )
     else:
         positions, gap, steps = refine(rates, start, times)
-        evaluations = 4 * steps
-        label = say("exact.refined", gap=gap)
+        evaluations = PRECISE.slopes * steps
+        label = say("exact.refined", gap=gap, scheme=title_of(PRECISE))
     velocities, determinants = rates.table(times, positions)
     return Motion(
         times, positions, velocities, determinants, np.zeros((len(times), 0)),

@@ -1,99 +1,137 @@
-"""A scheme and a right-hand side -> one generated loop without a function call a step.
+"""A scheme's tableau and a right-hand side -> generated loops without a function call a step.
 
-Enters: a scheme of `schemes.py` and a `Program`.  Leaves: `loop(begin, steps, h, *q)` -> position.
-The scheme is run once on names instead of numbers; what it writes down is the body of the loop.  Used where many steps are
-wanted and the motion is known to be possible (accuracy study, reference): it watches no determinant.
+Enters: a `Scheme` and `Rates`.  Leaves: `loop` (the position after many steps, nothing watched) and `rows` (every row kept,
+every determinant watched).  Used by the march, the exact motion and the accuracy study.
+
+Names of the loops' own begin with _ and none with _s: those of a file never begin with _, those of stage i with _s{i}_.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Callable, Sequence
+from fractions import Fraction
 
 from coursework.codegen.names import private
 from coursework.codegen.programs import build
 from coursework.integration.rates import Rates
-from coursework.schemes import StepFunction
+from coursework.schemes import Scheme, Sum
 
 Loop = Callable[..., tuple[float, ...]]
+RowLoop = Callable[..., None]
 
 
-def generate_loop(step: StepFunction, rates: Rates) -> Loop:
-    """Return `loop(begin, steps, h, *q)`: the position `steps` steps of h (s) after `begin`, at t = begin + i*h.
-
-    Its own names begin with _, as no private name does: a coordinate may be called h.
-    """
-    recorder = _Recorder(rates)
-    position = _Vector(recorder, [private(name) for name in rates.coordinates])
-    result = step(recorder.slopes, _Scalar(recorder, "t"), position, _Scalar(recorder, "_h"))
-    state = ", ".join(position.names)
-    comma = "," if len(position.names) == 1 else ""
-    lines = [
+def generate_loop(scheme: Scheme, rates: Rates) -> Loop:
+    """Return `loop(begin, steps, h, *q)`: the position `steps` steps of h (s) after `begin`, at t = begin + i*h."""
+    position = [private(name) for name in rates.coordinates]
+    stages = _Stages(scheme, rates)
+    lines = ["_t0 = _begin + _i*_h", *stages.lines(0), *stages.later()]
+    moved = [stages.moved(scheme.outer, place) for place in range(len(position))]
+    state = ", ".join(position)
+    source = [
         f"def loop(_begin, _steps, _h, {state}):",
+        *(f"    {line}" for line in stages.shares()),
         "    for _i in range(_steps):",
-        "        t = _begin + _i*_h",
-        *(f"        {line}" for line in recorder.lines),
-        f"        {state}{comma} = {', '.join(result.names)}{comma}",
+        *(f"        {line}" for line in (*lines, f"{state}, = {', '.join(moved)},")),
         f"    return ({state},)",
     ]
-    return build("\n".join(lines), "loop", rates.body)
+    return build("\n".join(source), "loop", rates.body)
 
 
-class _Recorder:
-    """Collects the lines; gives each evaluation of the slopes names of its own."""
+def generate_rows(scheme: Scheme, rates: Rates, guarded: Sequence[int], widest: float) -> RowLoop:
+    """Return `rows(first, last, h, latest, keep, *q)`, which marches from row `first` at q and gives each row to `keep`.
 
-    def __init__(self, rates: Rates) -> None:
-        self.rates = rates
-        self.lines: list[str] = []
-        self.count = 0
-
-    def fresh(self, text: str) -> str:
-        self.count += 1
-        self.lines.append(f"_v{self.count} = {text}")
-        return f"_v{self.count}"
-
-    def slopes(self, t: _Scalar, q: _Vector) -> _Vector:
-        # A position is read many times inside, so it gets names; a sum that is read once stays an expression.
-        q = _Vector(self, [name if name.isidentifier() else self.fresh(name) for name in q.names])
-        self.count += 1
-        inside = {"t": t.name, **dict(zip(map(private, self.rates.coordinates), q.names, strict=True))}
-        skipped = {f"_{private(name)}" for name in self.rates.velocities}
-        inside |= {name: f"_{self.count}_{name}" for line in self.rates.body.lines for name in line.targets}
-        self.lines += [line.text for line in self.rates.body.renamed(inside) if not skipped & set(line.targets)]
-        return _Vector(self, [inside.get(rate, rate) for rate in map(private, self.rates.velocities[: len(q.names)])])
-
-
-@dataclass(frozen=True)
-class _Scalar:
-    recorder: _Recorder
-    name: str
-
-    def __add__(self, other: _Scalar | float) -> _Scalar:
-        return _Scalar(self.recorder, self.recorder.fresh(f"{self.name} + {_text(other)}"))
-
-    def __truediv__(self, other: float) -> _Scalar:
-        return _Scalar(self.recorder, self.recorder.fresh(f"{self.name}/{_text(other)}"))
-
-    def __mul__(self, other: Any) -> Any:
-        return other.scaled(self.name) if isinstance(other, _Vector) else NotImplemented
-
-
-@dataclass(frozen=True)
-class _Vector:
-    recorder: _Recorder
-    names: list[str]
-
-    def __add__(self, other: _Vector) -> _Vector:
-        pairs = zip(self.names, other.names, strict=True)
-        return _Vector(self.recorder, [f"({a} + {b})" for a, b in pairs])
-
-    def scaled(self, factor: str) -> _Vector:
-        return _Vector(self.recorder, [f"{factor}*{name}" for name in self.names])
-
-    def __rmul__(self, factor: float) -> _Vector:
-        return self.scaled(_text(factor))
+    A row is (*coordinates, *velocities, *determinants) at t = i*h.  The march ends before `last` where a determinant changes
+    its sign, a guarded coordinate turns by more than `widest` (rad) in a step or a coordinate leaves the numbers; whoever
+    calls finds out which.  `latest(t)` says how far a step that ends at t may look (`Rates.latest`).
+    """
+    position = [private(name) for name in rates.coordinates]
+    stages = _Stages(scheme, rates)
+    own = stages.lines(0)
+    determinants = [stages.name(0, f"_det{index}") for index in rates.blocks]
+    row = [*position, *(stages.name(0, private(name)) for name in rates.velocities), *determinants]
+    old = [f"_old{index}" for index in rates.blocks]
+    crossed = " or ".join(f"{a}*{b} <= 0.0 and {b} != 0.0" for a, b in zip(determinants, old, strict=True))
+    moved = [f"_moved{place}" for place in range(len(position))]
+    turned = [f"-{widest!r} <= {moved[place]} - {position[place]} <= {widest!r}" for place in guarded]
+    body = [
+        "_t0 = _i*_h",
+        *own,
+        *([f"if {crossed}: return", f"{', '.join(old)}, = {', '.join(determinants)},"] if old else []),
+        f"_keep(({', '.join(row)},))",
+        "if _i == _last: return",
+        *(["_latest_now = _latest((_i + 1)*_h)"] if rates.breaks else []),
+        *stages.later("_latest_now" if rates.breaks else ""),
+        *(f"{name} = {stages.moved(scheme.outer, place)}" for place, name in enumerate(moved)),
+        *([f"if not ({' and '.join(turned)}): return"] if turned else []),
+        # Infinity minus itself is no number: a sum tells whether any of its terms has left the numbers.
+        f"_sum = {' + '.join(moved)}",
+        "if _sum - _sum != 0.0: return",
+        f"{', '.join(position)}, = {', '.join(moved)},",
+    ]
+    source = [
+        f"def rows(_first, _last, _h, _latest, _keep, {', '.join(position)}):",
+        *(f"    {line}" for line in (*stages.shares(), *(f"{name} = 0.0" for name in old))),
+        "    for _i in range(_first, _last + 1):",
+        *(f"        {line}" for line in body),
+    ]
+    return build("\n".join(source), "rows", rates.body)
 
 
-def _text(value: _Scalar | float) -> str:
-    return value.name if isinstance(value, _Scalar) else repr(value)
+class _Stages:
+    """Writes the stages of one step; the operations and their order are those of `Scheme.step`."""
+
+    def __init__(self, scheme: Scheme, rates: Rates) -> None:
+        self.scheme, self.rates = scheme, rates
+        self.position = [private(name) for name in rates.coordinates]
+        self.targets = {name for line in rates.body.lines for name in line.targets}
+        self.outputs = {f"_{private(name)}" for name in rates.velocities}
+
+    def name(self, stage: int, name: str) -> str:
+        """Return how a name of the program is called in one stage."""
+        return f"_s{stage}_{name}" if name in self.targets else name
+
+    def lines(self, stage: int) -> list[str]:
+        """Return the program at _t{stage}, without the copies that `Rates.evaluate` returns."""
+        named = [f"_q{stage}_{place}" for place in range(len(self.position))] if self.scheme.inner[stage].terms else self.position
+        inside = {"t": f"_t{stage}", **dict(zip(self.position, named, strict=True))}
+        inside |= {target: self.name(stage, target) for target in self.targets}
+        lines = zip(self.rates.body.lines, self.rates.body.renamed(inside), strict=True)
+        return [renamed.text for line, renamed in lines if not self.outputs & set(line.targets)]
+
+    def later(self, latest: str = "") -> list[str]:
+        """Return time, position and program of every stage but the first; no time lies beyond `latest` where it is named."""
+        lines = []
+        for stage in range(1, self.scheme.slopes):
+            node = self.scheme.nodes[stage]
+            lines.append(f"_t{stage} = _t0 + {_share(node)}" if node else f"_t{stage} = _t0")
+            if latest:
+                lines.append(f"if _t{stage} > {latest}: _t{stage} = {latest}")
+            inner = self.scheme.inner[stage]
+            if inner.terms:
+                lines += [f"_q{stage}_{place} = {self.moved(inner, place)}" for place in range(len(self.position))]
+            lines += self.lines(stage)
+        return lines
+
+    def moved(self, row: Sum, place: int) -> str:
+        """Return the coordinate at `place` after one row of the tableau."""
+        rate = private(self.rates.velocities[place])
+        (first, whole), *rest = row.terms
+        total = ("" if whole == 1 else f"{whole}*") + self.name(first, rate)
+        for stage, whole in rest:
+            total += f" + {'' if whole == 1 else f'{whole}*'}{self.name(stage, rate)}"
+        return f"{self.position[place]} + {_share(row.factor)}*{f'({total})' if rest else total}"
+
+    def shares(self) -> list[str]:
+        """Return the lines that name every part of h that the scheme takes, once for all steps."""
+        parts = {*self.scheme.nodes, *(row.factor for row in (*self.scheme.inner, self.scheme.outer))} - {0, 1}
+        return [f"{_share(part)} = {_product(part)}" for part in sorted(parts)]
+
+
+def _share(part: Fraction | int) -> str:
+    """Return the name of part*h."""
+    return "_h" if part == 1 else f"_h{part.numerator}_{part.denominator}"
+
+
+def _product(part: Fraction | int) -> str:
+    above = "_h" if part.numerator == 1 else f"{part.numerator}*_h"
+    return above if part.denominator == 1 else f"{above}/{part.denominator}"

@@ -1,31 +1,61 @@
-"""The formula of each scheme as it stands in the lecture.
+"""The formula of a scheme as a lecture writes it, from its tableau.
 
-Enters: the name of a scheme.  Leaves: (Typst math, plain text) of each line.  A scheme without lines is named only.
+Enters: a `Scheme`.  Leaves: (Typst math, plain text) of each line.  Used by the section about the method.
 """
 
 from __future__ import annotations
 
-LINES: dict[str, tuple[tuple[str, str], ...]] = {
-    "euler": (("q_(i+1) = q_i + h f(t_i, q_i)", "q_{i+1} = q_i + h f(t_i, q_i)"),),
-    "midpoint": (
-        (
-            "q_(i+1) = q_i + h f(t_i + h/2, q_i + h/2 f(t_i, q_i))",
-            "q_{i+1} = q_i + h f(t_i + h/2, q_i + h/2 f(t_i, q_i))",
-        ),
-    ),
-    "heun": (
-        ("k_1 = f(t_i, q_i), quad k_2 = f(t_i + h, q_i + h k_1)", "k₁ = f(t_i, q_i), k₂ = f(t_i + h, q_i + h k₁)"),
-        ("q_(i+1) = q_i + h/2 (k_1 + k_2)", "q_{i+1} = q_i + h/2 (k₁ + k₂)"),
-    ),
-    "rk4": (
-        (
-            "k_1 = f(t_i, q_i), quad k_2 = f(t_i + h/2, q_i + h/2 k_1)",
-            "k₁ = f(t_i, q_i), k₂ = f(t_i + h/2, q_i + h/2 k₁)",
-        ),
-        (
-            "k_3 = f(t_i + h/2, q_i + h/2 k_2), quad k_4 = f(t_i + h, q_i + h k_3)",
-            "k₃ = f(t_i + h/2, q_i + h/2 k₂), k₄ = f(t_i + h, q_i + h k₃)",
-        ),
-        ("q_(i+1) = q_i + h/6 (k_1 + 2 k_2 + 2 k_3 + k_4)", "q_{i+1} = q_i + h/6 (k₁ + 2 k₂ + 2 k₃ + k₄)"),
-    ),
-}
+from fractions import Fraction
+
+from coursework.schemes import Scheme, Sum
+
+_LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+_A_LINE = 2  # slopes
+
+
+def lines(scheme: Scheme) -> tuple[tuple[str, str], ...]:
+    """Return the slopes k1, k2 … two a line, then the step; one line where no slope is read twice (Euler, midpoint)."""
+    read = [place for row in (*scheme.inner, scheme.outer) for place, _ in row.terms]
+    if scheme.slopes <= _A_LINE and len(read) == len(set(read)):
+        inside: list[str] = []
+        for stage in range(scheme.slopes):
+            inside.append(_slope(scheme, stage, inside))
+        whole = f"q_(i+1) = {_moved(scheme.outer, inside)}"
+        return ((whole, whole.replace("q_(i+1)", "q_{i+1}")),)
+    typst = [f"k_{stage + 1}" for stage in range(scheme.slopes)]
+    plain = [f"k{stage + 1}".translate(_LOWERED) for stage in range(scheme.slopes)]
+    shown = []
+    for first in range(0, scheme.slopes, _A_LINE):
+        stages = range(first, min(first + _A_LINE, scheme.slopes))
+        shown.append(
+            (
+                ", quad ".join(f"{typst[stage]} = {_slope(scheme, stage, typst)}" for stage in stages),
+                ", ".join(f"{plain[stage]} = {_slope(scheme, stage, plain)}" for stage in stages),
+            )
+        )
+    return (*shown, (f"q_(i+1) = {_moved(scheme.outer, typst)}", f"q_{{i+1}} = {_moved(scheme.outer, plain)}"))
+
+
+def _slope(scheme: Scheme, stage: int, names: list[str]) -> str:
+    node = scheme.nodes[stage]
+    time = f"t_i + {_part(node)}" if node else "t_i"
+    return f"f({time}, {_moved(scheme.inner[stage], names)})"
+
+
+def _moved(row: Sum, names: list[str]) -> str:
+    """Return q_i and one row of the tableau behind it."""
+    if not row.terms:
+        return "q_i"
+    terms = [f"{'' if abs(whole) == 1 else f'{abs(whole)} '}{names[place]}" for place, whole in row.terms]
+    total = ("-" if row.terms[0][1] < 0 else "") + terms[0]
+    for (_, whole), term in zip(row.terms[1:], terms[1:], strict=True):
+        total += f" {'-' if whole < 0 else '+'} {term}"
+    is_bare = len(terms) == 1 and row.terms[0][1] > 0
+    return f"q_i + {_part(row.factor)} {total if is_bare else f'({total})'}"
+
+
+def _part(part: Fraction | int) -> str:
+    """Return a part of h: h, h/2, 2/3 h."""
+    if part.numerator == 1:
+        return "h" if part.denominator == 1 else f"h/{part.denominator}"
+    return f"{part} h"

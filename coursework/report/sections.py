@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 
+from coursework.report import lecture
 from coursework.report.accuracy import accuracy
 from coursework.report.checks import checks, counts
 from coursework.report.derivation import constraints, derivation, drive
 from coursework.report.figures import true_to_scale
-from coursework.report.lecture import LINES
 from coursework.report.numbers import with_unit
 from coursework.report.page_context import PageContext
 from coursework.report.parts import (
@@ -183,11 +183,9 @@ def method(context: PageContext) -> list[Part]:
     run, say = context.run, context.words
     coordinates = run.motion.coordinate_names
     rates = [c.rate for c in run.variant.coordinates if c.name in coordinates]
-    lines = LINES.get(run.scheme, ())
-    intro = context.say("method.intro" if lines else "method.plain", title=context.told(run.scheme_title), order=run.scheme_order)
-    parts: list[Part] = [Paragraph(intro)]
-    if lines:
-        parts.append(Equations([Display(math, text) for math, text in lines]))
+    intro = context.say("method.intro", title=context.told(run.scheme_title), order=run.tableau.order)
+    formula = Equations([Display(math, text) for math, text in lecture.lines(run.tableau)])
+    parts: list[Part] = [Paragraph(intro), formula]
     sentences = [
         say("method.meaning", coordinates=context.symbol_list(coordinates), rates=context.symbol_list(rates)),
         say("method.time", step=context.quantity(run.step, "s"), evaluations=context.numbers.whole(run.motion.evaluations)),

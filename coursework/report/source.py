@@ -12,6 +12,7 @@ from coursework.accuracy.record import AccuracyStudy
 from coursework.checks.result import Check
 from coursework.formula.tree import Formula
 from coursework.integration.motion import Motion, Stop
+from coursework.schemes import Scheme
 from coursework.variant.record import Variant
 
 
@@ -101,7 +102,7 @@ class Run(Protocol):
     @property
     def scheme_title(self) -> str: ...
     @property
-    def scheme_order(self) -> int: ...
+    def tableau(self) -> Scheme: ...
     @property
     def step(self) -> float: ...
     @property

@@ -44,7 +44,7 @@ def found(scene, run):
 def by_scheme(method, steps, scene, run):
     """One row of the reference that the study does not show."""
     scheme = next(scheme for scheme in SCHEMES.values() if scheme.title == method)
-    rows = trace(generate_loop(scheme.step, scene.rates), scene.start, 0.02, 24, steps // 24)
+    rows = trace(generate_loop(scheme, scene.rates), scene.start, 0.02, 24, steps // 24)
     return steps * scheme.slopes, errors(rows, run.exact.coordinates)
 
 

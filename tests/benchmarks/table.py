@@ -19,7 +19,7 @@ from tests.benchmarks.timer import ratio
 def rows():
     """Yield (what, against what, ratio, limit)."""
     values = coursework.solve("31", quantities=["table"]).values
-    loop = generate_loop(SCHEMES["euler"].step, values["rates"])
+    loop = generate_loop(SCHEMES["euler"], values["rates"])
     h = 0.48 / march.STEPS
 
     def generated() -> None:

@@ -86,7 +86,7 @@ def uncached(work):
 
 @pytest.fixture(scope="module")
 def loop():
-    return generate_loop(SCHEMES["euler"].step, coursework.solve("31", quantities=["table"]).values["rates"])
+    return generate_loop(SCHEMES["euler"], coursework.solve("31", quantities=["table"]).values["rates"])
 
 
 def test_generated_loop_against_a_function_call_a_step(loop):

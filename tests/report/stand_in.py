@@ -16,6 +16,7 @@ from coursework.checks.result import Check
 from coursework.formula.reader import parse, parse_equation
 from coursework.formula.tree import Formula
 from coursework.integration.motion import Motion, Stop
+from coursework.schemes import DEFAULT_SCHEME, Scheme
 from coursework.variant.record import Coordinate, Frame, Given, Law, Time, Variant
 
 R1, R2, R3, V, P, ALPHA, H, STEPS = 0.953, 0.847, 0.457, 4.5, 13.08, 4.35, 0.02, 24
@@ -109,7 +110,7 @@ class Run:
     reduction: Reduction
     scheme: str = "euler"
     scheme_title: str = "explicit Euler"
-    scheme_order: int = 1
+    tableau: Scheme = DEFAULT_SCHEME
     step: float = H
     end: float = 0.48
     exact: Motion | None = None

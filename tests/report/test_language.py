@@ -112,7 +112,6 @@ def test_a_finding_is_english_text_for_whoever_just_prints_it() -> None:
 def test_a_key_that_does_not_exist_is_a_fault() -> None:
     with pytest.raises(KeyError, match=r"no sentence check\.NOTHING"):
         say("check.NOTHING")
-    assert sentences.say_or("scheme.of-somebody", "my scheme") == "my scheme"
 
 
 def test_every_finding_of_the_words_file_is_said_somewhere() -> None:
