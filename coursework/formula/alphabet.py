@@ -14,7 +14,7 @@ _GREEK = {
     "Θ": "Theta", "Γ": "Gamma", "κ": "kappa", "ϵ": "eps", "ϱ": "rho", "µ": "mu", "Λ": "Lam", "Ξ": "Xi", "Π": "Pi", "Σ": "Sigma",
 }  # fmt: skip
 # Letters that a keyboard left in another alphabet types and no eye can tell from the Latin ones.
-_LOOK_ALIKE = dict(zip("асеорхуіјѕАВЕКМНОРСТХІЅοιυΑΒΕΖΗΙΚΜΝΟΡΤΥΧ", "aceopxyijsABEKMHOPCTXISoiuABEZHIKMNOPTYX", strict=True))
+LOOK_ALIKE = dict(zip("асеорхуіјѕАВЕКМНОРСТХІЅοιυΑΒΕΖΗΙΚΜΝΟΡΤΥΧ", "aceopxyijsABEKMHOPCTXISoiuABEZHIKMNOPTYX", strict=True))
 _SUBSCRIPTS = {ord("₀") + digit: str(digit) for digit in range(10)}
 
 
@@ -29,6 +29,6 @@ def foreign_letter(name: str) -> tuple[int, str] | None:
     for position, letter in enumerate(name):
         if letter.isalpha() and not letter.isascii() and letter not in _GREEK:
             name = unicodedata.name(letter, "unknown letter").capitalize()
-            advice = f', which looks like the Latin "{_LOOK_ALIKE[letter]}"' if letter in _LOOK_ALIKE else ""
+            advice = f', which looks like the Latin "{LOOK_ALIKE[letter]}"' if letter in LOOK_ALIKE else ""
             return position, f"{name} “{letter}”{advice}"
     return None

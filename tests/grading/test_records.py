@@ -11,7 +11,7 @@ from coursework.grading.submission import Submission, note, submission_from, sub
 
 def test_a_submission_survives_json() -> None:
     files = (submitted_file("table.csv", b"t;phi1\r\n\xff\x00"), submitted_file("скан.pdf", b"%PDF-1.4"))
-    notes = (note("attachment", name="скан.pdf", kind="PDF"),)
+    notes = (note("attachment", name="скан.pdf", why=""),)
     handed = Submission("Ім'я ‮_12", None, files, notes)
     copied = submission_from(json.loads(json.dumps(handed.plain())))
     assert copied == handed

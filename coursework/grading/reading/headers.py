@@ -49,7 +49,7 @@ _WORDS = {
     "m/s": ["скорость", "швидкість", "velocity", "speed", "geschwindigkeit", "速度"],
 }  # fmt: skip
 _SYMBOLS = {
-    "phi": ["phi", "fi", "f", "ф", "фи", "фі", "varphi", "ph"],
+    "phi": ["phi", "fi", "f", "ф", "фи", "фі", "varphi"],
     "w": ["w", "omega", "om", "ом", "омега", "щ"],
     "theta": ["theta", "th", "тета", "тэта", "vartheta"], "psi": ["psi", "пси", "псі"], "alpha": ["alpha", "альфа"],
     "beta": ["beta", "бета"], "gamma": ["gamma", "гамма"],
