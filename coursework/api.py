@@ -13,9 +13,9 @@ import numpy as np
 
 from coursework.catalogue import find
 from coursework.errors import Fault, InputError, closest, listing
-from coursework.graph import Values
-from coursework.quantities import ASKABLE, DEFAULT, QUANTITIES, RESTRICTABLE
+from coursework.quantities import QUANTITIES, TABLE
 from coursework.run import Run, gather
+from coursework.scene import Scene
 from coursework.schemes import DEFAULT_SCHEME
 from coursework.settings import Settings
 from coursework.variant.reader import read_variant
@@ -53,8 +53,7 @@ def solve(
     chosen = _timed(chosen, step, end)
     asked, columns = _sorted(chosen, quantities)
     settings = Settings(scheme, project, gain, columns).checked(chosen.time.step)
-    values = Values(QUANTITIES, {"variant": chosen, "settings": settings})
-    return Run(chosen, settings, asked, values, student, group, date)
+    return Run(Scene(chosen, settings), asked, student, group, date)
 
 
 def exact(
@@ -65,13 +64,11 @@ def exact(
 
     run = solve(variant, step=step, end=end, quantities=quantities)
     motion = run.exact
-    # The quantities of a motion do not care which motion it is: they are computed for the exact rows here.
-    values = Values(QUANTITIES, {**run.values.values, "motion": motion})
-    names, rows = gather(motion, run.asked, values)
+    names, rows = gather(run.scene.over(motion), run.asked)
     table = pd.DataFrame(rows, index=pd.Index(motion.t, name="t"), columns=list(names))
     if not run.settings.columns:
         return table
-    rates = run.values["rates"]
+    rates = run.scene.rates
     return table[[*rates.coordinates, *rates.velocities]]
 
 
@@ -101,26 +98,26 @@ def _sorted(variant: Variant, quantities: Iterable[str] | None) -> tuple[tuple[s
     """Split what is asked for into quantities and columns of the table.  Raises `InputError` for what cannot be had."""
     if isinstance(quantities, str):
         quantities = (quantities,)
-    listed = tuple(quantities) if quantities is not None else variant.ask or DEFAULT
+    listed = tuple(quantities) if quantities is not None else variant.ask or tuple(one.name for one in QUANTITIES if one.usual)
     columns = tuple(name for name in listed if name in variant.columns)
     asked = tuple(name for name in listed if name not in columns)
     faults = [_in_file(text, variant, name, quantities is None) for name in asked if (text := _cannot_ask(variant, name))]
     if faults:
         raise InputError(faults)
-    whole = [name for name in asked if name not in RESTRICTABLE]
+    restrictable = {quantity.name for quantity in QUANTITIES if quantity.restrictable}
+    whole = [name for name in asked if name not in restrictable]
     if columns and whole:
         text = f'"{whole[0]}" needs every coordinate, not only what {listing(columns)} needs; ask for the whole table.'
         raise InputError(text)
-    return asked or ("table",), columns
+    return asked or (TABLE.name,), columns
 
 
 def _cannot_ask(variant: Variant, name: str) -> str:
     """Return why a quantity cannot be had of a variant, or an empty string."""
-    if name not in ASKABLE:
-        return f'there is no quantity "{name}".{closest(name, [*ASKABLE, *variant.columns])} Known: {", ".join(ASKABLE)}.'
-    if name == "points" and not (variant.points or any(group.meets for group in variant.groups)):
-        return "points are asked for, but the file names none. Add a section [points], or leave them out."
-    return ""
+    records = {quantity.name: quantity for quantity in QUANTITIES}
+    if name in records:
+        return records[name].refuses(variant)
+    return f'there is no quantity "{name}".{closest(name, [*records, *variant.columns])} Known: {", ".join(records)}.'
 
 
 def _in_file(text: str, variant: Variant, name: str, is_in_file: bool) -> Fault:

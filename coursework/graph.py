@@ -1,25 +1,84 @@
 """What is asked for -> what has to be computed, each once, in order; nothing else.
 
-Enters: functions whose name is the quantity and whose parameters are what it needs.  Leaves: a `Plan`, then values.
-The idea is Hamilton's (function name = quantity); here without the library.
+Enters: properties marked `@computed(needs)`, the names asked for.  Leaves: typed values kept by their owner, a `Plan`, counts.
+Used by `scene.py`, `motion_results.py` and `quantities.py`; `run.py` reads the plan.
 """
 
 from __future__ import annotations
 
-import inspect
 import time
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
-from functools import cache
-from typing import Any
+from graphlib import TopologicalSorter
+from typing import Any, Generic, Protocol, TypeVar, overload
 
-from coursework.errors import CourseworkError, closest, listing
+from coursework.errors import listing
 
-Rules = Mapping[str, Callable[..., Any]]
+T = TypeVar("T")
+Needs = Mapping[str, tuple[str, ...]]
 
 
-class UnknownQuantity(CourseworkError):
-    """A quantity was asked for that the tool does not have."""
+@dataclass(slots=True)
+class Ledger:
+    """What was computed: `calls` and own `seconds` (without those of what it needed) of each quantity."""
+
+    calls: dict[str, int] = field(default_factory=dict)
+    seconds: dict[str, float] = field(default_factory=dict)
+    _within: list[float] = field(default_factory=list)
+
+    def call(self, name: str, compute: Callable[[Any], T], owner: Any) -> T:
+        """Return `compute(owner)`, counted and timed under `name`."""
+        self._within.append(0.0)
+        begun = time.perf_counter()
+        try:
+            value = compute(owner)
+        finally:
+            spent = time.perf_counter() - begun
+            inner = self._within.pop()
+            if self._within:
+                self._within[-1] += spent
+        self.calls[name] = self.calls.get(name, 0) + 1
+        self.seconds[name] = self.seconds.get(name, 0.0) + spent - inner
+        return value
+
+
+class Owner(Protocol):
+    """Whoever keeps computed values counts them in a ledger."""
+
+    @property
+    def ledger(self) -> Ledger: ...
+
+
+class Computed(Generic[T]):
+    """A property computed when somebody looks at it for the first time; `needs` names those that it looks at itself."""
+
+    def __init__(self, compute: Callable[[Any], T], needs: tuple[str, ...]) -> None:
+        self.compute, self.needs, self.name = compute, needs, compute.__name__
+        self.__doc__ = compute.__doc__
+
+    @overload
+    def __get__(self, owner: None, kind: type) -> Computed[T]: ...
+    @overload
+    def __get__(self, owner: Owner, kind: type) -> T: ...
+    def __get__(self, owner: Owner | None, kind: type) -> Computed[T] | T:
+        return self if owner is None else self.of(owner)
+
+    def of(self, owner: Owner) -> T:
+        """Return the value for its owner, who keeps it."""
+        kept: dict[str, T] = vars(owner)
+        if self.name not in kept:
+            kept[self.name] = owner.ledger.call(self.name, self.compute, owner)
+        return kept[self.name]
+
+
+def computed(*needs: str) -> Callable[[Callable[[Any], T]], Computed[T]]:
+    """Mark a method, or a function of an owner, as a property that is computed once and needs those named."""
+    return lambda compute: Computed(compute, needs)
+
+
+def needs_of(kind: type) -> dict[str, tuple[str, ...]]:
+    """Return what every computed property of a class needs."""
+    return {name: found.needs for name, found in vars(kind).items() if isinstance(found, Computed)}
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,60 +91,26 @@ class Plan:
 
     def lines(self) -> list[str]:
         """Return the plan for a reader."""
-        computed = [f"  {name:<16} {'asked for' if by == name else f'needed by {by}'}" for name, by in self.needed_by.items()]
+        ordered = ((name, self.needed_by[name]) for name in self.order)
+        computed = [f"  {name:<20} {'asked for' if by == name else f'needed by {by}'}" for name, by in ordered]
         left = [
-            f"  {name:<16} " + (f"only for {listing(users)}, not asked for" if users else "not asked for")
+            f"  {name:<20} " + (f"only for {listing(users)}, not asked for" if users else "not asked for")
             for name, users in self.left_out.items()
         ]
         return ["Computed, in this order:", *computed, "Left out:", *(left or ["  nothing"])]
 
 
-@cache
-def needs(rule: Callable[..., Any]) -> tuple[str, ...]:
-    """Return the quantities a rule takes."""
-    return tuple(inspect.signature(rule).parameters)
+def make_plan(needs: Needs, wanted: Iterable[str]) -> Plan:
+    """Return what `wanted` needs, in order; names without an entry in `needs` are given.
 
-
-def make_plan(rules: Rules, wanted: Iterable[str], given: Iterable[str]) -> Plan:
-    """Return what `wanted` needs beyond `given`, in order.  Raises `UnknownQuantity`; a circle is a fault of the rules."""
-    known = set(given)
-    needed_by: dict[str, str] = {}
-
-    def visit(name: str, by: str, path: tuple[str, ...]) -> None:
-        if name in known or name in needed_by:
-            return
-        if name in path:
-            raise RuntimeError(f"quantities need each other in a circle: {' needs '.join((*path, name))}")
-        if name not in rules:
-            raise UnknownQuantity(f'There is no quantity "{name}".{closest(name, list(rules))} Known: {", ".join(rules)}.')
-        for needed in needs(rules[name]):
-            visit(needed, name, (*path, name))
-        needed_by[name] = by
-
-    for name in wanted:
-        visit(name, name, ())
-    users = {name: tuple(user for user, rule in rules.items() if name in needs(rule)) for name in rules}
-    return Plan(tuple(needed_by), needed_by, {name: users[name] for name in rules if name not in needed_by})
-
-
-@dataclass(slots=True)
-class Values:
-    """Computes quantities on demand and keeps them; `calls` and `seconds` per rule say what it cost."""
-
-    rules: Rules
-    values: dict[str, Any]
-    calls: dict[str, int] = field(default_factory=dict)
-    seconds: dict[str, float] = field(default_factory=dict)
-
-    def __getitem__(self, name: str) -> Any:
-        """Return a quantity, computing it and its ancestors where needed."""
-        if name in self.values:
-            return self.values[name]
-        for step in make_plan(self.rules, [name], self.values).order:
-            rule = self.rules[step]
-            arguments = [self.values[needed] for needed in needs(rule)]
-            begun = time.perf_counter()
-            self.values[step] = rule(*arguments)
-            self.seconds[step] = time.perf_counter() - begun
-            self.calls[step] = self.calls.get(step, 0) + 1
-        return self.values[name]
+    Raises `graphlib.CycleError` where quantities need each other in a circle.
+    """
+    needed_by = {name: name for name in wanted}
+    for name in (waiting := list(needed_by)):
+        for needed in needs[name]:
+            if needed in needs and needed not in needed_by:
+                needed_by[needed] = name
+                waiting.append(needed)
+    order = tuple(TopologicalSorter({name: [n for n in needs[name] if n in needs] for name in needed_by}).static_order())
+    users = {name: tuple(user for user, needed in needs.items() if name in needed) for name in needs}
+    return Plan(order, needed_by, {name: users[name] for name in needs if name not in needed_by})

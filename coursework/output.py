@@ -11,13 +11,10 @@ import json
 import math
 from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from coursework.files import write_bytes
 from coursework.run import Run
-
-if TYPE_CHECKING:
-    from coursework.kinematics.extra import ExtraTable
 
 
 def table_csv(run: Run) -> str:
@@ -86,15 +83,10 @@ def _finite(value: float | None) -> float | None:
 def write_tables(run: Run, folder: Path) -> list[str]:
     """Write `table.csv` and, where asked for, `analogs.csv` and `invariants.csv`, whose rows are others; return their names."""
     texts = {"table.csv": table_csv(run)}
-    texts |= {f"{name}.csv": _csv(table.names, table.rows.tolist()) for name, table in own_tables(run).items()}
+    texts |= {f"{name}.csv": _csv(table.names, table.rows.tolist()) for name, table in run.own_tables.items()}
     for name, text in texts.items():
         write_bytes(folder / name, text.encode("utf-8"))
     return [*texts]
-
-
-def own_tables(run: Run) -> dict[str, ExtraTable]:
-    """Return the tables asked for that are not columns of the results table."""
-    return {name: run.values[name] for name in ("analogs", "invariants") if name in run.asked}
 
 
 def write_table(run: Run, path: Path) -> None:

@@ -1,165 +1,200 @@
-"""Everything that can be computed for a scene, one function a quantity.
+"""Everything that can be asked for, one record a quantity.
 
-The name of a function is the quantity, its parameters are what it needs; `graph.py` computes only what is asked for and
-its ancestors, each once.  The way to the motion is in `motions.py`; here is what is made of it.
-To add one: write a function here and a line in `QUANTITIES`.  Heavy imports stand inside.
+Enters: the results of a motion.  Leaves: `QUANTITIES`, which table, page, plan, run.json and `--quantities` iterate over.
+Used by `run.py`, `api.py` and the command line.
+
+To add one: write a function of a `MotionResults`, marked `@computed` with what it needs, and a record in `QUANTITIES`.
+Heavy imports stand inside.  Steps on the way that nobody may ask for are properties of `Scene` and `MotionResults`.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
-from coursework import motions
-from coursework.geometry.closure import Closure
-from coursework.integration.motion import Motion, Stop
-from coursework.integration.rates import Rates
-from coursework.reduction.blocks import Reduction
-from coursework.reduction.equations import VelocityEquations
-from coursework.reduction.solution import Solution
-from coursework.reduction.solution import solutions as solve_blocks
-from coursework.settings import Settings
-from coursework.singular.scaled_flow import Flow
+from coursework.graph import Computed, computed, needs_of
+from coursework.integration.motion import Motion
+from coursework.motion_results import MotionResults, Named
+from coursework.scene import Scene
+from coursework.sentences import say
 from coursework.variant.record import Variant
 
 if TYPE_CHECKING:
-    from coursework.checks.evidence import Evidence
-    from coursework.checks.result import Check
+    from coursework.accuracy.record import AccuracyStudy
     from coursework.kinematics.extra import ExtraTable
     from coursework.plans.graph_check import GraphCheck
 
-Array = NDArray[np.float64]
-Budget = tuple[tuple[str, str, float, float, float, float], ...]
+T = TypeVar("T")
 
 
-def checks(
-    variant: Variant, equations: VelocityEquations, motion: Motion, half: Motion | None, exact: Motion, wide: Array | None,
-    closure: Closure | None, reduction: Reduction, flow: Flow,
-) -> tuple[Check, ...]:  # fmt: skip
-    """The checks of the page."""
-    from coursework.checks.check import check_motion
+@dataclass(frozen=True, slots=True)
+class Columns(Generic[T]):
+    """Shown as columns beside those of the results table; `on_page` says which of them a page prints."""
 
-    return check_motion(_evidence(variant, equations, motion, half, exact, wide, closure, reduction, flow))
+    of: Callable[[MotionResults, T], ExtraTable]
+    on_page: Callable[[ExtraTable], ExtraTable] = field(default=lambda table: table)
 
 
-def _evidence(
-    variant: Variant, equations: VelocityEquations, motion: Motion, half: Motion | None, exact: Motion, wide: Array | None,
-    closure: Closure | None, reduction: Reduction, flow: Flow,
-) -> Evidence:  # fmt: skip
-    from coursework.checks.evidence import Evidence, richardson
-    from coursework.geometry.drive import fastest, is_sinusoidal
+@dataclass(frozen=True, slots=True)
+class OwnTable(Generic[T]):
+    """Shown as a table of its own, whose rows are not those of the results table."""
 
-    known = exact if len(exact.t) == len(motion.t) else None
-    return Evidence(
-        variant, equations, motion, half, known, wide, closure, richardson(motion, half), reduction.used,
-        fastest(equations), is_sinusoidal(equations), flow.fastest,
-    )  # fmt: skip
+    of: Callable[[MotionResults, T], ExtraTable]
 
 
-def table(motion: Motion) -> Motion:
+@dataclass(frozen=True, slots=True)
+class OwnSection:
+    """Shown in a section of the page that is written for it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity(Generic[T]):
+    """What can be asked for by name.
+
+    `compute` carries the name, what it needs and the function; `shows` is where a reader finds it.  `restrictable`: can be
+    had for some columns alone; `usual`: computed where nobody says what is wanted; `refuses` returns why a variant cannot
+    have it, "" where it can; `beside` maps another quantity to the record that takes this one's place where both are asked for.
+    """
+
+    compute: Computed[T]
+    shows: Columns[T] | OwnTable[T] | OwnSection
+    restrictable: bool = False
+    usual: bool = False
+    refuses: Callable[[Variant], str] = field(default=lambda variant: "")
+    beside: Mapping[str, Quantity[Any]] = field(default_factory=dict)
+
+    @property
+    def name(self) -> str:
+        """Return the name to ask for."""
+        return self.compute.name
+
+    @property
+    def needs(self) -> tuple[str, ...]:
+        """Return what it is computed from."""
+        return self.compute.needs
+
+
+@computed("motion")
+def table(results: MotionResults) -> Motion:
     """The results table: one row a step."""
-    return motion
+    return results.motion
 
 
-def solutions(equations: VelocityEquations, reduction: Reduction) -> tuple[Solution, ...]:
-    """The velocities of every block as a textbook writes them."""
-    return solve_blocks(equations, reduction)
-
-
-def plots(motion: Motion, exact: Motion) -> tuple[Motion, Motion]:
+@computed("motion", "exact")
+def plots(results: MotionResults) -> tuple[Motion, Motion]:
     """What the plots show: the rows, and the exact motion behind them."""
-    return motion, exact
+    return results.motion, results.scene.exact
 
 
-def accelerations(equations: VelocityEquations, reduction: Reduction, motion: Motion) -> Array:
-    """The accelerations of every row, from the differentiated equations."""
-    from coursework.kinematics.accelerations import accelerations as compute
-
-    return compute(equations, reduction, motion)
-
-
-def points(equations: VelocityEquations, motion: Motion) -> tuple[tuple[str, ...], Array]:
-    """Positions and velocities of the named points."""
-    from coursework.kinematics.points import point_rows
-
-    return point_rows(equations, motion)
-
-
-def point_accelerations(equations: VelocityEquations, motion: Motion, accelerations: Array) -> tuple[tuple[str, ...], Array]:
-    """Positions, velocities and accelerations of the named points."""
-    from coursework.kinematics.points import point_rows
-
-    return point_rows(equations, motion, accelerations)
-
-
-def exact_accelerations(equations: VelocityEquations, reduction: Reduction, exact: Motion) -> Array:
-    """The accelerations of the exact rows."""
-    from coursework.kinematics.accelerations import accelerations as compute
-
-    return compute(equations, reduction, exact)
-
-
-def analogs(variant: Variant, exact: Motion, exact_accelerations: Array) -> ExtraTable:
+@computed("exact", "exact_accelerations")
+def analogs(results: MotionResults) -> ExtraTable:
     """Velocity and acceleration analogs of a crank-driven mechanism."""
     from coursework.kinematics.extra import analog_table
 
-    return analog_table(variant, exact, exact_accelerations)
+    scene = results.scene
+    return analog_table(scene.variant, scene.exact, scene.exact_accelerations)
 
 
-def invariants(variant: Variant, exact: Motion, exact_accelerations: Array) -> ExtraTable:
+@computed("exact", "exact_accelerations")
+def invariants(results: MotionResults) -> ExtraTable:
     """The invariants a_k, b_k, c_k of the slider."""
     from coursework.kinematics.extra import invariant_table
 
-    return invariant_table(variant, exact, exact_accelerations)
+    scene = results.scene
+    return invariant_table(scene.variant, scene.exact, scene.exact_accelerations)
 
 
-def graph_check(equations: VelocityEquations, motion: Motion, exact: Motion) -> GraphCheck | None:
+@computed("equations", "motion", "exact")
+def graph_check(results: MotionResults) -> GraphCheck | None:
     """The check row drawn to scale: instantaneous centres and velocities beside the table."""
     from coursework.plans.graph_check import check_graph
 
-    return check_graph(equations, motion, exact)
+    return check_graph(results.scene.equations, results.motion, results.scene.exact)
 
 
-def accuracy(
-    variant: Variant, rates: Rates, start: list[float], closure: Closure | None, exact: Motion, stop: Stop | None,
-    settings: Settings, budget: Budget,
-) -> Any:  # fmt: skip
+@computed("stop", "rates", "start", "exact", "closure", "mismatch")
+def accuracy(results: MotionResults) -> AccuracyStudy | None:
     """What accuracy costs in evaluations: every scheme, projections, an adaptive pair, the exact closure (not timed)."""
-    from coursework.accuracy.methods import Scene
+    from coursework.accuracy.methods import Problem
     from coursework.accuracy.study import make_study
 
-    if stop is not None or settings.columns:
+    scene = results.scene
+    if scene.stop is not None or scene.settings.columns:
         return None
-    units = tuple(coordinate.unit for coordinate in variant.coordinates)
-    scene = Scene(rates, start, variant.time.step, len(exact.t) - 1, closure, units)
-    return make_study(scene, exact, budget, settings.scheme)
+    units = tuple(coordinate.unit for coordinate in scene.variant.coordinates)
+    problem = Problem(scene.rates, scene.start, scene.variant.time.step, len(scene.exact.t) - 1, scene.closure, units)
+    return make_study(problem, scene.exact, results.mismatch, scene.settings.scheme)
 
 
-def budget(
-    variant: Variant, equations: VelocityEquations, motion: Motion, half: Motion | None, exact: Motion, wide: Array | None,
-    closure: Closure | None, reduction: Reduction, flow: Flow,
-) -> Budget:  # fmt: skip
-    """Last row minus first row of every coordinate: scheme error + period mismatch + round-off."""
-    from coursework.checks.period import mismatch
+def _acceleration_columns(results: MotionResults, rows: Any) -> ExtraTable:
+    from coursework.kinematics.extra import ExtraTable
 
-    evidence = _evidence(variant, equations, motion, half, exact, wide, closure, reduction, flow)
-    splits = mismatch(evidence) or ()
-    return tuple((s.name, s.unit, s.total, s.scheme, s.period, s.roundoff) for s in splits if s.name in motion.coordinate_names)
+    names, unit_of = results.motion.velocity_names, results.scene.variant.unit_of
+    units = tuple(f"{unit_of(name)}²".replace("/s²", "/s²") for name in names)
+    return ExtraTable(say("extra.accelerations"), tuple(f"d{name}" for name in names), units, rows)
 
 
-QUANTITIES: dict[str, Any] = {
-    rule.__name__: rule
-    for rule in (
-        motions.mechanism, motions.equations, motions.start, motions.closure, motions.reduction, motions.rates, motions.flow,
-        motions.event, motions.stop, motions.phases, motions.motion, solutions, table, motions.half, motions.exact, motions.wide,
-        checks, plots, accelerations, points, point_accelerations, exact_accelerations, analogs, invariants,
-        budget, accuracy, graph_check,
-    )
-}  # fmt: skip
-# What a file or a user may ask for by name; the others are steps on the way.
-ASKABLE = ("table", "plots", "checks", "accelerations", "points", "analogs", "invariants", "accuracy", "graph_check")
-DEFAULT = ("table", "plots", "checks")
-# What can be had for some columns alone.
-RESTRICTABLE = ("table", "plots")
+def _point_columns(results: MotionResults, named: Named) -> ExtraTable:
+    from coursework.kinematics.extra import ExtraTable
+
+    names, rows = named
+    units = tuple({"v": "m/s", "a": "m/s²"}.get(name.partition(".")[2][0], "m") for name in names)
+    return ExtraTable(say("extra.points"), names, units, rows)
+
+
+def _moving(table: ExtraTable) -> ExtraTable:
+    """Return the columns of the points that move: a page of zeros for a fixed pivot helps nobody."""
+    from coursework.kinematics.extra import ExtraTable
+
+    points = [name.partition(".")[0] for name in table.names]
+    moving = {
+        point
+        for point, name, column in zip(points, table.names, table.rows.T, strict=True)
+        if ".v" in name and np.any(column)
+    }  # fmt: skip
+    kept = [index for index, point in enumerate(points) if point in moving]
+    names, units = (tuple(texts[index] for index in kept) for texts in (table.names, table.units))
+    return ExtraTable(table.title, names, units, table.rows[:, kept])
+
+
+def _refuse_no_points(variant: Variant) -> str:
+    if variant.points or any(group.meets for group in variant.groups):
+        return ""
+    return "points are asked for, but the file names none. Add a section [points], or leave them out."
+
+
+def _itself(_: MotionResults, found: ExtraTable) -> ExtraTable:
+    return found
+
+
+_POINT_COLUMNS = Columns(_point_columns, _moving)
+TABLE = Quantity(table, OwnSection(), restrictable=True, usual=True)
+PLOTS = Quantity(plots, OwnSection(), restrictable=True, usual=True)
+CHECKS = Quantity(MotionResults.checks, OwnSection(), usual=True)
+ACCELERATIONS = Quantity(MotionResults.accelerations, Columns(_acceleration_columns))
+POINT_ACCELERATIONS = Quantity(MotionResults.point_accelerations, _POINT_COLUMNS)
+POINTS = Quantity(
+    MotionResults.points, _POINT_COLUMNS, refuses=_refuse_no_points, beside={ACCELERATIONS.name: POINT_ACCELERATIONS}
+)
+ANALOGS = Quantity(analogs, OwnTable(_itself))
+INVARIANTS = Quantity(invariants, OwnTable(_itself))
+ACCURACY = Quantity(accuracy, OwnSection())
+GRAPH_CHECK = Quantity(graph_check, OwnSection())
+
+QUANTITIES: tuple[Quantity[Any], ...] = (
+    TABLE, PLOTS, CHECKS, ACCELERATIONS, POINTS, ANALOGS, INVARIANTS, ACCURACY, GRAPH_CHECK,
+)  # fmt: skip
+
+
+def quantities_for(asked: tuple[str, ...]) -> dict[str, Quantity[Any]]:
+    """Return the records to compute for the names asked for, in the order of `QUANTITIES`."""
+    chosen = (quantity for quantity in QUANTITIES if quantity.name in asked)
+    return {one.name: next((other for name, other in one.beside.items() if name in asked), one) for one in chosen}
+
+
+def all_needs() -> dict[str, tuple[str, ...]]:
+    """Return what every quantity needs: steps on the way first, then what can be asked for."""
+    return {**needs_of(Scene), **needs_of(MotionResults), **{quantity.name: quantity.needs for quantity in QUANTITIES}}

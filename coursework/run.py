@@ -6,22 +6,23 @@ Enters: a `Variant` and settings, from `api.py`.  Leaves: `Run`, which table, re
 from __future__ import annotations
 
 import platform
-from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
 from coursework.codegen.programs import SYMPY_VERSION
 from coursework.errors import visible
 from coursework.formula.tree import Formula
-from coursework.graph import Plan, Values, make_plan
+from coursework.graph import Plan, make_plan
 from coursework.integration.motion import Motion, Stop
-from coursework.quantities import QUANTITIES
+from coursework.motion_results import MotionResults
+from coursework.quantities import ACCURACY, GRAPH_CHECK, Columns, OwnTable, Quantity, all_needs, quantities_for
 from coursework.reduction.blocks import Reduction
 from coursework.reduction.solution import Solution
+from coursework.scene import Scene
 from coursework.schemes import SCHEMES, Scheme
-from coursework.sentences import say, title_of
+from coursework.sentences import title_of
 from coursework.settings import Settings
 from coursework.variant.record import Variant
 
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
     from coursework.checks.result import Check
     from coursework.kinematics.extra import ExtraTable
     from coursework.plans.graph_check import GraphCheck
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,36 +51,52 @@ class ShownEquation:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Run:
-    """A run: `variant` (with the step and end used), `settings`, `asked` quantities, and `values` computed on demand.
+    """A run: `scene` (variant, settings and the way to the motion), the names `asked` for, computed when looked at.
 
-    `table` is a pandas frame (index t); `checks` the judged facts; `stop` why the motion ended early, or None.
+    `table` is a pandas frame (index t); `checks` the judged facts; `stop` why the motion ended early, or None; `of(QUANTITY)`
+    anything that can be asked for.  `timed` replaces the study of accuracy by one with seconds.
     """
 
-    variant: Variant
-    settings: Settings
+    scene: Scene
     asked: tuple[str, ...]
-    values: Values
     student: str | None = None
     group: str | None = None
     date: str | None = None
+    timed: AccuracyStudy | None = None
+
+    @property
+    def variant(self) -> Variant:
+        """Return the variant, with the step and end used."""
+        return self.scene.variant
+
+    @property
+    def settings(self) -> Settings:
+        """Return the scheme and its corrections."""
+        return self.scene.settings
+
+    @property
+    def results(self) -> MotionResults:
+        """Return what follows from the rows."""
+        return self.scene.results
+
+    def of(self, quantity: Quantity[T]) -> T:
+        """Return a quantity of the rows."""
+        return quantity.compute.of(self.results)
 
     @property
     def motion(self) -> Motion:
         """Return the rows of the scheme."""
-        motion: Motion = self.values["motion"]
-        return motion
+        return self.scene.motion
 
     @property
     def exact(self) -> Motion:
         """Return the motion without the scheme's error, on the same rows."""
-        exact: Motion = self.values["exact"]
-        return exact
+        return self.scene.exact
 
     @property
     def checks(self) -> tuple[Check, ...]:
         """Return the checks."""
-        checks: tuple[Check, ...] = self.values["checks"]
-        return checks
+        return self.results.checks
 
     @property
     def stop(self) -> Stop | None:
@@ -87,8 +106,7 @@ class Run:
     @property
     def phases(self) -> str:
         """Return with which phases of the drive a motion that stops would be possible, "" where nothing can be said."""
-        phases: str = self.values["phases"]
-        return phases
+        return self.scene.phases
 
     @property
     def passed(self) -> bool:
@@ -106,12 +124,12 @@ class Run:
 
     def columns(self) -> tuple[tuple[str, ...], np.ndarray[Any, np.dtype[np.float64]]]:
         """Return names and rows of the table after t, accelerations and points included where asked for."""
-        return gather(self.motion, self.asked, self.values)
+        return gather(self.results, self.asked)
 
     @property
     def equations(self) -> tuple[ShownEquation, ...]:
         """Return the velocity equations as a page shows them."""
-        used, equations = self.reduction.used, self.values["equations"]
+        used, equations = self.reduction.used, self.scene.equations
         sides = [equation.shown(equations.order) for equation in equations.equations]
         return tuple(
             ShownEquation(e.name, e.because, left, right, e.written is None, e.name in used)
@@ -121,20 +139,17 @@ class Run:
     @property
     def reduction(self) -> Reduction:
         """Return the blocks in the order of solution."""
-        reduction: Reduction = self.values["reduction"]
-        return reduction
+        return self.scene.reduction
 
     @property
     def partials(self) -> dict[str, tuple[str, str]]:
         """Return the names given to derivatives of drives and functions: name -> (what, by what)."""
-        partials: dict[str, tuple[str, str]] = self.values["equations"].symbols.partials
-        return partials
+        return self.scene.equations.symbols.partials
 
     @property
     def solutions(self) -> tuple[Solution, ...]:
         """Return for every block the velocities as formulas, nothing where it is solved numerically."""
-        found: tuple[Solution, ...] = self.values["solutions"]
-        return found
+        return self.scene.solutions
 
     @property
     def scheme(self) -> str:
@@ -163,41 +178,40 @@ class Run:
 
     @property
     def extra_tables(self) -> dict[str, ExtraTable]:
-        """Return the tables asked for beside the results table."""
+        """Return the tables asked for beside the results table, as a page prints them."""
         from coursework.kinematics.extra import ExtraTable
 
         tables: dict[str, ExtraTable] = {}
-        motion = self.motion
-        if len(motion.t) < 2:
+        t = self.motion.t
+        if len(t) < 2:
             return tables  # a motion that stops at once has nothing to tabulate beside its one row
-        if "accelerations" in self.asked:
-            names = tuple(f"d{name}" for name in motion.velocity_names)
-            units = tuple(f"{self.variant.unit_of(name)}²".replace("/s²", "/s²") for name in motion.velocity_names)
-            rows = np.column_stack([motion.t, self.values["accelerations"]])
-            tables["accelerations"] = ExtraTable(say("extra.accelerations"), ("t", *names), ("s", *units), rows)
-        if "points" in self.asked:
-            names, found = _moving(*self.values["point_accelerations" if "accelerations" in self.asked else "points"])
-            units = tuple({"v": "m/s", "a": "m/s²"}.get(name.partition(".")[2][0], "m") for name in names)
-            if names:
-                tables["points"] = ExtraTable(
-                    say("extra.points"), ("t", *names), ("s", *units), np.column_stack([motion.t, found])
-                )
-        for name in ("analogs", "invariants"):
-            if name in self.asked:
-                tables[name] = self.values[name]
-        return tables
+        for name, quantity in quantities_for(self.asked).items():
+            if isinstance(quantity.shows, Columns):
+                found = quantity.shows.on_page(quantity.shows.of(self.results, self.of(quantity)))
+                if found.names:
+                    rows = np.column_stack([t, found.rows])
+                    tables[name] = ExtraTable(found.title, ("t", *found.names), ("s", *found.units), rows)
+        return tables | self.own_tables
+
+    @property
+    def own_tables(self) -> dict[str, ExtraTable]:
+        """Return the tables asked for whose rows are not those of the results table."""
+        shown = ((quantity, quantity.shows) for quantity in quantities_for(self.asked).values())
+        return {
+            quantity.name: shows.of(self.results, self.of(quantity)) for quantity, shows in shown if isinstance(shows, OwnTable)
+        }
 
     @property
     def accuracy(self) -> AccuracyStudy | None:
         """Return the study of accuracy against cost, None where it was not asked for."""
-        study: AccuracyStudy | None = self.values["accuracy"] if "accuracy" in self.asked else None
-        return study
+        if self.timed is not None:
+            return self.timed
+        return self.of(ACCURACY) if ACCURACY.name in self.asked else None
 
     @property
     def graph(self) -> GraphCheck | None:
         """Return the graph-analytical check, None where it was not asked for or the motion stops before its row."""
-        check: GraphCheck | None = self.values["graph_check"] if "graph_check" in self.asked else None
-        return check
+        return self.of(GRAPH_CHECK) if GRAPH_CHECK.name in self.asked else None
 
     @property
     def plan(self) -> Plan:
@@ -206,12 +220,12 @@ class Run:
 
     def plan_with(self, *more: str) -> Plan:
         """Return the plan where the pages show `more` besides what was asked for."""
-        plan = make_plan(QUANTITIES, [*wanted(self.asked), *more], ("variant", "settings"))
+        plan = make_plan(all_needs(), [*(quantity.name for quantity in quantities_for(self.asked).values()), *more])
         return replace(plan, needed_by={**plan.needed_by, **dict.fromkeys(more, "the pages")})
 
     def blocks_evaluated(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
         """Return the blocks of velocities that each row needs, and those that nothing asked for needs, by their unknowns."""
-        needed = self.values["rates"].blocks
+        needed = self.scene.rates.blocks
         named = [", ".join(block.unknowns) for block in self.reduction.blocks]
         left = tuple(f"({name})" for place, name in enumerate(named) if place not in needed)
         return tuple(f"({named[place]})" for place in needed), left
@@ -238,29 +252,12 @@ class Run:
         return coursework.notebook_html(self)
 
 
-def _moving(names: tuple[str, ...], rows: Any) -> tuple[tuple[str, ...], Any]:
-    """Return the columns of the points that move: a page of zeros for a fixed pivot helps nobody."""
-    speeds = {name.partition(".")[0] for name, column in zip(names, rows.T, strict=True) if ".v" in name and np.any(column)}
-    kept = [place for place, name in enumerate(names) if name.partition(".")[0] in speeds]
-    return tuple(names[place] for place in kept), rows[:, kept]
-
-
-def wanted(asked: Iterable[str]) -> tuple[str, ...]:
-    """Return the quantities to compute for what is asked: points bring their accelerations where both are asked for."""
-    names = tuple(dict.fromkeys(asked))
-    if {"points", "accelerations"} <= set(names):
-        names = tuple("point_accelerations" if name == "points" else name for name in names)
-    return names
-
-
-def gather(motion: Motion, asked: Iterable[str], values: Mapping[str, Any] | Values) -> tuple[tuple[str, ...], Any]:
-    """Return the columns of a motion, with those of the accelerations and points where asked for."""
-    names, rows = motion.names, [motion.rows]
-    if "accelerations" in asked:
-        names += tuple(f"d{name}" for name in motion.velocity_names)
-        rows.append(values["accelerations"])
-    if "points" in asked:
-        more, found = values["point_accelerations" if "accelerations" in asked else "points"]
-        names += more
-        rows.append(found)
+def gather(results: MotionResults, asked: tuple[str, ...]) -> tuple[tuple[str, ...], Any]:
+    """Return the columns of a motion, with those of the quantities asked for that are columns."""
+    names, rows = results.motion.names, [results.motion.rows]
+    for quantity in quantities_for(asked).values():
+        if isinstance(quantity.shows, Columns):
+            found = quantity.shows.of(results, quantity.compute.of(results))
+            names += found.names
+            rows.append(found.rows)
     return names, np.hstack(rows)

@@ -165,8 +165,8 @@ def test_check_shows_blocks_and_whether_the_motion_is_possible():
 def test_plan_computes_nothing(folder):
     result = call("run", "31", "--plan", "--quantities", "table")
     assert result.exit_code == 0
-    assert "  motion           needed by table" in result.stdout
-    assert "  accelerations    only for point_accelerations, not asked for" in result.stdout
+    assert "  motion               needed by table" in result.stdout
+    assert "  accelerations        only for point_accelerations, not asked for" in result.stdout
     assert list(folder.iterdir()) == []
     restricted = call("run", "31", "--plan", "--quantities", "phi3", "--format", "csv")
     assert restricted.stdout.splitlines()[-1] == "In each row: the velocities (w3); left out: (w4) and (w1, w2)."
@@ -174,7 +174,7 @@ def test_plan_computes_nothing(folder):
 
 def test_profile_counts_calls():
     result = call("run", "31", "--profile", *QUICK)
-    lines = result.stdout.split("quantity          calls      ms\n")[1].splitlines()
+    lines = result.stdout.split("quantity              calls      ms\n")[1].splitlines()
     assert {line.split()[0]: int(line.split()[1]) for line in lines}["motion"] == 1
 
 

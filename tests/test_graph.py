@@ -1,86 +1,148 @@
 """Only what is asked for is computed, each once; what is not asked for is not even imported."""
 
+import ast
+import inspect
 import json
 import subprocess
 import sys
+import textwrap
+from dataclasses import FrozenInstanceError, replace
+from graphlib import CycleError
 
 import numpy as np
 import pytest
 
 import coursework
-from coursework.graph import UnknownQuantity, Values, make_plan
-from coursework.quantities import ASKABLE, DEFAULT, QUANTITIES
-from coursework.run import wanted
+from coursework.graph import Computed, Ledger, computed, make_plan, needs_of
+from coursework.motion_results import MotionResults
+from coursework.quantities import POINT_ACCELERATIONS, QUANTITIES, all_needs, quantities_for
+from coursework.run import gather
+from coursework.scene import Scene
 
-RULES = {
-    "length": lambda given: given + 1,
-    "width": lambda length: length * 2,
-    "area": lambda length, width: length * width,
-    "unused": lambda area: area,
-}
+NEEDS = {"length": ("given",), "width": ("length",), "area": ("length", "width"), "unused": ("area",)}
+
+
+class Field:
+    """Three quantities on each other."""
+
+    def __init__(self, given):
+        self.given, self.ledger = given, Ledger()
+
+    @computed()
+    def length(self):
+        return self.given + 1
+
+    @computed("length")
+    def width(self):
+        return self.length * 2
+
+    @computed("length", "width")
+    def area(self):
+        return self.length * self.width
 
 
 def test_a_plan_names_ancestors_in_order_and_who_needs_them():
-    plan = make_plan(RULES, ["area"], ["given"])
+    plan = make_plan(NEEDS, ["area"])
     assert plan.order == ("length", "width", "area")
     assert plan.needed_by == {"length": "area", "width": "area", "area": "area"}
     assert plan.left_out == {"unused": ()}
     assert plan.lines() == [
         "Computed, in this order:",
-        "  length           needed by area",
-        "  width            needed by area",
-        "  area             asked for",
+        "  length               needed by area",
+        "  width                needed by area",
+        "  area                 asked for",
         "Left out:",
-        "  unused           not asked for",
+        "  unused               not asked for",
     ]
 
 
 def test_a_plan_for_everything_leaves_nothing_out():
-    assert make_plan(RULES, RULES, ["given"]).lines()[-2:] == ["Left out:", "  nothing"]
-
-
-def test_what_is_given_is_not_computed():
-    assert make_plan(RULES, ["area"], ["length"]).order == ("width", "area")
-    assert make_plan(RULES, ["length"], ["length"]).order == ()
+    assert make_plan(NEEDS, NEEDS).lines()[-2:] == ["Left out:", "  nothing"]
 
 
 def test_values_are_computed_once_and_only_when_looked_at():
-    values = Values(RULES, {"given": 2})
-    assert values.calls == {}
-    assert values["width"] == 6
-    assert values.calls == {"length": 1, "width": 1}
-    assert values["area"] == 18
-    assert values["area"] == 18
-    assert values.calls == {"length": 1, "width": 1, "area": 1}
-    assert values.seconds.keys() == values.calls.keys()
+    field = Field(2)
+    assert field.ledger.calls == {}
+    assert field.width == 6
+    assert field.ledger.calls == {"length": 1, "width": 1}
+    assert field.area == 18
+    assert field.area == 18
+    assert field.ledger.calls == {"length": 1, "width": 1, "area": 1}
+    assert field.ledger.seconds.keys() == field.ledger.calls.keys()
+    assert needs_of(Field) == {name: needs for name, needs in NEEDS.items() if name != "unused"} | {"length": ()}
 
 
 def test_an_unknown_quantity_is_told_with_the_closest_name():
-    with pytest.raises(UnknownQuantity) as caught:
-        make_plan(RULES, ["aera"], ["given"])
-    assert str(caught.value) == 'There is no quantity "aera". Did you mean "area"? Known: length, width, area, unused.'
     with pytest.raises(coursework.InputError) as told:
         coursework.solve("31", quantities=["acelerations"])
     assert str(told.value).startswith('there is no quantity "acelerations". Did you mean "accelerations"? Known: table, plots')
 
 
 def test_a_circle_is_a_fault_of_the_rules():
-    circle = {"a": lambda b: b, "b": lambda c: c, "c": lambda a: a}
-    with pytest.raises(RuntimeError, match="quantities need each other in a circle: a needs b needs c needs a"):
-        make_plan(circle, ["a"], [])
+    with pytest.raises(CycleError):
+        make_plan({"a": ("b",), "b": ("c",), "c": ("a",)}, ["a"])
 
 
-def test_the_rules_of_the_house_have_no_circle_and_no_stranger():
-    plan = make_plan(QUANTITIES, QUANTITIES, ("variant", "settings"))
-    assert set(plan.order) == set(QUANTITIES)
-    assert set(DEFAULT) <= set(ASKABLE) <= set(QUANTITIES)
-    for name, rule in QUANTITIES.items():
-        assert rule.__name__ == name
-        assert rule.__doc__
+def test_the_quantities_have_no_circle():
+    assert set(make_plan(all_needs(), all_needs()).order) == set(all_needs())
+    assert all(quantity.compute.__doc__ for quantity in QUANTITIES)
 
 
-MARCH = {"mechanism", "equations", "start", "closure", "reduction", "rates", "flow", "event", "stop", "motion"}
-CHECKED = MARCH | {"half", "exact", "wide"}
+def looked_at(found):
+    """Return the names of quantities that the source of one looks at, through `self`, `results`, `scene` and methods."""
+    known = set(all_needs())
+    methods = {name: method for kind in (Scene, MotionResults) for name, method in vars(kind).items()}
+    names, waiting, seen = set(), [found.compute], set()
+    while waiting:
+        source = ast.parse(textwrap.dedent(inspect.getsource(waiting.pop())))
+        for node in ast.walk(source):
+            if isinstance(node, ast.Attribute) and ast.unparse(node.value) in {
+                "self",
+                "results",
+                "scene",
+                "self.scene",
+                "results.scene",
+            }:
+                name = node.attr
+                method = methods.get(name)
+                method = method.fget if isinstance(method, property) else method
+                if name in known:
+                    names.add(name)
+                elif inspect.isfunction(method) and name not in seen | {"over"}:
+                    seen.add(name)
+                    waiting.append(method)
+    return names
+
+
+EVERY = [one for kind in (Scene, MotionResults) for one in vars(kind).values() if isinstance(one, Computed)]
+EVERY += [quantity.compute for quantity in QUANTITIES if quantity.compute not in EVERY]
+
+
+@pytest.mark.parametrize("one", EVERY, ids=lambda one: one.name)
+def test_what_a_quantity_declares_is_what_it_looks_at(one):
+    assert set(one.needs) == looked_at(one)
+
+
+def test_a_scene_is_frozen_to_its_users():
+    run = coursework.solve("31", quantities=["table"])
+    for owner, name in ((run, "asked"), (run.scene, "motion"), (run.scene, "event"), (run.results, "motion")):
+        with pytest.raises(FrozenInstanceError):
+            setattr(owner, name, None)
+
+
+def test_any_motion_is_judged_by_the_same_code_with_a_cache_of_its_own():
+    run = coursework.solve("31", quantities=["table", "checks"])
+    exact = run.scene.over(run.exact)
+    spoilt = run.scene.over(replace(run.motion, velocities=run.motion.velocities * 1.01))
+    assert np.array_equal(exact.accelerations, run.scene.exact_accelerations)
+    assert not np.array_equal(exact.accelerations, run.results.accelerations)
+    verdicts = [{check.code: check.verdict for check in results.checks} for results in (exact, run.results, spoilt)]
+    assert [verdict["RESIDUAL"] for verdict in verdicts] == ["PASS", "PASS", "FAIL"]
+    assert exact.ledger.calls["checks"] == spoilt.ledger.calls["checks"] == run.scene.ledger.calls["checks"] == 1
+
+
+MARCH = {"mechanism", "equations", "start", "closure", "reduction", "rates", "flow", "search", "stop", "motion"}
+CHECKED = MARCH | {"half_step", "exact", "extended_precision", "evidence"}
 SCENES = {
     "one angle": ("31", ["phi3"], MARCH | {"table"}),
     "table": ("31", ["table"], MARCH | {"table"}),
@@ -92,7 +154,7 @@ SCENES = {
     "points that accelerate": ("31", ["points", "accelerations"], MARCH | {"accelerations", "point_accelerations"}),
     "analogs": ("example-2", ["analogs"], MARCH | {"exact", "exact_accelerations", "analogs"}),
     "invariants": ("variable-crank", ["invariants"], MARCH | {"exact", "exact_accelerations", "invariants"}),
-    "accuracy": ("31", ["accuracy"], CHECKED | {"budget", "accuracy"}),
+    "accuracy": ("31", ["accuracy"], CHECKED | {"mismatch", "accuracy"}),
     "drawing": ("31", ["graph_check"], MARCH | {"exact", "graph_check"}),
 }
 
@@ -101,47 +163,35 @@ SCENES = {
 def test_exact_calls(scene):
     name, asked, computed = SCENES[scene]
     run = coursework.solve(name, quantities=asked)
-    assert run.values.calls == {}
+    assert run.scene.ledger.calls == {}
     run.columns()
-    for quantity in wanted(run.asked):
-        _ = run.values[quantity]
-    assert run.values.calls == dict.fromkeys(computed, 1)
-    assert set(run.plan.order) <= computed
-    assert set(run.plan.left_out) == set(QUANTITIES) - set(run.plan.order)
+    for quantity in quantities_for(run.asked).values():
+        run.of(quantity)
+    assert run.scene.ledger.calls == dict.fromkeys(computed, 1)
+    assert computed - {"motion"} <= set(run.plan.order) <= computed  # the rows are always made
+    assert set(run.plan.left_out) == set(all_needs()) - set(run.plan.order)
 
 
 def test_what_nothing_asked_for_needs_names_what_would():
-    told = make_plan(RULES, ["length"], ["given"]).lines()
-    assert "  width            only for area, not asked for" in told
-    assert "  area             only for unused, not asked for" in told
+    told = make_plan(NEEDS, ["length"]).lines()
+    assert "  width                only for area, not asked for" in told
+    assert "  area                 only for unused, not asked for" in told
 
 
-def test_a_new_quantity_costs_a_table_nothing(monkeypatch):
-    """A quantity added to the program is not computed, and nothing is computed more often, unless somebody asks for it."""
-    before = coursework.solve("31", quantities=["table"])
-    before.columns()
-
-    def torque(motion, accelerations):
-        """A quantity of tomorrow."""
-        return motion.velocities * accelerations
-
-    monkeypatch.setitem(QUANTITIES, "torque", torque)
-    after = coursework.solve("31", quantities=["table"])
-    after.columns()
-    assert after.values.calls == before.values.calls
-    assert after.plan.left_out["torque"] == ()
-    assert after.values["torque"].shape == after.motion.velocities.shape
-    assert after.values.calls["torque"] == 1
+def test_points_bring_their_accelerations_where_both_are_asked_for():
+    run = coursework.solve("31", quantities=["accelerations", "points"])
+    assert POINT_ACCELERATIONS in quantities_for(run.asked).values()
+    assert "M.ax" in gather(run.results, run.asked)[0]
 
 
 def test_looking_again_computes_nothing():
     run = coursework.solve("31", quantities=["table", "checks"])
     first, table = run.checks, run.table
-    calls = dict(run.values.calls)
+    calls = dict(run.scene.ledger.calls)
     assert run.checks is first
     assert run.table.equals(table)
-    assert run.motion is run.values["motion"]
-    assert run.values.calls == calls
+    assert run.motion is run.scene.motion is run.results.motion
+    assert run.scene.ledger.calls == calls
 
 
 @pytest.mark.parametrize(
@@ -156,7 +206,7 @@ def test_looking_again_computes_nothing():
 def test_a_column_restricts_the_right_hand_side(column, coordinates, velocities, blocks):
     run = coursework.solve("31", quantities=[column])
     whole = coursework.solve("31", quantities=["table"]).motion
-    assert run.values["rates"].blocks == blocks
+    assert run.scene.rates.blocks == blocks
     assert (run.motion.coordinate_names, run.motion.velocity_names) == (coordinates, velocities)
     assert np.max(np.abs(run.motion.column(column) - whole.column(column))) < 1e-14
 

@@ -78,9 +78,9 @@ def test_the_orders_are_those_of_the_lecture():
 @pytest.mark.parametrize("name", ["31", "v108", "example-1", "jansen"])
 def test_the_generated_loop_is_the_march_bit_for_bit(scheme, name):
     run = coursework.solve(name, scheme, quantities=["table"])
-    loop = generate_loop(SCHEMES[scheme], run.values["rates"])
+    loop = generate_loop(SCHEMES[scheme], run.scene.rates)
     for last in (0, 1, 2, len(run.motion.t) - 1):
-        assert loop(0.0, last, run.step, *run.values["start"]) == tuple(run.motion.coordinates[last])
+        assert loop(0.0, last, run.step, *run.scene.start) == tuple(run.motion.coordinates[last])
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)

@@ -151,8 +151,8 @@ def test_an_added_scheme_makes_tables_of_its_order(added):
     assert np.log2(np.array(errors[:-1]) / errors[1:]) == pytest.approx(3, abs=0.1)
     run = coursework.solve("31", "kutta3", quantities=["table"])
     assert run.motion.evaluations == 24 * 3
-    loop = generate_loop(DUMMY, run.values["rates"])
-    assert loop(0.0, 24, 0.02, *run.values["start"]) == tuple(run.motion.coordinates[-1])
+    loop = generate_loop(DUMMY, run.scene.rates)
+    assert loop(0.0, 24, 0.02, *run.scene.start) == tuple(run.motion.coordinates[-1])
 
 
 def test_an_added_scheme_is_on_the_page_and_in_the_accuracy_study(added):

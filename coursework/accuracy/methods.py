@@ -1,6 +1,6 @@
 """The ways to the motion that are compared, each with its settings, evaluations and rows.
 
-Enters: a scene.  Leaves: trials to run.  To add one, add a function here and a line in `trials`.
+Enters: a problem.  Leaves: trials to run.  To add one, add a function here and a line in `trials`.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ TOLERANCES = (1e-5, 1e-7, 1e-9, 1e-11)
 
 
 @dataclass(frozen=True, slots=True)
-class Scene:
+class Problem:
     """What a trial needs: rates, start, row distance h (s), number of rows, closure if known; `units` of the coordinates."""
 
     rates: Rates
@@ -74,48 +74,48 @@ def projected_title(newton: int) -> str:
     return say_count("study.projected", newton)
 
 
-def trials(scene: Scene, most: int = MOST_SUBSTEPS) -> Iterator[Trial]:
+def trials(problem: Problem, most: int = MOST_SUBSTEPS) -> Iterator[Trial]:
     """Yield every trial with at most `most` steps a row, method after method."""
     for scheme in SCHEMES.values():
-        loop = generate_loop(scheme, scene.rates)
+        loop = generate_loop(scheme, problem.rates)
         for substeps in (n for n in (FIRST_ORDER_SUBSTEPS if scheme.order == 1 else USUAL_SUBSTEPS) if n <= most):
-            count = scene.rows * substeps
-            yield Trial(title_of(scheme), f"{count}", 1, partial(_by_loop, scene, loop, substeps, count * scheme.slopes))
-    if scene.closure is not None and scene.closure.complete:
+            count = problem.rows * substeps
+            yield Trial(title_of(scheme), f"{count}", 1, partial(_by_loop, problem, loop, substeps, count * scheme.slopes))
+    if problem.closure is not None and problem.closure.complete:
         for newton in (1, 2):
             for substeps in (n for n in PROJECTED_SUBSTEPS if n * PROJECTED_COST <= most):
-                setting = f"{scene.rows * substeps}"
-                yield Trial(projected_title(newton), setting, substeps, partial(_projected, scene, newton, substeps))
+                setting = f"{problem.rows * substeps}"
+                yield Trial(projected_title(newton), setting, substeps, partial(_projected, problem, newton, substeps))
     for tolerance in TOLERANCES:
-        yield Trial(say("study.adaptive"), say("study.tolerance", value=tolerance), 1, partial(_adaptive, scene, tolerance))
-    if scene.closure is not None and scene.closure.complete:
-        yield Trial(say("study.closed"), f"{scene.rows}", 1, partial(_closed, scene), closed=True)
+        yield Trial(say("study.adaptive"), say("study.tolerance", value=tolerance), 1, partial(_adaptive, problem, tolerance))
+    if problem.closure is not None and problem.closure.complete:
+        yield Trial(say("study.closed"), f"{problem.rows}", 1, partial(_closed, problem), closed=True)
 
 
-def _by_loop(scene: Scene, loop: Loop, substeps: int, cost: int) -> tuple[Array, int]:
-    return trace(loop, scene.start, scene.step, scene.rows, substeps, scene.rates.latest), cost
+def _by_loop(problem: Problem, loop: Loop, substeps: int, cost: int) -> tuple[Array, int]:
+    return trace(loop, problem.start, problem.step, problem.rows, substeps, problem.rates.latest), cost
 
 
-def _projected(scene: Scene, newton: int, substeps: int) -> tuple[Array, int]:
-    correction = Correction(scene.closure, newton)
-    end = scene.step * scene.rows
-    motion = march(scene.rates, DEFAULT_SCHEME.name, scene.start, scene.step / substeps, end, correction)
-    steps = scene.rows * substeps
+def _projected(problem: Problem, newton: int, substeps: int) -> tuple[Array, int]:
+    correction = Correction(problem.closure, newton)
+    end = problem.step * problem.rows
+    motion = march(problem.rates, DEFAULT_SCHEME.name, problem.start, problem.step / substeps, end, correction)
+    steps = problem.rows * substeps
     return motion.coordinates, steps * (1 + newton)
 
 
-def _adaptive(scene: Scene, tolerance: float) -> tuple[Array, int]:
-    size = len(scene.start)
+def _adaptive(problem: Problem, tolerance: float) -> tuple[Array, int]:
+    size = len(problem.start)
 
     def field(t: float, q: Array) -> Array:
-        return np.array(scene.rates.evaluate(t, *q.tolist())[:size])
+        return np.array(problem.rates.evaluate(t, *q.tolist())[:size])
 
-    return integrate_adaptive(field, np.array(scene.start, dtype=float), scene.times, tolerance)
+    return integrate_adaptive(field, np.array(problem.start, dtype=float), problem.times, tolerance)
 
 
-def _closed(scene: Scene) -> tuple[Array, int]:
+def _closed(problem: Problem) -> tuple[Array, int]:
     """Return the closed positions, and how often slopes or residuals were computed on the way."""
-    assert scene.closure is not None
+    assert problem.closure is not None
     count = 0
 
     def counted(function: Callable[..., Any]) -> Callable[..., Any]:
@@ -126,7 +126,7 @@ def _closed(scene: Scene) -> tuple[Array, int]:
 
         return called
 
-    closure = replace(scene.closure, function=counted(scene.closure.function))
-    rates = replace(scene.rates, evaluate=counted(scene.rates.evaluate))
-    positions = follow_closure(closure, rates, scene.times)
+    closure = replace(problem.closure, function=counted(problem.closure.function))
+    rates = replace(problem.rates, evaluate=counted(problem.rates.evaluate))
+    positions = follow_closure(closure, rates, problem.times)
     return positions, count

@@ -1,6 +1,6 @@
-"""The work-precision study of one scene.
+"""The work-precision study of one problem.
 
-Enters: a scene, its exact motion, the mismatch of its period.  Leaves: frozen `AccuracyStudy`.
+Enters: a problem, its exact motion, the mismatch of its period.  Leaves: frozen `AccuracyStudy`.
 Protocol (numerics.md 2.2): error = maximum over the coursework's grid and all coordinates against a reference that is
 independent of the schemes; the error of the last row alone is kept beside it because it understates.
 """
@@ -15,7 +15,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.accuracy.methods import CHEAP_SUBSTEPS, MOST_SUBSTEPS, Scene, trials
+from coursework.accuracy.methods import CHEAP_SUBSTEPS, MOST_SUBSTEPS, Problem, trials
 from coursework.accuracy.record import AccuracyStudy, StudyRow
 from coursework.accuracy.sentences import sentences_of
 from coursework.accuracy.timing import seconds
@@ -31,12 +31,12 @@ SAME = 1e-9
 
 
 def make_study(
-    scene: Scene, exact: Motion, budget: Sequence[tuple[str, str, float, float, float, float]], scheme: str,
+    problem: Problem, exact: Motion, budget: Sequence[tuple[str, str, float, float, float, float]], scheme: str,
     *, timed: bool = False, overhead: Sequence[tuple[str, float]] = (), progress: Callable[[str], None] | None = None,
 ) -> AccuracyStudy:  # fmt: skip
     """Return the study; with `timed` every trial is also timed (some 0.4 s each)."""
     reference = exact.coordinates
-    other, gap, _ = refine(scene.rates, scene.start, scene.times)
+    other, gap, _ = refine(problem.rates, problem.start, problem.times)
     agreement = float(np.max(np.abs(other - reference)))
     # Derivatives of a table are not those of a curve through it: there every scheme comes to rest at its own motion.
     is_same = agreement < SAME
@@ -45,13 +45,13 @@ def make_study(
     floor = 64 * float(np.finfo(float).eps) * max(1.0, float(np.max(np.abs(reference))))
     fine = {1: reference}
     rows = []
-    for trial in trials(scene, MOST_SUBSTEPS if timed else CHEAP_SUBSTEPS):
+    for trial in trials(problem, MOST_SUBSTEPS if timed else CHEAP_SUBSTEPS):
         if progress:
             progress(f"{trial.method}, {trial.setting}")
         try:
             positions, evaluations = trial.run()
             if trial.fine not in fine:
-                fine[trial.fine] = _finer(scene, trial.fine, closed=is_same)
+                fine[trial.fine] = _finer(problem, trial.fine, closed=is_same)
             # Compared with itself the closure would have no error at all.
             found = errors(positions, other if trial.closed and is_same else fine[trial.fine])
         except (ArithmeticError, ValueError, np.linalg.LinAlgError) as error:
@@ -60,7 +60,7 @@ def make_study(
             )
             continue
         spent = seconds(trial.run) if timed else None
-        units = scene.units[found.grid_at], scene.units[found.end_at]
+        units = problem.units[found.grid_at], problem.units[found.end_at]
         rows.append(StudyRow(trial.method, trial.setting, evaluations, found.grid, found.end, spent, "", *units))
     orders, end_orders = _orders(rows, floor), _orders(rows, floor, end=True)
     title = title_of(SCHEMES[scheme])
@@ -75,12 +75,12 @@ def make_study(
     return AccuracyStudy(tuple(rows), orders, end_orders, own, floor, label, tuple(budget), told, tuple(overhead), timed, where)
 
 
-def _finer(scene: Scene, fine: int, *, closed: bool) -> Array:
+def _finer(problem: Problem, fine: int, *, closed: bool) -> Array:
     """Return the exact positions on the own rows of a projected run: closed ones, or those of the refined run."""
-    times = np.arange(scene.rows * fine + 1).astype(np.float64) * (scene.step / fine)
-    if closed and scene.closure is not None:
-        return follow_closure(scene.closure, scene.rates, times)
-    return refine(scene.rates, scene.start, times)[0]
+    times = np.arange(problem.rows * fine + 1).astype(np.float64) * (problem.step / fine)
+    if closed and problem.closure is not None:
+        return follow_closure(problem.closure, problem.rates, times)
+    return refine(problem.rates, problem.start, times)[0]
 
 
 def _orders(rows: Sequence[StudyRow], floor: float, *, end: bool = False) -> dict[str, float]:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import click
 
-from coursework.accuracy.methods import Scene
+from coursework.accuracy.methods import Problem
 from coursework.accuracy.record import AccuracyStudy
 from coursework.accuracy.study import make_study, time_of
 from coursework.api import load, solve
@@ -26,14 +27,13 @@ def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...]) -> i
     if run.stop is not None:
         click.echo(f"The motion stops, so there is no accuracy to study: {run.stop.sentence}")
         return 1
-    run.values.values["accuracy"] = timed_study(run)
+    study = timed_study(run)
     folder = out or Path(f"coursework-{chosen.name}")
     pages = [folder / f"accuracy.{kind}" for kind in ("html", "pdf") if kind in formats]
     if pages:
         from coursework.report import write_report
 
-        write_report(run, *pages)
-    study: AccuracyStudy = run.values["accuracy"]
+        write_report(replace(run, timed=study), *pages)
     click.echo(f"{run.variant.title}  ({run.variant.name}): error against cost")
     for sentence in study.sentences:
         click.echo(f"  {sentence}")
@@ -48,22 +48,22 @@ def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...]) -> i
 
 def timed_study(run: Run) -> AccuracyStudy:
     """Return the study with seconds, and what importing and reducing cost beside them."""
-    values = run.values
+    scene = run.scene
     time = run.variant.time
-    if values["closure"] is None and run.exact.evaluations == 0:
+    if scene.closure is None and run.exact.evaluations == 0:
         raise InputError("there is no reference to measure errors against.")
     units = tuple(coordinate.unit for coordinate in run.variant.coordinates)
-    scene = Scene(values["rates"], values["start"], time.step, len(run.exact.t) - 1, values["closure"], units)
+    problem = Problem(scene.rates, scene.start, time.step, len(run.exact.t) - 1, scene.closure, units)
     command = [sys.executable, "-c", "import numpy, sympy"]
     overhead = (
         (say("study.imports"), time_of(lambda: subprocess.run(command, check=True))),
         (
             say("study.reduction"),
-            sum(values.seconds[name] for name in ("equations", "reduction", "rates")),
+            sum(scene.ledger.seconds[name] for name in ("equations", "reduction", "rates")),
         ),
     )
     with click.progressbar(length=45, label="Measuring", file=sys.stderr) as bar:
         return make_study(
-            scene, run.exact, values["budget"], run.settings.scheme,
+            problem, run.exact, run.results.mismatch, run.settings.scheme,
             timed=True, overhead=overhead, progress=lambda _label: bar.update(1),
         )  # fmt: skip

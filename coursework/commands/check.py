@@ -16,18 +16,18 @@ def check_variant(variant: str) -> int:
     run = solve(load(variant))
     chosen = run.variant
     click.echo(f"{chosen.title}  ({chosen.name}, {chosen.path})")
-    values = run.values
-    equations, reduction = values["equations"], values["reduction"]
+    scene = run.scene
+    equations, reduction = scene.equations, scene.reduction
     count = len(chosen.sought)
     click.echo(
         f"{count} unknown velocities ({', '.join(chosen.sought)}), {len(equations.equations)} equations, "
         f"{len(chosen.drive)} drive(s)"
     )
     _tell_mobility(run)
-    closure = values["closure"]
+    closure = scene.closure
     for note in reduction.notes:
         click.echo(note)
-    for block, solution in zip(reduction.blocks, values["solutions"], strict=True):
+    for block, solution in zip(reduction.blocks, scene.solutions, strict=True):
         click.echo(f"  {listing(block.unknowns)} from {listing(block.equations)}:")
         for name, formula in solution:
             click.echo(f"    {name} = {spelled(formula)}")
@@ -42,18 +42,18 @@ def check_variant(variant: str) -> int:
     else:
         state = "determine every coordinate" if closure.complete else "do not determine every coordinate"
         click.echo(f"{len(closure.names)} position equation(s) {state}.")
-    stop = values["stop"]
+    stop = scene.stop
     if stop is None:
         click.echo(f"The whole motion, 0 to {chosen.time.end:g} s, is possible: no dead point.")
         return 0
     click.echo(f"Not the whole motion is possible ({stop.kind}): {stop.sentence}")
-    if values["phases"]:
-        click.echo(values["phases"])
+    if scene.phases:
+        click.echo(scene.phases)
     return 1
 
 
 def _tell_mobility(run: Run) -> None:
-    mobility = run.values["mechanism"].mobility
+    mobility = run.scene.mechanism.mobility
     if mobility is None:
         return
     sum_of = f"3·{mobility.links} − 2·{mobility.lower_pairs} − {mobility.higher_pairs}"

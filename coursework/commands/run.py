@@ -9,7 +9,7 @@ import click
 
 from coursework.api import load, solve
 from coursework.errors import InputError, closest, listing
-from coursework.output import own_tables, write_record, write_tables
+from coursework.output import write_record, write_tables
 from coursework.run import Run
 from coursework.sentences import load_phrases
 
@@ -51,9 +51,10 @@ def run_variant(
     written = write_all(run, folder, formats, language)
     tell(run, folder, written)
     if profile:
-        click.echo("\nquantity          calls      ms")
-        for name, seconds in run.values.seconds.items():
-            click.echo(f"{name:<16} {run.values.calls[name]:>6} {seconds * 1e3:>8.2f}")
+        click.echo("\nquantity              calls      ms")
+        ledger = run.scene.ledger
+        for name, seconds in ledger.seconds.items():
+            click.echo(f"{name:<20} {ledger.calls[name]:>6} {seconds * 1e3:>8.2f}")
     return 0 if run.passed else 1
 
 
@@ -77,7 +78,7 @@ def auto_step(run: Run, error: float | None) -> float:
         raise InputError("--step auto needs the wish: --error 0.001 (rad or m, the largest error over the rows).")
     from coursework.accuracy.step_search import choose_step
 
-    choice = choose_step(run.values["rates"], run.scheme, run.values["start"], run.step, run.end, error)
+    choice = choose_step(run.scene.rates, run.scheme, run.scene.start, run.step, run.end, error)
     for sentence in choice.sentences:
         click.echo(sentence)
     return choice.step
@@ -94,7 +95,7 @@ def tell_round_off(run: Run) -> int:
     rows = len(run.motion.t) - 1
     exact = run.exact.coordinates[-1]
     curve = []
-    for row in round_off_curve(run.values["rates"], run.scheme, run.values["start"], run.step, rows, exact):
+    for row in round_off_curve(run.scene.rates, run.scheme, run.scene.start, run.step, rows, exact):
         curve.append(row)
         click.echo(f"{row.steps:>8} {row.double:>12.2e} {row.single:>12.2e} {row.running:>15.2e}")
     best, spoilt = min(curve, key=lambda row: row.single), min(curve, key=lambda row: row.running)
@@ -120,7 +121,7 @@ def write_all(run: Run, folder: Path, formats: tuple[str, ...], language: str) -
     pages = [folder / f"report.{kind}" for kind in ("html", "pdf") if kind in formats]
     if "checks" in run.asked:
         run.checks  # noqa: B018  computed before the first file is written
-    _ = own_tables(run)
+    _ = run.own_tables
     if pages:
         _ = run.extra_tables, run.graph
     written = write_tables(run, folder) if "csv" in formats else []
@@ -148,8 +149,8 @@ def tell(run: Run, folder: Path, written: list[str]) -> None:
             click.echo(f"  {label:<5} t = {motion.t[row]:.6g} s: {values}")
     if run.stop is not None:
         click.echo(f"Stopped ({run.stop.kind}): {run.stop.sentence}")
-        if run.values["phases"]:
-            click.echo(run.values["phases"])
+        if run.scene.phases:
+            click.echo(run.scene.phases)
     if "checks" in run.asked:
         for check in run.checks:
             value = "" if check.value is None else f" {check.value:.3g}"

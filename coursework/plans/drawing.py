@@ -54,10 +54,10 @@ class _Drawing:
 
     def __init__(self, sketch: Sketch, findings: Findings, layout: Layout, written: Callable[[str], str]) -> None:
         self.sketch, self.findings, self.layout, self.written = sketch, findings, layout, written
-        self.bodies = {body.name: body for body in sketch.scene.bodies}
-        self.at = {name: layout.put(z) for name, z in sketch.scene.positions.items()}
+        self.bodies = {body.name: body for body in sketch.pose.bodies}
+        self.at = {name: layout.put(z) for name, z in sketch.pose.positions.items()}
         self.sheet = Sheet(layout.width, layout.height, layout.field)
-        self.points = list(dict.fromkeys(name for body in sketch.scene.bodies for name in body.points))
+        self.points = list(dict.fromkeys(name for body in sketch.pose.bodies for name in body.points))
         self.letter = centre_letter(sketch)
         self.marks: list[tuple[Word, list[Place]]] = []
         self.middle = middle_of(self.at[name] for name in self.points)
@@ -181,7 +181,7 @@ class _Drawing:
         """Draw a joint as a ring, a mere point of a link as a dot."""
         wheels = self.sketch.wheels.values()
         members = sum(name in body.points for body in self.bodies.values())
-        guided = name in self.sketch.scene.guided
+        guided = name in self.sketch.pose.guided
         ring = members > 1 or guided or name in self.sketch.hinges or any(name == centre for centre, _ in wheels)
         if any(name == contact for _, contact in wheels):
             self.sheet.circle(self.at[name], 0.7, DOT)
@@ -193,7 +193,7 @@ class _Drawing:
     def velocity(self, name: str) -> None:
         """Draw the velocity of a point; one too short to be seen is written beside its point."""
         velocity = self.findings.velocities.get(name)
-        if velocity is None or name in self.sketch.scene.fixed:
+        if velocity is None or name in self.sketch.pose.fixed:
             return
         arrow = self.layout.arrow(velocity)
         tip = self.at[name] + arrow

@@ -18,7 +18,7 @@ from coursework.geometry.time_derivatives import jets
 from coursework.integration.motion import Motion
 from coursework.plans.graph_words import centre_letter, drift, how_found, omega_name
 from coursework.plans.instant_centres import Body, Findings, construct
-from coursework.plans.sketch import Sketch, read_scene
+from coursework.plans.sketch import Sketch, read_sketch
 from coursework.reduction.equations import VelocityEquations
 from coursework.variant.record import Variant
 
@@ -70,9 +70,9 @@ def check_graph(equations: VelocityEquations, motion: Motion, exact: Motion) -> 
     row = _required_row(variant, motion)
     if row > len(motion.t):
         return None
-    read = read_scene(equations)
+    read = read_sketch(equations)
     sketch = read(motion, row - 1)
-    findings = construct(sketch.scene)
+    findings = construct(sketch.pose)
     measured = _measured(sketch, findings)
     tabled = _tabled(equations, motion, row - 1, sketch, findings)
     rows = tuple(
@@ -82,7 +82,7 @@ def check_graph(equations: VelocityEquations, motion: Motion, exact: Motion) -> 
     true: dict[str, tuple[float, str]] = {}
     if row <= len(exact.t):
         perfect = read(exact, row - 1)
-        true = _measured(perfect, construct(perfect.scene))
+        true = _measured(perfect, construct(perfect.pose))
     errors = tuple((name, true[name][0], table - true[name][0], unit) for name, _, table, _, unit in rows if name in true)
     notes = (*how_found(sketch, findings), *sketch.notes, *drift(sketch))
     return GraphCheck(row, float(motion.t[row - 1]), sketch, findings, rows, errors, notes)
@@ -111,8 +111,8 @@ def _required_row(variant: Variant, motion: Motion) -> int:
 def _sought(sketch: Sketch, findings: Findings) -> list[Body]:
     """Return the links whose angular velocity the drawing yields: no sliders, no driven cranks, each rate once."""
     named: dict[str, Body] = {}
-    for body in sketch.scene.bodies:
-        if body.name in findings.omegas and not body.guide and body.rate not in sketch.scene.rates:
+    for body in sketch.pose.bodies:
+        if body.name in findings.omegas and not body.guide and body.rate not in sketch.pose.rates:
             named.setdefault(omega_name(body), body)
     return list(named.values())
 
@@ -127,7 +127,7 @@ def _measured(sketch: Sketch, findings: Findings) -> dict[str, tuple[float, str]
     """Return what is read off the drawing: name -> (value, unit)."""
     found = {omega_name(body): (findings.omegas[body.name], "rad/s") for body in _sought(sketch, findings)}
     for name in sketch.moving:
-        if name in findings.velocities and name not in sketch.scene.velocities:
+        if name in findings.velocities and name not in sketch.pose.velocities:
             found[f"V_{name}"] = (abs(findings.velocities[name]), "m/s")
     for name, at in _drawn_centres(sketch, findings).values():
         found[f"{name}.x"], found[f"{name}.y"] = (at.real, "m"), (at.imag, "m")
@@ -146,14 +146,14 @@ def _tabled(
     velocities = {name: complex(x, y) for name, x, y in zip(names, flat[::2], flat[1::2], strict=True)}
     found = {f"V_{name}": abs(velocity) for name, velocity in velocities.items()}
     centres = _drawn_centres(sketch, findings)
-    for body in sketch.scene.bodies:
+    for body in sketch.pose.bodies:
         if body.rate not in motion.velocity_names or body.guide:
             continue
         omega = float(motion.column(body.rate or "")[row])
         found[omega_name(body)] = omega
         carried = next((name for name in body.points if name in velocities), None)
         if body.name in centres and carried and omega:
-            centre = sketch.scene.positions[carried] + 1j * velocities[carried] / omega
+            centre = sketch.pose.positions[carried] + 1j * velocities[carried] / omega
             name, _ = centres[body.name]
             found[f"{name}.x"], found[f"{name}.y"] = centre.real, centre.imag
     return found

@@ -19,7 +19,7 @@ RIGID = 1e-9
 
 def centre_letter(sketch: Sketch) -> str:
     """Return the letters of instantaneous centres: P, or IC where a point of the file is called like one."""
-    return "IC" if any(f"P{body.name}" in sketch.scene.positions for body in sketch.scene.bodies) else "P"
+    return "IC" if any(f"P{body.name}" in sketch.pose.positions for body in sketch.pose.bodies) else "P"
 
 
 def _centre(body: Body, letter: str) -> str:
@@ -45,7 +45,7 @@ def omega_name(body: Body) -> str:
 def how_found(sketch: Sketch, findings: Findings) -> list[str]:
     """Return how each link was dealt with, in the order of the file."""
     sentences: list[str] = [say("drawing.plan", point=point, a=a, b=b) for point, (a, b) in findings.plans.items()]
-    for body in sketch.scene.bodies:
+    for body in sketch.pose.bodies:
         centre = findings.centres.get(body.name)
         if body.name in findings.missing:
             sentences.append(say("drawing.missing", link=body.name))
@@ -68,8 +68,8 @@ def _story(body: Body, centre: Centre, wheels: Mapping[str, tuple[str, str]], le
 
 def drift(sketch: Sketch) -> list[str]:
     """Return which links and rails the row does not keep: there the drawing and the table differ by as much."""
-    now, start = sketch.scene.positions, sketch.start
-    allowed = RIGID * sketch.scene.size
+    now, start = sketch.pose.positions, sketch.start
+    allowed = RIGID * sketch.pose.size
     found = []
     for link in sketch.links:
         joints = dict.fromkeys(name for name in (*link.points, link.wheel, link.contact) if name)

@@ -1,6 +1,6 @@
 """One position and the driven velocity -> instantaneous centres, angular velocities, velocities of points, as on paper.
 
-Enters: a `Scene` in SI, points and vectors as complex numbers x + iy.  Leaves: `Findings`.
+Enters: a `Pose` in SI, points and vectors as complex numbers x + iy.  Leaves: `Findings`.
 It knows positions and known velocities only, none of the velocity equations: that is what makes it a check of them.
 Source: Ponomarev, coursework guide, graph-analytical check (mathematics.md section 3); Aronhold's construction link by link.
 """
@@ -27,7 +27,7 @@ class Body:
 
 
 @dataclass(frozen=True, slots=True)
-class Scene:
+class Pose:
     """One position (m).
 
     `fixed` points are at rest (hinges of the frame, contacts that roll on it); `guided` points move along a unit
@@ -84,18 +84,18 @@ def dot(a: complex, b: complex) -> float:
     return (a.conjugate() * b).real
 
 
-def construct(scene: Scene) -> Findings:
+def construct(pose: Pose) -> Findings:
     """Return all that follows from the known velocities and directions; nothing is guessed."""
-    paper = _Paper(scene)
+    paper = _Paper(pose)
     known = -1
     while known != (known := paper.known()):
-        for body in scene.bodies:
+        for body in pose.bodies:
             paper.find_centre(body)
             paper.find_omega(body)
             paper.carry_on(body)
         if known == paper.known():
             paper.plan_velocities()
-    missing = tuple(body.name for body in scene.bodies if body.name not in paper.omegas)
+    missing = tuple(body.name for body in pose.bodies if body.name not in paper.omegas)
     return Findings(paper.centres, paper.omegas, paper.velocities, paper.plans, missing)
 
 
@@ -103,7 +103,7 @@ def construct(scene: Scene) -> Findings:
 class _Paper:
     """What is on the paper so far; every step adds to it and takes nothing away."""
 
-    scene: Scene
+    pose: Pose
     centres: dict[str, Centre] = field(default_factory=dict)
     omegas: dict[str, float] = field(default_factory=dict)
     velocities: dict[str, complex] = field(default_factory=dict)
@@ -112,11 +112,11 @@ class _Paper:
     plans: dict[str, tuple[str, str]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self.rates.update(self.scene.rates)
-        self.directions.update(self.scene.guided)
-        for name in self.scene.fixed:
+        self.rates.update(self.pose.rates)
+        self.directions.update(self.pose.guided)
+        for name in self.pose.fixed:
             self.velocities[name] = 0j
-        for name, velocity in self.scene.velocities.items():
+        for name, velocity in self.pose.velocities.items():
             self._move(name, velocity)
 
     def known(self) -> int:
@@ -130,7 +130,7 @@ class _Paper:
                 self.directions.setdefault(name, velocity / abs(velocity))
 
     def _at(self, name: str) -> complex:
-        return self.scene.positions[name]
+        return self.pose.positions[name]
 
     def find_centre(self, body: Body) -> None:
         """Find the centre: a point at rest, or where the perpendiculars to two known directions meet."""
@@ -139,7 +139,7 @@ class _Paper:
         if body.guide:
             self.centres[body.name] = Centre(None)
         elif resting := [name for name in body.points if self.velocities.get(name) == 0]:
-            held = [name for name in resting if name in self.scene.fixed]
+            held = [name for name in resting if name in self.pose.fixed]
             self.centres[body.name] = Centre(self._at((held or resting)[0]), point=(held or resting)[0])
         elif centre := self._by_rate(body) or self._by_directions(body) or self._by_proportion(body):
             self.centres[body.name] = centre
@@ -192,9 +192,9 @@ class _Paper:
     def _over_distance(self, body: Body, centre: complex, point: str) -> float | None:
         arms = {name: self._at(name) - centre for name in body.points if name in self.velocities}
         far = max(arms, key=lambda name: abs(arms[name]), default="")
-        if far and abs(arms[far]) > PARALLEL * self.scene.size:
+        if far and abs(arms[far]) > PARALLEL * self.pose.size:
             return cross(arms[far], self.velocities[far]) / abs(arms[far]) ** 2
-        return 0.0 if point and point not in self.scene.fixed and self._held(body, centre) else None
+        return 0.0 if point and point not in self.pose.fixed and self._held(body, centre) else None
 
     def _held(self, body: Body, centre: complex) -> bool:
         """Return whether another point may not move across its arm: with the driven point at rest, so is the link."""
@@ -214,7 +214,7 @@ class _Paper:
                 self._move(name, self.omegas[body.name] * arm)
             elif at is None and moving is not None:
                 self._move(name, self.velocities[moving])
-            if (towards := along if at is None else arm) and name not in self.scene.fixed:
+            if (towards := along if at is None else arm) and name not in self.pose.fixed:
                 self.directions.setdefault(name, towards / abs(towards))
 
     def plan_velocities(self) -> None:
@@ -222,7 +222,7 @@ class _Paper:
 
         Used where no centre can be drawn yet, because the direction of X is not known.
         """
-        for first, second in itertools.combinations(self.scene.bodies, 2):
+        for first, second in itertools.combinations(self.pose.bodies, 2):
             for name in first.points:
                 ends = [self._known_end(body, name) for body in (first, second)]
                 if name not in second.points or name in self.velocities or not all(ends):

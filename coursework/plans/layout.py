@@ -63,7 +63,7 @@ def lay_out(sketch: Sketch, findings: Findings) -> Layout:
     Where nothing fits (a mechanism of many kilometres) the smallest scale is taken.
     """
     smallest = SCALES[-1]
-    for scale in SCALES if sketch.scene.size > 0 else (1.0,):
+    for scale in SCALES if sketch.pose.size > 0 else (1.0,):
         for longest in ARROWS:
             found = [way for turned in (False, True) if (way := _try(sketch, findings, scale, longest, turned))]
             if found:
@@ -98,8 +98,8 @@ def _try(sketch: Sketch, findings: Findings, scale: float, longest: float, turne
 
 def _box(sketch: Sketch, findings: Findings, mm: float, speed: float) -> Box:
     """Return what must be on the sheet (mm, y up): left, bottom, right, top."""
-    positions = sketch.scene.positions
-    points = {name for body in sketch.scene.bodies for name in body.points} | set(sketch.hinges)
+    positions = sketch.pose.positions
+    points = {name for body in sketch.pose.bodies for name in body.points} | set(sketch.hinges)
     first = positions[next(iter(sorted(points)))] * mm if points else 0j
     box = (first.real, first.imag, first.real, first.imag)
     for name in sorted(points):

@@ -14,7 +14,7 @@ from typing import Any
 
 from coursework.geometry.time_derivatives import compile_rows
 from coursework.integration.motion import Motion
-from coursework.plans.instant_centres import Body, Scene, cross
+from coursework.plans.instant_centres import Body, Pose, cross
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import symbol
 from coursework.sentences import say
@@ -49,13 +49,13 @@ class Track:
 
 @dataclass(frozen=True, slots=True)
 class Sketch:
-    """The position: `scene` for the construction, and what only the drawing needs.
+    """The position: `pose` for the construction, and what only the drawing needs.
 
     `start` holds the positions of row 1; `wheels` link -> (centre, contact); `racks` link -> contact with its gear;
     `moving` the points of links, contacts apart, that are not at rest.
     """
 
-    scene: Scene
+    pose: Pose
     rails: tuple[Rail, ...]
     tracks: tuple[Track, ...]
     hinges: tuple[str, ...]
@@ -67,7 +67,7 @@ class Sketch:
     notes: tuple[str, ...]
 
 
-def read_scene(equations: VelocityEquations) -> Callable[[Motion, int], Sketch]:
+def read_sketch(equations: VelocityEquations) -> Callable[[Motion, int], Sketch]:
     """Return `read(motion, row)` (row from 0), compiled once for every row."""
     variant, symbols = equations.variant, equations.symbols
     wanted: dict[str, Any] = {}
@@ -119,7 +119,7 @@ class _Reader:
         self.names = names
         self.start = {name: first.vector(name) for name in names}
         self.bodies = [_body(link) for link in variant.links]
-        self.near = INCIDENT * Scene(self.start, tuple(self.bodies), frozenset(), {}, {}, {}).size
+        self.near = INCIDENT * Pose(self.start, tuple(self.bodies), frozenset(), {}, {}, {}).size
         self.wheels = {link.name: (link.wheel, link.contact) for link in variant.links if link.wheel and link.contact}
         self.contacts = {contact for _, contact in self.wheels.values()}
         self.notes: list[str] = []
@@ -141,7 +141,7 @@ class _Reader:
         positions = {name: self.here.vector(name) for name in self.names}
         moving = dict.fromkeys(name for body in self.bodies for name in body.points if name not in fixed | self.contacts)
         return Sketch(
-            Scene(positions, tuple(bodies), fixed, guided, driven, rates), rails, tracks, hinges, self.variant.links,
+            Pose(positions, tuple(bodies), fixed, guided, driven, rates), rails, tracks, hinges, self.variant.links,
             self.start, self.wheels, racks, tuple(moving), tuple(self.notes),
         )  # fmt: skip
 

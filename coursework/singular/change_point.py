@@ -1,7 +1,7 @@
 """Change points: where A u = b loses rank and stays solvable, so that two motions meet; and the velocities possible there.
 
 Enters: the flow and a state near such a point.  Leaves: the point itself, or None; then its branches.  Used by
-`search.py` and `motions.py`.
+`search.py` and `scene.py`.
 
 Near a change point the true motion is one arm of a crossing, and a motion that is off by 1e-12 m passes it at 1e-6 rad on
 either side.  So it is not waited for until a determinant vanishes: Newton goes to the crossing itself, and how far the

@@ -16,7 +16,7 @@ from coursework.reduction.blocks import Reduction
 from coursework.reduction.equations import VelocityEquations
 from coursework.sentences import joined, say
 from coursework.singular.scaled_flow import compile_flow
-from coursework.singular.search import find_event
+from coursework.singular.search import search_event
 from coursework.variant.record import Variant
 
 # Coarser than this, a motion that passes close by a dead point would be taken for one that meets it.
@@ -34,8 +34,8 @@ def phase_sentence(equations: VelocityEquations, reduction: Reduction, start: li
 
     def possible(value: float) -> bool:
         changed = replace(variant, given=tuple(replace(g, value=value) if g.name == name else g for g in variant.given))
-        scene = compile_flow(replace(equations, variant=changed), reduction, start)
-        return find_event(scene, start, variant.time.end, tolerance=TOLERANCE, breaks=breaks(variant)) is None
+        flow = compile_flow(replace(equations, variant=changed), reduction, start)
+        return search_event(flow, start, variant.time.end, tolerance=TOLERANCE, breaks=breaks(variant)).event is None
 
     intervals = _intervals(possible)
     if not intervals:

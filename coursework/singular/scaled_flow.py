@@ -43,8 +43,7 @@ class Flow:
     """The determinant-scaled flow of one scene.
 
     `largest` scales the determinant of each block; `rates` says per coordinate whether its rate is driven, and its place
-    among the driven or the unknown ones; `evaluations` counts right-hand sides; `fastest` per coordinate (largest rate, when)
-    of the motion followed last.
+    among the driven or the unknown ones; `evaluations` counts right-hand sides.
     """
 
     system: LinearSystem
@@ -52,7 +51,6 @@ class Flow:
     largest: tuple[float, ...]
     rates: tuple[tuple[bool, int], ...]
     evaluations: int = field(default=0)
-    fastest: tuple[tuple[float, float], ...] = field(default=())
 
     @property
     def known(self) -> int:

@@ -62,6 +62,14 @@ class Event:
     together: tuple[int, ...] = ()
 
 
+@dataclass(frozen=True, slots=True)
+class Search:
+    """The true motion followed: the first `event`, if any, and per coordinate the `fastest` rate with its time (s)."""
+
+    event: Event | None
+    fastest: tuple[tuple[float, float], ...] = ()
+
+
 class NotFollowed(InputError):
     """The motion could not be followed beyond `time` (s), and not because of the mechanism."""
 
@@ -70,28 +78,27 @@ class NotFollowed(InputError):
         self.time = time
 
 
-def find_event(
-    scene: Flow, start: Sequence[float], end: float, *, tolerance: float = TOLERANCE, breaks: Sequence[float] = ()
-) -> Event | None:
-    """Follow the true motion from `start` at t = 0 until `end` (s); return the first dead or change point, if any.
+def search_event(
+    flow: Flow, start: Sequence[float], end: float, *, tolerance: float = TOLERANCE, breaks: Sequence[float] = ()
+) -> Search:
+    """Follow the true motion from `start` at t = 0 until `end` (s), or to its first dead or change point.
 
     `breaks` are the times at which the drive changes its formula.  Raises `InputError` where the motion cannot be followed.
     """
-    if not len(scene.largest):
-        return None  # every velocity is given, so nothing can become singular
-    walk = _Walk(scene, np.array([*start, 0.0], dtype=float), end, tolerance)
+    if not len(flow.largest):
+        return Search(None)  # every velocity is given, so nothing can become singular
+    walk = _Walk(flow, np.array([*start, 0.0], dtype=float), end, tolerance)
     event = walk.at_start()
     for goal in [*(b for b in breaks if 0 < b < end), end]:
         event = event or walk.until(goal)
-    scene.fastest = tuple(zip(walk.fastest.tolist(), walk.when.tolist(), strict=True))
-    return event
+    return Search(event, tuple(zip(walk.fastest.tolist(), walk.when.tolist(), strict=True)))
 
 
 class _Walk:
     """A walk along the flow: `state` (position, then t), `scaled` determinants there, `length` of the next step in s."""
 
-    def __init__(self, scene: Flow, state: Array, end: float, tolerance: float) -> None:
-        self.scene, self.state, self.end, self.tolerance = scene, state, end, tolerance
+    def __init__(self, flow: Flow, state: Array, end: float, tolerance: float) -> None:
+        self.flow, self.state, self.end, self.tolerance = flow, state, end, tolerance
         self.scaled = self._determinants(state)
         self.slope = state
         self.length = 0.0
@@ -134,14 +141,14 @@ class _Walk:
 
     def _determinants(self, state: Array) -> Array:
         *q, t = state.tolist()
-        return self.scene.scaled(t, q)
+        return self.flow.scaled(t, q)
 
     def _rule(self, block: int) -> Rule:
         sign = 1.0 if self.scaled[block] > 0 else -1.0
 
         def rule(_s: float, y: Array) -> Array:
             *q, t = y.tolist()
-            return sign * np.array(self.scene.slopes(t, q, block))
+            return sign * np.array(self.flow.slopes(t, q, block))
 
         return rule
 
@@ -252,18 +259,18 @@ class _Walk:
         """Return the state at which a determinant that time alone moves is zero: a simple zero, or a touch."""
         *q, t = self.state.tolist()
         now, nudge = float(self.scaled[block]), 1e-6 * self.end
-        rate = float(self.scene.scaled(t + nudge, q)[block] - self.scene.scaled(t - nudge, q)[block]) / (2 * nudge)
+        rate = float(self.flow.scaled(t + nudge, q)[block] - self.flow.scaled(t - nudge, q)[block]) / (2 * nudge)
         times = [t - order * now / rate for order in (1, 2)] if rate else [t]
-        return np.array([*q, min(times, key=lambda at: abs(float(self.scene.scaled(at, q)[block])))])
+        return np.array([*q, min(times, key=lambda at: abs(float(self.flow.scaled(at, q)[block])))])
 
     def _change_point(self, state: Array, block: int) -> Event | None:
         """Return the change point that the motion meets near a state, if there is one."""
         *q, t = state.tolist()
         size = np.abs(self._determinants(state))
         block = int(np.flatnonzero(size <= 10 * size[block])[0])
-        slope = np.array(self.scene.slopes(t, q, block))
-        rates = slope[:-1] / slope[-1] if abs(slope[-1]) > 1e-9 else self.scene.part(t, q, block)[2]
-        found = nearest_change_point(self.scene, t, state[:-1], block, rates)
+        slope = np.array(self.flow.slopes(t, q, block))
+        rates = slope[:-1] / slope[-1] if abs(slope[-1]) > 1e-9 else self.flow.part(t, q, block)[2]
+        found = nearest_change_point(self.flow, t, state[:-1], block, rates)
         if found is None or found.distance > max(FAR, self.near) or found.miss > max(MISSED, 1e3 * self.tolerance):
             return None
         return self._named("change point", found.time, found.position, block)
@@ -277,7 +284,7 @@ class _Walk:
         return event or self._named("dead point", float(state[-1]), state[:-1], block)
 
     def _named(self, kind: str, time: float, position: Array, block: int) -> Event:
-        size = np.abs(self.scene.scaled(time, position.tolist()))
+        size = np.abs(self.flow.scaled(time, position.tolist()))
         together = tuple(int(k) for k in range(len(size)) if size[k] < TOGETHER or k == block)
-        demanded = self.scene.demand(time, position.tolist(), together[0])
+        demanded = self.flow.demand(time, position.tolist(), together[0])
         return Event(kind, together[0], time, position, demanded, together)

@@ -12,14 +12,14 @@ from coursework.integration.extended_precision import march_in
 
 
 @pytest.fixture(scope="module")
-def values():
-    return coursework.solve("31", quantities=["table"]).values
+def scene():
+    return coursework.solve("31", quantities=["table"]).scene
 
 
 @pytest.mark.parametrize(("scheme", "wish"), [("euler", 0.01), ("heun", 1e-4), ("rk4", 1e-6)])
-def test_smallest_number_of_steps(values, scheme, wish):
+def test_smallest_number_of_steps(scene, scheme, wish):
     """At the step found the exact motion confirms the error; with one step less it is larger."""
-    choice = choose_step(values["rates"], scheme, values["start"], 0.02, 0.48, wish)
+    choice = choose_step(scene.rates, scheme, scene.start, 0.02, 0.48, wish)
 
     def error(steps):
         run = coursework.solve("31", scheme, step=0.48 / steps, quantities=["table"])
@@ -30,29 +30,29 @@ def test_smallest_number_of_steps(values, scheme, wish):
     assert choice.step == 0.48 / choice.need.steps
 
 
-def test_the_cheaper_alternatives_are_told(values):
-    choice = choose_step(values["rates"], "euler", values["start"], 0.02, 0.48, 0.001)
+def test_the_cheaper_alternatives_are_told(scene):
+    choice = choose_step(scene.rates, "euler", scene.start, 0.02, 0.48, 0.001)
     assert choice.others[0].evaluations < choice.need.evaluations / 20
     assert "Runge-Kutta 4 needs" in " ".join(choice.sentences)
 
 
-def test_what_would_take_minutes_is_refused_with_the_time(values):
+def test_what_would_take_minutes_is_refused_with_the_time(scene):
     with pytest.raises(InputError, match=r"about .* steps .* finding .* about [\d.]+ (min|h); .*Runge-Kutta 4 needs \d+ steps"):
-        choose_step(values["rates"], "euler", values["start"], 0.02, 0.48, 1e-9)
+        choose_step(scene.rates, "euler", scene.start, 0.02, 0.48, 1e-9)
 
 
 @pytest.mark.parametrize("wish", [0.0, -1.0, float("nan"), 1e-14])
-def test_wishes_below_round_off_are_refused(values, wish):
+def test_wishes_below_round_off_are_refused(scene, wish):
     with pytest.raises(InputError, match="round-off decides"):
-        choose_step(values["rates"], "euler", values["start"], 0.02, 0.48, wish)
+        choose_step(scene.rates, "euler", scene.start, 0.02, 0.48, wish)
 
 
-def test_adding_up_the_time_spoils_single_precision(values):
+def test_adding_up_the_time_spoils_single_precision(scene):
     """With t += h the error in single precision is larger at 24 576 steps than at 6144; with t = i*h it goes on falling."""
     end = coursework.solve("31", quantities=["table"]).exact.coordinates[-1]
 
     def error(steps, running):
-        rates, start = values["rates"], values["start"]
+        rates, start = scene.rates, scene.start
         rows = march_in(np.float32, rates, "euler", start, 0.48 / steps, steps, every=steps, running_time=running)
         assert rows.dtype == np.float32
         return float(np.max(np.abs(rows[-1].astype(float) - end)))
@@ -62,7 +62,7 @@ def test_adding_up_the_time_spoils_single_precision(values):
     assert fine.single < coarse.single / 2
 
 
-def test_no_step_of_a_wish_is_tried_beyond_the_rows_of_a_table(values, monkeypatch):
+def test_no_step_of_a_wish_is_tried_beyond_the_rows_of_a_table(scene, monkeypatch):
     """A wish that needs more rows than a table has is refused after some coarse trials, not after minutes."""
     tried = []
     rows = step_search._rows
@@ -74,15 +74,15 @@ def test_no_step_of_a_wish_is_tried_beyond_the_rows_of_a_table(values, monkeypat
     monkeypatch.setattr(step_search, "_rows", counted)
     for wish in (2.5e-6, 1e-9):
         with pytest.raises(InputError, match="a table has at most 200000 rows"):
-            choose_step(values["rates"], "euler", values["start"], 0.02, 0.48, wish)
+            choose_step(scene.rates, "euler", scene.start, 0.02, 0.48, wish)
     assert max(tried) <= 200_000
     assert len(tried) < 100
 
 
-def test_single_precision_has_a_best_step(values):
+def test_single_precision_has_a_best_step(scene):
     """The V: round-off takes back what ever smaller steps gain, also with t = i*h."""
     end = coursework.solve("31", quantities=["table"]).exact.coordinates[-1]
-    curve = list(round_off_curve(values["rates"], "euler", values["start"], 0.02, 24, end))
+    curve = list(round_off_curve(scene.rates, "euler", scene.start, 0.02, 24, end))
     best = min(range(len(curve)), key=lambda place: curve[place].single)
     assert 0 < best < len(curve) - 1
     assert curve[-1].double < curve[best].double

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.accuracy.methods import Scene, trials
+from coursework.accuracy.methods import Problem, trials
 from coursework.accuracy.study import make_study
 from coursework.accuracy.trace import errors, trace
 from coursework.integration.exact_motion import follow_closure
@@ -26,13 +26,13 @@ def run():
 
 @pytest.fixture(scope="module")
 def scene(run):
-    return Scene(run.values["rates"], run.values["start"], 0.02, 24, run.values["closure"], ("rad",) * 3)
+    return Problem(run.scene.rates, run.scene.start, 0.02, 24, run.scene.closure, ("rad",) * 3)
 
 
 @pytest.fixture(scope="module")
 def found(scene, run):
     """Every trial of the full study: {(method, setting): (evaluations, errors)}."""
-    closure = run.values["closure"]
+    closure = run.scene.closure
     results = {}
     for trial in trials(scene):
         rows, evaluations = trial.run()
@@ -83,7 +83,7 @@ def test_ratios_over_the_grid_and_at_the_end(found):
 
 
 def test_measured_orders_and_words(scene, run):
-    study = make_study(scene, run.exact, run.values["budget"], "euler")
+    study = make_study(scene, run.exact, run.results.mismatch, "euler")
     for method, order in {"explicit Euler": 1, "midpoint": 2, "Heun": 2, "Runge-Kutta 4": 4}.items():
         assert study.orders[method] == pytest.approx(order, abs=0.1)
     assert study.end_orders["Heun"] > 2.8
@@ -102,13 +102,13 @@ def test_measured_orders_and_words(scene, run):
 def test_a_method_that_fails_is_listed_not_dropped(run):
     class Broken:
         def __getattr__(self, name):
-            return getattr(run.values["rates"], name)
+            return getattr(run.scene.rates, name)
 
         def evaluate(self, t, *q):
             raise ZeroDivisionError
 
-    scene = Scene(run.values["rates"], run.values["start"], 0.02, 24, run.values["closure"], ("rad",) * 3)
-    broken = Scene(Broken(), scene.start, scene.step, scene.rows, None, scene.units)
+    scene = Problem(run.scene.rates, run.scene.start, 0.02, 24, run.scene.closure, ("rad",) * 3)
+    broken = Problem(Broken(), scene.start, scene.step, scene.rows, None, scene.units)
     failed = [row for row in make_study(broken, run.exact, (), "euler").rows if row.failed]
     assert {row.method for row in failed} == {"Dormand-Prince 5(4)"}
     assert all("did not finish" in row.failed for row in failed)
@@ -121,7 +121,7 @@ def test_budget_of_the_last_row(run):
         "phi2": (-0.036865, -0.037128, 0.000263),
         "phi3": (0.046754, 0.048785, -0.002031),
     }
-    for name, _, total, scheme, period, roundoff in run.values["budget"]:
+    for name, _, total, scheme, period, roundoff in run.results.mismatch:
         assert (total, scheme, period) == pytest.approx(expected[name], abs=2e-6)
         assert abs(roundoff) < 1e-14
         assert total == pytest.approx(scheme + period + roundoff, abs=1e-15)

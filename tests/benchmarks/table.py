@@ -18,8 +18,8 @@ from tests.benchmarks.timer import ratio
 
 def rows():
     """Yield (what, against what, ratio, limit)."""
-    values = coursework.solve("31", quantities=["table"]).values
-    loop = generate_loop(SCHEMES["euler"], values["rates"])
+    scene = coursework.solve("31", quantities=["table"]).scene
+    loop = generate_loop(SCHEMES["euler"], scene.rates)
     h = 0.48 / march.STEPS
 
     def generated() -> None:
@@ -36,7 +36,7 @@ def rows():
             euler = march.compiled(compiler, Path(folder))
             in_c = ratio(generated, lambda: euler(march.STEPS, h, (ctypes.c_double * 3)(*march.START)))
         yield "generated Euler loop", "the same loop in C", in_c, "at most 10"
-    equations, start = values["equations"], values["start"]
+    equations, start = scene.equations, scene.start
     bare = march.uncached(lambda: sp.linear_eq_to_matrix(*march.as_sympy(equations)))
     reduced = ratio(march.uncached(lambda: reduce(equations, start)), bare)
     yield "reduction of variant 31", "a bare linear_eq_to_matrix", reduced, "at most 20"

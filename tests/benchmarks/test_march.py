@@ -86,7 +86,7 @@ def uncached(work):
 
 @pytest.fixture(scope="module")
 def loop():
-    return generate_loop(SCHEMES["euler"], coursework.solve("31", quantities=["table"]).values["rates"])
+    return generate_loop(SCHEMES["euler"], coursework.solve("31", quantities=["table"]).scene.rates)
 
 
 def test_generated_loop_against_a_function_call_a_step(loop):
@@ -109,10 +109,10 @@ def test_generated_loop_against_c(loop, tmp_path):
 
 
 def test_reduction_against_a_bare_linear_eq_to_matrix():
-    values = coursework.solve("31", quantities=["table"]).values
-    equations = values["equations"]
+    scene = coursework.solve("31", quantities=["table"]).scene
+    equations = scene.equations
     rows, unknowns = as_sympy(equations)
-    start = values["start"]
+    start = scene.start
     reduce(equations, start)
     sp.linear_eq_to_matrix(rows, unknowns)
 

@@ -50,6 +50,6 @@ def test_no_determinant_changes_sign(name):
 @pytest.mark.parametrize("name", VARIANTS)
 def test_as_many_freedoms_as_drives(name):
     variant = coursework.load(name)
-    mobility = coursework.solve(variant, quantities=["table"]).values["mechanism"].mobility
+    mobility = coursework.solve(variant, quantities=["table"]).scene.mechanism.mobility
     drives = (2 if variant.driven else 0) + len(variant.known_rates)
     assert mobility is None or mobility.degrees == drives

@@ -129,7 +129,7 @@ def test_a_driven_slide_may_carry_a_dyad():
     )  # fmt: skip
     run = coursework.solve(parse_variant(text))
     assert run.exact.label == "closed form of the groups"
-    assert run.values["mechanism"].mobility.degrees == 1
+    assert run.scene.mechanism.mobility.degrees == 1
     ends = run.exact.column("s") + 0.3 + np.cos(run.exact.column("phi2"))
     assert np.allclose(ends, 1.2 + 0.7 * np.cos(run.exact.column("phi3")), atol=1e-14)
     assert np.all(np.sin(run.exact.column("phi2")) < 0)

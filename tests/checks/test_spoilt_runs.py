@@ -1,13 +1,11 @@
 """Each check passes on the honest run of variant 31 and fails on one spoilt for it; a naive loop through a dead point fails."""
 
-import inspect
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
 import coursework
-from coursework import quantities
 from coursework.checks.check import CHECKS, check_motion
 from coursework.checks.period import mismatch
 from coursework.integration.integrate import march
@@ -16,8 +14,7 @@ from coursework.variant.reader import parse_variant
 
 def evidence_of(run, **changes):
     """Return the evidence of a run with some of it exchanged."""
-    needed = inspect.signature(quantities._evidence).parameters
-    return replace(quantities._evidence(*(run.values[name] for name in needed)), **changes)
+    return replace(run.results.evidence, **changes)
 
 
 @pytest.fixture(scope="module")
@@ -98,7 +95,7 @@ def test_the_25_rows_of_a_naive_loop_do_not_pass(run, tmp_path):
     text = run.variant.path.read_text(encoding="utf-8").replace('alpha = "4.35 rad"', 'alpha = "0.02 rad"')
     (tmp_path / "dead.toml").write_text(text, encoding="utf-8")
     dead = coursework.solve(tmp_path / "dead.toml", quantities=["checks"])
-    rates, start = dead.values["rates"], dead.values["start"]
+    rates, start = dead.scene.rates, dead.scene.start
     q, rows = np.array(start), []
     for i in range(25):
         rows.append((q, rates.evaluate(i * 0.02, *q)))
@@ -156,7 +153,7 @@ def test_limits_come_from_the_scheme(run):
 
 def test_the_march_keeps_its_first_row_whatever_the_scheme(run):
     for scheme in ("euler", "midpoint", "heun", "rk4"):
-        motion = march(run.values["rates"], scheme, run.values["start"], 0.02, 0.48)
+        motion = march(run.scene.rates, scheme, run.scene.start, 0.02, 0.48)
         assert np.array_equal(motion.rows[0], run.motion.rows[0])
         assert len(motion.t) == 25
         assert motion.t[3] == 3 * 0.02

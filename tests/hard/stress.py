@@ -49,7 +49,7 @@ def judge(seed: int) -> tuple[str, str]:
 def _judged(case: Case) -> tuple[str, str]:
     try:
         run = coursework.solve(parse_variant(case.text), "rk4", quantities=("table",))
-        stop = run.values["stop"]
+        stop = run.scene.stop
         exact = run.exact
     except InputError as error:
         told = str(error)
@@ -106,7 +106,7 @@ def _bottom(margin: Margin, low: float, high: float) -> tuple[float, float]:
 
 
 def _stop_fault(case: Case, run: Run, impossible: float | None) -> str:
-    stop = run.values["stop"]
+    stop = run.scene.stop
     if len(stop.sentence) < 80 or not stop.coordinates:
         return f"the stop is not explained: {stop.sentence}"
     if impossible is not None and abs(stop.time - impossible) <= LOCATED * case.end:
@@ -129,7 +129,7 @@ def _exact_fault(case: Case, run: Run) -> str:
         return f"the exact table is open by {np.max(gap):.3g} m in row {int(np.argmax(np.max(gap, axis=1))) + 1}"
     if not np.all(exact.determinants * exact.determinants[0] > 0):
         return "a determinant of the exact rows changes its sign"
-    stop = run.values["stop"]
+    stop = run.scene.stop
     rows = int(np.floor(case.end / case.step * (1 + 1e-12) + 1e-9)) + 1
     if stop is not None:
         rows = min(rows, int(np.ceil(stop.time / case.step * (1 - 1e-9) - 1e-9)))
@@ -144,7 +144,7 @@ def _scheme_fault(run: Run, exact: np.ndarray) -> str:
     parts = 1
     while gap > AGREED:
         parts *= 4
-        finer = march(run.values["rates"], "rk4", run.values["start"], motion.step / parts, float(motion.t[-1]))
+        finer = march(run.scene.rates, "rk4", run.scene.start, motion.step / parts, float(motion.t[-1]))
         if len(finer.t) < parts * (count - 1) + 1:
             return "" if parts < 4096 else "Runge-Kutta 4 with small steps leaves the motion"
         now = float(np.max(np.abs(finer.coordinates[::parts][:count] - exact[:count])))

@@ -208,7 +208,7 @@ def test_h26_the_n_four_bar_loses_one_rank_a_window(count):
     begun = time.process_time()
     run = solve(many_windows(count, math.pi / 2, 2.0, 0.1))
     wanted = expected("H26")[f"N={count}"]
-    system = run.values["flow"].system
+    system = run.scene.flow.system
     for theta, numbers in ((math.pi / 2, wanted["1.571"]), (0.001, wanted["0.001"]), (0.0, wanted["0.0"])):
         sizes = np.linalg.svd(system.matrix(0.0, [theta, *[0.0] * count, *[theta] * count])[0], compute_uv=False)
         assert np.sum(sizes > 1e-12) == numbers["rank(1e-12)"]

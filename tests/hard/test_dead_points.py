@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from coursework.schemes import SCHEMES
-from coursework.singular.search import find_event
+from coursework.singular.search import search_event
 from tests.hard.scenes import CASES, REFERENCE, V31_IMPOSSIBLE, expected, scene, solve
 
 LOCATED = 1e-8
@@ -134,7 +134,7 @@ def test_h28_two_crossings_of_a_driven_chain_inside_one_step(depth):
         closures=["l @ p = (s, 0) + l @ q"],
     )
     run = solve(text)
-    event = run.values["event"]
+    event = run.scene.event
     if depth == 1e-10:  # nearer to a change point than any length is cut to
         assert event.kind == "change point"
         assert abs(event.time - 0.505) < 1e-7
@@ -158,9 +158,9 @@ def test_h33_location_does_not_depend_on_scheme_or_step():
 
 @pytest.mark.parametrize(("tolerance", "error", "cost"), [(1e-6, 1e-5, 350), (1e-9, 1e-8, 450), (1e-12, 1e-11, 600)])
 def test_h33_cost_of_the_location(tolerance, error, cost):
-    values = solve(V31_IMPOSSIBLE).values
-    flow = values["flow"]
+    scene = solve(V31_IMPOSSIBLE).scene
+    flow = scene.flow
     before = flow.evaluations
-    event = find_event(flow, values["start"], 0.48, tolerance=tolerance)
+    event = search_event(flow, scene.start, 0.48, tolerance=tolerance).event
     assert abs(event.time - 0.116889254610302411) < error
     assert flow.evaluations - before < cost

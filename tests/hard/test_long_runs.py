@@ -126,8 +126,8 @@ def test_h21_gain_and_projection_need_position_equations():
 
 
 def test_a_closure_that_cannot_be_followed_gives_up_in_time():
-    values = coursework.solve("31", quantities=["table"]).values
-    closure, rates = values["closure"], values["rates"]
+    scene = coursework.solve("31", quantities=["table"]).scene
+    closure, rates = scene.closure, scene.rates
     calls = []
 
     def counted(t, *q):

@@ -25,7 +25,7 @@ def test_h18_the_mismatch_is_split_into_scheme_period_and_round_off():
     wanted = expected("H18")
     assert float(wanted["T"]) == pytest.approx(PERIOD, rel=1e-15)
     assert float(wanted["T/dt"]) == pytest.approx(PERIOD / 0.02, rel=1e-15)
-    budget = {name: (total, scheme, period, rounding) for name, _, total, scheme, period, rounding in run.values["budget"]}
+    budget = {name: (total, scheme, period, rounding) for name, _, total, scheme, period, rounding in run.results.mismatch}
     for name, exact, euler in zip(
         ("phi1", "phi2", "phi3"), wanted["exact mismatch phi"], wanted["euler mismatch phi"], strict=True
     ):  # fmt: skip
@@ -139,11 +139,11 @@ def test_h27_more_than_a_drive_period_a_step_is_refused():
     with pytest.raises(InputError, match="too large for this drive"):
         _ = coursework.solve("31", step=0.6, end=0.6).motion
     # Without that guard the width of the first step speaks.
-    values = coursework.solve("31").values
-    found = march(values["rates"], "euler", values["start"], 0.6, 0.6, guarded=[0, 1, 2])
+    scene = coursework.solve("31").scene
+    found = march(scene.rates, "euler", scene.start, 0.6, 0.6, guarded=[0, 1, 2])
     assert found.stop.kind == "step too large"
     assert len(found.t) == 1
-    alone = march(values["rates"], "euler", values["start"], 0.6, 0.6, guarded=[2])
+    alone = march(scene.rates, "euler", scene.start, 0.6, 0.6, guarded=[2])
     assert any(abs(value - float(wanted["dphi3"])) < 5e-3 for value in numbers(alone.stop.sentence))
     after = 2 * math.cos(2.87 + float(wanted["dphi3"])) + math.sin(2.87 + float(wanted["dphi3"]))
     assert 0.457 * after == pytest.approx(float(wanted["det_after_value"]), abs=1e-9)  # the sign that nobody would have seen
@@ -161,8 +161,8 @@ def test_h30_time_is_a_multiple_of_the_step_never_a_sum():
 
 
 def test_h30_round_off_never_limits_euler_and_a_running_sum_spoils_single_precision():
-    values = coursework.solve("31").values
-    rates, start = values["rates"], values["start"]
+    scene = coursework.solve("31").scene
+    rates, start = scene.rates, scene.start
     steps = 24 * 2**8
     double = march_in(np.float64, rates, "euler", start, PERIOD / steps, steps, every=steps)[-1]
     wide = march_in(np.longdouble, rates, "euler", start, PERIOD / steps, steps, every=steps)[-1]
@@ -171,7 +171,7 @@ def test_h30_round_off_never_limits_euler_and_a_running_sum_spoils_single_precis
     assert np.max(np.abs(double - start)) == pytest.approx(2.323 / steps, rel=0.05)
     assert np.max(np.abs(double - wide)) < 1e-12
     # Single precision, small version: with 6144 steps t += h has lost what the scheme gained.
-    exact = values["exact"].coordinates[-1]
+    exact = scene.exact.coordinates[-1]
     fine = march_in(np.float64, rates, "euler", start, 0.48 / steps, steps, every=steps)[-1]
     plain, running = (
         march_in(np.float32, rates, "euler", start, 0.48 / steps, steps, every=steps, running_time=summed)[-1]
@@ -218,7 +218,7 @@ def test_a_break_on_a_row_is_met_by_every_scheme(scheme, step):
     run = solve(text, scheme=scheme, quantities=("table", "checks"))
     t = run.motion.t
     assert np.max(np.abs(run.motion.column("p") - (6 * np.minimum(t, at) - 2 * np.maximum(t - at, 0)))) < 1e-12
-    assert np.max(np.abs(run.values["wide"][:, 0].astype(float) - run.motion.column("p"))) < 1e-12
-    rates = run.values["rates"]
-    rows = trace(generate_loop(SCHEMES[scheme], rates), run.values["start"], step, 22, 3, rates.latest)
+    assert np.max(np.abs(run.results.extended_precision[:, 0].astype(float) - run.motion.column("p"))) < 1e-12
+    rates = run.scene.rates
+    rows = trace(generate_loop(SCHEMES[scheme], rates), run.scene.start, step, 22, 3, rates.latest)
     assert np.max(np.abs(rows[:, 0] - run.motion.column("p"))) < 1e-12

@@ -31,7 +31,7 @@ def test_h07_a_small_determinant_of_well_posed_equations_is_solved():
     assert found.rows[0][1] == pytest.approx(float(wanted["cond_2"]), rel=1e-3)
     assert found.value == pytest.approx(16 - math.log10(4e8), abs=1e-3)
     assert found.verdict == "PASS"
-    matrix = run.values["flow"].system.matrix(0.0, [0.0, 0.0])[0]
+    matrix = run.scene.flow.system.matrix(0.0, [0.0, 0.0])[0]
     lengths = np.linalg.norm(matrix, axis=1)
     assert abs(np.linalg.det(matrix / lengths[:, None])) == pytest.approx(float(wanted["normalised_det"]), rel=1e-3)
 
@@ -178,7 +178,7 @@ def test_h17_a_tiny_crank_beside_long_links_is_no_bad_condition():
     assert np.max(np.abs(residual)) < 1e-15 * 8
     slope = a * np.sin(p - run.exact.column("theta")) / (c * np.sin(p - q))
     assert np.allclose(run.exact.column("wq"), slope, rtol=1e-9)
-    unequal = run.values["flow"].system.matrix(0.0, run.exact.coordinates[0].tolist())[0]
+    unequal = run.scene.flow.system.matrix(0.0, run.exact.coordinates[0].tolist())[0]
     assert unequal.shape == (2, 2)
 
 
@@ -199,7 +199,7 @@ def test_h17_the_four_by_four_of_the_raw_case():
         ],
     )  # fmt: skip
     run = solve(text, quantities=("table", "checks"))
-    raw = run.values["flow"].system.matrix(0.0, run.motion.coordinates[0].tolist())[0]
+    raw = run.scene.flow.system.matrix(0.0, run.motion.coordinates[0].tolist())[0]
     assert np.linalg.cond(raw) > 1e5
     assert check(run, "CONDITION").rows[0][1] < 100
 

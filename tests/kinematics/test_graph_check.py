@@ -17,9 +17,9 @@ from coursework import load, solve
 from coursework.catalogue import names
 from coursework.errors import InputError
 from coursework.plans.graph_check import GraphCheck, check_graph
-from coursework.plans.instant_centres import Body, Centre, Findings, Scene, construct
+from coursework.plans.instant_centres import Body, Centre, Findings, Pose, construct
 from coursework.plans.layout import PAGE, SCALES, lay_out
-from coursework.plans.sketch import Sketch, read_scene
+from coursework.plans.sketch import Sketch, read_sketch
 from coursework.run import Run
 from coursework.variant.record import Link, Variant
 
@@ -41,7 +41,7 @@ def check_of(name: str, row: int | None = None) -> GraphCheck:
     if row is None:
         assert run.graph is not None
         return run.graph
-    equations = replace(run.values["equations"], variant=at_row(run.variant, row))
+    equations = replace(run.scene.equations, variant=at_row(run.variant, row))
     check = check_graph(equations, run.motion, run.exact)
     assert check is not None
     return check
@@ -107,8 +107,8 @@ def test_variant_31_in_the_row_of_the_coursework() -> None:
 def test_centres_of_the_exact_row(name: str) -> None:
     reference = json.loads((REFERENCE / f"{name}.json").read_text())["icv_at_check_row_exact"]
     run = run_of(name.lower())
-    sketch = read_scene(run.values["equations"])(run.exact, run.variant.time.check_row - 1)
-    findings = construct(sketch.scene)
+    sketch = read_sketch(run.scene.equations)(run.exact, run.variant.time.check_row - 1)
+    findings = construct(sketch.pose)
     assert findings.missing == ()
     for link, expected in reference.items():
         centre = findings.centres[link.removeprefix("link")]
@@ -156,8 +156,8 @@ def test_every_variant_that_asks_gets_its_drawing() -> None:
 def scene(
     points: dict[str, complex], bodies: list[Body], *, fixed: str = "", guided: dict[str, complex] | None = None,
     velocities: dict[str, complex] | None = None, rates: dict[str, float] | None = None,
-) -> Scene:  # fmt: skip
-    return Scene(points, tuple(bodies), frozenset(fixed), guided or {}, velocities or {}, rates or {})
+) -> Pose:  # fmt: skip
+    return Pose(points, tuple(bodies), frozenset(fixed), guided or {}, velocities or {}, rates or {})
 
 
 def test_translation_has_its_centre_at_infinity() -> None:
@@ -241,7 +241,7 @@ def test_a_rail_through_no_point_of_a_link_is_reported() -> None:
 def test_not_asked_for_is_not_computed() -> None:
     run = solve("31", quantities=["table"])
     assert run.graph is None
-    assert "graph_check" not in run.values.calls
+    assert "graph_check" not in run.scene.ledger.calls
 
 
 def test_what_is_missing_is_said() -> None:
@@ -301,7 +301,7 @@ def test_links_are_drawn_in_the_scale_of_the_coursework() -> None:
 @pytest.mark.parametrize("name", ["31", *map(str.lower, DRAWABLE)])
 def test_the_drawing_is_similar_to_the_mechanism(name: str) -> None:
     check = check_of(name)
-    at = check.sketch.scene.positions
+    at = check.sketch.pose.positions
     for line in elements(svg_of(name), "line", "data-from"):
         metres = abs(at[line.get("data-from", "")] - at[line.get("data-to", "")])
         assert length(line) * check.scale / 1000 == pytest.approx(metres, abs=2e-7 * check.scale)
@@ -346,13 +346,13 @@ def test_scales_are_those_of_drawing_standards() -> None:
     assert {1.0, 2.0, 2.5, 4.0, 5.0, 10.0, 20.0, 50.0, 100.0, 0.5, 0.2} <= set(SCALES)
     sketch, findings = sketch_of("31"), check_of("31").findings
     for factor, scale in ((0.001, 0.01), (0.1, 1.0), (10.0, 100.0), (1e5, 1e6)):
-        larger = {name: at * factor for name, at in sketch.scene.positions.items()}
-        assert lay_out(replace(sketch, scene=replace(sketch.scene, positions=larger)), findings).scale == scale
+        larger = {name: at * factor for name, at in sketch.pose.positions.items()}
+        assert lay_out(replace(sketch, pose=replace(sketch.pose, positions=larger)), findings).scale == scale
 
 
 def test_the_drawing_is_the_same_every_time() -> None:
     run = run_of("31")
-    fresh = check_graph(run.values["equations"], run.motion, run.exact)
+    fresh = check_graph(run.scene.equations, run.motion, run.exact)
     assert fresh is not None
     assert fresh.svg == svg_of("31")
 
@@ -360,7 +360,7 @@ def test_the_drawing_is_the_same_every_time() -> None:
 def test_names_cannot_break_out_of_the_drawing() -> None:
     run, evil = run_of("31"), '"><script>alert(1)</script>&\x01\u202e' + 30 * "3"
     links = tuple(replace(link, name=evil) if link.name == "3" else link for link in run.variant.links)
-    equations = replace(run.values["equations"], variant=replace(run.variant, links=links))
+    equations = replace(run.scene.equations, variant=replace(run.variant, links=links))
     check = check_graph(equations, run.motion, run.exact)
     assert check is not None
     svg = check.svg
@@ -372,7 +372,7 @@ def test_names_cannot_break_out_of_the_drawing() -> None:
 def test_a_file_may_call_its_points_like_centres() -> None:
     variant = load("31")
     sketch = sketch_of("31")
-    taken = replace(sketch, scene=replace(sketch.scene, positions={**sketch.scene.positions, "P3": 0j}))
+    taken = replace(sketch, pose=replace(sketch.pose, positions={**sketch.pose.positions, "P3": 0j}))
     from coursework.plans.graph_words import centre_letter, how_found
 
     assert (centre_letter(sketch), centre_letter(taken)) == ("P", "IC")

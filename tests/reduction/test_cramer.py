@@ -71,12 +71,12 @@ def test_shown_and_computed_solve_the_system(system, seed):
     size, equations = system
     try:
         run = coursework.solve(as_variant(size, equations), quantities=["table"])
-        blocks, rates = run.reduction.blocks, run.values["rates"]
+        blocks, rates = run.reduction.blocks, run.scene.rates
     except coursework.InputError:
         return  # this draw is singular; which equations are to blame is told in other tests
     assert sorted(name for block in blocks for name in block.unknowns) == [f"u{k}" for k in range(size)]
-    linear = compile_system(run.values["equations"], run.values["equations"].equations)
-    names = run.values["equations"].unknowns
+    linear = compile_system(run.scene.equations, run.scene.equations.equations)
+    names = run.scene.equations.unknowns
     generator = np.random.default_rng(seed)
     for _ in range(3):
         t, q = generator.uniform(0, 1), generator.uniform(-2, 2, size).tolist()
@@ -116,7 +116,7 @@ def test_a_block_uses_earlier_velocities_only(system):
     known = set()
     for block in blocks:
         entries = [*block.right_side, *(entry for row in block.matrix for entry in row)]
-        used = {str(s) for entry in entries for s in entry.free_symbols} & set(run.values["equations"].unknowns)
+        used = {str(s) for entry in entries for s in entry.free_symbols} & set(run.scene.equations.unknowns)
         assert used <= known
         known |= set(block.unknowns)
 

@@ -73,9 +73,9 @@ def renamed(names):
 def computed(source, *asked):
     """Return what generated code computes for a variant: the table, what is asked for, and a loop."""
     run = coursework.solve(parse_variant(source, "names"), quantities=["points", *asked])
-    values = run.values
-    loop = generate_loop(SCHEMES["rk4"], values["rates"])
-    return np.hstack([run.columns()[1].ravel(), trace(loop, values["start"], run.step, 3, 2).ravel()])
+    scene = run.scene
+    loop = generate_loop(SCHEMES["rk4"], scene.rates)
+    return np.hstack([run.columns()[1].ravel(), trace(loop, scene.start, run.step, 3, 2).ravel()])
 
 
 MEANT = {asked: computed(PLAIN, *asked) for asked in ((), ("accelerations",))}

@@ -51,7 +51,7 @@ def run():
 def points(run, count=25):
     """Return names with values: times, positions, and velocities from the full system of equations."""
     generator = np.random.default_rng(31)
-    equations = run.values["equations"]
+    equations = run.scene.equations
     system = compile_system(equations, equations.equations)
     drive = run.variant.drive[1].formula
     for _ in range(count):
@@ -91,7 +91,7 @@ def test_what_is_shown_is_the_solution_of_the_equations(run):
 
 
 def test_what_is_computed_is_the_solution_of_the_equations(run):
-    rates = run.values["rates"]
+    rates = run.scene.rates
     for values in points(run):
         found = rates.evaluate(values["t"], values["phi1"], values["phi2"], values["phi3"])
         assert found[:4] == pytest.approx([values[name] for name in ("w1", "w2", "w3", "w4")], rel=1e-10, abs=1e-10)
@@ -102,10 +102,10 @@ def test_the_geometry_alone_gives_the_same_velocities(run):
     start, end = PAGE.index("[[constraint]]"), PAGE.index("# --- geometry")
     bare = (PAGE[:start] + PAGE[end:]).replace('w4 = "1/s"', "").replace(', rate = "w4" }', " }")
     derived = solved(bare)
-    assert derived.values["equations"].unknowns == ("w1", "w2", "w3")
-    assert all(equation.written is None for equation in derived.values["equations"].equations)
+    assert derived.scene.equations.unknowns == ("w1", "w2", "w3")
+    assert all(equation.written is None for equation in derived.scene.equations.equations)
     for values in points(run):
-        found = derived.values["rates"].evaluate(values["t"], values["phi1"], values["phi2"], values["phi3"])
+        found = derived.scene.rates.evaluate(values["t"], values["phi1"], values["phi2"], values["phi3"])
         assert found[:3] == pytest.approx([values[name] for name in ("w1", "w2", "w3")], rel=1e-9, abs=1e-9)
     assert derived.motion.rows == pytest.approx(run.motion.rows[:, :6], rel=1e-11, abs=1e-11)
 

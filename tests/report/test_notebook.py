@@ -54,7 +54,7 @@ def test_drawing_plots_and_checks():
     width = float(re.search(r'<svg[^>]* width="([\d.]+)mm"', page)[1])
     height = float(re.search(r'<svg[^>]* height="([\d.]+)mm"', page)[1])
     assert width > height, "a screen does not turn a wide sheet onto its side"
-    assert "accuracy" not in run.values.calls, "what a notebook does not show is not computed for it"
+    assert "accuracy" not in run.scene.ledger.calls, "what a notebook does not show is not computed for it"
 
 
 def test_looks_stay_inside():
@@ -96,7 +96,7 @@ def test_a_run_in_one_line(name):
     assert text.startswith(f"<Run of {name}: ") and text.endswith(">")
     assert "\n" not in text and len(text) < 200
     assert f"h = {run.step:g} s, 0 to {run.end:g} s" in text
-    assert not run.values.calls, "to look at a run computes nothing"
+    assert not run.scene.ledger.calls, "to look at a run computes nothing"
 
 
 def test_a_name_with_a_line_break_stays_in_one_line(tmp_path):

@@ -41,7 +41,7 @@ def test_the_page_of_variant_31(run: Any, reading: ModuleType, tmp_path: Path) -
 def test_only_what_is_asked_for_is_computed() -> None:
     bare = coursework.solve("31", quantities=("table",))
     render_html(build_model(bare))
-    assert not {"exact", "checks", "accuracy"} & set(bare.values.calls)
+    assert not {"exact", "checks", "accuracy"} & set(bare.scene.ledger.calls)
 
 
 def test_everything_that_can_be_asked_for_has_a_page(reading: ModuleType) -> None:

@@ -1,0 +1,114 @@
+"""What follows from one motion of a scene: the rows of a scheme, the exact ones, or a student's own table, by the same code.
+
+Enters: a `Scene` and any `Motion` of its mechanism.  Leaves: `MotionResults`, each property computed when looked at, once.
+Made by `Scene.over`; read by `quantities.py` and `run.py`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.graph import Ledger, computed
+from coursework.integration.motion import Motion
+from coursework.schemes import SCHEMES
+
+if TYPE_CHECKING:
+    from coursework.checks.evidence import Evidence
+    from coursework.checks.result import Check
+    from coursework.scene import Scene
+
+Array = NDArray[np.float64]
+Named = tuple[tuple[str, ...], Array]
+Mismatch = tuple[tuple[str, str, float, float, float, float], ...]
+# More rows than this are not marched in extended numbers: a row there costs a hundred times one of the table.
+MOST_EXTENDED = 2001
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class MotionResults:
+    """`motion` and the `scene` it is a motion of; what is asked of it is kept here and nowhere else."""
+
+    scene: Scene
+    motion: Motion
+    ledger: Ledger
+
+    @computed("motion", "equations", "reduction")
+    def accelerations(self) -> Array:
+        """The accelerations (n, k) of every row, from the differentiated equations (rad/s², m/s²)."""
+        from coursework.kinematics.accelerations import accelerations as compute
+
+        return compute(self.scene.equations, self.scene.reduction, self.motion)
+
+    @computed("motion", "equations")
+    def points(self) -> Named:
+        """Positions and velocities of the named points (m, m/s)."""
+        from coursework.kinematics.points import point_rows
+
+        return point_rows(self.scene.equations, self.motion)
+
+    @computed("motion", "equations", "accelerations")
+    def point_accelerations(self) -> Named:
+        """Positions, velocities and accelerations of the named points (m, m/s, m/s²)."""
+        from coursework.kinematics.points import point_rows
+
+        return point_rows(self.scene.equations, self.motion, self.accelerations)
+
+    @property
+    def marched(self) -> bool:
+        """Whether a scheme made the rows and went as far as the mechanism goes."""
+        motion = self.motion
+        return motion.scheme in SCHEMES and (motion.stop is None or motion.stop is self.scene.stop)
+
+    @computed("motion", "stop", "rates", "closure", "reduction", "start", "flow")
+    def half_step(self) -> Motion | None:
+        """The same run with half the step: what the scheme's own error is estimated from."""
+        if len(self.motion.t) < 2 or not self.marched:
+            return None
+        return self.scene.march(self.motion.step / 2)
+
+    @computed("motion", "stop", "rates", "reduction", "start")
+    def extended_precision(self) -> Array | None:
+        """The same rows in extended numbers: what round-off did to them.  None where that cannot be had."""
+        from coursework.integration.extended_precision import has_extended, march_in
+
+        motion, scene = self.motion, self.scene
+        small = len(motion.t) <= MOST_EXTENDED and all(block.size <= 2 for block in scene.reduction.blocks)
+        corrected = scene.settings.project or scene.settings.gain
+        if not (small and has_extended()) or motion.stop is not None or corrected or not self.marched:
+            return None
+        extended: Array = march_in(np.longdouble, scene.rates, motion.scheme, scene.begin, motion.step, len(motion.t) - 1)
+        return extended
+
+    @computed("motion", "exact", "half_step", "extended_precision", "equations", "closure", "reduction", "search")
+    def evidence(self) -> Evidence:
+        """What the checks may look at."""
+        from coursework.checks.evidence import Evidence, richardson
+        from coursework.geometry.drive import fastest, is_sinusoidal
+
+        scene, motion = self.scene, self.motion
+        known = scene.exact if len(scene.exact.t) == len(motion.t) else None
+        return Evidence(
+            scene.variant, scene.equations, motion, self.half_step, known, self.extended_precision, scene.closure,
+            richardson(motion, self.half_step), scene.reduction.used, fastest(scene.equations),
+            is_sinusoidal(scene.equations), scene.search.fastest,
+        )  # fmt: skip
+
+    @computed("evidence")
+    def checks(self) -> tuple[Check, ...]:
+        """The checks of the page."""
+        from coursework.checks.check import check_motion
+
+        return check_motion(self.evidence)
+
+    @computed("evidence", "motion")
+    def mismatch(self) -> Mismatch:
+        """Last row minus first row of every coordinate: scheme error + period mismatch + round-off."""
+        from coursework.checks.period import mismatch
+
+        splits = mismatch(self.evidence) or ()
+        names = self.motion.coordinate_names
+        return tuple((s.name, s.unit, s.total, s.scheme, s.period, s.roundoff) for s in splits if s.name in names)

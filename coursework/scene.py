@@ -1,0 +1,210 @@
+"""One variant with its settings, and the way to its motion: every step a typed property, computed when looked at, once.
+
+Enters: a `Variant` and `Settings`.  Leaves: `Scene`; what depends on a motion is `scene.over(motion)`, for any motion.
+Used by `quantities.py`, `run.py`, `api.py`, and by readers who want more than a table.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.errors import InputError
+from coursework.geometry.agreement import require_agreement
+from coursework.geometry.chain import chain_positions, is_chain, start_values
+from coursework.geometry.closure import Closure, compile_closure, require_start
+from coursework.geometry.drive import breaks, refuse_aliasing, refuse_endless
+from coursework.graph import Ledger, computed
+from coursework.integration.exact_motion import NotReached, exact_motion
+from coursework.integration.integrate import Correction, march
+from coursework.integration.motion import Motion, Stop, rows_before
+from coursework.integration.rates import Rates, compile_rates
+from coursework.mechanism import Mechanism, build
+from coursework.motion_results import MotionResults
+from coursework.reduction.blocks import Reduction, reduce
+from coursework.reduction.equations import VelocityEquations, differentiate
+from coursework.reduction.solution import Solution
+from coursework.reduction.solution import solutions as solve_blocks
+from coursework.reduction.symbolic import symbol
+from coursework.sentences import say
+from coursework.settings import Settings
+from coursework.singular.explain import explain
+from coursework.singular.scaled_flow import Flow, compile_flow
+from coursework.singular.search import Event, NotFollowed, Search, search_event
+from coursework.variant.record import Variant, whole_steps
+
+Array = NDArray[np.float64]
+# A periodic motion that lasts for many periods is looked at for dead points over the first two.
+PERIODS_LOOKED_AT = 2.2
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Scene:
+    """A variant and how it is to be run; the properties in the order in which they build on each other."""
+
+    variant: Variant
+    settings: Settings
+    ledger: Ledger = field(default_factory=Ledger)
+
+    @computed()
+    def mechanism(self) -> Mechanism:
+        """Points in order, chains written out, mobility."""
+        return build(self.variant)
+
+    @computed("mechanism")
+    def equations(self) -> VelocityEquations:
+        """The velocity equations A(q, t) u = b(q, t)."""
+        return differentiate(self.mechanism)
+
+    @computed("equations")
+    def start(self) -> list[float]:
+        """The coordinates at t = 0 (rad, m)."""
+        return start_values(self.equations)
+
+    @computed("equations", "start")
+    def closure(self) -> Closure | None:
+        """The position equations, if the file has any; checked against start and written equations."""
+        closure = compile_closure(self.equations, self.start)
+        require_start(closure)
+        require_agreement(self.equations, closure)
+        return closure
+
+    @computed("equations", "start")
+    def reduction(self) -> Reduction:
+        """The blocks, their solutions and determinants."""
+        return reduce(self.equations, self.start)
+
+    @computed("equations", "reduction")
+    def solutions(self) -> tuple[Solution, ...]:
+        """The velocities of every block as a textbook writes them."""
+        return solve_blocks(self.equations, self.reduction)
+
+    @computed("equations", "reduction")
+    def rates(self) -> Rates:
+        """The right-hand side as a plain function, for the columns asked for."""
+        return compile_rates(self.equations, self.reduction, self.settings.columns or None)
+
+    @computed("equations", "reduction", "start")
+    def flow(self) -> Flow:
+        """The determinant-scaled flow that finds dead points."""
+        return compile_flow(self.equations, self.reduction, self.start)
+
+    @computed("closure", "flow", "start", "equations")
+    def search(self) -> Search:
+        """The true motion followed to its first dead or change point; it starts closed also where the file's start is rounded."""
+        time, closure = self.variant.time, self.closure
+        horizon = time.end
+        if time.period is not None and time.end > PERIODS_LOOKED_AT * time.period:
+            horizon = PERIODS_LOOKED_AT * time.period
+        closed = closure.newton(0.0, closure.start, closure.origin) if closure is not None and closure.complete else None
+        start = self.start if closed is None else closed.tolist()
+        try:
+            return search_event(self.flow, start, horizon, breaks=breaks(self.variant))
+        except NotFollowed as error:
+            refuse_endless(self.equations, error.time)
+            raise
+
+    @property
+    def event(self) -> Event | None:
+        """The first dead or change point of the true motion."""
+        return self.search.event
+
+    @computed("search", "flow", "equations", "reduction")
+    def stop(self) -> Stop | None:
+        """The event in words: where the motion ends and why."""
+        event = self.search.event
+        if event is None:
+            return None
+        from coursework.singular.change_point import branches_at
+
+        at = (event.block, event.time, event.position.tolist())
+        branches = branches_at(self.flow, *at) if event.kind == "change point" else ()
+        return explain(event, self.equations, self.reduction, self.variant.time.step, branches)
+
+    @computed("search", "equations", "reduction", "start")
+    def phases(self) -> str:
+        """For a motion that stops: the phases of the drive with which the whole motion would be possible, in a sentence."""
+        if self.search.event is None:
+            return ""
+        from coursework.singular.phases import phase_sentence
+
+        return phase_sentence(self.equations, self.reduction, self.start)
+
+    def march(self, step: float) -> Motion:
+        """Return rows of the scheme with a step (s), up to the stop of the true motion."""
+        variant, settings, rates, stop = self.variant, self.settings, self.rates, self.stop
+        correction = None
+        if settings.project or settings.gain:
+            if self.closure is None or not self.closure.complete:
+                raise InputError("the projection needs position equations for every coordinate: add [closure] to the variant.")
+            if settings.columns:
+                raise InputError("the projection needs every coordinate; ask for the whole table.")
+            correction = Correction(self.closure, settings.project, settings.gain)
+        angles = self._angles_in_determinants()
+        guarded = [index for index, name in enumerate(rates.coordinates) if name in angles]
+        rows = march(rates, settings.scheme, self.begin, step, variant.time.end, correction, stop, guarded)
+        scaled = rows.determinants / np.array([self.flow.largest[index] for index in rates.blocks])
+        return replace(rows, scaled=np.asarray(scaled))
+
+    @property
+    def begin(self) -> list[float]:
+        """The start of the coordinates that are integrated."""
+        names = (coordinate.name for coordinate in self.variant.coordinates)
+        return [value for name, value in zip(names, self.start, strict=True) if name in self.rates.coordinates]
+
+    def _angles_in_determinants(self) -> set[str]:
+        blocks = (self.reduction.blocks[index] for index in self.rates.blocks)
+        inside = {s for block in blocks for row in block.matrix for entry in row for s in entry.free_symbols}
+        known = self.variant.known_rates
+        free = (c for c in self.variant.coordinates if c.rate not in known and c.unit == "rad")
+        return {c.name for c in free if symbol(c.name) in inside}
+
+    @computed("stop", "equations", "closure", "rates", "reduction", "start", "flow")
+    def motion(self) -> Motion:
+        """The rows of the coursework."""
+        _ = self.stop  # a start that does not close is told before a step that is too coarse
+        refuse_aliasing(self.equations, self.variant.time.step)
+        return self.march(self.variant.time.step)
+
+    @computed("stop", "equations", "reduction", "rates", "closure", "start")
+    def exact(self) -> Motion:
+        """The motion without a scheme's error, on the same rows."""
+        time, stop, equations = self.variant.time, self.stop, self.equations
+        last = whole_steps(time.step, time.end)
+        if stop is not None:
+            last = min(last, rows_before(stop.time, time.step) - 1)
+        times: Array = np.arange(last + 1).astype(np.float64) * time.step
+        every = compile_rates(equations, self.reduction) if self.settings.columns else self.rates
+        if last < 0:
+            return _no_rows(every)
+        positions = (lambda at: chain_positions(equations, at)) if is_chain(self.variant) else None
+        count = len(self.reduction.blocks)
+        try:
+            return exact_motion(equations, every, self.closure, self.start, times, count, positions)
+        except NotReached:
+            return exact_motion(equations, every, None, self.start, times, count)
+
+    def over(self, motion: Motion) -> MotionResults:
+        """Return what follows from a motion, any motion of this scene's mechanism, with a ledger of its own."""
+        return MotionResults(self, motion, Ledger())
+
+    @cached_property
+    def results(self) -> MotionResults:
+        """What follows from the rows of the coursework."""
+        return MotionResults(self, self.motion, self.ledger)
+
+    @computed("exact")
+    def exact_accelerations(self) -> Array:
+        """The accelerations of the exact rows."""
+        return self.over(self.exact).accelerations
+
+
+def _no_rows(every: Rates) -> Motion:
+    empty = np.zeros((0, 0))
+    return Motion(
+        np.zeros(0), np.zeros((0, len(every.coordinates))), np.zeros((0, len(every.velocities))), empty, empty.copy(),
+        every.coordinates, every.velocities, "exact", 0.0, 0, label=say("exact.nothing"),
+    )  # fmt: skip
