@@ -15,8 +15,10 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from coursework import groups
-    from coursework.api import exact, load, solve
+    from coursework.api import compile_model, exact, load, solve
     from coursework.errors import CourseworkError, InputError, OutputError
+    from coursework.model.data import Data
+    from coursework.model.model import Model
     from coursework.report import notebook_html, write_report
     from coursework.run import Run
     from coursework.variant.record import Variant
@@ -24,14 +26,15 @@ if TYPE_CHECKING:
 __version__ = "1.0.0"
 
 _HOMES = {
-    "load": "coursework.api", "solve": "coursework.api", "exact": "coursework.api", "Run": "coursework.run",
+    "load": "coursework.api", "solve": "coursework.api", "exact": "coursework.api", "compile_model": "coursework.api",
+    "Model": "coursework.model.model", "Data": "coursework.model.data", "Run": "coursework.run",
     "write_report": "coursework.report", "notebook_html": "coursework.report", "Variant": "coursework.variant.record",
     "CourseworkError": "coursework.errors", "InputError": "coursework.errors", "OutputError": "coursework.errors",
 }  # fmt: skip
 
 __all__ = [
-    "CourseworkError", "InputError", "OutputError", "Run", "Variant", "exact", "groups", "load", "notebook_html", "solve",
-    "write_report",
+    "CourseworkError", "Data", "InputError", "Model", "OutputError", "Run", "Variant", "compile_model", "exact", "groups",
+    "load", "notebook_html", "solve", "write_report",
 ]  # fmt: skip
 
 

@@ -13,6 +13,7 @@ import numpy as np
 
 from coursework.catalogue import find
 from coursework.errors import Fault, InputError, closest, listing
+from coursework.model.model import Model, build_model
 from coursework.quantities import QUANTITIES, TABLE
 from coursework.run import Run, gather
 from coursework.scene import Scene
@@ -28,6 +29,16 @@ if TYPE_CHECKING:
 def load(path_or_name: str | Path) -> Variant:
     """Return the variant of a file or of the catalogue.  Raises `InputError` with every fault."""
     return read_variant(find(path_or_name))
+
+
+def compile_model(variant: Variant | str | Path) -> Model:
+    """Return a template compiled once, whose functions take the data as arguments.  Raises `InputError`.
+
+    >>> import coursework
+    >>> coursework.compile_model("31").velocities
+    ('w1', 'w2', 'w3', 'w4')
+    """
+    return build_model(load(variant) if isinstance(variant, (str, Path)) else variant)
 
 
 def solve(

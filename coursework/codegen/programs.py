@@ -79,12 +79,15 @@ def _targets(statement: Statement) -> tuple[sp.Symbol, ...]:
 
 
 def compile_function(
-    name: str, arguments: Sequence[str], body: Program, results: Sequence[str], *, numpy: bool = False
+    name: str, arguments: Sequence[str], body: Program, results: Sequence[str], *, numpy: bool = False, outside: bool = False
 ) -> Callable[..., Any]:
-    """Return `name(*arguments) -> (results…)`; with `numpy` every argument may be an array (n,)."""
+    """Return `name(*arguments) -> (results…)`; with `numpy` every argument may be an array (n,).
+
+    With `outside` too a tabulated law gives nan beyond its table instead of raising `OutsideTable`.
+    """
     lines = [f"def {name}({', '.join(arguments)}):", *(f"    {line.text}" for line in body.lines)]
     lines.append(f"    return ({', '.join(results)}{',' if len(results) == 1 else ''})")
-    return build("\n".join(lines), name, body, numpy=numpy)
+    return build("\n".join(lines), name, body, numpy=numpy, outside=outside)
 
 
 def compile_later(name: str, arguments: Sequence[str], body: Program, results: Sequence[str]) -> Callable[..., Any]:
@@ -107,16 +110,29 @@ _ARRAYS: dict[str, Any] = {
 }  # fmt: skip
 
 
-def build(source: str, name: str, body: Program, *, numpy: bool = False) -> Callable[..., Any]:
+def build(source: str, name: str, body: Program, *, numpy: bool = False, outside: bool = False) -> Callable[..., Any]:
     """Return the function `name` of a source that this program printed itself."""
     namespace = dict(_ARRAYS if numpy else _MATH)
     namespace |= {"abs": abs, "sign": np.sign, "_solve": _solve_rows if numpy else _solve, "range": range}
-    namespace |= {f"_table_{key}_{order}": law.function(order) for key, law in body.tables.items() for order in range(3)}
+    for key, law in body.tables.items():
+        for order in range(3):
+            namespace[f"_table_{key}_{order}"] = _beyond(law, order) if outside else law.function(order)
     namespace["__builtins__"] = {}
     builtins.exec(compile(source, f"<generated {name}>", "exec"), namespace)
     function: Callable[..., Any] = namespace[name]
     function.__doc__ = source
     return function
+
+
+def _beyond(law: TableLaw, order: int) -> Callable[[Any], Any]:
+    """Return the function of a tabulated law over arrays that gives nan where the table has ended."""
+    function = law.function(order)
+
+    def value(argument: Any) -> Any:
+        covered = law.covers(argument)
+        return np.where(covered, function(np.where(covered, argument, law.first)), np.nan)
+
+    return value
 
 
 def _solve(entries: tuple[float, ...]) -> tuple[float, ...]:
@@ -130,12 +146,15 @@ def _solve(entries: tuple[float, ...]) -> tuple[float, ...]:
 
 
 def _solve_rows(entries: tuple[Any, ...]) -> tuple[Any, ...]:
-    """Return the same for arrays (n,) at once."""
+    """Return the same for arrays (n,) at once, nan where the block is singular."""
     size = _size(len(entries))
     rows = np.stack(np.broadcast_arrays(*entries), axis=-1).astype(float)
     matrix = rows[..., : size * size].reshape(*rows.shape[:-1], size, size)
-    solution = np.linalg.solve(matrix, rows[..., size * size :][..., None])[..., 0]
-    return (*np.moveaxis(solution, -1, 0), np.linalg.det(matrix))
+    determinant = np.linalg.det(matrix)
+    singular = ~np.isfinite(determinant) | (determinant == 0.0)
+    safe = np.where(singular[..., None, None], np.eye(size), matrix)
+    solution = np.linalg.solve(safe, rows[..., size * size :][..., None])[..., 0]
+    return (*np.moveaxis(np.where(singular[..., None], np.nan, solution), -1, 0), determinant)
 
 
 def _size(entries: int) -> int:

@@ -50,10 +50,10 @@ class TableLaw:
         def law(argument: Any) -> Any:
             place = (argument - self.first) / self.step
             if isinstance(argument, np.ndarray):
-                if not np.all((place >= -_SLACK) & (place <= self.intervals + _SLACK)):
+                if not np.all(self.covers(argument)):
                     raise self._outside(float(argument.flat[int(np.argmax(np.abs(place - self.intervals / 2)))]))
                 inside = np.clip(np.floor(place).astype(int), 0, self.intervals - 1)
-                return reduce(lambda total, part: total * (place - inside) + part, reversed(pieces[inside].T))
+                return reduce(lambda total, part: total * (place - inside) + part, np.moveaxis(pieces[inside], -1, 0)[::-1])
             if not -_SLACK <= place <= self.intervals + _SLACK:
                 raise self._outside(float(argument))
             interval = min(max(int(place), 0), self.intervals - 1)
@@ -63,6 +63,11 @@ class TableLaw:
             return total
 
         return law
+
+    def covers(self, argument: Any) -> Any:
+        """Return whether the table reaches an argument (a number or an array)."""
+        place = (argument - self.first) / self.step
+        return (place >= -_SLACK) & (place <= self.intervals + _SLACK)
 
     def _outside(self, found: float) -> OutsideTable:
         covered = f"{self.first:.9g} to {self.last:.9g}"

@@ -72,7 +72,7 @@ def compile_rates(equations: VelocityEquations, reduction: Reduction, wanted: Se
     first = tuple(c.rate for c in variant.coordinates if c.name in kept)
     listed = first + tuple(name for name in every if name in velocities and name not in first)
     blocks = reduction.needed(listed)
-    statements = [statement for index in blocks for statement in _statements(reduction.blocks[index], index)]
+    statements = [statement for index in blocks for statement in block_statements(reduction.blocks[index], index)]
     statements += [Assign(local(_result(name)), symbol(name)) for name in listed]
     body = scene_program(equations, statements)
     arguments = [private(name) for name in ("t", *kept)]
@@ -84,7 +84,7 @@ def compile_rates(equations: VelocityEquations, reduction: Reduction, wanted: Se
     )  # fmt: skip
 
 
-def _statements(block: Block, index: int) -> list[Statement]:
+def block_statements(block: Block, index: int) -> list[Statement]:
     determinant = local(f"_det{index}")
     unknowns = tuple(symbol(name) for name in block.unknowns)
     if block.size > 2:

@@ -44,6 +44,19 @@ _AT_BREAK = 1e-14
 _MOST_TERMS = 100
 
 
+def constants(variant: Variant) -> dict[str, float]:
+    """Return what is a number as soon as the data are known, by private name: given data, and the times at which laws change."""
+    known = {private(name): value for name, value in variant.values.items()}
+    for law in (*variant.drive, *variant.functions):
+        known |= {_break(law, place): later * (1 - _AT_BREAK) for place, (later, _) in enumerate(law.pieces[1:])}
+    return known
+
+
+def _break(law: Law, place: int) -> str:
+    """Return the private name of the time at which a piece of a law ends."""
+    return f"_end{place}_{law.name}"
+
+
 @contextmanager
 def placed(variant: Variant, place: str, line: int) -> Iterator[None]:
     """Turn a fault of a formula into an `InputError` that says where the formula stands."""
@@ -98,11 +111,8 @@ class Symbols:
         if law.table:
             return sp.Function(f"_table_{law.name}_0")(symbol(law.of))
         if law.pieces:
-            branches = [
-                (self.scalar(formula), sp.Float(later[0] * (1 - _AT_BREAK)) > TIME)
-                for (_, formula), later in zip(law.pieces, law.pieces[1:], strict=False)
-            ]
-            return sp.Piecewise(*branches, (self.scalar(law.pieces[-1][1]), True))
+            branches = [(self.scalar(formula), local(_break(law, place)) > TIME) for place, (_, formula) in enumerate(law.pieces)]
+            return sp.Piecewise(*branches[:-1], (self.scalar(law.pieces[-1][1]), True))
         assert law.formula is not None
         return self.scalar(law.formula)
 

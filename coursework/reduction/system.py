@@ -18,7 +18,7 @@ from coursework.codegen.names import private
 from coursework.codegen.programs import Assign, Program, Statement, compile_function, compile_later, program
 from coursework.codegen.tabulated import TableLaw
 from coursework.reduction.equations import VelocityEquation, VelocityEquations
-from coursework.reduction.symbolic import local, symbol
+from coursework.reduction.symbolic import constants, local, symbol
 
 Array = NDArray[np.float64]
 
@@ -57,12 +57,16 @@ def tables(equations: VelocityEquations) -> dict[str, TableLaw]:
     return {law.name: TableLaw(law.name, law.table, law.method) for law in laws if law.table}
 
 
-def scene_program(equations: VelocityEquations, statements: Sequence[Statement], given: Iterable[sp.Symbol] = ()) -> Program:
-    """Return the program of some statements, its data as numbers; `given` symbols are arguments even where laws define them."""
+def scene_program(
+    equations: VelocityEquations, statements: Sequence[Statement], given: Iterable[sp.Symbol] = (), *, folded: bool = True
+) -> Program:
+    """Return the program of some statements; `given` symbols are arguments even where laws define them.
+
+    The data are numbers in it, or, not `folded`, arguments too: the names of `constants`, in their order.
+    """
     kept = set(given)
     definitions = {name: value for name, value in equations.symbols.definitions.items() if name not in kept}
-    constants = {private(name): value for name, value in equations.variant.values.items()}
-    return program(statements, definitions, constants, tables(equations))
+    return program(statements, definitions, constants(equations.variant) if folded else {}, tables(equations))
 
 
 def compile_system(equations: VelocityEquations, rows: Sequence[VelocityEquation]) -> LinearSystem:

@@ -25,7 +25,7 @@ def read_table(content: bytes, name: str, grid: Grid) -> Table | Trouble:
 
     >>> from coursework.grading.expected import Grid, GridColumn
     >>> grid = Grid(0.1, 3, (GridColumn("phi1", "rad", (1.0, 1.1, 1.2)), GridColumn("w1", "1/s", (1.0, 1.0, 1.0))))
-    >>> table = read_table(b"t;phi1;w1\\n0;1,0;1,0\\n0,1;1,1;1,0\\n0,2;1,2;1,0\\n", "mine.csv", grid)
+    >>> table = read_table(b"t;phi1;w1\n0;1,0;1,0\n0,1;1,1;1,0\n0,2;1,2;1,0\n", "mine.csv", grid)
     >>> table.column("phi1").values
     (1.0, 1.1, 1.2)
     """

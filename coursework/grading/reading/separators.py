@@ -35,7 +35,7 @@ class Split:
 def split(text: str, most_rows: int, most_columns: int) -> Split | None:
     r"""Return the rows of a text that holds a table, None for any other text.  Raises `Refused` for a line beyond all bounds.
 
-    >>> split("t;phi1;w1\\n0;1,5;2\\n0,1;1,7;2", 600, 40).separator
+    >>> split("t;phi1;w1\n0;1,5;2\n0,1;1,7;2", 600, 40).separator
     ';'
     """
     lines = list(_lines(text, most_rows))

@@ -1,0 +1,111 @@
+"""Columns of numbers a user has -> the sets of data of one template, every number in SI, or one sentence about what is wrong.
+
+Enters: a variant; a mapping or a pandas frame of given names and start coordinates.  Leaves: frozen `Data`.
+Used by `model.py` and by whoever solves many sets.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.errors import InputError, closest
+from coursework.formula.alphabet import spell
+from coursework.formula.units import KINDS, MAX_NUMBER, UnitFault, read
+from coursework.variant.record import Variant
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Data:
+    """`count` sets: `given` data by name, (count,) each; `start` coordinates (count, m), nan where a chain gives them.
+
+    All in SI (rad, m, s); `changed` are the names that the user gave, the others are those of the file.
+    """
+
+    count: int
+    given: Mapping[str, Array]
+    start: Array
+    changed: tuple[str, ...]
+
+    def of(self, index: int) -> tuple[dict[str, float], dict[str, float | None]]:
+        """Return the changed data and start values of one set, as `Variant.with_data` takes them."""
+        given = {name: float(column[index]) for name, column in self.given.items() if name in self.changed}
+        return given, {}
+
+
+def read_data(variant: Variant, columns: Mapping[str, Any] | Any = None) -> Data:
+    """Return the sets of some columns; a number stands for a whole column, what no column gives is that of the file.
+
+    Raises `InputError` for a name that the template does not have, lengths that differ, and what is no finite number of the
+    right unit.
+    """
+    places = {c.name: place for place, c in enumerate(variant.coordinates)}
+    units = {given.name: given.si for given in variant.given} | {c.name: c.unit for c in variant.coordinates}
+    found: dict[str, Array] = {}
+    for key in () if columns is None else columns.keys():
+        name = spell(key) if isinstance(key, str) else key
+        if name not in units:
+            known = f" Given: {', '.join(variant.values)}; coordinates: {', '.join(places)}."
+            raise _fault(variant, f'"{key}" is no given datum and no coordinate.{closest(str(key), list(units)) or known}')
+        if name in found:
+            raise _fault(variant, f'"{name}" stands twice among the columns.')
+        found[name] = _column(variant, name, columns[key], units[name])
+    lengths = {name: len(column) for name, column in found.items() if column.ndim}
+    if len(set(lengths.values())) > 1:
+        told = ", ".join(f"{name} {length}" for name, length in lengths.items())
+        raise _fault(variant, f"the columns must have the same number of rows, found {told}.")
+    count = next(iter(lengths.values()), 1)
+    every = {name: np.full(count, value) for name, value in variant.values.items()}
+    start = np.tile([np.nan if c.start is None else c.start for c in variant.coordinates], (count, 1))
+    for name, column in found.items():
+        if name in places:
+            start[:, places[name]] = column
+        else:
+            every[name] = np.broadcast_to(column, (count,))
+    return Data(count, every, start.reshape(count, len(places)), tuple(found))
+
+
+def _column(variant: Variant, name: str, values: Any, si: str) -> Array:
+    """Return one column, or one number for all sets, in SI."""
+    try:
+        column = np.asarray(values)
+    except ValueError:
+        column = np.empty((0, 0))
+    if column.ndim > 1:
+        raise _fault(variant, f"{name}: one number a set was expected, found an array of shape {column.shape}.")
+    if column.dtype.kind in "iuf":
+        numbers: Array = column.astype(float)
+    else:
+        numbers = np.array([_number(variant, name, value, si, place) for place, value in enumerate(column.reshape(-1).tolist())])
+        numbers = numbers.reshape(column.shape)
+    wrong = ~(np.abs(numbers) <= MAX_NUMBER)
+    if np.any(wrong):
+        place = int(np.argmax(wrong))
+        shown = f"{float(numbers.flat[place]):g}"
+        raise _fault(variant, f"{name}, set {place + 1}: a finite number of at most 1e12 was expected, found {shown}.")
+    return numbers
+
+
+def _number(variant: Variant, name: str, value: Any, si: str, place: int) -> float:
+    """Return the SI value of a number or a text such as "953 mm"."""
+    where = f"{name}, set {place + 1}"
+    if isinstance(value, bool) or not isinstance(value, (int, float, str)):
+        raise _fault(variant, f"{where}: a number was expected, found {value!r}.")
+    try:
+        quantity = read(value, si)
+    except UnitFault as fault:
+        raise _fault(variant, f"{where}: {fault}") from None
+    if quantity.si and si and KINDS[quantity.si][0] != KINDS[si][0]:
+        _, what, shown = KINDS[si]
+        raise _fault(variant, f'{where}: {what} was expected: {shown} (found "{value}").')
+    return quantity.value
+
+
+def _fault(variant: Variant, text: str) -> InputError:
+    return InputError(f"data for {variant.name}: {text}")

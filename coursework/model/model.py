@@ -1,0 +1,147 @@
+"""A template compiled once: its velocities as functions of time, position and data, over arrays of any shape.
+
+Enters: a `Variant`.  Leaves: `Model`, whose programs take the data as arguments.
+Used by `closing.py`, `watch.py`, `many.py`, and by who judges tables with data of their own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from numpy.typing import ArrayLike, NDArray
+
+from coursework.codegen.names import private
+from coursework.codegen.programs import Assign, Statement, compile_function
+from coursework.geometry.chain import start_values
+from coursework.integration.rates import block_statements
+from coursework.mechanism import build
+from coursework.model.data import Data, read_data
+from coursework.reduction.blocks import Block, Reduction, reduce
+from coursework.reduction.equations import VelocityEquations, differentiate
+from coursework.reduction.symbolic import constants, local, symbol
+from coursework.reduction.system import scene_program
+from coursework.variant.record import Variant
+
+Array = NDArray[np.float64]
+Columns = list[Any]
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """The structure of one template; numbers come with every call.
+
+    `equations` and `reduction` of the template; functions take t (…,) in s, q (…, m) in rad or m, and `Data`: one set goes
+    with arrays of any shape, several with the first axis of t and q.  Where a velocity has no value (beyond the table of a
+    law, at a dead point) they give nan; nothing is raised or warned about.
+    """
+
+    variant: Variant
+    equations: VelocityEquations = field(repr=False)
+    reduction: Reduction = field(repr=False)
+    _blocks: dict[int, Callable[..., Any]] = field(default_factory=dict, repr=False)
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Return the names of the coordinates, the order of q."""
+        return tuple(coordinate.name for coordinate in self.variant.coordinates)
+
+    @property
+    def velocities(self) -> tuple[str, ...]:
+        """Return the names of the velocities: rates in file order, then unknowns."""
+        return (*self.variant.rates, *(name for name, _ in self.variant.unknowns))
+
+    @property
+    def blocks(self) -> tuple[Block, ...]:
+        """Return the blocks in the order of solution."""
+        return self.reduction.blocks
+
+    def data(self, columns: Any = None) -> Data:
+        """Return sets of data from a mapping or a frame of given names and start coordinates; None for the file's own.
+
+        >>> import coursework
+        >>> coursework.compile_model("31").data({"p": [10.0, 13.08], "r1": "953 mm"}).count
+        2
+        """
+        return columns if isinstance(columns, Data) else read_data(self.variant, columns)
+
+    def rates(self, t: ArrayLike, q: ArrayLike, data: Any = None) -> Array:
+        """Return the velocities (…, k) in rad/s and m/s at times and positions.
+
+        >>> import coursework
+        >>> coursework.compile_model("31").rates(0.0, [1.63, 3.37, 2.87]).round(4).tolist()
+        [-1.5755, -0.7173, 5.5518, -16.6542]
+        """
+        return self._at(self.program, t, q, data)[..., : len(self.velocities)]
+
+    def determinants(self, t: ArrayLike, q: ArrayLike, data: Any = None) -> Array:
+        """Return the determinants (…, blocks) at times and positions."""
+        return self._at(self.program, t, q, data)[..., len(self.velocities) :]
+
+    def block_velocities(self, block: int, t: ArrayLike, q: ArrayLike, earlier: ArrayLike, data: Any = None) -> Array:
+        """Return the velocities (…, size) that one block gives where those of other blocks are `earlier` (…, k).
+
+        `earlier` is laid out as `rates` returns it; only the columns that the block's equations hold are read.
+        """
+        if block not in self._blocks:
+            own = self.blocks[block]
+            others = [name for name in self.variant.sought if name not in own.unknowns]
+            results = [symbol(name) for name in own.unknowns]
+            self._blocks[block] = self.compile(block_statements(own, block), results, others)
+        places = [self.velocities.index(name) for name in self.variant.sought if name not in self.blocks[block].unknowns]
+        read = np.asarray(earlier, dtype=float)
+        return self._at(self._blocks[block], t, q, data, [read[..., place] for place in places])
+
+    @cached_property
+    def program(self) -> Callable[..., Any]:
+        """Return the function (t, *q, *numbers) -> velocities then determinants, numbers or arrays that fit together."""
+        statements = [one for index, block in enumerate(self.blocks) for one in block_statements(block, index)]
+        results = [symbol(name) for name in self.velocities] + [local(f"_det{index}") for index in range(len(self.blocks))]
+        return self.compile(statements, results)
+
+    def compile(
+        self, statements: Sequence[Statement], results: Sequence[sp.Symbol], velocities: Iterable[str] = ()
+    ) -> Callable[..., Any]:
+        """Return the function (t, *q, *velocities, *numbers) of some statements; a result that is a known law is its value."""
+        known = tuple(velocities)
+        outs = [Assign(local(f"_out{place}"), result) for place, result in enumerate(results)]
+        body = scene_program(self.equations, [*statements, *outs], map(symbol, known), folded=False)
+        arguments = [*map(private, ("t", *self.coordinates, *known)), *constants(self.variant)]
+        names = [f"_out{place}" for place in range(len(results))]
+        return compile_function("values", arguments, body, names, numpy=True, outside=True)
+
+    def compile_values(self, wanted: Sequence[sp.Expr], velocities: Iterable[str] = ()) -> Callable[..., Any]:
+        """Return the function (t, *q, *velocities, *numbers) of some expressions."""
+        names = [local(f"_value{place}") for place in range(len(wanted))]
+        return self.compile([Assign(name, value) for name, value in zip(names, wanted, strict=True)], names, velocities)
+
+    def numbers(self, data: Data, beside: int = 0) -> Columns:
+        """Return the arguments that stand for the data: floats of one set, else (count, 1, …) with `beside` further axes."""
+        columns = [data.given[given.name] for given in self.variant.given]
+        ends = list(constants(self.variant).values())[len(columns) :]
+        if data.count == 1:
+            return [*(float(column[0]) for column in columns), *ends]
+        return [*(column.reshape(-1, *[1] * beside) for column in columns), *ends]
+
+    def _at(self, function: Callable[..., Any], t: ArrayLike, q: ArrayLike, data: Any, more: Sequence[Array] = ()) -> Array:
+        times, positions = np.asarray(t, dtype=float), np.asarray(q, dtype=float)
+        sets = self.data(data)
+        shape = np.broadcast_shapes(times.shape, positions.shape[:-1], *(part.shape for part in more))
+        if sets.count != 1:
+            shape = np.broadcast_shapes(shape, (sets.count, *[1] * (len(shape) - 1)))
+        numbers = self.numbers(sets, max(0, len(shape) - 1))
+        with np.errstate(all="ignore"):
+            found = function(times, *np.moveaxis(positions, -1, 0), *more, *numbers)
+        values = np.stack([np.broadcast_to(value, shape) for value in found], axis=-1).astype(float)
+        values[~np.isfinite(values)] = np.nan
+        return values
+
+
+def build_model(variant: Variant) -> Model:
+    """Return the model of a template.  Raises `InputError` where its equations do not determine the velocities."""
+    equations = differentiate(build(variant))
+    return Model(variant, equations, reduce(equations, start_values(equations)))

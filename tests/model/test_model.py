@@ -1,0 +1,123 @@
+"""A template compiled once gives, for its own data and for others, what a scene of those data gives."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import coursework
+from coursework.catalogue import names
+from coursework.variant.reader import parse_variant
+
+RUNS = {}
+
+
+def scene(name):
+    """Return the model and the rows of a catalogue variant."""
+    if name not in RUNS:
+        RUNS[name] = coursework.compile_model(name), coursework.solve(name, quantities=["table"]).motion
+    return RUNS[name]
+
+
+def scaled(variant, factor):
+    """Return a variant with every given datum multiplied."""
+    return replace(variant, given=tuple(replace(given, value=given.value * factor) for given in variant.given))
+
+
+@pytest.mark.parametrize("name", names())
+def test_velocities_and_determinants_are_those_of_the_run(name):
+    model, motion = scene(name)
+    scale = 1.0 + np.max(np.abs(motion.velocities))
+    assert np.max(np.abs(model.rates(motion.t, motion.coordinates) - motion.velocities)) < 1e-12 * scale
+    assert np.allclose(model.determinants(motion.t, motion.coordinates), motion.determinants, rtol=1e-12, atol=1e-13)
+
+
+@pytest.mark.parametrize("name", ["31", "stephenson", "example-6", "variable-crank-table", "v110"])
+def test_other_data_are_those_of_another_scene(name):
+    model, motion = scene(name)
+    own = {given.name: given.value for given in model.variant.given}
+    sets = {key: np.array([value, 1.001 * value, 0.999 * value]) for key, value in own.items()}
+    together = model.rates(motion.t, np.tile(motion.coordinates, (3, 1, 1)), sets)
+    for index, factor in enumerate((1.0, 1.001, 0.999)):
+        other = coursework.compile_model(scaled(model.variant, factor)).rates(motion.t, motion.coordinates)
+        assert np.allclose(together[index], other, rtol=1e-12, atol=1e-12)
+        one = model.rates(motion.t, motion.coordinates, {key: column[index] for key, column in sets.items()})
+        assert np.array_equal(together[index], one)
+
+
+@pytest.mark.parametrize("name", ["31", "stephenson", "example-6", "v110"])
+def test_a_block_reads_the_velocities_before_it_and_no_others(name):
+    model, motion = scene(name)
+    found = []
+    for index, block in enumerate(model.blocks):
+        earlier = np.full_like(motion.velocities, np.nan)
+        before = {unknown for other in model.blocks[:index] for unknown in other.unknowns}
+        for place, velocity in enumerate(model.velocities):
+            if velocity in before:
+                earlier[:, place] = motion.velocities[:, place]
+        found.append(model.block_velocities(index, motion.t, motion.coordinates, earlier))
+        places = [model.velocities.index(unknown) for unknown in block.unknowns]
+        assert np.allclose(found[-1], motion.velocities[:, places], rtol=1e-11, atol=1e-11)
+
+
+def test_wrong_velocities_before_a_block_are_believed():
+    """What a student's own w3 makes of w4: the rolling wheel gives w4 = -2 w3 (2 sin φ3 - cos φ3)."""
+    model, motion = scene("31")
+    earlier = np.zeros((1, 4))
+    earlier[0, 2] = 7.0
+    angle = motion.coordinates[0, 2]
+    found = model.block_velocities(1, 0.0, motion.coordinates[:1], earlier)
+    assert found[0, 0] == pytest.approx(-14.0 * (2 * np.sin(angle) - np.cos(angle)), rel=1e-13)
+
+
+def test_beyond_the_table_of_a_law_there_is_no_value_and_no_complaint():
+    model, motion = scene("variable-crank-table")
+    law = next(law for law in model.variant.functions if law.table)
+    place = model.coordinates.index(law.of)
+    q = np.tile(motion.coordinates[0], (4, 1))
+    q[:, place] = [law.table[0][0] - 0.1, law.table[0][0], law.table[-1][0], law.table[-1][0] + 0.1]
+    known = np.isfinite(model.rates(0.0, q)).all(axis=1)
+    assert known.tolist() == [False, True, True, False]
+
+
+def test_at_a_dead_point_there_is_no_value_and_no_complaint():
+    model, _ = scene("31")
+    found = model.rates(0.0, [[1.0, 1.0, 2.87], [1.0, 2.0, 2.87], [np.nan, 2.0, 2.87]])
+    assert np.isnan(found[0, :2]).all() and np.isfinite(found[0, 2:]).all()
+    assert np.isfinite(found[1]).all()
+    assert np.isnan(found[2, :2]).all()
+
+
+BLOCK = """
+format = 1
+[given]
+V = "1 m/s"
+a = "2 m"
+[drive]
+D = "V*cos(t)"
+[coordinates]
+x = { start = "0.1 rad", rate = "u" }
+y = { start = "0.2 rad", rate = "v" }
+z = { start = "0.3 rad", rate = "w_z" }
+[time]
+step = "0.01 s"
+end = "0.1 s"
+[[constraint]]
+equation = "a*u*cos(x) + a*v + a*w_z = D"
+[[constraint]]
+equation = "a*u + a*v*cos(y) - a*w_z = 2*D"
+[[constraint]]
+equation = "a*u - a*v + a*w_z*cos(z) = 0"
+"""
+
+
+def test_a_singular_block_of_three_spoils_its_own_rows_only():
+    model = coursework.compile_model(parse_variant(BLOCK, "block"))
+    assert [block.size for block in model.blocks] == [3]
+    q = np.array([[0.1, 0.2, 0.3], [np.pi / 2, np.pi / 2, 0.3], [0.2, 0.1, 0.3]])
+    found = model.rates(0.0, q, {"a": 2.0})
+    singular = model.determinants(0.0, q)[:, 0]
+    assert np.isfinite(found[[0, 2]]).all()
+    assert np.array_equal(np.isnan(found[1]).all(), singular[1] == 0.0)
+    flat = model.rates(0.0, q, {"a": [2.0, 0.0, 1.0]})
+    assert np.isnan(flat[1]).all() and np.isfinite(flat[[0, 2]]).all()
