@@ -19,7 +19,7 @@ def text_of(page: str) -> str:
     r"""Return the text of a page, one line a paragraph or row.
 
     >>> text_of("<p>w1 = 2<br>w2 &lt; 3</p>")
-    'w1 = 2\nw2 < 3\n'
+    'w1 = 2\nw2 < 3'
     """
     kept = _without_silent(page)
     lined = _LINE.sub("\n", _CELL.sub("\t", kept.replace("\n", " ").replace("\r", " ")))
