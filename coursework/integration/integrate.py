@@ -1,11 +1,15 @@
 """The march of the coursework: row by row with one scheme, every determinant watched.
 
 Enters: rates, a scheme, a step.  Leaves: a `Motion`; rows end before a dead point.  t = i*step, never a running sum.
+Used by the scene and the accuracy study.  The rows come from a loop generated from the tableau; where it ends early, or a
+correction is asked for, the same steps are made one by one, which tells why a motion ends.
 """
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -13,13 +17,15 @@ from numpy.typing import NDArray
 
 from coursework.errors import InputError
 from coursework.geometry.closure import Closure
+from coursework.integration.loops import generate_rows
 from coursework.integration.motion import Motion, Stop, rows_before
 from coursework.integration.rates import Rates
-from coursework.schemes import SCHEMES
+from coursework.schemes import SCHEMES, Scheme
 from coursework.sentences import say
 from coursework.variant.record import whole_steps
 
 Array = NDArray[np.float64]
+Row = tuple[float, ...]  # coordinates, velocities, determinants
 # One step that turns a link whose angle stands in a determinant by more than this (rad) can cross a dead point unseen.
 WIDEST_STEP = 1.0
 # The kind of a stop that the scheme makes and the mechanism does not.
@@ -53,39 +59,59 @@ def march(
     `stop`: where the true motion ends (rows beyond it are not computed).  `guarded`: the coordinates in determinants.
     The motion stops also where the scheme itself steps over a dead point or out of the numbers.
     """
-    rule = SCHEMES[scheme].step
-    size = len(rates.coordinates)
-    count = 0
-
-    def slopes(t: float, q: Array) -> Array:
-        nonlocal count
-        count += 1
-        return np.array(rates.evaluate(t, *q.tolist())[:size])
-
     last = whole_steps(step, end)
     if stop is not None:
         last = min(last, rows_before(stop.time, step) - 1)
     times: Array = np.arange(last + 1).astype(np.float64) * step
+    rows = [] if correction else _generated(rates, SCHEMES[scheme], start, step, last, guarded)
+    if len(rows) <= last:
+        rows, stop = _followed(rates, SCHEMES[scheme], start, step, times, correction, stop, guarded, rows)
+    size, velocities = len(rates.coordinates), len(rates.velocities)
+    width = size + velocities + len(rates.blocks)
+    table = np.fromiter(itertools.chain.from_iterable(rows), float, len(rows) * width).reshape(len(rows), width)
+    return Motion(
+        times[: len(rows)].copy(), table[:, :size].copy(), table[:, size : size + velocities].copy(),
+        table[:, size + velocities :].copy(), np.zeros((len(rows), 0)), rates.coordinates, rates.velocities, scheme, step,
+        max(0, len(rows) - 1) * SCHEMES[scheme].slopes, stop,
+    )  # fmt: skip
+
+
+def _generated(rates: Rates, scheme: Scheme, start: Sequence[float], step: float, last: int, guarded: Sequence[int]) -> list[Row]:
+    """Return the rows up to `last`, or up to the first one after which something is to be told."""
+    rows: list[Row] = []
+    with suppress(ZeroDivisionError, ValueError, OverflowError):
+        generate_rows(scheme, rates, guarded, WIDEST_STEP)(0, last, step, rates.latest, rows.append, *start)
+    return rows
+
+
+def _followed(
+    rates: Rates, scheme: Scheme, start: Sequence[float], step: float, times: Array, correction: Correction | None,
+    stop: Stop | None, guarded: Sequence[int], rows: list[Row],
+) -> tuple[list[Row], Stop | None]:  # fmt: skip
+    """Return all rows, those known in front, and why they end: step by step from the last known row."""
+    size, last = len(start), len(times) - 1
+    first = max(0, len(rows) - 1)
+    q = np.array(rows.pop()[:size] if rows else start, dtype=float)
     targets = correction.closure.targets(times) if correction and correction.closure and last >= 0 else None
-    q = np.array(start, dtype=float)
-    rows: list[tuple[float, ...]] = []
-    positions: list[Array] = []
-    for index, t in enumerate(times.tolist()):
+
+    def slopes(t: float, q: Array) -> Array:
+        return np.array(rates.evaluate(t, *q.tolist())[:size])
+
+    for index, t in enumerate(times[first:].tolist(), start=first):
         try:
             row = rates.evaluate(t, *q.tolist())
         except (ZeroDivisionError, ValueError, OverflowError):
             stop = _kept(stop, _broken("event.singular", index, t, step, q, rates))
             break
-        if rows and (found := _crossed(rows[-1], row, rates, index, t, step, q)):
+        if rows and (found := _crossed(rows[-1][size:], row, rates, index, t, step, q)):
             stop = _kept(stop, found)
             break
-        rows.append(row)
-        positions.append(q)
+        rows.append((*q.tolist(), *row))
         if index == last:
             break
         known = _Known(row[:size], t, q, slopes, rates.latest((index + 1) * step))
         try:
-            moved = rule(known, t, q, step)
+            moved = scheme.step(known, t, q, step)
         except (ZeroDivisionError, ValueError, OverflowError):
             stop = _kept(stop, _broken("event.singular_inside", index, t, step, q, rates))
             break
@@ -100,13 +126,7 @@ def march(
         if not np.all(np.isfinite(q)):
             stop = _kept(stop, _broken("event.overflow", index, t, step, q, rates))
             break
-    velocities = len(rates.velocities)
-    table = np.array(rows).reshape(len(rows), velocities + len(rates.blocks))
-    return Motion(
-        times[: len(rows)].copy(), np.array(positions).reshape(len(rows), size), table[:, :velocities].copy(),
-        table[:, velocities:].copy(), np.zeros((len(rows), 0)), rates.coordinates, rates.velocities, scheme, step,
-        max(0, count + len(rows) - 1), stop,
-    )  # fmt: skip
+    return rows, stop
 
 
 def _kept(true: Stop | None, found: Stop) -> Stop:
