@@ -14,7 +14,7 @@ import numpy as np
 from coursework.catalogue import find
 from coursework.errors import Fault, InputError, closest, listing
 from coursework.model.model import Model, build_model
-from coursework.quantities import QUANTITIES, TABLE
+from coursework.quantities import TABLE, known_quantities
 from coursework.run import Run, gather
 from coursework.scene import Scene
 from coursework.schemes import DEFAULT_SCHEME
@@ -109,14 +109,18 @@ def _sorted(variant: Variant, quantities: Iterable[str] | None) -> tuple[tuple[s
     """Split what is asked for into quantities and columns of the table.  Raises `InputError` for what cannot be had."""
     if isinstance(quantities, str):
         quantities = (quantities,)
-    listed = tuple(quantities) if quantities is not None else variant.ask or tuple(one.name for one in QUANTITIES if one.usual)
+    listed = (
+        tuple(quantities)
+        if quantities is not None
+        else variant.ask or tuple(name for name, one in known_quantities().items() if one.usual)
+    )
     columns = tuple(name for name in listed if name in variant.columns)
     asked = tuple(name for name in listed if name not in columns)
     faults = [_in_file(text, variant, name, quantities is None) for name in asked if (text := _cannot_ask(variant, name))]
     if faults:
         raise InputError(faults)
-    restrictable = {quantity.name for quantity in QUANTITIES if quantity.restrictable}
-    whole = [name for name in asked if name not in restrictable]
+    records = known_quantities()
+    whole = [name for name in asked if not records[name].restrictable]
     if columns and whole:
         text = f'"{whole[0]}" needs every coordinate, not only what {listing(columns)} needs; ask for the whole table.'
         raise InputError(text)
@@ -125,7 +129,7 @@ def _sorted(variant: Variant, quantities: Iterable[str] | None) -> tuple[tuple[s
 
 def _cannot_ask(variant: Variant, name: str) -> str:
     """Return why a quantity cannot be had of a variant, or an empty string."""
-    records = {quantity.name: quantity for quantity in QUANTITIES}
+    records = known_quantities()
     if name in records:
         return records[name].refuses(variant)
     return f'there is no quantity "{name}".{closest(name, [*records, *variant.columns])} Known: {", ".join(records)}.'

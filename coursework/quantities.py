@@ -46,8 +46,24 @@ class OwnTable(Generic[T]):
 
 
 @dataclass(frozen=True, slots=True)
+class Picture:
+    """A drawing true to scale: `svg` with width and height in mm, its `title`, and `alt` for those who cannot see it."""
+
+    title: str
+    svg: str
+    alt: str
+
+
+@dataclass(frozen=True, slots=True)
+class OwnFigure(Generic[T]):
+    """Shown as a drawing; `of` also takes the function that puts a sentence into the language of the page."""
+
+    of: Callable[[MotionResults, T, Callable[[str], str]], Picture]
+
+
+@dataclass(frozen=True, slots=True)
 class OwnSection:
-    """Shown in a section of the page that is written for it."""
+    """Shown in a section that the page has for it (`report/sections.py`)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +76,7 @@ class Quantity(Generic[T]):
     """
 
     compute: Computed[T]
-    shows: Columns[T] | OwnTable[T] | OwnSection
+    shows: Columns[T] | OwnTable[T] | OwnFigure[T] | OwnSection
     restrictable: bool = False
     usual: bool = False
     refuses: Callable[[Variant], str] = field(default=lambda variant: "")
@@ -189,6 +205,11 @@ QUANTITIES: tuple[Quantity[Any], ...] = (
 )  # fmt: skip
 
 
+def known_quantities() -> dict[str, Quantity[Any]]:
+    """Return the records by the name to ask for."""
+    return {quantity.name: quantity for quantity in QUANTITIES}
+
+
 def quantities_for(asked: tuple[str, ...]) -> dict[str, Quantity[Any]]:
     """Return the records to compute for the names asked for, in the order of `QUANTITIES`."""
     chosen = (quantity for quantity in QUANTITIES if quantity.name in asked)
@@ -197,4 +218,8 @@ def quantities_for(asked: tuple[str, ...]) -> dict[str, Quantity[Any]]:
 
 def all_needs() -> dict[str, tuple[str, ...]]:
     """Return what every quantity needs: steps on the way first, then what can be asked for."""
-    return {**needs_of(Scene), **needs_of(MotionResults), **{quantity.name: quantity.needs for quantity in QUANTITIES}}
+    return {
+        **needs_of(Scene),
+        **needs_of(MotionResults),
+        **{name: quantity.needs for name, quantity in known_quantities().items()},
+    }

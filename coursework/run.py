@@ -6,6 +6,7 @@ Enters: a `Variant` and settings, from `api.py`.  Leaves: `Run`, which table, re
 from __future__ import annotations
 
 import platform
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -17,7 +18,18 @@ from coursework.formula.tree import Formula
 from coursework.graph import Plan, make_plan
 from coursework.integration.motion import Motion, Stop
 from coursework.motion_results import MotionResults
-from coursework.quantities import ACCURACY, GRAPH_CHECK, Columns, OwnTable, Quantity, all_needs, quantities_for
+from coursework.quantities import (
+    ACCURACY,
+    CHECKS,
+    GRAPH_CHECK,
+    Columns,
+    OwnFigure,
+    OwnTable,
+    Picture,
+    Quantity,
+    all_needs,
+    quantities_for,
+)
 from coursework.reduction.blocks import Reduction
 from coursework.reduction.solution import Solution
 from coursework.scene import Scene
@@ -79,6 +91,10 @@ class Run:
         """Return what follows from the rows."""
         return self.scene.results
 
+    def asks(self, quantity: Quantity[Any]) -> bool:
+        """Return whether a quantity was asked for."""
+        return quantity.name in self.asked
+
     def of(self, quantity: Quantity[T]) -> T:
         """Return a quantity of the rows."""
         return quantity.compute.of(self.results)
@@ -111,7 +127,7 @@ class Run:
     @property
     def passed(self) -> bool:
         """Return whether the motion reached its end and no computed check failed."""
-        judged = self.checks if "checks" in self.asked else ()
+        judged = self.checks if self.asks(CHECKS) else ()
         return self.stop is None and all(check.verdict in {"PASS", "SKIP"} for check in judged)
 
     @property
@@ -201,17 +217,22 @@ class Run:
             quantity.name: shows.of(self.results, self.of(quantity)) for quantity, shows in shown if isinstance(shows, OwnTable)
         }
 
+    def figures(self, written: Callable[[str], str] = str) -> dict[str, Picture]:
+        """Return the drawings asked for that have no section of their own, their words put into a language by `written`."""
+        shown = ((name, quantity, quantity.shows) for name, quantity in quantities_for(self.asked).items())
+        return {name: shows.of(self.results, self.of(one), written) for name, one, shows in shown if isinstance(shows, OwnFigure)}
+
     @property
     def accuracy(self) -> AccuracyStudy | None:
         """Return the study of accuracy against cost, None where it was not asked for."""
         if self.timed is not None:
             return self.timed
-        return self.of(ACCURACY) if ACCURACY.name in self.asked else None
+        return self.of(ACCURACY) if self.asks(ACCURACY) else None
 
     @property
     def graph(self) -> GraphCheck | None:
         """Return the graph-analytical check, None where it was not asked for or the motion stops before its row."""
-        return self.of(GRAPH_CHECK) if GRAPH_CHECK.name in self.asked else None
+        return self.of(GRAPH_CHECK) if self.asks(GRAPH_CHECK) else None
 
     @property
     def plan(self) -> Plan:

@@ -12,9 +12,9 @@ from typing import Any
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Figure, Part, Section, Table
 from coursework.report.sections import all_sections
-from coursework.report.source import Run
 from coursework.report.text_runs import LONGEST_NAME, clean
 from coursework.report.words import Words, load_words
+from coursework.run import Run
 
 LONGEST_RUNNING = (70, 36)  # characters of title and name above a later page: together one line
 

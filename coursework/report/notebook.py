@@ -7,7 +7,9 @@ Used by `Run._repr_html_`, by way of the package, and by whoever writes a page o
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
+from coursework.quantities import CHECKS, GRAPH_CHECK, Quantity
 from coursework.report.checks import checks
 from coursework.report.figures import true_to_scale
 from coursework.report.html import template
@@ -16,9 +18,9 @@ from coursework.report.page_context import PageContext
 from coursework.report.parts import Part
 from coursework.report.plots import plots
 from coursework.report.sections import Writer, dead_point, method_line
-from coursework.report.source import Run
 from coursework.report.text_runs import runs
 from coursework.report.words import load_words
+from coursework.run import Run
 
 
 def drawing(context: PageContext) -> list[Part]:
@@ -31,7 +33,9 @@ def drawing(context: PageContext) -> list[Part]:
     return [replace(true_to_scale(svg, say("graph.alt", row=row or ""), context.say("notebook.drawing", row=row)), exact=False)]
 
 
-SHOWN: tuple[tuple[Writer, str], ...] = ((dead_point, ""), (drawing, "graph_check"), (plots, ""), (checks, "checks"))
+SHOWN: tuple[tuple[Writer, Quantity[Any] | None], ...] = (
+    (dead_point, None), (drawing, GRAPH_CHECK), (plots, None), (checks, CHECKS),
+)  # fmt: skip
 
 
 def notebook_html(run: Run, language: str = "en") -> str:
@@ -45,6 +49,6 @@ def notebook_html(run: Run, language: str = "en") -> str:
     (2, True)
     """
     context = PageContext(run, load_words(language))
-    parts = [part for write, quantity in SHOWN if quantity in ("", *run.asked) for part in write(context)]
+    parts = [part for write, quantity in SHOWN if quantity is None or run.asks(quantity) for part in write(context)]
     page = {"language": language, "heading": heading_of(context), "method": runs(method_line(context)), "parts": parts}
     return template("notebook.html.j2").render(page=page, pictures={})

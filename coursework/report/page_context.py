@@ -9,12 +9,13 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from coursework.integration.motion import Motion
+from coursework.quantities import PLOTS
 from coursework.report.numbers import Numbers, with_unit
 from coursework.report.parts import Runs
-from coursework.report.source import Run
 from coursework.report.symbols import Symbol, symbol
 from coursework.report.text_runs import LONGEST, clean, derivative, printed, runs
 from coursework.report.words import Words
+from coursework.run import Run
 
 DATUM_DIGITS = 6  # digits of a converted datum or of a time: more than a task sheet ever gives
 
@@ -34,7 +35,7 @@ class PageContext:
     @property
     def exact(self) -> Motion | None:
         """Return the exact motion where the plots ask for it; looking at it computes it."""
-        return self.run.exact if "plots" in self.run.asked else None
+        return self.run.exact if self.run.asks(PLOTS) else None
 
     @property
     def rates(self) -> frozenset[str]:

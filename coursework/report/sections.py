@@ -1,14 +1,16 @@
 """The sections of the report, one function each; the function's name is the section's name.
 
 Enters: a `PageContext`.  Leaves: parts, none where there is nothing to say.
-To add one: write the function, put it into `OPENING` or `CLOSING` with the quantity that must be asked for ("" = always),
+To add one: write the function, put it into `OPENING` or `CLOSING` with the quantity that must be asked for,
 give it a title in `reports/words.en.toml`; it appears in its place, in HTML and PDF alike.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from typing import Any
 
+from coursework.quantities import ACCURACY, CHECKS, GRAPH_CHECK, PLOTS, TABLE, Quantity
 from coursework.report import lecture
 from coursework.report.accuracy import accuracy
 from coursework.report.checks import checks, counts
@@ -74,7 +76,7 @@ def _result(context: PageContext) -> str:
     run, say = context.run, context.words
     values = {
         "rows": say.count("count.rows", len(run.motion.t)),
-        "checks": say("result.checks", counts=counts(context)) if "checks" in run.asked and run.checks else "",
+        "checks": say("result.checks", counts=counts(context)) if run.asks(CHECKS) and run.checks else "",
     }
     if run.stop is None:
         return say("result.complete", end=context.quantity(float(run.motion.t[-1]), "s"), **values)
@@ -205,39 +207,45 @@ def method(context: PageContext) -> list[Part]:
     return [*parts, Paragraph(runs(say("method.versions", versions=versions)), "note")] if versions else parts
 
 
-OPENING: tuple[tuple[Writer, str], ...] = (
-    (title, ""),
-    (remarks, ""),
-    (given, ""),
-    (drive, ""),
-    (constraints, ""),
-    (derivation, ""),
-    (table, "table"),
-    (plots, "plots"),
-    (dead_point, ""),
-    (checks, "checks"),
-    (graph_check, "graph_check"),
+# Each writer with the quantity that must be asked for; None: always there.
+OPENING: tuple[tuple[Writer, Quantity[Any] | None], ...] = (
+    (title, None),
+    (remarks, None),
+    (given, None),
+    (drive, None),
+    (constraints, None),
+    (derivation, None),
+    (table, TABLE),
+    (plots, PLOTS),
+    (dead_point, None),
+    (checks, CHECKS),
+    (graph_check, GRAPH_CHECK),
 )
-CLOSING: tuple[tuple[Writer, str], ...] = (
-    (accuracy, "accuracy"),
-    (method, ""),
+CLOSING: tuple[tuple[Writer, Quantity[Any] | None], ...] = (
+    (accuracy, ACCURACY),
+    (method, None),
 )
 
 
 def all_sections(context: PageContext) -> Iterator[Section]:
-    """Yield the sections in order: the opening, a table for each further quantity, the closing."""
+    """Yield the sections in order: the opening, a table or figure for each further quantity, the closing."""
     yield from _written_by(OPENING, context)
     for quantity, extra in context.run.extra_tables.items():
-        if quantity in context.run.asked:
-            known = f"section.{quantity}"
-            heading = context.words(known) if context.words.has(known) else clean(extra.title, LONGEST_NAME)
-            yield Section(quantity, heading, extra_parts(context, extra))
+        yield Section(quantity, _heading(context, quantity, extra.title), extra_parts(context, extra))
+    for quantity, picture in context.run.figures(context.words.written).items():
+        figure = true_to_scale(picture.svg, context.told(picture.alt), context.rich(picture.title))
+        yield Section(quantity, _heading(context, quantity, picture.title), [figure])
     yield from _written_by(CLOSING, context)
 
 
-def _written_by(writers: tuple[tuple[Writer, str], ...], context: PageContext) -> Iterator[Section]:
+def _heading(context: PageContext, quantity: str, named: str) -> str:
+    key = f"section.{quantity}"
+    return context.words(key) if context.words.has(key) else context.told(named, LONGEST_NAME)
+
+
+def _written_by(writers: tuple[tuple[Writer, Quantity[Any] | None], ...], context: PageContext) -> Iterator[Section]:
     for write, quantity in writers:
-        if quantity and quantity not in context.run.asked:
+        if quantity is not None and not context.run.asks(quantity):
             continue
         if parts := write(context):
             heading = context.words(f"section.{write.__name__}") if write is not title else ""

@@ -10,10 +10,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from coursework.kinematics.extra import ExtraTable
 from coursework.report.numbers import unit_text
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Cell, Column, Paragraph, Part, Table
-from coursework.report.source import ExtraTable
 from coursework.report.text_runs import numeral, runs
 
 MOST_ROWS = 200  # rows printed; a longer table is thinned, table.csv holds it whole

@@ -13,7 +13,7 @@ from coursework.files import write_bytes
 from coursework.report.html import render_html
 from coursework.report.model import ReportModel, build_model
 from coursework.report.pdf import render_pdf
-from coursework.report.source import Run
+from coursework.run import Run
 
 
 def write_report(run: Run, *paths: Path | str, language: str = "en") -> None:

@@ -128,6 +128,12 @@ class Run:
     settings: Settings = field(default_factory=lambda: Settings())
     partials: dict[str, tuple[str, str]] = field(default_factory=dict)
 
+    def asks(self, quantity: Any) -> bool:
+        return quantity.name in self.asked
+
+    def figures(self, written: Callable[[str], str]) -> dict[str, Any]:
+        return {}
+
     @property
     def solutions(self) -> tuple[tuple[tuple[str, Formula], ...], ...]:
         return tuple(block.solution for block in self.reduction.blocks)

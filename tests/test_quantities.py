@@ -1,0 +1,125 @@
+"""A quantity is one record: added to `QUANTITIES` it is asked for, planned, counted and shown; nowhere else is it named."""
+
+import ast
+import csv
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import coursework
+from coursework import quantities
+from coursework.cli import main
+from coursework.graph import computed
+from coursework.kinematics.extra import ExtraTable
+from coursework.quantities import QUANTITIES, Columns, OwnFigure, OwnSection, OwnTable, Picture, Quantity
+from coursework.report import build_model
+from coursework.report.sections import CLOSING, OPENING
+from coursework.run import Run
+from coursework.variant.record import Variant
+
+SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="50mm" viewBox="0 0 100 50"><path d="M0 0L9 9"/></svg>'
+
+
+@computed("motion", "accelerations")
+def power(results):
+    """A quantity of tomorrow, one number a row."""
+    return np.sum(results.motion.velocities * results.accelerations, axis=1)[:, None]
+
+
+def as_table(_, rows):
+    return ExtraTable("Power of the links.", ("power",), ("W",), rows)
+
+
+SHOWN = {
+    "columns": Columns(as_table),
+    "table": OwnTable(lambda _, rows: ExtraTable("Power of the links.", ("n", "power"), ("", "W"), np.hstack([rows, rows])[:7])),
+    "figure": OwnFigure(lambda _, rows, written: Picture(written("Power of the links."), SVG, "Power over time.")),
+}
+
+
+@pytest.fixture(params=SHOWN)
+def dummy(request, monkeypatch):
+    record = Quantity(power, SHOWN[request.param], refuses=lambda variant: "" if variant.name == "31" else "no power here.")
+    monkeypatch.setattr(quantities, "QUANTITIES", (*QUANTITIES, record))
+    return request.param
+
+
+def test_a_record_alone_is_found_everywhere(dummy, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    told = CliRunner().invoke(main, ["run", "31", "--quantities", "table,power", "--format", "csv,html", "--out", "out"])
+    assert told.exit_code == 0, told.output
+    assert "power" in json.loads(Path("out/run.json").read_text(encoding="utf-8"))["quantities"]
+    own = Path("out/power.csv")
+    assert own.exists() == (dummy == "table")
+    with (own if dummy == "table" else Path("out/table.csv")).open(encoding="utf-8", newline="") as file:
+        rows = list(csv.reader(file))
+    assert (rows[0][-1] == "power", len(rows)) == {"table": (True, 8), "columns": (True, 26), "figure": (False, 26)}[dummy]
+    page = Path("out/report.html").read_text(encoding="utf-8")
+    assert ("Power of the links" in page, "Power over time" in page) == (True, dummy == "figure")
+    plan = CliRunner().invoke(main, ["run", "31", "--plan", "--quantities", "power"]).output.splitlines()
+    assert {"  power                asked for", "  accelerations        needed by power"} <= set(plan)
+    left = CliRunner().invoke(main, ["run", "31", "--plan", "--quantities", "table"]).output.splitlines()
+    assert "  power                not asked for" in left
+    unknown = CliRunner().invoke(main, ["run", "31", "--quantities", "powr"]).output
+    assert 'Did you mean "power"?' in unknown
+    assert "graph_check, power." in unknown
+
+
+def test_a_record_says_which_variants_cannot_have_it(dummy):
+    with pytest.raises(coursework.InputError, match="no power here"):
+        coursework.solve("example-2", quantities=["power"])
+    with pytest.raises(coursework.InputError, match='"power" needs every coordinate'):
+        coursework.solve("31", quantities=["power", "phi3"])
+
+
+def test_it_is_counted_and_costs_nothing_unasked(dummy):
+    bare, asked = (coursework.solve("31", quantities=["table", *more]) for more in ([], ["power"]))
+    for run in (bare, asked):
+        run.columns()
+        build_model(run)
+    assert "power" not in bare.scene.ledger.calls
+    added = {"power": 1, "accelerations": 1}
+    assert asked.scene.ledger.calls == bare.scene.ledger.calls | added
+    assert list(asked.table.columns)[-1:] == (["power"] if dummy == "columns" else ["w4"])
+
+
+def test_a_table_of_any_motion_has_the_columns_of_the_record(monkeypatch):
+    monkeypatch.setattr(quantities, "QUANTITIES", (*QUANTITIES, Quantity(power, SHOWN["columns"])))
+    assert list(coursework.exact("31", quantities=["table", "power"]).columns)[-1] == "power"
+
+
+def test_every_record_is_shown_somewhere():
+    written = {quantity.name for _, quantity in (*OPENING, *CLOSING) if quantity is not None}
+    assert written == {one.name for one in QUANTITIES if isinstance(one.shows, OwnSection)}
+    assert all(one.compute.__doc__ for one in QUANTITIES)
+
+
+def strings(path):
+    """Return the text constants of a file that are not docstrings."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    prose = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+    return {node.value for node in ast.walk(tree) if isinstance(node, ast.Constant) and id(node) not in prose}
+
+
+def test_the_stand_in_of_a_run_has_what_a_run_has():
+    source = (Path(__file__).parent / "report" / "stand_in.py").read_text(encoding="utf-8")
+    stand_in = next(node for node in ast.parse(source).body if isinstance(node, ast.ClassDef) and node.name == "Run")
+    names = {node.target.id for node in stand_in.body if isinstance(node, ast.AnnAssign)}
+    names |= {node.name for node in stand_in.body if isinstance(node, ast.FunctionDef)}
+    assert names <= {*dir(Run), *Run.__dataclass_fields__}
+
+
+# What is shown by its record alone; "points" is a section of a file too, and read by that name.
+BY_RECORD = [
+    one.name for one in QUANTITIES if not isinstance(one.shows, OwnSection) and one.name not in Variant.__dataclass_fields__
+]
+
+
+@pytest.mark.parametrize("name", BY_RECORD)
+def test_no_other_file_names_a_quantity(name):
+    package = Path(coursework.__file__).parent
+    naming = {path.relative_to(package).as_posix() for path in package.rglob("*.py") if name in strings(path)}
+    assert naming <= {"quantities.py", "motion_results.py"}
