@@ -1,7 +1,10 @@
 """What the package says of itself, and what its wheel carries."""
 
 import tomllib
+import zipfile
 from pathlib import Path
+
+from hatchling.builders.wheel import WheelBuilder
 
 ROOT = Path(__file__).parent.parent
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
@@ -15,5 +18,14 @@ def test_licence_keywords_and_classifiers():
     assert "Programming Language :: Python :: " + PROJECT["requires-python"].removeprefix(">=") in PROJECT["classifiers"]
 
 
-def test_types_are_marked():
-    assert (ROOT / "coursework" / "py.typed").read_bytes() == b""
+def test_the_wheel_carries_types_variants_and_looks(tmp_path):
+    (built,) = WheelBuilder(str(ROOT)).build(directory=str(tmp_path), versions=["standard"])
+    with zipfile.ZipFile(built) as wheel:
+        carried = set(wheel.namelist())
+        (metadata,) = (name for name in carried if name.endswith("METADATA"))
+        assert "License-Expression: MIT\n" in wheel.read(metadata).decode()
+    assert "coursework/py.typed" in carried
+    for folder in ("variants", "reports"):
+        there = {path.relative_to(ROOT).as_posix() for path in (ROOT / folder).rglob("*") if path.is_file()}
+        assert {f"coursework/{name}" for name in there} <= carried
+    assert not [name for name in carried if name.startswith("tests/")]
