@@ -6,8 +6,8 @@ Source: V. R. Pasika (mathematics.md section 4): the five-point formulas, applie
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import reduce
+from collections.abc import Callable, Sequence
+from functools import cached_property, reduce
 from typing import Any
 
 import numpy as np
@@ -25,27 +25,36 @@ class OutsideTable(CourseworkError):
 
 
 class TableLaw:
-    """A polynomial between every two nodes, for the value and both derivatives.
+    """A polynomial between every two nodes, for the value and both derivatives; worked out once, when first asked for.
 
     `method` "five-point": nodal derivatives by the five-point formulas, quartic between nodes; "spline": cubic.
     `pieces[order]` (intervals, degree + 1): coefficients in u = 0 … 1, the lowest first.
     """
 
     def __init__(self, name: str, rows: tuple[tuple[float, float], ...], method: str) -> None:
-        self.name = name
+        self.name, self.rows, self.method = name, rows, method
         self.first, self.last = rows[0][0], rows[-1][0]
         self.intervals = len(rows) - 1
         self.step = (self.last - self.first) / self.intervals
-        values = np.array([row[1] for row in rows])
-        self.pieces = _cubics(values, self.step) if method == "spline" else _quartics(values, self.step)
+        self._functions: dict[int, Callable[[Any], Any]] = {}
+
+    @cached_property
+    def pieces(self) -> list[Array]:
+        """Return the coefficients of the value and of both derivatives."""
+        values = np.array([row[1] for row in self.rows])
+        return _cubics(values, self.step) if self.method == "spline" else _quartics(values, self.step)
 
     def function(self, order: int) -> Callable[[Any], Any]:
         """Return the function of the law's argument (a number or an array) that gives its derivative of `order` 0, 1 or 2.
 
         A march asks for one number at a time, so there plain Python is twenty times as fast as NumPy.
         """
-        pieces = self.pieces[order]
-        listed = [tuple(reversed(piece)) for piece in pieces.tolist()]
+        if order not in self._functions:
+            self._functions[order] = self._made(order)
+        return self._functions[order]
+
+    def _made(self, order: int) -> Callable[[Any], Any]:
+        listed: list[tuple[float, ...]] = []
 
         def law(argument: Any) -> Any:
             place = (argument - self.first) / self.step
@@ -53,9 +62,12 @@ class TableLaw:
                 if not np.all(self.covers(argument)):
                     raise self._outside(float(argument.flat[int(np.argmax(np.abs(place - self.intervals / 2)))]))
                 inside = np.clip(np.floor(place).astype(int), 0, self.intervals - 1)
-                return reduce(lambda total, part: total * (place - inside) + part, np.moveaxis(pieces[inside], -1, 0)[::-1])
+                coefficients = np.moveaxis(self.pieces[order][inside], -1, 0)
+                return reduce(lambda total, part: total * (place - inside) + part, coefficients[::-1])
             if not -_SLACK <= place <= self.intervals + _SLACK:
                 raise self._outside(float(argument))
+            if not listed:
+                listed.extend(map(tuple, self.pieces[order][:, ::-1].tolist()))
             interval = min(max(int(place), 0), self.intervals - 1)
             u, total = place - interval, 0.0
             for part in listed[interval]:
@@ -78,24 +90,27 @@ class TableLaw:
 
 def _quartics(values: Array, step: float) -> list[Array]:
     """Return the quartics through five nodes around each interval: of the values, their derivatives, and those of these."""
-    from coursework.five_point import five_point_derivative
+    from coursework.five_point import NODES, five_point_derivative
 
+    intervals = np.arange(len(values) - 1)
+    # The five nodes begin one before the interval, at the ends as far from them as must be.
+    starts = np.clip(intervals - 1, 0, len(values) - NODES)
     first = five_point_derivative(values, step)
-    last = len(values) - 1
     pieces = []
     for level in (values, first, five_point_derivative(first, step)):
-        found = []
-        for interval in range(last):
-            start = min(max(interval - 1, 0), last - 4)
-            powers = np.vander(np.arange(start, start + 5) - float(interval), increasing=True)
-            found.append(np.linalg.solve(powers, level[start : start + 5]))
-        pieces.append(np.array(found))
+        around = level[starts[:, None] + np.arange(NODES)]
+        found = np.empty_like(around)
+        for offset in np.unique(starts - intervals):
+            powers = np.vander(offset + np.arange(NODES, dtype=float), increasing=True)
+            same = starts - intervals == offset
+            found[same] = np.linalg.solve(powers, around[same].T).T
+        pieces.append(found)
     return pieces
 
 
 def _cubics(values: Array, step: float) -> list[Array]:
     """Return the cubics of the spline and their derivatives."""
-    slopes = _spline_slopes(values, step) * step
+    slopes = spline_slopes(values.tolist())
     y0, y1, m0, m1 = values[:-1], values[1:], slopes[:-1], slopes[1:]
     a, b = 2 * y0 - 2 * y1 + m0 + m1, -3 * y0 + 3 * y1 - 2 * m0 - m1
     return [
@@ -105,16 +120,24 @@ def _cubics(values: Array, step: float) -> list[Array]:
     ]
 
 
-def _spline_slopes(values: Array, step: float) -> Array:
-    """Return the nodal slopes of the cubic spline with not-a-knot ends."""
-    n = len(values)
-    matrix = np.zeros((n, n))
-    right = np.zeros(n)
-    for i in range(1, n - 1):
-        matrix[i, i - 1 : i + 2] = 1.0, 4.0, 1.0
-        right[i] = 3 * (values[i + 1] - values[i - 1]) / step
-    matrix[0, :3] = 1.0, 0.0, -1.0
-    right[0] = 2 * (2 * values[1] - values[0] - values[2]) / step
-    matrix[-1, -3:] = 1.0, 0.0, -1.0
-    right[-1] = 2 * (2 * values[-2] - values[-3] - values[-1]) / step
-    return np.asarray(np.linalg.solve(matrix, right))
+def spline_slopes(values: Sequence[float]) -> Array:
+    """Return the slopes (n,) at the nodes of the cubic spline with not-a-knot ends, per interval.
+
+    Inside m[i-1] + 4 m[i] + m[i+1] = 3 (y[i+1] - y[i-1]).  The end rows, m[0] - m[2] = 2 (2 y[1] - y[0] - y[2]) and its
+    mirror, are put into their neighbours, so that three diagonals are left and n nodes cost n steps.
+    """
+    right = [3 * (after - before) for before, after in zip(values, values[2:], strict=False)]
+    low = 2 * (2 * values[1] - values[0] - values[2])
+    high = 2 * (2 * values[-2] - values[-1] - values[-3])
+    right[0] -= low
+    right[-1] += high
+    # (4 2; 1 4 1; …; 1 4 1; 2 4): down, each row takes off what stands left of its diagonal; then up.
+    above, inner = [2 / 4], [right[0] / 4]
+    for place in range(1, len(right)):
+        left = 2.0 if place == len(right) - 1 else 1.0
+        pivot = 4 - left * above[-1]
+        inner.append((right[place] - left * inner[-1]) / pivot)
+        above.append(1 / pivot)
+    for place in range(len(inner) - 2, -1, -1):
+        inner[place] -= above[place] * inner[place + 1]
+    return np.array([inner[1] + low, *inner, inner[-2] - high])

@@ -6,10 +6,12 @@ Raises `InputError` naming the term that is not linear in the unknown velocities
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import sympy as sp
 
+from coursework.codegen.tabulated import TableLaw
 from coursework.errors import Fault, InputError, listing
 from coursework.formula.tree import Formula, spelled
 from coursework.mechanism import Mechanism
@@ -49,7 +51,7 @@ class Position:
 
 @dataclass(frozen=True, slots=True)
 class VelocityEquations:
-    """All velocity equations of a mechanism, those of its [closure] beside them, and its symbols."""
+    """All velocity equations of a mechanism, those of its [closure] beside them, its symbols and tabulated laws."""
 
     variant: Variant
     symbols: Symbols
@@ -58,6 +60,7 @@ class VelocityEquations:
     equations: tuple[VelocityEquation, ...]
     from_closure: tuple[VelocityEquation, ...]
     positions: tuple[Position, ...]
+    tables: Mapping[str, TableLaw]
 
 
 def differentiate(mechanism: Mechanism) -> VelocityEquations:
@@ -89,7 +92,10 @@ def differentiate(mechanism: Mechanism) -> VelocityEquations:
     if not equations:
         equations = list(from_closure)
         from_closure = ()
-    return VelocityEquations(variant, symbols, order, variant.sought, tuple(equations), from_closure, tuple(positions) + kept)
+    positions += kept
+    laws = (*variant.drive, *variant.functions)
+    tables = {law.name: TableLaw(law.name, law.table, law.method) for law in laws if law.table}
+    return VelocityEquations(variant, symbols, order, variant.sought, tuple(equations), from_closure, tuple(positions), tables)
 
 
 def _components(constraint: Constraint, symbols: Symbols) -> list[Position]:

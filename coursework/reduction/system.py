@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from coursework.codegen.names import private
 from coursework.codegen.programs import Assign, Program, Statement, compile_function, compile_later, program
-from coursework.codegen.tabulated import TableLaw
 from coursework.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.reduction.symbolic import constants, local, symbol
 
@@ -51,12 +50,6 @@ class LinearSystem:
         return matrix, values[..., count : count + m], values[..., count + m :]
 
 
-def tables(equations: VelocityEquations) -> dict[str, TableLaw]:
-    """Return the tabulated laws of a variant."""
-    laws = (*equations.variant.drive, *equations.variant.functions)
-    return {law.name: TableLaw(law.name, law.table, law.method) for law in laws if law.table}
-
-
 def scene_program(
     equations: VelocityEquations, statements: Sequence[Statement], given: Iterable[sp.Symbol] = (), *, folded: bool = True
 ) -> Program:
@@ -66,7 +59,7 @@ def scene_program(
     """
     kept = set(given)
     definitions = {name: value for name, value in equations.symbols.definitions.items() if name not in kept}
-    return program(statements, definitions, constants(equations.variant) if folded else {}, tables(equations))
+    return program(statements, definitions, constants(equations.variant) if folded else {}, equations.tables)
 
 
 def compile_system(equations: VelocityEquations, rows: Sequence[VelocityEquation]) -> LinearSystem:

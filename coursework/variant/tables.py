@@ -8,6 +8,7 @@ from __future__ import annotations
 import itertools
 import math
 import re
+from decimal import Decimal
 from pathlib import Path
 
 from coursework.errors import Fault
@@ -15,6 +16,9 @@ from coursework.variant.source import Source
 
 MAX_TABLE_BYTES = 256 * 1024
 _FEWEST_NODES = 5  # the five-point formulas need five
+# A node off its even place by a part of the step falsifies the slopes about it by the same part.  Nodes as a program computed
+# them lie within the first, and those of a print whose arguments have digits enough within the second.
+_EXACT, _ROUNDED = 1e-6, 1e-3
 _NUMBER = re.compile(r"\s*[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s*", re.ASCII)
 Rows = tuple[tuple[float, float], ...]
 
@@ -56,6 +60,7 @@ def _rows(name: str, text: str) -> Rows:
     """Return (argument, value) of each line; a first line of words is the header."""
     rows: list[tuple[float, float]] = []
     lines: list[int] = []
+    units: list[float] = []
     for number, line in enumerate(text.splitlines(), start=1):
         cells = [cell.strip().strip('"') for cell in line.split(",")]
         if not line.strip(" ,\t") or (number == 1 and not any(map(_NUMBER.fullmatch, cells))):
@@ -65,6 +70,7 @@ def _rows(name: str, text: str) -> Rows:
             raise TableFault(f'{name}:{number}: {message}, found "{line.strip()[:60]}".')
         rows.append((float(cells[0]), float(cells[1])))
         lines.append(number)
+        units.append(10.0 ** min(max(Decimal(cells[0]).as_tuple().exponent, -300), 300))
         if not all(map(math.isfinite, rows[-1])):
             raise TableFault(f'{name}:{number}: a finite number was expected, found "{line.strip()[:60]}".')
     if len(rows) < _FEWEST_NODES:
@@ -74,6 +80,25 @@ def _rows(name: str, text: str) -> Rows:
     if min(steps) <= 0:
         found = f"{rows[place][0]:g} after {rows[place - 1][0]:g}"
         raise TableFault(f"{name}:{lines[place]}: the arguments must grow from line to line, found {found}.")
-    if max(steps) - min(steps) > 1e-6 * max(steps):
-        raise TableFault(f"{name}: the arguments must be equally spaced, found steps from {min(steps):g} to {max(steps):g}.")
+    _refuse_uneven(name, [row[0] for row in rows], units, lines)
     return tuple(rows)
+
+
+def _refuse_uneven(name: str, arguments: list[float], units: list[float], lines: list[int]) -> None:
+    """Raise `TableFault` for a node that is off its even place by more than its printed digits explain.
+
+    `units` are the places of the last printed digits: an argument is rounded by half of its own, and its even place by
+    half of the first one's and the last one's.
+    """
+    first, even = arguments[0], (arguments[-1] - arguments[0]) / (len(arguments) - 1)
+    ends = max(units[0], units[-1])
+    for place, (argument, unit) in enumerate(zip(arguments, units, strict=True)):
+        rounded = (unit + ends) / 2 * (1 + _EXACT)
+        if abs(argument - first - place * even) > max(_EXACT * even, min(rounded, _ROUNDED * even)):
+            steps = [later - earlier for earlier, later in itertools.pairwise(arguments)]
+            usual = sorted(steps)[len(steps) // 2]
+            odd = max(range(len(steps)), key=lambda place: abs(steps[place] - usual))
+            raise TableFault(
+                f"{name}:{lines[odd + 1]}: the arguments must be equally spaced, found a step of {steps[odd]:.9g} "
+                f"where {usual:.9g} is usual."
+            )

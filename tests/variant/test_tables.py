@@ -78,6 +78,35 @@ def test_what_is_no_table(law, content, sentence):
     assert sentence in str(caught.value)
 
 
+@pytest.mark.parametrize("form", [".8g", ".8f", ".6f", ".17g", ".8e"])
+def test_arguments_printed_with_eight_digits_are_equally_spaced(law, form):
+    """A degree has no end of digits in radians: what a print rounds off is no unevenness."""
+    angles = np.radians(np.arange(10.0, 25.0, 0.5))
+    rows = [f"{angle:{form}},{0.1 + angle**3:.17g}" for angle in angles]
+    error = law("\n".join(["phi1,r", *rows]).encode()) - (0.1 + (0.3 + np.arange(11) * 0.01) ** 3)
+    assert np.max(np.abs(error)) < 3e-7
+
+
+def test_unevenness_is_told_just_outside_the_printed_digits(law):
+    """Half a unit of the last place for the node and half for the ends."""
+    even = [f"{k * 0.1:.5f},{k}" for k in range(5)]
+    law("\n".join([*even[:2], "0.20001,2", *even[3:], "0.50000,5"]).encode())
+    with pytest.raises(coursework.InputError, match=r"r\.csv:[34]: .* found a step of 0\.(10002|09998) where 0\.1 is usual\."):
+        law("\n".join([*even[:2], "0.20002,2", *even[3:], "0.50000,5"]).encode())
+
+
+@pytest.mark.parametrize(("step", "right"), [(0.0105, True), (0.0095, False)])
+def test_digits_too_few_for_slopes_are_told(law, step, right):
+    """Five decimals put a node up to 0.000 01 off, which must be no more than a thousandth of a step."""
+    rows = [f"{0.29 + step * k:.5f},{k}" for k in range(30)]
+    rows[7] = f"{0.29 + step * 7 + 0.00001:.5f},7"
+    if right:
+        law("\n".join(rows).encode())
+        return
+    with pytest.raises(coursework.InputError, match="the arguments must be equally spaced, found a step of"):
+        law("\n".join(rows).encode())
+
+
 @pytest.mark.parametrize("name", ["../secret.csv", "/etc/hostname", "link.csv", "linked/secret.csv", "./../secret.csv"])
 def test_nothing_outside_the_folder_is_read(tmp_path, name):
     inside = tmp_path / "inside"

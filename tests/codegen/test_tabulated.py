@@ -1,0 +1,78 @@
+"""Tabulated laws: the spline is the not-a-knot one, five points reproduce quartics, and work grows as the table does."""
+
+import numpy as np
+import pytest
+from scipy.interpolate import CubicSpline
+
+import coursework
+from coursework.codegen import tabulated
+from coursework.codegen.tabulated import OutsideTable, TableLaw, spline_slopes
+from tests.benchmarks.timer import ratio
+
+METHODS = ("five-point", "spline")
+
+
+def law_of(function, count, method):
+    nodes = np.linspace(0.4, 2.4, count)
+    return nodes, TableLaw("r", tuple(zip(nodes.tolist(), function(nodes).tolist(), strict=True)), method)
+
+
+@pytest.mark.parametrize("count", [5, 6, 7, 20, 400])
+def test_the_spline_is_that_of_others(count):
+    values = np.random.default_rng(count).normal(size=count)
+    other = CubicSpline(np.arange(count), values, bc_type="not-a-knot")
+    assert np.max(np.abs(other(np.arange(count), 1) - spline_slopes(values.tolist()))) < 1e-13
+    law = TableLaw("r", tuple(enumerate(values.tolist())), "spline")
+    places = np.linspace(0, count - 1, 997)
+    for order in range(3):
+        assert np.max(np.abs(law.function(order)(places) - other(places, order))) < 1e-12
+
+
+@pytest.mark.parametrize(("method", "degree"), [("five-point", 4), ("spline", 3)])
+@pytest.mark.parametrize("count", [5, 6, 9, 50])
+def test_a_polynomial_of_its_degree_is_met(method, degree, count):
+    polynomial = np.polynomial.Polynomial([0.3, -0.2, 0.7, 0.1, -0.05][: degree + 1])
+    _, law = law_of(polynomial, count, method)
+    places = np.linspace(0.4, 2.4, 301)
+    for order, allowed in ((0, 1e-14), (1, 1e-11), (2, 1e-8)):
+        wanted = polynomial.deriv(order)(places) if order else polynomial(places)
+        assert np.max(np.abs(law.function(order)(places) - wanted)) < allowed * count
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_number_and_an_array_are_the_same(method):
+    nodes, law = law_of(np.sin, 30, method)
+    places = np.concatenate([nodes, np.linspace(0.4, 2.4, 211)])
+    for order in range(3):
+        one = [law.function(order)(place) for place in places.tolist()]
+        assert law.function(order)(places) == pytest.approx(np.array(one), rel=1e-14, abs=1e-14)
+
+
+@pytest.mark.parametrize("place", [0.4 - 1e-4, 2.4 + 1e-4, np.array([1.0, 2.5])])
+def test_beyond_the_table_there_is_nothing(place):
+    _, law = law_of(np.sin, 30, "spline")
+    with pytest.raises(OutsideTable, match=r"the table of r covers 0\.4 to 2\.4, but"):
+        law.function(0)(place)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_work_grows_as_the_table_does(method):
+    """Twice the nodes cost about twice the time: solved as a full system they would cost eight times."""
+    assert ratio(lambda: law_of(np.sin, 8000, method)[1].pieces, lambda: law_of(np.sin, 4000, method)[1].pieces, most=3.0) <= 3.0
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_law_is_worked_out_once_a_scene(method, tmp_path, monkeypatch):
+    made = []
+    for name in ("_quartics", "_cubics"):
+        whole = getattr(tabulated, name)
+        monkeypatch.setattr(tabulated, name, lambda values, step, whole=whole: made.append(len(values)) or whole(values, step))
+    variant = coursework.load("variable-crank-table")
+    law = variant.functions[0]
+    from dataclasses import replace
+
+    chosen = replace(variant, functions=(replace(law, method=method),))
+    run = coursework.solve(chosen)
+    assert run.checks and run.columns() and run.extra_tables and len(run.exact.t)
+    coursework.write_report(run, tmp_path / "report.html")
+    assert made == [51]
