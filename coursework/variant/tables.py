@@ -8,7 +8,6 @@ from __future__ import annotations
 import itertools
 import math
 import re
-from decimal import Decimal
 from pathlib import Path
 
 from coursework.errors import Fault
@@ -70,7 +69,7 @@ def _rows(name: str, text: str) -> Rows:
             raise TableFault(f'{name}:{number}: {message}, found "{line.strip()[:60]}".')
         rows.append((float(cells[0]), float(cells[1])))
         lines.append(number)
-        units.append(10.0 ** min(max(Decimal(cells[0]).as_tuple().exponent, -300), 300))
+        units.append(_last_place(cells[0]))
         if not all(map(math.isfinite, rows[-1])):
             raise TableFault(f'{name}:{number}: a finite number was expected, found "{line.strip()[:60]}".')
     if len(rows) < _FEWEST_NODES:
@@ -82,6 +81,12 @@ def _rows(name: str, text: str) -> Rows:
         raise TableFault(f"{name}:{lines[place]}: the arguments must grow from line to line, found {found}.")
     _refuse_uneven(name, [row[0] for row in rows], units, lines)
     return tuple(rows)
+
+
+def _last_place(number: str) -> float:
+    """Return the place of the last digit of a printed number: 0.01 of "1.25", 100 of "3e2"."""
+    digits, _, exponent = number.lower().partition("e")
+    return 10.0 ** max(-300, min(int(exponent or 0) - len(digits.partition(".")[2]), 300))
 
 
 def _refuse_uneven(name: str, arguments: list[float], units: list[float], lines: list[int]) -> None:
