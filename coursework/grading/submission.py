@@ -37,23 +37,20 @@ def note(code: str, key: str = "", /, **values: object) -> Note:
 class SubmittedFile:
     """One file as it was handed in: `name` for people only (never a path to write to), `content` read once, its hash.
 
-    `trouble` says why there is no content (locked, too large, not a regular file); such a file is listed, not read.
+    `trouble` says why the content is not there or only its beginning (locked, too large); such a file is listed, not read.
+    `size` is the number of bytes of the whole file.
     """
 
     name: str
     content: bytes = field(repr=False)
     sha256: str
+    size: int
     trouble: Sentence | None = None
 
-    @property
-    def size(self) -> int:
-        """Return the number of bytes."""
-        return len(self.content)
 
-
-def submitted_file(name: str, content: bytes, trouble: Sentence | None = None) -> SubmittedFile:
+def submitted_file(name: str, content: bytes, trouble: Sentence | None = None, size: int | None = None) -> SubmittedFile:
     """Return the record of a file whose bytes were just read."""
-    return SubmittedFile(name, content, hashlib.sha256(content).hexdigest(), trouble)
+    return SubmittedFile(name, content, hashlib.sha256(content).hexdigest(), len(content) if size is None else size, trouble)
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +72,12 @@ class Submission:
             "id": self.id,
             "name": self.name,
             "files": [
-                {"name": file.name, "content": base64.b64encode(file.content).decode("ascii"), "trouble": _said(file.trouble)}
+                {
+                    "name": file.name,
+                    "content": base64.b64encode(file.content).decode("ascii"),
+                    "trouble": _said(file.trouble),
+                    "size": file.size,
+                }
                 for file in self.files
             ],
             "notes": [{"code": entry.code, "text": _said(entry.text)} for entry in self.notes],
@@ -89,7 +91,8 @@ def submission_from(plain: dict[str, Any]) -> Submission:
         plain["id"],
         plain["name"],
         tuple(
-            submitted_file(file["name"], base64.b64decode(file["content"]), _sentence(file["trouble"])) for file in plain["files"]
+            submitted_file(file["name"], base64.b64decode(file["content"]), _sentence(file["trouble"]), file["size"])
+            for file in plain["files"]
         ),
         tuple(Note(entry["code"], _sentence(entry["text"]) or say("none")) for entry in plain["notes"]),
         _sentence(plain["review"]),

@@ -89,10 +89,10 @@ def _read(file: SubmittedFile, is_alone: bool, expected: Expected, found: _Found
     """Read one file into `found` and return its kind."""
     could_be_table = is_alone or is_named_as_table(file.name)
     try:
-        if file.trouble:
-            raise Refused(Trouble("unreadable", file.trouble.key.rpartition(".")[2], file.trouble))
         if kind := real_kind(file.content):
             raise unreadable("old_excel") if kind == OLD_EXCEL else unreadable("other_kind", kind=kind)
+        if file.trouble:
+            raise Refused(Trouble("unreadable", file.trouble.key.rpartition(".")[2], file.trouble))
         if file.content.startswith(b"PK"):
             return _read_archive(file, expected, found)
         if not file.content.strip():

@@ -1,0 +1,36 @@
+"""Ids of students, and the names of files made from them.
+
+Enters: an id, as verbatim as a platform gave it.  Leaves: a name that no system misreads; what makes two ids one.
+Used by whoever writes a file or matches a student.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+import unicodedata
+
+_SAFE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._@-]{0,63}")
+_DEVICES = {"con", "prn", "aux", "nul", *(f"{port}{number}" for port in ("com", "lpt") for number in range(10))}
+
+
+def file_stem(student: str) -> str:
+    """Return the name of a student's files in OUT: the id itself where every system takes it, else `x-` and 16 hex digits.
+
+    >>> file_stem("ivanov"), file_stem("../../x"), file_stem("CON")
+    ('ivanov', 'x-5c19fae1b9bcb6fe', 'x-d6b0adb6f5e4d36b')
+    """
+    is_device = student.partition(".")[0].casefold() in _DEVICES
+    if _SAFE.fullmatch(student) and not student.endswith(".") and not is_device:
+        return student
+    return "x-" + hashlib.sha256(student.encode("utf-8", "surrogatepass")).hexdigest()[:16]
+
+
+def same_key(student: str) -> str:
+    """Return what two ids have in common that some file system or platform takes for one: NFC, case folded."""
+    return unicodedata.normalize("NFC", unicodedata.normalize("NFC", student).casefold())
+
+
+def name_key(name: str) -> str:
+    """Return a full name as names are compared: NFKC, case folded, blanks counted once."""
+    return " ".join(unicodedata.normalize("NFKC", name).casefold().split())

@@ -1,0 +1,63 @@
+"""Names in a platform's download -> whose work it is.
+
+Enters: the name of a folder or file.  Leaves: `Owner`, None where the name is not the platform's.
+Used by `handed_in.py`.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from dataclasses import dataclass
+
+# Moodle's importer takes "fullname_uniqueid_assignsubmission_plugin", then a blank end, or in flat mode the file's own name.
+_MOODLE = re.compile(
+    r"(?P<owner>(?P<name>.*?)_(?P<number>[0-9]+)_assignsubmission_(?P<plugin>[a-z]+))(?:_(?P<rest>.*))?", re.DOTALL
+)
+_CANVAS = re.compile(r"(?P<name>[^_]+)(?P<late>_LATE)?_(?P<user>[0-9]+)_(?P<submission>[0-9]+)_(?P<rest>.+)", re.DOTALL)
+_BLIND = {"participant", "участник", "учасник", "teilnehmer", "teilnehmer/in", "participante", "参与者", "participant(e)"}
+
+
+@dataclass(frozen=True, slots=True)
+class Owner:
+    """Whose a folder or file is: what is equal for all of one student, the platform's number, the name as it stands there.
+
+    `attempt` tells two submissions of one student apart, `folder` is the name that feedback is returned under, `file` the
+    name a file had before the platform changed it ("" for a folder).
+    """
+
+    key: str
+    number: str
+    name: str | None
+    attempt: str
+    folder: str
+    file: str
+
+
+def moodle_owner(name: str) -> Owner | None:
+    """Return the owner of a folder or file of Moodle's download.
+
+    >>> moodle_owner("Ann Lee_7000_assignsubmission_file_table.csv").number
+    '7000'
+    """
+    plain = unicodedata.normalize("NFC", name)
+    match = _MOODLE.fullmatch(plain)
+    if not match:
+        return None
+    full = match["name"].strip()
+    shown = None if full.casefold() in _BLIND or not full else full
+    rest = match["rest"] or ""
+    folder = match["owner"] if rest else plain
+    return Owner(f"{match['name']}_{match['number']}", match["number"], shown, "", folder, rest)
+
+
+def canvas_owner(name: str) -> Owner | None:
+    """Return the owner of a file of Canvas's download.
+
+    >>> canvas_owner("leeann_LATE_101_20777_table-1.csv").file
+    'table-1.csv'
+    """
+    match = _CANVAS.fullmatch(unicodedata.normalize("NFC", name))
+    if not match:
+        return None
+    return Owner(match["user"], match["user"], match["name"], match["submission"], "", match["rest"])
