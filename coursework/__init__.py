@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from coursework.model.model import Model
     from coursework.report import notebook_html, write_report
     from coursework.run import Run
+    from coursework.variant.reader import parse_variant
     from coursework.variant.record import Variant
 
 __version__ = "1.0.0"
@@ -29,12 +30,13 @@ _HOMES = {
     "load": "coursework.api", "solve": "coursework.api", "exact": "coursework.api", "compile_model": "coursework.api",
     "Model": "coursework.model.model", "Data": "coursework.model.data", "Run": "coursework.run",
     "write_report": "coursework.report", "notebook_html": "coursework.report", "Variant": "coursework.variant.record",
+    "parse_variant": "coursework.variant.reader",
     "CourseworkError": "coursework.errors", "InputError": "coursework.errors", "OutputError": "coursework.errors",
 }  # fmt: skip
 
 __all__ = [
     "CourseworkError", "Data", "InputError", "Model", "OutputError", "Run", "Variant", "compile_model", "exact", "groups",
-    "load", "notebook_html", "solve", "write_report",
+    "load", "notebook_html", "parse_variant", "solve", "write_report",
 ]  # fmt: skip
 
 

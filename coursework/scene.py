@@ -14,9 +14,10 @@ from numpy.typing import NDArray
 
 from coursework.errors import InputError
 from coursework.geometry.agreement import require_agreement
-from coursework.geometry.chain import chain_positions, is_chain, start_values
+from coursework.geometry.chain import chain_positions, is_chain
 from coursework.geometry.closure import Closure, compile_closure, require_start
 from coursework.geometry.drive import breaks, refuse_aliasing, refuse_endless
+from coursework.geometry.start import start_values
 from coursework.graph import Ledger, computed
 from coursework.integration.exact_motion import NotReached, exact_motion
 from coursework.integration.integrate import Correction, march

@@ -6,8 +6,6 @@ Raises `CannotAssemble` (groups) with the row at which a group cannot be put tog
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
@@ -25,8 +23,6 @@ from coursework.reduction.equations import VelocityEquations
 from coursework.variant.record import Group, Variant
 
 Array = NDArray[np.float64]
-# A start value written with fewer digits than this (rad or m) is taken for another position, not for rounding.
-START_TOLERANCE = 1e-6
 _TWO_MODES = {"RRR": RRR_MODES, "RRP": RRP_MODES, "RPR": RPR_MODES}
 
 
@@ -47,7 +43,7 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
     """
     variant = equations.variant
     names = [c.name for c in variant.coordinates]
-    q = np.tile([coordinate.start or 0.0 for coordinate in variant.coordinates], (len(times), 1))
+    q = np.tile([coordinate.guess or 0.0 for coordinate in variant.coordinates], (len(times), 1))
     driven = [place for place, coordinate in enumerate(variant.coordinates) if coordinate.rate in variant.known_rates]
     q[:, driven] += integrals(equations, [variant.coordinates[place].rate for place in driven], times)
     for number, group in enumerate(variant.groups, start=1):
@@ -64,7 +60,7 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
         for column, place in enumerate(places):
             coordinate = variant.coordinates[place]
             angle = coordinate.unit == "rad"
-            q[:, place] = _continued(found[:, column], coordinate.start) if angle else found[:, column]
+            q[:, place] = _continued(found[:, column], coordinate.guess) if angle else found[:, column]
     return q
 
 
@@ -78,42 +74,6 @@ def _letters(group: Group) -> str:
     named = [(letter, spelled(point)) for letter, point in zip("BD", group.start_points, strict=False)]
     told = [f"{letter} at {point}" for letter, point in named if letter != point]
     return f", with {listing(told)}," if told else ""
-
-
-def start_values(equations: VelocityEquations) -> list[float]:
-    """Return the coordinates at t = 0; groups give those the file leaves out.
-
-    Raises `InputError` where a written start is not the position the groups close in.
-    """
-    variant = equations.variant
-    given = _given_by_groups(variant)
-    missing = [c for c in variant.coordinates if c.start is None and c.name not in given]
-    if missing:
-        text = "{} has no start, and no group gives it. Write its value at t = 0: start = …."
-        file = str(variant.path or variant.name)
-        raise InputError([Fault(text.format(c.name), file, variant.line_of("coordinates", c.name)) for c in missing])
-    if not given:
-        return [c.start for c in variant.coordinates if c.start is not None]
-    closed = chain_positions(equations, np.zeros(1))[0]
-    faults = []
-    for coordinate, value in zip(variant.coordinates, closed, strict=True):
-        if coordinate.start is not None and abs(coordinate.start - value) > START_TOLERANCE:
-            message = (
-                f"{coordinate.name} starts at {coordinate.start:.9g} {coordinate.unit}, but the chain closes at "
-                f"{value:.15g} {coordinate.unit} in the assembly mode given. "
-                "Write that value, leave `start` out, or change `mode`."
-            )
-            line = variant.line_of("coordinates", coordinate.name)
-            faults.append(Fault(message, str(variant.path or variant.name), line))
-    if faults:
-        raise InputError(faults)
-    return [float(value) for value in closed]
-
-
-def started(variant: Variant, start: list[float]) -> Variant:
-    """Return the variant with every start value filled in."""
-    filled = (replace(c, start=value) for c, value in zip(variant.coordinates, start, strict=True))
-    return replace(variant, coordinates=tuple(filled))
 
 
 def _continued(angles: Array, start: float | None) -> Array:
@@ -132,7 +92,7 @@ def _mode(equations: VelocityEquations, group: Group, q: Array) -> int:
     if group.mode or group.kind not in _TWO_MODES:
         return group.mode
     chosen = [c for name in group.coordinates for c in equations.variant.coordinates if c.name == name]
-    starts = [(c.start, c.unit) for c in chosen if c.start is not None]
+    starts = [(c.guess, c.unit) for c in chosen if c.guess is not None]
     if len(starts) == len(chosen):
 
         def distance(mode: int) -> float:

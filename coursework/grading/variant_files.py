@@ -46,7 +46,7 @@ def is_variant_file(text: str) -> bool:
 def read_variant_file(content: bytes, name: str, expected: Expected, spellings: Spellings) -> VariantFile:
     """Return what a variant file holds; a file that is not TOML is one equation that cannot be read."""
     try:
-        source = read_source(content, name, None)
+        source = read_source(content, name, {})
     except InputError as error:
         return VariantFile(tuple(faults_as_lines(error, name)))
     known = set(Schema.model_fields) | {field.alias for field in Schema.model_fields.values() if field.alias}

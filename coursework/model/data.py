@@ -62,7 +62,7 @@ def read_data(variant: Variant, columns: Mapping[str, Any] | Any = None) -> Data
         raise _fault(variant, f"the columns must have the same number of rows, found {told}.")
     count = next(iter(lengths.values()), 1)
     every = {name: np.full(count, value) for name, value in variant.values.items()}
-    start = np.tile([np.nan if c.start is None else c.start for c in variant.coordinates], (count, 1))
+    start = np.tile([np.nan if c.guess is None else c.guess for c in variant.coordinates], (count, 1))
     for name, column in found.items():
         if name in places:
             start[:, places[name]] = column

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from coursework.codegen.names import private
 from coursework.codegen.programs import Assign, Statement, compile_function
-from coursework.geometry.chain import start_values
+from coursework.geometry.start import start_values
 from coursework.integration.rates import block_statements
 from coursework.mechanism import build
 from coursework.model.data import Data, read_data

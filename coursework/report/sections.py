@@ -94,7 +94,7 @@ def given(context: PageContext) -> list[Part]:
     for c in variant.coordinates:
         head = context.symbol_runs([c.name], say("given.at_start"))
         if c.start is None:
-            rows.append([head, say("given.from_groups"), _first(context, c.name, c.unit)])
+            rows.append([head, say("given.from_groups" if c.near is None else "given.follows"), _first(context, c.name, c.unit)])
         else:
             rows.append([head, with_unit(_written(c.text), c.written), context.quantity(c.start, c.unit)])
     columns = [Column(context.say(f"given.{key}"), words=key == "quantity") for key in ("quantity", "written", "si")]

@@ -7,8 +7,9 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -33,10 +34,13 @@ def read_variant(path: Path) -> Variant:
     return _build(read_source(read_bytes(path), str(path), path.parent), path.stem, path)
 
 
-def parse_variant(content: str | bytes, file: str = "variant") -> Variant:
-    """Return the variant in a text (no tables beside it can be read)."""
+def parse_variant(content: str | bytes, file: str = "variant", tables: Mapping[str, bytes] | None = None) -> Variant:
+    """Return the variant in a text; `tables` are the files it names, by name.  Nothing is read from disk.
+
+    Raises `InputError` with all faults.
+    """
     raw = content.encode("utf-8") if isinstance(content, str) else content
-    return _build(read_source(raw, file, None), file, None)
+    return _build(read_source(raw, file, tables or {}), file, None)
 
 
 def _build(source: Source, name: str, path: Path | None) -> Variant:
@@ -49,7 +53,12 @@ def _build(source: Source, name: str, path: Path | None) -> Variant:
         parts.faults += _rules(variant, source) + faults_at_start(variant, source)
     if parts.faults:
         raise InputError(parts.faults)
-    return variant
+    return replace(variant, reread=partial(_read_again, source, name, path))
+
+
+def _read_again(source: Source, name: str, path: Path | None, changes: Mapping[tuple[str | int, ...], Any]) -> Variant:
+    """Return the variant of a file some of whose values are others."""
+    return _build(source.changed(changes), name, path)
 
 
 def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | None) -> Variant:

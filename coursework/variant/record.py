@@ -5,11 +5,14 @@ Leaves `reader.py`; every floor above may read it.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import pathlib
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from pathlib import Path
+from typing import Any
 
+from coursework.errors import InputError
 from coursework.formula.tree import Formula
+from coursework.variant.changes import Path, Values, changed_values, follow_from
 
 # More rows than this nobody reads; a step much smaller than the coursework needs is a slip of the pen.
 MAX_ROWS = 200_000
@@ -46,7 +49,10 @@ class Law:
 
 @dataclass(frozen=True, slots=True)
 class Coordinate:
-    """An integrated coordinate: `start` in rad or m (None where a chain of groups gives it), its rate's name."""
+    """An integrated coordinate: `start` in rad or m, its rate's name.
+
+    `start` is None where a chain of groups gives it, and where other data have moved it: the closed position `near` a value.
+    """
 
     name: str
     rate: str
@@ -54,6 +60,12 @@ class Coordinate:
     unit: str
     text: str = ""
     written: str = ""
+    near: float | None = None
+
+    @property
+    def guess(self) -> float | None:
+        """Return the value at t = 0, or what it lies near (rad, m); None where only a chain knows."""
+        return self.near if self.start is None else self.start
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,6 +124,12 @@ class Group:
     angle: Formula | None
     line: int = 0
 
+    @property
+    def formulas(self) -> tuple[Formula, ...]:
+        """Return every formula that places the group."""
+        guides = (formula for guide in self.guides for formula in (guide.through, guide.angle, guide.offset))
+        return (*self.start_points, *self.lengths, *guides, self.offset, *((self.angle,) if self.angle else ()))
+
 
 @dataclass(frozen=True, slots=True)
 class Link:
@@ -139,7 +157,7 @@ class Variant:
     """One variant of the coursework, complete."""
 
     name: str
-    path: Path | None
+    path: pathlib.Path | None
     title: str
     source: str
     teaches: str
@@ -159,6 +177,8 @@ class Variant:
     ask: tuple[str, ...]
     remarks: tuple[str, ...] = ()
     lines: Mapping[tuple[str | int, ...], int] = field(default_factory=dict, repr=False, compare=False)
+    reread: Callable[[Mapping[Path, Any]], Variant] | None = field(default=None, repr=False, compare=False)
+    changes: Mapping[Path, float | str] = field(default_factory=dict, repr=False, compare=False)
 
     @property
     def values(self) -> dict[str, float]:
@@ -208,4 +228,34 @@ class Variant:
 
     def timed(self, step: float | None = None, end: float | None = None) -> Variant:
         """Return the variant with another step or end (s)."""
-        return replace(self, time=replace(self.time, step=step or self.time.step, end=end or self.time.end))
+        time = replace(self.time, step=step or self.time.step, end=end or self.time.end)
+        changes: dict[Path, float | str] = {}
+        for key in ("step", "end"):
+            if getattr(time, key) != getattr(self.time, key):
+                changes["time", key] = getattr(time, key)
+        return replace(self, time=time, changes={**self.changes, **changes})
+
+    def with_data(
+        self, given: Values = None, start: Values = None, drive: Values = None, *,
+        step: float | str | None = None, end: float | str | None = None, period: float | str | None = None,
+    ) -> Variant:  # fmt: skip
+        """Return the variant as its file would be with other data: period, texts, start, remarks and faults are read anew.
+
+        Numbers are SI, texts bring their unit or are formulas ("2*pi/p").  Where geometry gives start values, those of
+        coordinates not named in `start` follow: the closed position nearest to the old one.  Raises `InputError` with what the
+        changed file would be refused for.
+
+        >>> import coursework
+        >>> round(coursework.load("31").with_data(given={"p": 10}).time.period, 4)
+        0.6283
+        """
+        if self.reread is None:
+            raise InputError(f"{self.name} was not read from a file, so it cannot be read with other data.")
+        times = {key: value for key, value in (("step", step), ("end", end), ("period", period)) if value is not None}
+        new = changed_values(self, given, start, drive, times)
+        changes = {**self.changes, **new}
+        fresh = self.reread(changes)
+        follow = follow_from(self, new)
+        pairs = zip(self.coordinates, fresh.coordinates, strict=True)
+        moved = (replace(now, start=None, near=old.guess) if now.name in follow else now for old, now in pairs)
+        return replace(fresh, coordinates=tuple(moved), changes=changes)

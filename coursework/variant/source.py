@@ -5,13 +5,16 @@ Enters: a path or bytes.  Leaves: `Source`.  Used by `reader.py`.
 
 from __future__ import annotations
 
+import copy
 import re
 import tomllib
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from coursework.errors import Fault, InputError
+from coursework.formula.alphabet import spell
 from coursework.variant.positions import Positions, locate
 from coursework.variant.toml_faults import explained
 
@@ -30,12 +33,22 @@ _MANY_PARTS = re.compile(rf"(?<![\w-])[\w-]++(?:[ \t]*+\.[ \t]*+[\w-]++){{{_MAX_
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """One variant file as data; `file` is the name used in messages."""
+    """One variant file as data; `file` is the name used in messages; `folder` where files beside it are, or these by name."""
 
     file: str
-    folder: Path | None
+    folder: Path | Mapping[str, bytes]
     data: dict[str, Any]
     positions: Positions
+
+    def changed(self, changes: Mapping[tuple[str | int, ...], Any]) -> Source:
+        """Return the file with other values; names in `changes` are in the tool's own spelling."""
+        data = copy.deepcopy(self.data)
+        for path, value in changes.items():
+            inner: Any = data
+            for part in path[:-1]:
+                inner = inner[_spelt_as(part, inner)]
+            inner[_spelt_as(path[-1], inner)] = value
+        return replace(self, data=data)
 
     def fault(self, path: tuple[str | int, ...], message: str, column: int = 0, *, at_key: bool = False) -> Fault:
         """Return a fault at a value, or at its key; `column` counts inside the value's text (1 = its first character)."""
@@ -51,6 +64,11 @@ class Source:
         entry = self.data["constraint"][index] if isinstance(self.data["constraint"], list) else {}
         name = entry.get("name") if isinstance(entry, dict) else None
         return str(name) if isinstance(name, (str, int)) and name not in {"", True, False} else str(index + 1)
+
+
+def _spelt_as(part: str | int, keys: Any) -> str | int:
+    """Return a key as the file spells it, or as it is where the file does not have it."""
+    return next((key for key in keys if spell(key) == part), part) if isinstance(part, str) else part
 
 
 def read_bytes(path: Path) -> bytes:
@@ -73,7 +91,7 @@ def _too_large(size: int, file: str) -> Fault:
     return Fault(f"the file has {size} bytes; a variant file has at most {MAX_BYTES}. Is it the right file?", file)
 
 
-def read_source(content: bytes, file: str, folder: Path | None) -> Source:
+def read_source(content: bytes, file: str, folder: Path | Mapping[str, bytes]) -> Source:
     """Read TOML.  Raises `InputError` with line and column for anything that is not."""
     if len(content) > MAX_BYTES:
         raise InputError([_too_large(len(content), file)])

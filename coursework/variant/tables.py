@@ -8,6 +8,7 @@ from __future__ import annotations
 import itertools
 import math
 import re
+from collections.abc import Mapping
 from pathlib import Path
 
 from coursework.errors import Fault
@@ -29,30 +30,45 @@ class TableFault(ValueError):
 def read_table(name: str, source: Source, path: tuple[str | int, ...], faults: list[Fault]) -> Rows:
     """Return the rows of a table; a fault is added to `faults` and an empty table returned."""
     try:
-        return _rows(name, _text(name, source.folder))
+        return _rows(name, _text(name, source))
     except TableFault as fault:
         faults.append(source.fault(path, str(fault)))
         return ()
 
 
-def _text(name: str, folder: Path | None) -> str:
-    if folder is None:
-        raise TableFault("a table can be read only beside a variant file on disk.")
+def _text(name: str, source: Source) -> str:
     try:
-        file = (folder / name).resolve()
-        if not file.is_relative_to(folder.resolve()):
-            raise TableFault(f'the table "{name}" lies outside the folder of the variant. Put it beside the variant file.')
-        if not file.is_file():
-            raise TableFault(f'there is no file "{name}" in the folder of the variant.')
-        if file.stat().st_size > MAX_TABLE_BYTES:
-            raise TableFault(f'the table "{name}" has {file.stat().st_size} bytes; at most {MAX_TABLE_BYTES} are read.')
-        return file.read_bytes().decode("utf-8-sig")
+        raw = _on_disk(name, source.folder) if isinstance(source.folder, Path) else _in_memory(name, source.folder)
+        return raw.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise TableFault(f'the table "{name}" is not UTF-8 text. Save it as "CSV UTF-8".') from error
     except (OSError, ValueError) as error:
         if isinstance(error, TableFault):
             raise
         raise TableFault(f'the table "{name}" cannot be read: {getattr(error, "strerror", None) or error}.') from error
+
+
+def _in_memory(name: str, tables: Mapping[str, bytes]) -> bytes:
+    if name not in tables:
+        known = f" There are: {', '.join(sorted(tables))}." if tables else ""
+        raise TableFault(f'the table "{name}" is not among the files beside the variant.{known}')
+    _require_size(name, len(tables[name]))
+    return tables[name]
+
+
+def _on_disk(name: str, folder: Path) -> bytes:
+    file = (folder / name).resolve()
+    if not file.is_relative_to(folder.resolve()):
+        raise TableFault(f'the table "{name}" lies outside the folder of the variant. Put it beside the variant file.')
+    if not file.is_file():
+        raise TableFault(f'there is no file "{name}" in the folder of the variant.')
+    _require_size(name, file.stat().st_size)
+    return file.read_bytes()
+
+
+def _require_size(name: str, size: int) -> None:
+    if size > MAX_TABLE_BYTES:
+        raise TableFault(f'the table "{name}" has {size} bytes; at most {MAX_TABLE_BYTES} are read.')
 
 
 def _rows(name: str, text: str) -> Rows:

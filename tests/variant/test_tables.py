@@ -138,5 +138,5 @@ def test_names_that_are_no_file(tmp_path, name):
 def test_a_table_needs_a_file_beside_it():
     from coursework.variant.reader import parse_variant
 
-    with pytest.raises(coursework.InputError, match="a table can be read only beside a variant file on disk"):
+    with pytest.raises(coursework.InputError, match='the table "TABLE" is not among the files beside the variant'):
         parse_variant(TEXT)

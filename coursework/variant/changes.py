@@ -1,0 +1,88 @@
+"""Other data for a variant -> values as its file would write them, or one sentence about what is wrong.
+
+Enters: a variant; numbers in SI or texts with a unit.  Leaves: the value of each key that changes.
+Used by `record.py`; the file is then read anew with them, so that nothing derived from the old data is left.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from coursework.errors import InputError, closest
+from coursework.formula.alphabet import spell
+from coursework.formula.units import KINDS, UNITS, UnitFault, read
+
+if TYPE_CHECKING:
+    from coursework.variant.record import Variant
+
+Path = tuple[str | int, ...]
+Values = Mapping[str, float | str] | None
+
+
+def changed_values(variant: Variant, given: Values, start: Values, drive: Values, times: Values) -> dict[Path, float | str]:
+    """Return the new value of each key.  Raises `InputError` for a name or a unit that does not fit."""
+    changes: dict[Path, float | str] = {}
+    data = {one.name: (one.si, one.unit) for one in variant.given}
+    for key, value in (given or {}).items():
+        name = _known(variant, key, list(data), "given datum")
+        changes["given", name] = _written(variant, name, value, *data[name])
+    places = {c.name: (c.unit, c.written) for c in variant.coordinates}
+    for key, value in (start or {}).items():
+        name = _known(variant, key, list(places), "coordinate")
+        changes["coordinates", name, "start"] = _written(variant, name, value, *places[name])
+    for key, value in (drive or {}).items():
+        changes["drive", _known(variant, key, [law.name for law in variant.drive], "drive")] = value
+    for key, value in (times or {}).items():
+        changes["time", key] = _written(variant, key, value, "s", "s") if isinstance(value, (int, float)) else value
+    return changes
+
+
+def follow_from(variant: Variant, changes: Mapping[Path, float | str]) -> frozenset[str]:
+    """Return the coordinates whose start follows from other data by the geometry and is not among the changes itself."""
+    named = {path[1] for path in changes if path[0] in {"given", "coordinates"}}
+    formulas = [formula for _, formula in variant.points] + [f for law in variant.functions for f in law.formulas]
+    formulas += [side for one in variant.constraints if one.is_closure for side in (one.left, one.right)]
+    formulas += [formula for group in variant.groups for formula in group.formulas]
+    if not named.intersection(name for formula in formulas for name in formula.names()):
+        return frozenset(c.name for c in variant.coordinates if c.near is not None) - named
+    by_groups = {name for group in variant.groups for name in group.coordinates}
+    closed = any(one.is_closure for one in variant.constraints)
+    free = (c.name for c in variant.coordinates if c.rate not in variant.known_rates and (closed or c.name in by_groups))
+    return frozenset(free) - named
+
+
+def _known(variant: Variant, key: str, known: list[str], what: str) -> str:
+    name = spell(str(key))
+    if name not in known:
+        advice = closest(name, known) or f" Known: {', '.join(known)}."
+        raise InputError(f'{variant.name}: "{key}" is no {what}.{advice}')
+    return name
+
+
+def _written(variant: Variant, name: str, value: Any, si: str, unit: str) -> float | str:
+    """Return a value as the file writes it, in the author's unit where that says the same number."""
+    if isinstance(value, str):
+        try:
+            read_value = read(value, si)
+        except UnitFault as fault:
+            raise InputError(f"{variant.name}, {name}: {fault}") from None
+        if read_value.si and si and KINDS[read_value.si][0] != KINDS[si][0]:
+            _, what, shown = KINDS[si]
+            raise InputError(f'{variant.name}, {name}: {what} was expected: {shown} (found "{value}").')
+        return value if read_value.si or not unit else f"{value} {si}"
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise InputError(f"{variant.name}, {name}: a number was expected, found {value!r}.") from None
+    if not math.isfinite(number):
+        raise InputError(f"{variant.name}, {name}: a finite number was expected, found {number:g}.")
+    if not unit:
+        return f"{number!r}".removesuffix(".0")
+    size = UNITS[unit][0] if unit in UNITS else Fraction(1)
+    text = f"{float(Fraction(repr(number)) / size):.12g}"
+    if float(Fraction(text) * size) == number:
+        return f"{text} {unit}"
+    return f"{number!r} {si}"

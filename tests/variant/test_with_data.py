@@ -1,0 +1,145 @@
+"""A variant with other data is the variant that its file would be with these data: nothing stays behind."""
+
+import math
+import pickle
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import coursework
+from coursework.catalogue import find, names
+from coursework.variant.reader import parse_variant
+
+FOUR_BAR = """
+format = 1
+[given]
+a = "0.1 m"
+b = "0.3 m"
+c = "0.25 m"
+d = "0.28 m"
+n = "60 rpm"
+[drive]
+w1 = "n"
+[coordinates]
+phi1 = { start = "60 deg", rate = "w1" }
+phi2 = { start = "0.7 rad", rate = "w2" }
+phi3 = { start = "1.5 rad", rate = "w3" }
+[points]
+A = "a @ phi1"
+[time]
+step = "0.01 s"
+end = "pi/n"
+period = "2*pi/n"
+[[constraint]]
+closure = "A + b @ phi2 = (d, 0) + c @ phi3"
+"""
+
+
+def four_bar():
+    """Return the four-bar with its start closed to all digits."""
+    rough = parse_variant(FOUR_BAR, "bar")
+    start = rough.with_data(start={"phi1": "60 deg"})
+    values = coursework.solve(start, quantities=["table"]).scene.start
+    return rough.with_data(start={"phi2": values[1], "phi3": values[2]})
+
+
+def without_origin(variant):
+    return replace(variant, path=None, name="", lines={}, reread=None, changes={})
+
+
+def test_period_texts_and_check_follow_the_data():
+    variant = coursework.load("31").with_data(given={"p": 10})
+    assert variant.time.period == pytest.approx(0.6283185307179586, rel=1e-15)
+    assert next((given.text, given.unit) for given in variant.given if given.name == "p") == ("10", "1/s")
+    run = coursework.solve(variant.with_data(end="2*pi/p", step=math.tau / 10 / 200), scheme="rk4")
+    assert {check.code: check.verdict for check in run.checks}["PERIOD-POSITION"] == "PASS"
+
+
+def test_it_is_the_file_with_these_data():
+    text = find("31").read_text(encoding="utf-8")
+    changed = text.replace('"0.953 m"', '"950 mm"').replace('"13.08 1/s"', '"10 1/s"').replace('"1.63 rad"', '"93 deg"')
+    changed = changed.replace('"V1*sin(p*t + alpha)"', '"V1*cos(p*t)"').replace('"0.02 s"', '"0.01 s"')
+    given, start, drive = {"r1": "950 mm", "p": "10 1/s"}, {"phi1": "93 deg"}, {"VMy": "V1*cos(p*t)"}
+    found = coursework.load("31").with_data(given, start, drive, step="0.01 s")
+    assert without_origin(found) == without_origin(parse_variant(changed, "31"))
+
+
+@pytest.mark.parametrize("name", names())
+def test_the_same_data_are_the_same_variant(name):
+    variant = coursework.load(name)
+    given = {one.name: one.value for one in variant.given}
+    same = variant.with_data(given=given)
+    assert same.values == variant.values
+    assert same.time == variant.time
+    assert (same.drive, same.constraints, same.groups, same.points) == (
+        variant.drive, variant.constraints, variant.groups, variant.points
+    )  # fmt: skip
+    before, after = (coursework.solve(one, quantities=["table"]).scene.start for one in (variant, same))
+    assert np.allclose(before, after, atol=1e-6)
+
+
+def test_what_geometry_gives_is_closed_anew():
+    variant = four_bar()
+    for changes in ({"given": {"b": 0.32, "c": "26 cm"}}, {"start": {"phi1": 1.2}}):
+        run = coursework.solve(variant.with_data(**changes), quantities=["table"])
+        values = {**run.variant.values, **dict(zip(("phi1", "phi2", "phi3"), run.scene.start, strict=True))}
+        a, b, c, d = (values[name] for name in "abcd")
+        gap = a * np.exp(1j * values["phi1"]) + b * np.exp(1j * values["phi2"]) - d - c * np.exp(1j * values["phi3"])
+        assert abs(gap) < 1e-12
+        assert run.scene.start[1:] == pytest.approx([0.66, 1.4], abs=0.25)
+        assert values["phi1"] == pytest.approx(changes.get("start", {}).get("phi1", math.pi / 3), rel=1e-15)
+
+
+def test_what_geometry_does_not_hold_stays_as_it_was():
+    assert coursework.solve(four_bar().with_data(given={"n": "90 rpm"}), quantities=["table"]).scene.start == (
+        coursework.solve(four_bar(), quantities=["table"]).scene.start
+    )
+
+
+def test_data_that_cannot_close_are_told():
+    with pytest.raises(coursework.InputError, match="no closed position lies near the old start"):
+        coursework.solve(four_bar().with_data(given={"b": 0.001}), quantities=["table"]).columns()
+
+
+def test_changes_add_up_and_survive_a_pickle():
+    once = pickle.loads(pickle.dumps(coursework.load("31").timed(step=0.01).with_data(given={"p": 10})))
+    twice = once.with_data(given={"r1": 0.94})
+    assert (twice.values["p"], twice.values["r1"], twice.time.step) == (10.0, 0.94, 0.01)
+
+
+@pytest.mark.parametrize(
+    ("changes", "sentence"),
+    [
+        ({"given": {"r1": "950 s"}}, '31, r1: a length was expected: m, cm, mm (found "950 s").'),
+        ({"given": {"r9": 1}}, '31: "r9" is no given datum. Known: r1, r2, r3, V1, p, alpha.'),
+        ({"given": {"r1": math.nan}}, "31, r1: a finite number was expected, found nan."),
+        ({"given": {"r1": None}}, "31, r1: a number was expected, found None."),
+        ({"start": {"phi1": "1 m"}}, '31, phi1: an angle was expected: rad, deg (found "1 m").'),
+        ({"start": {"w1": 1}}, '31: "w1" is no coordinate. Known: phi1, phi2, phi3.'),
+        ({"drive": {"VMz": "0"}}, '31: "VMz" is no drive. Did you mean "VMy"?'),
+        ({"step": -1}, "time.step: the step must be greater than 0, found -1 s."),
+        ({"given": {"r1": 0}}, "the link of length r1 has zero length"),
+        ({"given": {"p": 0}}, "time.period"),
+    ],
+)  # fmt: skip
+def test_what_does_not_fit_is_refused(changes, sentence):
+    with pytest.raises(coursework.InputError) as caught:
+        coursework.load("31").with_data(**changes)
+    assert sentence in str(caught.value)
+
+
+def test_a_file_in_memory_brings_its_tables():
+    path = find("variable-crank-table")
+    beside = {one.name: one.read_bytes() for one in path.parent.glob("*.csv")}
+    variant = parse_variant(path.read_bytes(), path.stem, beside)
+    assert without_origin(variant) == without_origin(coursework.load(path.stem))
+    assert Path(path).exists() and variant.path is None
+
+
+def test_a_table_in_memory_is_as_bounded_as_one_on_disk():
+    path = find("variable-crank-table")
+    beside = {one.name: b"0,1\n" * 70_000 for one in path.parent.glob("*.csv")}
+    with pytest.raises(coursework.InputError, match="at most 262144 are read"):
+        parse_variant(path.read_bytes(), path.stem, beside)
