@@ -18,7 +18,7 @@ def file_stem(student: str) -> str:
     """Return the name of a student's files in OUT: the id itself where every system takes it, else `x-` and 16 hex digits.
 
     >>> file_stem("ivanov"), file_stem("../../x"), file_stem("CON")
-    ('ivanov', 'x-5c19fae1b9bcb6fe', 'x-d6b0adb6f5e4d36b')
+    ('ivanov', 'x-9cdf6a50100a862e', 'x-a3dbc4b644a9a2c5')
     """
     is_device = student.partition(".")[0].casefold() in _DEVICES
     if _SAFE.fullmatch(student) and not student.endswith(".") and not is_device:

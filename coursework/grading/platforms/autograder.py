@@ -1,0 +1,112 @@
+"""One submission's outcome -> `results.json` as Gradescope and PrairieLearn read it.
+
+Enters: `Outcome`.  Leaves: plain data for JSON.  Used with `--results`.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from coursework.grading.escapes import shown
+from coursework.sentences import say
+
+_MOST_TEXT = 60_000  # characters of one output: both platforms take a megabyte in all
+_NOT_GRADABLE = {"unreadable", "missing"}
+
+
+@dataclass(frozen=True, slots=True)
+class PartOutcome:
+    """One part of the rubric: its points (None where it could not be marked) and what a student reads about it."""
+
+    name: str
+    score: float | None
+    max_score: float
+    output: str
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """One submission: its state, points (None where there is no number), and its parts; `problems` say what to hand in again."""
+
+    status: str
+    score: float | None
+    max_score: float
+    output: str
+    parts: Sequence[PartOutcome]
+    problems: Sequence[str] = ()
+
+
+def gradescope(outcome: Outcome) -> dict[str, Any]:
+    """Return `results.json` of Gradescope: one test a part, which sum to the score; without a number it is 0 and says so."""
+    scores = _summing([part.score or 0.0 for part in outcome.parts], outcome.score or 0.0)
+    totals = _summing([part.max_score for part in outcome.parts], outcome.max_score)
+    unmarked = outcome.score is None
+    tests = [
+        {
+            "name": part.name,
+            "score": 0.0 if unmarked else score,
+            "max_score": total,
+            "status": "passed" if not unmarked and score >= total else "failed",
+            "output": _text(part.output),
+        }
+        for part, score, total in zip(outcome.parts, scores, totals, strict=True)
+    ]
+    lines = (
+        [say("platform.not_marked", status=outcome.status), outcome.output, *outcome.problems] if unmarked else [outcome.output]
+    )
+    output = _text("\n".join(lines))
+    return {
+        "score": 0.0 if unmarked else round(outcome.score or 0.0, 2),
+        "output": output,
+        "output_format": "text",
+        "tests": tests,
+    }
+
+
+def prairielearn(outcome: Outcome) -> dict[str, Any]:
+    """Return `results.json` of PrairieLearn: score from 0 to 1; what cannot be read is not gradable, and no attempt is lost."""
+    gradable = outcome.status not in _NOT_GRADABLE
+    scores = _summing([part.score or 0.0 for part in outcome.parts], outcome.score or 0.0)
+    totals = _summing([part.max_score for part in outcome.parts], outcome.max_score)
+    share = (outcome.score or 0.0) / outcome.max_score if outcome.max_score > 0 else 0.0
+    message = "" if outcome.score is not None else say("platform.not_marked", status=outcome.status)
+    return {
+        "gradable": gradable,
+        "score": min(max(round(share, 6), 0.0), 1.0),
+        "message": _text(message),
+        "output": _text(outcome.output),
+        "tests": [
+            {
+                "name": part.name,
+                "description": "",
+                "points": 0.0 if outcome.score is None else score,
+                "max_points": total,
+                "message": "",
+                "output": _text(part.output),
+            }
+            for part, score, total in zip(outcome.parts, scores, totals, strict=True)
+        ],
+        "format_errors": [] if gradable else [_text(text) for text in (outcome.problems or (outcome.output,))],
+    }
+
+
+def results_json(results: dict[str, Any]) -> bytes:
+    """Return the bytes of `results.json`."""
+    return (json.dumps(results, ensure_ascii=False, indent=1, allow_nan=False) + "\n").encode("utf-8")
+
+
+def _summing(values: Sequence[float], total: float) -> list[float]:
+    """Return values with two decimals that sum to `total` with two decimals; the largest takes what rounding left over."""
+    rounded = [round(value, 2) for value in values]
+    if rounded:
+        largest = max(range(len(values)), key=lambda place: values[place])
+        rounded[largest] = round(rounded[largest] + round(total, 2) - sum(rounded), 2)
+    return rounded
+
+
+def _text(text: str) -> str:
+    plain = shown(text)
+    return plain if len(plain) <= _MOST_TEXT else plain[: _MOST_TEXT - 1] + "…"

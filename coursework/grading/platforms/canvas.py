@@ -1,0 +1,122 @@
+"""Canvas's gradebook export: one column of one assignment filled in, every other byte kept.
+
+Enters: the bytes of the export, points by student.  Leaves: `Gradebook`, the filled bytes.  Raises `InputError`.
+Used by whoever grades a class.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from coursework.errors import Fault, InputError
+from coursework.grading.names import name_key, same_key
+from coursework.grading.platforms.cells_of_csv import CellText, read_cells
+from coursework.grading.reading.numbers import printed
+
+_ASSIGNMENT = re.compile(r".+ \([0-9]+\)")
+_KEYS = ("ID", "SIS User ID", "SIS Login ID")
+
+
+@dataclass(frozen=True, slots=True)
+class Gradebook:
+    """An export: its cells, the column to fill, the records of students."""
+
+    cells: CellText
+    column: int
+    students: tuple[int, ...]
+    points_possible: float | None
+
+    def record_of(self, keys: tuple[str, ...], name: str | None) -> int | None:
+        """Return the record of a student: by Canvas's ID, SIS user ID, SIS login ID (any of `keys`), else by the exact name."""
+        titles = [cell.value for cell in self.cells.records[0]]
+        wanted = {same_key(key) for key in keys if key}
+        for title in _KEYS:
+            if title in titles:
+                place = titles.index(title)
+                fitting = [record for record in self.students if same_key(self._value(record, place)) in wanted - {""}]
+                if len(fitting) == 1:
+                    return fitting[0]
+        if not name:
+            return None
+        named = Counter(spelling for record in self.students for spelling in self._names(record))
+        fitting = [record for record in self.students if name_key(name) in self._names(record)]
+        return fitting[0] if len(fitting) == 1 and named[name_key(name)] == 1 else None
+
+    def filled(self, points: Mapping[int, float]) -> bytes:
+        """Return the export with points in its column, by record; excused students and equal grades stay as they are."""
+        changes = {}
+        for record, value in points.items():
+            before = self._value(record, self.column)
+            number = printed(before, ".")
+            if before.upper() == "EX" or (number.is_number and round(number.value, 2) == round(value, 2)):
+                continue
+            changes[record, self.column] = f"{value:.2f}".rstrip("0").rstrip(".")
+        return self.cells.replaced(changes)
+
+    def _value(self, record: int, place: int) -> str:
+        cells = self.cells.records[record]
+        return cells[place].value.strip() if place < len(cells) else ""
+
+    def _names(self, record: int) -> set[str]:
+        """Return a student's name as it stands, and turned where it is "Last, First" or stands in two columns."""
+        titles = [cell.value for cell in self.cells.records[0]]
+        if "LastName" in titles and "FirstName" in titles:
+            last, first = (self._value(record, titles.index(title)) for title in ("LastName", "FirstName"))
+            return {name_key(f"{last}, {first}"), name_key(f"{first} {last}"), name_key(f"{last} {first}")}
+        whole = self._value(record, 0)
+        last, comma, first = whole.partition(",")
+        return {name_key(whole), name_key(f"{first} {last}"), name_key(f"{last} {first}")} if comma else {name_key(whole)}
+
+
+def read_gradebook(content: bytes, file: str, points: float) -> Gradebook:
+    """Return an export and the assignment in it whose points are `points`.
+
+    Raises `InputError` where no assignment fits, or several: a head that Canvas does not know would become a new assignment.
+    """
+    cells = read_cells(content, file)
+    if len(cells.records) < 2:
+        raise InputError([Fault("the gradebook has no students. Export it again.", file)])
+    titles = [cell.value for cell in cells.records[0]]
+    possible = next((k for k, record in enumerate(cells.records[1:6], start=1) if _is_possible(record[0].value)), None)
+    listed = [place for place, title in enumerate(titles) if _ASSIGNMENT.fullmatch(title)]
+    fitting = [place for place in listed if possible is None or _points(cells, possible, place) in (points, None)]
+    known = "; ".join(titles[place] for place in listed) or "none"
+    if not fitting:
+        message = (
+            f"no assignment has {points:g} points, as the rubric has (assignments: {known}). Set its points, or the rubric's."
+        )
+        raise InputError([Fault(message, file, 1)])
+    students = tuple(k for k in range(1, len(cells.records)) if k > (possible or 0) and _is_student(cells, k, titles))
+    if len(fitting) > 1:
+        empty = [
+            place
+            for place in fitting
+            if not any(cells.records[k][place].value.strip() for k in students if place < len(cells.records[k]))
+        ]
+        if len(empty) != 1:
+            names = "; ".join(titles[place] for place in fitting)
+            message = f"several assignments have {points:g} points ({names}). Leave one of these columns in the export."
+            raise InputError([Fault(message, file, 1)])
+        fitting = empty
+    return Gradebook(cells, fitting[0], students, _points(cells, possible, fitting[0]) if possible else None)
+
+
+def _is_possible(text: str) -> bool:
+    return text.strip() == "Points Possible"
+
+
+def _is_student(cells: CellText, record: int, titles: list[str]) -> bool:
+    """Return whether a record is a student and not Canvas's own test student or a line of settings."""
+    row = cells.records[record]
+    place = titles.index("ID") if "ID" in titles else 0
+    has_id = place < len(row) and bool(row[place].value.strip())
+    return has_id and not row[0].value.startswith("    ") and row[0].value.strip() != "Student, Test"
+
+
+def _points(cells: CellText, record: int, place: int) -> float | None:
+    row = cells.records[record]
+    number = printed(row[place].value, ".") if place < len(row) else None
+    return number.value if number and number.is_number else None

@@ -1,0 +1,132 @@
+"""A platform's CSV with the place of every cell, so that some cells change and every other byte stays.
+
+Enters: the bytes of a worksheet or gradebook.  Leaves: `CellText`, and the bytes with chosen cells replaced.
+Used by `worksheet.py`, `canvas.py`, `roster.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from coursework.errors import Fault, InputError
+from coursework.grading.reading.encoding import decode
+
+_SEPARATORS = (",", ";", "\t", ":")
+_MARKS = {"utf-8-sig": b"\xef\xbb\xbf", "utf-16-le": b"\xff\xfe", "utf-16-be": b"\xfe\xff"}
+MOST_BYTES = 64 * 1024 * 1024
+
+
+@dataclass(frozen=True, slots=True)
+class CsvCell:
+    """One cell: its value, and where its text (quotation marks included) stands."""
+
+    value: str
+    start: int
+    end: int
+    line: int
+
+
+@dataclass(frozen=True, slots=True)
+class CellText:
+    """A CSV file: its text as it stands, separator, encoding, and the cells of each record (blank lines left out)."""
+
+    file: str
+    text: str
+    encoding: str
+    mark: bytes
+    separator: str
+    records: tuple[tuple[CsvCell, ...], ...]
+
+    def replaced(self, changes: Mapping[tuple[int, int], str]) -> bytes:
+        """Return the file with some cells changed: (record, cell) to its new text, written out with its quotation marks."""
+        pieces = []
+        last = 0
+        for (record, place), text in sorted(changes.items()):
+            cell = self.records[record][place]
+            pieces += [self.text[last : cell.start], text]
+            last = cell.end
+        whole = "".join([*pieces, self.text[last:]])
+        try:
+            return self.mark + whole.encode(self.encoding.removesuffix("-sig"))
+        except UnicodeEncodeError as error:
+            letter = whole[error.start]
+            message = f"the letter “{letter}” cannot be written in its encoding, {self.encoding}. Download it again as UTF-8."
+            raise InputError([Fault(message, self.file)]) from error
+
+    def quoted(self, value: str) -> str:
+        """Return a value as a cell of this file: in quotation marks where it needs them."""
+        if any(sign in value for sign in (self.separator, '"', "\n", "\r")) or value != value.strip():
+            return '"' + value.replace('"', '""') + '"'
+        return value
+
+
+def read_cells(content: bytes, file: str) -> CellText:
+    """Return the cells of a CSV file.  Raises `InputError` where its letters cannot be read back the same, or it is too large."""
+    if len(content) > MOST_BYTES:
+        raise InputError(
+            [Fault(f"the file has {len(content)} bytes; at most {MOST_BYTES} are read. Is it the right file?", file)]
+        )
+    encoding = decode(content).encoding
+    mark = _MARKS.get(encoding, b"") if content.startswith(_MARKS.get(encoding, b"-")) else b""
+    name = encoding.removesuffix("-sig")
+    try:
+        text = content[len(mark) :].decode(name)
+    except UnicodeDecodeError as error:
+        message = "its letters cannot be read. Download it again as UTF-8, or hand it over as it was downloaded."
+        raise InputError([Fault(message, file)]) from error
+    separator = _separator(text)
+    return CellText(file, text, name, mark, separator, tuple(_records(text, separator)))
+
+
+def _separator(text: str) -> str:
+    """Return the sign that stands most often outside quotation marks in the first line."""
+    end = text.find("\n")
+    line = text[: end if end >= 0 else len(text)]
+    outside = "".join(line.split('"')[::2])
+    return max(_SEPARATORS, key=outside.count)
+
+
+def _records(text: str, separator: str) -> Iterator[tuple[CsvCell, ...]]:
+    """Give the records; a quotation mark encloses separators and ends of lines, two are one."""
+    cells: list[CsvCell] = []
+    place, line = 0, 1
+    length = len(text)
+    while place <= length:
+        cell, end = _cell(text, place, separator, line)
+        cells.append(cell)
+        line += text.count("\n", place, end)
+        if end < length and text[end] == separator:
+            place = end + 1
+            continue
+        if len(cells) > 1 or cells[0].value:
+            yield tuple(cells)
+        cells = []
+        end += 2 if text[end : end + 2] == "\r\n" else 1
+        line += 1
+        if end >= length:
+            return
+        place = end
+
+
+def _cell(text: str, start: int, separator: str, line: int) -> tuple[CsvCell, int]:
+    if text[start : start + 1] != '"':
+        end = start
+        while end < len(text) and text[end] not in (separator, "\n", "\r"):
+            end += 1
+        return CsvCell(text[start:end], start, end, line), end
+    pieces: list[str] = []
+    place = start + 1
+    while True:
+        close = text.find('"', place)
+        if close < 0:
+            return CsvCell("".join([*pieces, text[place:]]), start, len(text), line), len(text)
+        pieces.append(text[place:close])
+        if text[close + 1 : close + 2] != '"':
+            break
+        pieces.append('"')
+        place = close + 2
+    end = close + 1
+    while end < len(text) and text[end] not in (separator, "\n", "\r"):
+        end += 1
+    return CsvCell("".join(pieces) + text[close + 1 : end], start, end, line), end

@@ -1,0 +1,170 @@
+"""Moodle's offline grading worksheet, in whatever language it was downloaded: grades and comments filled in, all else kept.
+
+Enters: the bytes of the worksheet, points and comments.  Leaves: `Worksheet`, the filled bytes.  Raises `InputError`.
+Used by whoever grades a class.
+"""
+
+from __future__ import annotations
+
+import html
+import re
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from coursework.errors import Fault, InputError
+from coursework.grading.escapes import csv_text, shown
+from coursework.grading.names import name_key
+from coursework.grading.platforms.cells_of_csv import CellText, read_cells
+from coursework.grading.reading.numbers import printed
+
+# Titles in English, Russian, Ukrainian, German, French, Spanish, Chinese, case folded.
+_TITLES = {
+    "identifier": "identifier,идентификатор,ідентифікатор,id,identifiant,identificador,标识号,识别号,编号,bezeichner,kennung",
+    "name": "full name,полное имя,фамилия и имя,повне ім'я,vollständiger name,nom complet,nombre completo,全名,"
+    "姓名",
+    "email": "email address,адрес электронной почты,электронная почта,електронна пошта,e-mail-adresse,adresse de courriel,"
+    "dirección de correo,dirección email,电子邮件地址,电子邮箱地址,email",
+    "id_number": "id number,индивидуальный номер,номер id,ідентифікаційний номер,id-nummer,"
+    "numéro d'identification,número de id,学号,身份编号",
+    "grade": "grade,оценка,оцінка,bewertung,note,calificación,成绩,评分",
+    "maximum": "maximum grade,максимальная оценка,максимальна оцінка,beste bewertung,höchste bewertung,bestmögliche bewertung,"
+    "note maximale,calificación máxima,最高分,最高成绩",
+    "comment": "feedback comments,отзыв в виде комментария,відгук у формі коментаря,коментарі відгуку,feedback als kommentar,"
+    "commentaires de feedback,feedback par commentaires,comentarios de retroalimentación,反馈评论,反馈意见",
+}  # fmt: skip
+_MOST_COMMENT = 5000
+_AFTER_MAXIMUM = 4  # whether it can be changed, two times, the comment
+
+
+@dataclass(frozen=True, slots=True)
+class WorksheetRow:
+    """One student of the worksheet; `number` is what stands in the names of the downloaded folders."""
+
+    record: int
+    number: str
+    name: str
+    email: str
+    id_number: str
+    grade: str
+    name_is_unique: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Worksheet:
+    """A worksheet: its cells, which columns are which, its students, the greatest grade it takes."""
+
+    cells: CellText
+    columns: Mapping[str, int]
+    rows: tuple[WorksheetRow, ...]
+    maximum: float
+    mark: str
+
+    def check_total(self, points: float, rubric: str) -> None:
+        """Raise `InputError` where the rubric's total is not the worksheet's greatest grade: Moodle would leave grades out."""
+        if abs(points - self.maximum) > 1e-9:
+            message = (
+                f"the greatest grade is {self.maximum:g}, and {rubric} gives {points:g} points. "
+                f"Set points = {self.maximum:g} in the rubric, or the greatest grade of the assignment to {points:g}."
+            )
+            raise InputError([Fault(message, self.cells.file)])
+
+    def filled(self, marks: Mapping[int, tuple[float | None, str]]) -> bytes:
+        """Return the worksheet with points and comments: by `record`, points (None leaves the grade) and text of the comment.
+
+        The comment is plain text; it is escaped as the HTML that Moodle takes it for.
+        """
+        changes: dict[tuple[int, int], str] = {}
+        for row in self.rows:
+            if row.record not in marks:
+                continue
+            points, comment = marks[row.record]
+            if points is not None:
+                if not 0 <= points <= self.maximum:
+                    message = f"{points:g} points are outside 0 to {self.maximum:g}, which Moodle would leave out without a word."
+                    raise InputError([Fault(message, self.cells.file, self.cells.records[row.record][0].line)])
+                changes[row.record, self.columns["grade"]] = self.cells.quoted(f"{points:.2f}".replace(".", self.mark))
+            if "comment" not in self.columns:  # comments are switched off for the assignment
+                continue
+            escaped = html.escape(shown(comment[:_MOST_COMMENT])).replace("\n", "<br>")
+            changes[row.record, self.columns["comment"]] = self.cells.quoted(csv_text(escaped))
+        return self.cells.replaced(changes)
+
+
+def read_worksheet(content: bytes, file: str) -> Worksheet:
+    """Return a worksheet.  Columns are known by their titles, else by where they stand from the column of greatest grades."""
+    cells = read_cells(content, file)
+    if len(cells.records) < 2:
+        raise InputError([Fault("the worksheet has no students. Download it again from the assignment's page.", file)])
+    titles = [cell.value.strip().casefold() for cell in cells.records[0]]
+    found = {name: titles.index(title) for name, known in _TITLES.items() for title in known.split(",") if title in titles}
+    maximum = found.get("maximum", _column_of_maximum(cells))
+    if maximum is None:
+        message = (
+            "no column of greatest grades was found. Is it the grading worksheet that Moodle offers on the assignment's page?"
+        )
+        raise InputError([Fault(message, file, 1)])
+    columns = {"identifier": 0, "name": 1, "grade": maximum - 1, "maximum": maximum} | found
+    if columns["grade"] < 1:
+        raise InputError([Fault("no column of grades was found before that of the greatest grades. Download it again.", file, 1)])
+    if "maximum" not in found and len(titles) - 1 >= maximum + _AFTER_MAXIMUM:
+        columns.setdefault("comment", len(titles) - 1)
+    if "email" not in columns:
+        columns |= _email_column(cells)
+    greatest, mark = _maximum(cells, maximum)
+    return Worksheet(cells, columns, _rows(cells, columns), greatest, mark)
+
+
+def _column_of_maximum(cells: CellText) -> int | None:
+    """Return the only column of equal positive numbers, None where there is none or several."""
+    width = min(len(record) for record in cells.records)
+    equal = []
+    for place in range(1, width):
+        values = {record[place].value.strip() for record in cells.records[1:]}
+        number = printed(next(iter(values)), ".") if len(values) == 1 else None
+        if number and number.is_number and number.value > 0:
+            equal.append(place)
+    return equal[0] if len(equal) == 1 else None
+
+
+def _maximum(cells: CellText, place: int) -> tuple[float, str]:
+    """Return the greatest grade and the sheet's decimal mark."""
+    values = [record[place].value.strip() for record in cells.records[1:] if place < len(record)]
+    first = next((value for value in values if value), "")
+    mark = "," if "," in first and "." not in first else "."
+    number = printed(first, mark)
+    if not number.is_number or number.value <= 0 or len({value for value in values if value}) != 1:
+        message = f'the greatest grade must be one positive number for all students (found "{first[:20]}").'
+        raise InputError([Fault(message, cells.file, 2)])
+    return number.value, mark
+
+
+def _email_column(cells: CellText) -> dict[str, int]:
+    width = min(len(record) for record in cells.records)
+    for place in range(width):
+        values = [record[place].value for record in cells.records[1:]]
+        if (
+            values
+            and all(re.fullmatch(r"\s*|[^@\s]+@[^@\s]+", value) for value in values)
+            and any("@" in value for value in values)
+        ):
+            return {"email": place}
+    return {}
+
+
+def _rows(cells: CellText, columns: Mapping[str, int]) -> tuple[WorksheetRow, ...]:
+    def value(record: int, name: str) -> str:
+        place = columns.get(name, -1)
+        return cells.records[record][place].value.strip() if 0 <= place < len(cells.records[record]) else ""
+
+    whole = [record for record in range(1, len(cells.records)) if len(cells.records[record]) > max(columns.values())]
+    names = Counter(name_key(value(record, "name")) for record in whole)
+    rows = []
+    for record in whole:
+        number = re.search(r"([0-9]+)\s*$", value(record, "identifier"))
+        name = value(record, "name")
+        rows.append(WorksheetRow(
+            record, number[1] if number else "", name, value(record, "email"), value(record, "id_number"),
+            value(record, "grade"), names[name_key(name)] == 1,
+        ))  # fmt: skip
+    return tuple(rows)
