@@ -1,0 +1,106 @@
+"""What has been graded already, by content: the next run continues here, whatever ended the last one.
+
+Enters: outcomes as they come.  Leaves: `journal.jsonl` in OUT, one flushed line each.  Used by the batch only.
+Memory holds places in the file, not grades: a university's journal is larger than a laptop's memory.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from types import TracebackType
+from typing import IO, Any
+
+NAME = "journal.jsonl"
+AGAIN = ("timeout", "crashed-grader")  # a fault of ours or of the machine may be gone by the next run
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One graded submission: the content it is known by, its grade as grades.json says it, the hash of its page or ""."""
+
+    key: str
+    id: str
+    grade: dict[str, Any]
+    page: str = ""
+
+    def line(self) -> bytes:
+        """Return the entry as one line of JSON."""
+        plain = {"key": self.key, "id": self.id, "grade": self.grade, "page": self.page}
+        return json.dumps(plain, ensure_ascii=True, separators=(",", ":"), allow_nan=False).encode("ascii") + b"\n"
+
+
+def _entry(line: bytes) -> Entry:
+    """Return the entry of a line.  Raises `ValueError` for a torn one."""
+    plain = json.loads(line)
+    if not isinstance(plain, dict) or set(plain) != {"key", "id", "grade", "page"} or not isinstance(plain["grade"], dict):
+        raise ValueError("not an entry")
+    return Entry(plain["key"], plain["id"], plain["grade"], plain["page"])
+
+
+class Journal:
+    """The journal of one OUT folder; a context manager that holds the file open."""
+
+    def __init__(self, folder: Path) -> None:
+        self.path = folder / NAME
+        self._file: IO[bytes] | None = None
+
+    def __enter__(self) -> Journal:
+        self._file = self.path.open("a+b")
+        end = self._file.seek(0, 2)
+        if end:
+            self._file.seek(end - 1)
+            if self._file.read(1) != b"\n":
+                self._file.write(b"\n")
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+        if self._file is not None:
+            self._file.close()
+
+    def places(self) -> tuple[dict[str, int], dict[str, int]]:
+        """Return where each work (by key) and the last grade of each id stand; torn lines are dropped."""
+        file = self._open()
+        by_key: dict[str, int] = {}
+        by_id: dict[str, int] = {}
+        place = file.seek(0)
+        for line in file:
+            try:
+                entry = _entry(line)
+            except ValueError:
+                entry = None
+            if entry is not None:
+                by_id[entry.id] = place
+                if entry.grade.get("status") not in AGAIN:
+                    by_key[entry.key] = place
+            place += len(line)
+        return by_key, by_id
+
+    def read(self, place: int) -> Entry:
+        """Return the entry that stands at a place."""
+        file = self._open()
+        file.seek(place)
+        return _entry(file.readline())
+
+    def add(self, entry: Entry) -> int:
+        """Write one entry so that it is there even if the power goes now; return its place."""
+        file = self._open()
+        place = file.seek(0, 2)
+        file.write(entry.line())
+        file.flush()
+        return place
+
+    def rewrite(self, places: Iterable[int]) -> None:
+        """Keep the entries of this run only, in the order given, so that the file does not grow from run to run."""
+        part = self.path.with_name(f".{NAME}.part")
+        with part.open("wb") as file:
+            for place in places:
+                file.write(self.read(place).line())
+        self._open().close()
+        part.replace(self.path)
+
+    def _open(self) -> IO[bytes]:
+        assert self._file is not None
+        return self._file

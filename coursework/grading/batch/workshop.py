@@ -1,0 +1,66 @@
+"""Inside a child: a task line -> an outcome.  Keys of variants are made once and kept.
+
+Enters: `Setup`, task lines.  Leaves: `Outcome`s.  Used by `child.py` only.
+"""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+
+import numpy as np
+
+from coursework.errors import InputError
+from coursework.grading.batch.work import Outcome, Setup, VariantSource, task_from
+from coursework.grading.expected import Expected, grid_of
+from coursework.grading.marking.grade import Grade, Marker
+from coursework.grading.marking.reference import key_of
+from coursework.grading.marking.rubric import Rubric, read_rubric
+from coursework.grading.pages.feedback import feedback_page
+from coursework.grading.submission import Submission
+from coursework.grading.understand import understand
+from coursework.sentences import say
+from coursework.variant.reader import parse_variant
+
+KEPT = 8  # keys at once: a class shares one, or each student has an own one
+
+
+class Workshop:
+    """What a child keeps between submissions."""
+
+    def __init__(self, setup: Setup) -> None:
+        self.setup = setup
+        self.rubric: Rubric = read_rubric(setup.rubric) if setup.rubric else Rubric()
+        self._tables = {name: np.array(table) for name, table in setup.class_tables.items()}
+        self._markers: OrderedDict[str, tuple[Marker, Expected]] = OrderedDict()
+
+    def answer(self, line: bytes) -> Outcome:
+        """Return the outcome of one task line."""
+        task = task_from(line)
+        submission, source = task.submission, task.variant
+        try:
+            grade = self.grade(submission, source)
+        except MemoryError:
+            return Outcome(submission.id, {"status": "unreadable", "reason": str(say("grading.memory"))})
+        page = feedback_page(grade, submission.id, submission.name) if self.setup.pages else ""
+        return Outcome(submission.id, grade.plain(), page)
+
+    def grade(self, submission: Submission, source: VariantSource) -> Grade:
+        """Return the grade of a submission.  Raises `InputError` where the variant itself cannot be used."""
+        marker, expected = self._marker(source)
+        return marker.grade(understand(submission, expected))
+
+    def _marker(self, source: VariantSource) -> tuple[Marker, Expected]:
+        if source.sha256 in self._markers:
+            self._markers.move_to_end(source.sha256)
+            return self._markers[source.sha256]
+        variant = parse_variant(source.content, source.name)
+        key = key_of(variant)
+        if not len(key.table):
+            raise InputError(f"{source.name}: the motion stops at once, so there is no table to mark. {key.stopped}")
+        grid = grid_of(variant, {name: tuple(key.table[:, place].tolist()) for place, name in enumerate(key.names)})
+        others = {name: table for name, table in self._tables.items() if name != source.name}
+        made = Marker(key, self.rubric, others), Expected(grid, variant, tuple(a.name for a in self.rubric.answers))
+        self._markers[source.sha256] = made
+        while len(self._markers) > KEPT:
+            self._markers.popitem(last=False)
+        return made

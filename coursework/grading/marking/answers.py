@@ -1,0 +1,100 @@
+"""Measured answers of the graph-analytical check, marked with the tolerance of a drawing.
+
+Enters: answer lines, a `Key`, the rubric.  Leaves: `AnswerMarks`.  Used by `grade.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+
+from coursework.grading.contents import AnswerLine
+from coursework.grading.marking.key import Key
+from coursework.grading.marking.probe import names_at
+from coursework.grading.marking.rubric import Answer
+
+# Twice the tolerance earns half: the construction was made, and read badly.
+HALF_CREDIT = 2.0
+DEFAULT_ROW = 4
+_DIFFERENCE = 1e-5  # of a step: a central difference of a position is then right to ten digits
+
+
+@dataclass(frozen=True, slots=True)
+class AnswerMark:
+    """One answer: what was found and expected (SI), how far off it may be, and the verdict."""
+
+    name: str
+    found: float | None
+    expected: float
+    tolerance: float
+    verdict: Literal["right", "half", "wrong", "blank", "unreadable"]
+
+    def plain(self) -> dict[str, Any]:
+        """Return the record as grades.json writes it."""
+        return {
+            "name": self.name, "found": self.found, "expected": self.expected, "tolerance": self.tolerance,
+            "verdict": self.verdict,
+        }  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class AnswerMarks:
+    """All answers the rubric asks for; `share` of the points."""
+
+    marks: tuple[AnswerMark, ...]
+
+    @property
+    def share(self) -> float:
+        """Return the part of the points earned."""
+        worth = {"right": 1.0, "half": 0.5}
+        return sum(worth.get(mark.verdict, 0.0) for mark in self.marks) / max(len(self.marks), 1)
+
+
+def mark_answers(key: Key, asked: Sequence[Answer], lines: Sequence[AnswerLine]) -> AnswerMarks:
+    """Return the marks of every answer asked for; the last line of a name counts."""
+    handed_in = {line.name: line for line in lines}
+    return AnswerMarks(tuple(_mark(key, answer, handed_in.get(answer.name)) for answer in asked))
+
+
+def _mark(key: Key, answer: Answer, line: AnswerLine | None) -> AnswerMark:
+    row = (answer.row or key.variant.time.check_row or DEFAULT_ROW) - 1
+    if row >= len(key.exact):
+        return AnswerMark(answer.name, None, float("nan"), float("nan"), "unreadable")
+    expected, largest = _expected(key, answer.of, row)
+    tolerance = answer.tolerance * largest
+    if line is None or line.state == "blank":
+        return AnswerMark(answer.name, None, expected, tolerance, "blank")
+    if line.value is None:
+        return AnswerMark(answer.name, None, expected, tolerance, "unreadable")
+    # A drawing gives sizes: a size without a sign is not wrong, a wrong sign is.
+    off = min(abs(line.value - expected), abs(line.value - abs(expected)))
+    verdict: Literal["right", "half", "wrong"] = "wrong"
+    if off <= tolerance * (1 + 1e-12):
+        verdict = "right"
+    elif off <= HALF_CREDIT * tolerance * (1 + 1e-12):
+        verdict = "half"
+    return AnswerMark(answer.name, line.value, expected, tolerance, verdict)
+
+
+def _expected(key: Key, of: str, row: int) -> tuple[float, float]:
+    """Return a quantity of the exact motion in a row (from 0), and the largest value of its kind there."""
+    if of in key.names:
+        place = key.names.index(of)
+        unit = key.variant.unit_of(of)
+        alike = [index for index, name in enumerate(key.names) if key.variant.unit_of(name) == unit]
+        return float(key.exact[row, place]), float(np.max(np.abs(key.exact[row, alike])))
+    speeds = {name: _speed(key, name, row) for name, _ in key.variant.points}
+    return speeds[of.removeprefix("v_")], max(speeds.values())
+
+
+def _speed(key: Key, point: str, row: int) -> float:
+    """Return the speed (m/s) of a point in a row of the exact motion."""
+    m = len(key.coordinates)
+    q, rates = key.exact[row, :m], key.exact[row, m : 2 * m]
+    h = _DIFFERENCE * key.step
+    t = key.t[row] + np.array([-h, h])
+    positions = names_at(key, t, q + np.outer([-h, h], rates))[point]
+    return float(abs(positions[1] - positions[0]) / (2 * h))

@@ -1,0 +1,193 @@
+"""Each cell of a table, right in any way or wrong: against the key, or against the student's own cells it was made from.
+
+Enters: a `Key` and the student's table on its grid.  Leaves: `Cells`.  Used by the points, the first wrong cell, the pages.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.grading.marking.key import SHOWN, Key, sensitivity
+
+Array = NDArray[np.float64]
+Marks = NDArray[np.str_]
+# Half a unit of the last place, and a little for the last bit.
+HALF = 0.505
+# Part of a column's range that no printed digit resolves: constants of a task sheet copied with four digits.
+SLACK = 2e-4
+# Velocities that pass through zero are judged by this part of their range.
+LEAST = 0.05
+# Work computed coarser than it is printed: how much larger the step errors may be, and up to where it is believed.
+_COARSE = 4.2
+_COARSE_FROM, _COARSE_NOTED = 0.2, 0.45
+_COARSE_MOST, _COARSE_GAP = 3e-4, 21.0
+_ROUND_OFF = 1e-12
+
+KEY, ANGLES, EARLIER, STEP, STEP_TRUE, START = "key", "own angles", "own velocities", "step", "step true", "start"
+WRONG, MISSING, GIVEN = "wrong", "missing", "given"
+
+
+@dataclass(frozen=True)
+class Student:
+    """A student's table on the grid of the key: `values` (n, m + r) SI, NaN where missing; `units` of the last place, alike."""
+
+    values: Array
+    units: Array
+
+
+@dataclass(frozen=True)
+class Way:
+    """One way to be right: what a cell should be, and by how much it may differ, (n, m + r); NaN where it says nothing."""
+
+    name: str
+    expected: Array
+    tolerance: Array
+
+    def holds(self, values: Array) -> NDArray[np.bool_]:
+        """Return where the values are right this way."""
+        with np.errstate(invalid="ignore"):
+            return np.asarray(np.abs(values - self.expected) <= self.tolerance)
+
+
+@dataclass(frozen=True)
+class Cells:
+    """The marks of a table: `marks` (n, m + r) is the name of the way that holds, or "wrong", "missing", "given".
+
+    `given` marks the start values of row 1 where they are right; `ways` in the order tried; `too_coarse` where digits were
+    too few to show anything; `computed_to` decimals where the work is coarser than its print, None where it is not.
+    """
+
+    student: Student
+    marks: Marks
+    ways: tuple[Way, ...]
+    too_coarse: NDArray[np.bool_]
+    computed_to: int | None
+
+    @property
+    def wrong(self) -> NDArray[np.bool_]:
+        """Return where a shown cell is right in no way."""
+        return np.asarray(self.marks == WRONG)
+
+    @property
+    def missing(self) -> NDArray[np.bool_]:
+        """Return where nothing can be judged."""
+        return np.asarray(self.marks == MISSING)
+
+    @property
+    def carried(self) -> NDArray[np.bool_]:
+        """Return where a cell is right only from the student's own earlier cells."""
+        return np.isin(self.marks, (ANGLES, EARLIER, STEP, STEP_TRUE))
+
+
+def mark_cells(key: Key, student: Student) -> Cells:
+    """Return the marks of every cell."""
+    m = len(key.coordinates)
+    steps, coarse, computed_to = _steps(key, student)
+    own = _own_angles(key, student, coarse)
+    ways = (
+        Way(KEY, key.table, HALF * student.units + SLACK * key.ranges),
+        own,
+        _own_velocities(key, student, coarse),
+        steps,
+        _true_steps(key, student, own),
+    )
+    shown = _shown(key, student)
+    marks = np.full(student.values.shape, WRONG, dtype="<U16")
+    for way in reversed(ways):
+        marks[way.holds(student.values)] = way.name
+    start = Way(START, key.table[:1, :m], HALF * student.units[:1, :m] + _ROUND_OFF)
+    marks[:1, :m] = np.where(start.holds(student.values[:1, :m]), GIVEN, WRONG)
+    marks[~shown] = MISSING
+    too_coarse = ~shown & np.isfinite(student.values)
+    return Cells(student, marks, ways, too_coarse, computed_to)
+
+
+def _shown(key: Key, student: Student) -> NDArray[np.bool_]:
+    m = len(key.coordinates)
+    coarsest = np.full(student.values.shape[1], SHOWN * key.gap)
+    coarsest[m:] /= key.step
+    with np.errstate(invalid="ignore"):
+        return np.isfinite(student.values) & (student.units <= coarsest)
+
+
+def _steps(key: Key, student: Student) -> tuple[Way, float, int | None]:
+    """Return the step from the row before, the floor of coarse work (0 for none) and the decimals it was computed to."""
+    m, h = len(key.coordinates), key.step
+    values, units = student.values, student.units
+    expected = np.full(values.shape, np.nan)
+    tolerance = np.full(values.shape, np.nan)
+    rates = values[:-1, m : 2 * m]
+    size = np.maximum(np.abs(rates), LEAST * key.ranges[m : 2 * m])
+    expected[1:, :m] = values[:-1, :m] + h * rates
+    tolerance[1:, :m] = HALF * (units[1:, :m] + units[:-1, :m]) + HALF * h * units[:-1, m : 2 * m] + SLACK * h * size
+    off = np.abs(values - expected)[np.isfinite(expected) & np.isfinite(values)]
+    usual = tolerance[np.isfinite(tolerance)]
+    if not len(off) or not len(usual):
+        return Way(STEP, expected, tolerance), 0.0, None
+    middle, allowed = float(np.median(off)), float(np.median(usual))
+    if not _COARSE_FROM * allowed < middle <= min(_COARSE_MOST, key.gap / _COARSE_GAP):
+        return Way(STEP, expected, tolerance), 0.0, None
+    computed_to = math.floor(-math.log10(middle)) if middle > _COARSE_NOTED * allowed else None
+    return Way(STEP, expected, np.maximum(tolerance, _COARSE * middle)), _COARSE * middle, computed_to
+
+
+def velocity_tolerance(key: Key, units: Array, expected: Array, spread: Array) -> Array:
+    """Return how far printed velocities (n, r) may lie from `expected`: own digits, those of what they came from, slack."""
+    m = len(key.coordinates)
+    size = np.maximum(np.abs(expected), LEAST * key.ranges[m:])
+    return np.asarray(HALF * np.where(np.isnan(units), 0.0, units) + HALF * spread + SLACK * size)
+
+
+def _own_angles(key: Key, student: Student, coarse: float) -> Way:
+    """Return the velocities of the reference at the student's own angles."""
+    m = len(key.coordinates)
+    q, units = student.values[:, :m], np.maximum(student.units[:, :m], coarse)
+    found = key.velocities_at(key.t, q, {})
+    copies = 2 * m
+
+    def at(shifted: Array) -> Array:
+        return key.velocities_at(np.tile(key.t, copies), shifted, {})
+
+    spread = sensitivity(at, q, units)
+    return _velocity_way(ANGLES, key, found, velocity_tolerance(key, student.units[:, m:], found, spread))
+
+
+def _own_velocities(key: Key, student: Student, coarse: float) -> Way:
+    """Return the velocities of each later block from the student's own velocities of the blocks before."""
+    m, r = len(key.coordinates), len(key.velocities)
+    units = student.units.copy()
+    units[:, :m] = np.maximum(units[:, :m], coarse)
+    expected, tolerance = np.full((len(key.t), r), np.nan), np.full((len(key.t), r), np.nan)
+    for index, block in enumerate(key.blocks):
+        if not index:
+            continue
+        places = [key.velocities.index(name) for name in block]
+
+        def at(cells: Array, index: int = index) -> Array:
+            return key.block_at(index, np.tile(key.t, len(cells) // len(key.t)), cells[:, :m], cells[:, m:])
+
+        found = at(student.values)
+        size = np.maximum(np.abs(found), LEAST * key.ranges[[m + place for place in places]])
+        own = np.where(np.isnan(units), 0.0, units)[:, [m + place for place in places]]
+        expected[:, places] = found
+        tolerance[:, places] = HALF * own + HALF * sensitivity(at, student.values, units) + SLACK * size
+    return _velocity_way(EARLIER, key, expected, tolerance)
+
+
+def _velocity_way(name: str, key: Key, expected: Array, tolerance: Array) -> Way:
+    blank = np.full((len(expected), len(key.coordinates)), np.nan)
+    return Way(name, np.hstack([blank, expected]), np.hstack([blank, tolerance]))
+
+
+def _true_steps(key: Key, student: Student, own: Way) -> Way:
+    """Return the step from the row before with the reference's velocity at the student's own angles there."""
+    m, h = len(key.coordinates), key.step
+    values, units = student.values, student.units
+    expected, tolerance = np.full(values.shape, np.nan), np.full(values.shape, np.nan)
+    expected[1:, :m] = values[:-1, :m] + h * own.expected[:-1, m : 2 * m]
+    tolerance[1:, :m] = HALF * (units[1:, :m] + units[:-1, :m]) + h * own.tolerance[:-1, m : 2 * m]
+    return Way(STEP_TRUE, expected, tolerance)

@@ -1,0 +1,221 @@
+"""One submission -> its grade: every part marked, one state, one number or none.
+
+Enters: `Contents`, a `Key`, the rubric.  Leaves: `Grade`.  Used by the children that grade a batch, and by `precheck`'s tests.
+Only "graded" and "graded-with-notes" carry a number: a format error is no wrong answer, a fault of ours no zero.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from decimal import ROUND_HALF_UP, Decimal
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.grading.contents import Contents, Table
+from coursework.grading.marking.answers import AnswerMarks, mark_answers
+from coursework.grading.marking.cells import Cells, Student, mark_cells
+from coursework.grading.marking.equations import EquationMarks, Judge
+from coursework.grading.marking.first_wrong import FirstWrong, first_wrong
+from coursework.grading.marking.key import Key
+from coursework.grading.marking.misconceptions import Misconception, find_misconception, looked_for
+from coursework.grading.marking.own_equations import own_share
+from coursework.grading.marking.points import TablePoints, table_points
+from coursework.grading.marking.rubric import Rubric
+from coursework.grading.marking.verdicts import Verdicts, verdicts
+from coursework.grading.submission import Note, note
+from coursework.sentences import Sentence
+
+Array = NDArray[np.float64]
+GRADED = ("graded", "graded-with-notes")
+STATES = (*GRADED, "needs-review", "unreadable", "missing", "timeout", "crashed-grader")
+
+
+@dataclass(frozen=True)
+class TableMarks:
+    """Everything about a marked table; `share` of its points after the floors."""
+
+    table: Table
+    cells: Cells
+    points: TablePoints
+    first: FirstWrong | None
+    misconception: Misconception | None
+    share: float
+
+
+@dataclass(frozen=True)
+class Grade:
+    """What one submission earns, and why; `reason` says why there is no number."""
+
+    status: str
+    parts: Mapping[str, float | None]
+    rubric: Rubric
+    key: Key
+    contents: Contents
+    table: TableMarks | None
+    equations: EquationMarks | None
+    answers: AnswerMarks | None
+    verdicts: Verdicts
+    notes: tuple[Note, ...]
+    reason: Sentence | None = None
+
+    @property
+    def total(self) -> float:
+        """Return the points of all parts, a missing one as 0."""
+        return points(sum(self.rubric.most(part) * (share or 0.0) for part, share in self.parts.items()))
+
+    def plain(self) -> dict[str, Any]:
+        """Return what grades.json says of the submission, without what the batch knows (id, name, overrides, page)."""
+        graded = self.status in GRADED
+        proposed = self.total if self.status == "needs-review" and any(s is not None for s in self.parts.values()) else None
+        return {
+            "status": self.status,
+            "score": self.total if graded else None,
+            "max": self.rubric.points,
+            "proposed": proposed,
+            "reason": str(self.reason) if self.reason else "",
+            "files": [entry.plain() for entry in self.contents.files],
+            "reading": self.table.table.reading.plain() if self.table else None,
+            "table": self._table(),
+            "first_wrong": self.table.first.plain() if self.table and self.table.first else None,
+            "equations": self._equations(),
+            "answers": self._answers(),
+            "misconception": self.table.misconception.plain() if self.table and self.table.misconception else None,
+            "verdicts": {name: getattr(self.verdicts, name) for name in ("equations", "integration", "arithmetic")},
+            "notes": [entry.plain() for entry in self.notes],
+        }
+
+    def part(self, name: str) -> tuple[float | None, float]:
+        """Return points and most points of a part; None where it cannot be marked."""
+        share = self.parts.get(name)
+        return (None if share is None else points(self.rubric.most(name) * share)), points(self.rubric.most(name))
+
+    def _table(self) -> dict[str, Any]:
+        score, most = self.part("table")
+        trouble = self.contents.trouble
+        empty: dict[str, Any] = {
+            "state": "marked" if self.table else "missing" if trouble is None or trouble.state == "missing" else "unreadable",
+            "score": score, "max": most, "rows": 0, "rows_needed": len(self.key.table), "first_wrong": None, "wrong_cells": 0,
+            "missing_cells": 0, "carried_cells": 0, "decimals": {}, "least_decimals": self.key.least_decimals,
+            "computed_to": None,
+        }  # fmt: skip
+        if self.table is None:
+            return empty
+        cells, first = self.table.cells, self.table.first
+        return empty | {
+            "rows": sum(self.table.table.rows_present),
+            "first_wrong": f"row {first.row} {first.column}" if first else None,
+            "wrong_cells": int(cells.wrong.sum()), "missing_cells": int(cells.missing.sum()),
+            "carried_cells": int(cells.carried.sum()),
+            "decimals": {column.name: column.decimals for column in self.table.table.columns},
+            "computed_to": cells.computed_to,
+        }  # fmt: skip
+
+    def _equations(self) -> dict[str, Any] | None:
+        if self.equations is None:
+            return None
+        score, most = self.part("equations")
+        items = [mark.plain() for mark in self.equations.marks]
+        counts = {"independent": self.equations.independent, "needed": self.equations.needed}
+        return {"score": score, "max": most, **counts, "items": items}
+
+    def _answers(self) -> dict[str, Any] | None:
+        if self.answers is None:
+            return None
+        score, most = self.part("answers")
+        return {"score": score, "max": most, "items": [mark.plain() for mark in self.answers.marks]}
+
+
+@dataclass
+class Marker:
+    """What marks submissions of one variant; keeps what does not depend on a submission."""
+
+    key: Key
+    rubric: Rubric
+    others: Mapping[str, Array] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self.judge = Judge(self.key)
+        self.confusions = self.rubric.confused(self.key.variant)
+
+    def grade(self, contents: Contents) -> Grade:
+        """Return the grade of one submission."""
+        equations = self.judge.mark(contents.equations) if contents.equations is not None else None
+        answers = mark_answers(self.key, self.rubric.answers, contents.answers) if self.rubric.answers else None
+        table = self._table(contents.table, equations) if contents.table else None
+        shares: dict[str, float | None] = {
+            "table": table.share if table else None,
+            "equations": equations.share if equations else None,
+            "answers": answers.share if answers and contents.answers else None,
+        }
+        judged = verdicts(
+            self.key,
+            table.cells if table else None,
+            table.points if table else None,
+            equations,
+            table.misconception if table else None,
+        )
+        status, reason, notes = self._status(contents, shares)
+        notes = (*contents.notes, *(contents.table.notes if contents.table else ()), *self._notes(table), *notes)
+        if status == "graded" and notes:
+            status = "graded-with-notes"
+        return Grade(status, shares, self.rubric, self.key, contents, table, equations, answers, judged, notes, reason)
+
+    def _table(self, table: Table, equations: EquationMarks | None) -> TableMarks:
+        cells = mark_cells(self.key, student_of(self.key, table))
+        earned = table_points(self.key, cells, self.rubric.carried)
+        named = None
+        if looked_for(cells, earned.cells):
+            named = find_misconception(self.key, cells, self.confusions, self.others)
+        fit = named.share if named and not named.code.startswith("variant_") else 0.0
+        own = own_share(self.key, cells, equations) if equations else 0.0
+        share = max(earned.share, self.rubric.misconception_floor * fit, self.rubric.own_equations_floor * own)
+        return TableMarks(table, cells, earned, first_wrong(self.key, cells), named, share)
+
+    def _status(self, contents: Contents, shares: dict[str, float | None]) -> tuple[str, Sentence | None, tuple[Note, ...]]:
+        """Return the state, why there is no number, and notes about parts without a file; those may become 0 here."""
+        if contents.review is not None:
+            return "needs-review", contents.review, ()
+        trouble = contents.trouble
+        nothing = all(share is None for share in shares.values())
+        if trouble is not None and (trouble.state != "missing" or nothing) and self.rubric.weights["table"]:
+            return trouble.state, trouble.text, ()
+        absent = [part for part, share in shares.items() if share is None and self.rubric.weights[part]]
+        if not absent:
+            return "graded", None, ()
+        notes = tuple(note("empty_part", part=part) for part in absent)
+        if self.rubric.missing_part == "zero":
+            shares.update(dict.fromkeys(absent, 0.0))
+            return "graded", None, notes
+        return "needs-review", notes[0].text, notes
+
+    def _notes(self, table: TableMarks | None) -> tuple[Note, ...]:
+        found: list[Note] = []
+        if table is not None:
+            cells = table.cells
+            if count := int(cells.too_coarse.sum()):
+                found.append(note("too_coarse", count=count, least=self.key.least_decimals))
+            if cells.computed_to is not None:
+                found.append(note("coarse_work", decimals=cells.computed_to))
+            if np.array_equal(cells.student.values, self.key.table):
+                found.append(note("bit_identical"))
+        if self.key.stopped:
+            found.append(note("dead_point", reason=self.key.stopped))
+        return tuple(found)
+
+
+def student_of(key: Key, table: Table) -> Student:
+    """Return a table as it was read, with a column of its own for everything the key has."""
+    values = np.full(key.table.shape, np.nan)
+    units = np.full(key.table.shape, np.nan)
+    for place, name in enumerate(key.names):
+        if column := table.column(name):
+            values[:, place], units[:, place] = column.values[: len(values)], column.last_place[: len(values)]
+    return Student(values, units)
+
+
+def points(value: float) -> float:
+    """Return points with two decimals, halves rounded up."""
+    return float(Decimal(repr(value)).quantize(Decimal("0.01"), ROUND_HALF_UP))

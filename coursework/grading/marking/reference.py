@@ -1,0 +1,168 @@
+"""A variant -> its `Key`: Euler's table, the exact motion, velocities at any position and data.
+
+Enters: a `Variant`.  Leaves: `Key`.  Used by the children of a batch, once a variant.
+Variants that differ in their data only share one compiled model.
+"""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.api import solve
+from coursework.errors import CourseworkError
+from coursework.formula.tree import Formula, number
+from coursework.grading.marking.key import Key
+from coursework.model.model import Model, build_model
+from coursework.schemes import DEFAULT_SCHEME
+from coursework.variant.record import Law, Time, Variant
+
+Array = NDArray[np.float64]
+TEMPLATES = 32  # structures kept at once; a class has one or a few
+_TURNING = ("sin", "cos", "tan")
+_DEGREE = Formula("/", (Formula("name", name="pi"), number(180)))
+
+
+def key_of(variant: Variant) -> Key:
+    """Return the key of a variant.  Raises `InputError` where it cannot be solved at all."""
+    run = solve(variant, DEFAULT_SCHEME.name, quantities=["table"])
+    model = template_model(variant)
+    given = variant.values
+    assigned = model.data(given)
+
+    def velocities_at(t: Array, q: Array, data: Mapping[str, float]) -> Array:
+        return model.rates(t, q, {**given, **data} if data else assigned)
+
+    def sets_at(t: Array, q: Array, sets: Sequence[Mapping[str, float]]) -> Array:
+        if not sets:
+            return np.empty((0, len(t), len(model.velocities)))
+        columns = {name: np.array([data.get(name, value) for data in sets]) for name, value in given.items()}
+        return model.rates(t[None], q[None], columns)
+
+    def block_at(block: int, t: Array, q: Array, earlier: Array) -> Array:
+        return model.block_velocities(block, t, q, earlier, assigned)
+
+    return Key(
+        variant, run.motion.step, run.motion.rows, lambda: run.exact.rows, tuple(block.unknowns for block in model.blocks),
+        velocities_at, sets_at, block_at, lambda code: _rewritten(variant, code), str(run.stop.sentence) if run.stop else "",
+        lambda: _branches(variant),
+    )  # fmt: skip
+
+
+def class_tables(variants: Sequence[Variant]) -> dict[str, Array]:
+    """Return Euler's tables of the variants of a class by name, without those whose motion cannot be computed."""
+    found = {}
+    for variant in variants:
+        try:
+            found[variant.name] = solve(variant, DEFAULT_SCHEME.name, quantities=["table"]).motion.rows
+        except CourseworkError:
+            continue
+    return found
+
+
+def _structure(variant: Variant) -> Variant:
+    """Return a variant without its data: what two variants of one template have in common."""
+    return replace(
+        variant, name="", path=None, title="", source="", teaches="", remarks=(), ask=(),
+        given=tuple(replace(given, value=1.0, text="", unit="") for given in variant.given),
+        coordinates=tuple(replace(c, start=None, text="", written="") for c in variant.coordinates),
+        time=Time(1.0, 1.0, None, None), lines={},
+    )  # fmt: skip
+
+
+_kept: OrderedDict[Variant, Model] = OrderedDict()
+
+
+def template_model(variant: Variant) -> Model:
+    """Return the model of a variant's template, compiled the first time a variant of it is seen."""
+    structure = _structure(variant)
+    if structure not in _kept:
+        _kept[structure] = build_model(variant)
+    _kept.move_to_end(structure)
+    while len(_kept) > TEMPLATES:
+        _kept.popitem(last=False)
+    return _kept[structure]
+
+
+def _rewritten(variant: Variant, code: str) -> Callable[[Array, Array], Array] | None:
+    """Return the velocities of the variant with one misconception written into its formulas, None where that cannot be."""
+    if code == "degree_mode" and variant.groups:
+        return None  # a group's closed form has its sines inside
+    changed = _in_degrees(variant) if code == "degree_mode" else _with_drive_turned(variant)
+    try:
+        model = template_model(changed)
+    except CourseworkError:
+        return None
+    assigned = model.data(variant.values)
+    return lambda t, q: model.rates(t, q, assigned)
+
+
+def _with_drive_turned(variant: Variant) -> Variant:
+    return replace(
+        variant,
+        drive=tuple(
+            replace(
+                law,
+                formula=Formula("neg", (law.formula,)) if law.formula else None,
+                pieces=tuple((begin, Formula("neg", (piece,))) for begin, piece in law.pieces),
+                table=tuple((at, -value) for at, value in law.table),
+            )
+            for law in variant.drive
+        ),
+    )
+
+
+def _in_degrees(variant: Variant) -> Variant:
+    """Return the variant as a calculator set to degrees sees it: every argument of a sine is taken for degrees."""
+
+    def laws(found: Sequence[Law]) -> tuple[Law, ...]:
+        return tuple(
+            replace(
+                law,
+                formula=_degrees(law.formula) if law.formula else None,
+                pieces=tuple((begin, _degrees(piece)) for begin, piece in law.pieces),
+            )
+            for law in found
+        )
+
+    return replace(
+        variant,
+        drive=laws(variant.drive),
+        functions=laws(variant.functions),
+        constraints=tuple(replace(c, left=_degrees(c.left), right=_degrees(c.right)) for c in variant.constraints),
+        points=tuple((name, _degrees(point)) for name, point in variant.points),
+        holds=tuple(_degrees(hold) for hold in variant.holds),
+    )
+
+
+def _degrees(tree: Formula) -> Formula:
+    args = tuple(_degrees(arg) for arg in tree.args)
+    if tree.op == "call" and tree.name in _TURNING:
+        args = (Formula("*", (args[0], _DEGREE)),)
+    if tree.op == "@":
+        args = (args[0], Formula("*", (args[1], _DEGREE)))
+    return replace(tree, args=args)
+
+
+def _branches(variant: Variant) -> dict[str, Array]:
+    """Return Euler's tables of the mechanism assembled the other way, one group turned at a time, where that closes."""
+    found: dict[str, Array] = {}
+    for place, group in enumerate(variant.groups):
+        if not group.mode:
+            continue
+        turned = list(variant.groups)
+        turned[place] = replace(group, mode=-group.mode)
+        free = set(group.coordinates)
+        coordinates = tuple(replace(c, start=None) if c.name in free else c for c in variant.coordinates)
+        try:
+            run = solve(
+                replace(variant, groups=tuple(turned), coordinates=coordinates), DEFAULT_SCHEME.name, quantities=["table"]
+            )
+            found[f"branch {place}"] = run.motion.rows
+        except CourseworkError:
+            continue
+    return found

@@ -1,0 +1,190 @@
+"""The instructor's rubric: what each part is worth, how mild the marks are, which answers are asked for.
+
+Enters: the text of a TOML file, or nothing.  Leaves: `Rubric`.  Raises `InputError` for unknown keys and impossible values.
+Used by the commands, before anything is graded.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from coursework.errors import Fault, InputError, closest, listing
+from coursework.formula.units import UnitFault, read
+from coursework.variant.record import Variant
+
+PARTS = ("table", "equations", "answers")
+READING_TOLERANCE = 0.05  # of the largest value of its kind in the row: what a drawing of this size allows
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """One measured answer: the quantity `of` the variant in `row` (from 1; None: the variant's check row), its tolerance."""
+
+    name: str
+    of: str
+    row: int | None
+    tolerance: float = READING_TOLERANCE
+
+
+@dataclass(frozen=True, slots=True)
+class Confusion:
+    """A datum that is often taken for another value, and why."""
+
+    datum: str
+    value: str
+    because: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Rubric:
+    """`points` in all; `weights` of the parts; floors and the worth of carried cells as parts of one."""
+
+    points: float = 100.0
+    missing_part: str = "review"
+    weights: Mapping[str, float] = field(default_factory=lambda: {"table": 60.0, "equations": 40.0, "answers": 0.0})
+    carried: float = 1.0
+    misconception_floor: float = 0.4
+    own_equations_floor: float = 0.5
+    answers: tuple[Answer, ...] = ()
+    confusions: tuple[Confusion, ...] = ()
+
+    def most(self, part: str) -> float:
+        """Return the points of a part."""
+        total = sum(self.weights.values())
+        return self.points * self.weights[part] / total
+
+    def confused(self, variant: Variant) -> dict[str, float]:
+        """Return the confusions that speak of data of a variant, values in SI."""
+        units = {given.name: given.si for given in variant.given}
+        return {entry.datum: read(entry.value, units[entry.datum]).value for entry in self.confusions if entry.datum in units}
+
+    def plain(self) -> dict[str, Any]:
+        """Return the rubric as it was used, for grades.json."""
+        return {
+            "points": self.points, "missing_part": self.missing_part, "parts": dict(self.weights),
+            "table": {
+                "carried": self.carried, "misconception_floor": self.misconception_floor,
+                "own_equations_floor": self.own_equations_floor,
+            },
+            "answers": {entry.name: {"of": entry.of, "row": entry.row, "tolerance": entry.tolerance} for entry in self.answers},
+            "confusion": [{"datum": c.datum, "value": c.value, "because": c.because} for c in self.confusions],
+        }  # fmt: skip
+
+
+def read_rubric(text: str, name: str = "rubric.toml") -> Rubric:
+    """Return the rubric of a file's text.  Raises `InputError` with every fault."""
+    try:
+        found = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise InputError([Fault(f"this is not TOML: {error}.", name)]) from error
+    faults: list[Fault] = []
+    known = ("points", "missing_part", "parts", "table", "answers", "confusion")
+    _refuse_unknown(found, known, "", name, faults)
+    parts = _section(found, "parts", PARTS, name, faults)
+    table = _section(found, "table", ("carried", "misconception_floor", "own_equations_floor"), name, faults)
+    default = Rubric()
+    weights = {part: _number(parts, part, default.weights[part], f"parts.{part}", name, faults, most=1e6) for part in PARTS}
+    points = _number(found, "points", default.points, "points", name, faults, most=1e6)
+    if not sum(weights.values()) or not points:
+        faults.append(Fault("the points and at least one part must be greater than 0.", name, place="parts"))
+    missing = found.get("missing_part", default.missing_part)
+    if missing not in {"review", "zero"}:
+        faults.append(Fault(f'"review" or "zero" was expected, found {missing!r}.', name, place="missing_part"))
+    answers = tuple(_answers(found.get("answers", {}), name, faults))
+    confusions = tuple(_confusions(found.get("confusion", []), name, faults))
+    floors = {
+        key: _number(table, key, getattr(default, key), f"table.{key}", name, faults, most=1.0)
+        for key in ("carried", "misconception_floor", "own_equations_floor")
+    }
+    if weights["answers"] and not answers:
+        faults.append(Fault("answers have points, but none is listed. Add a section [answers].", name, place="parts.answers"))
+    if faults:
+        raise InputError(faults)
+    return Rubric(points, missing, weights, **floors, answers=answers, confusions=confusions)
+
+
+def check_rubric(rubric: Rubric, variant: Variant, name: str = "rubric.toml") -> None:
+    """Raise `InputError` where the rubric asks for what a variant does not have."""
+    faults = []
+    points = [point for point, _ in variant.points]
+    known = [*variant.columns, *(f"v_{point}" for point in points)]
+    for answer in rubric.answers:
+        if answer.of not in known:
+            message = f'the variant has no quantity "{answer.of}".{closest(answer.of, known)} Known: {", ".join(known)}.'
+            faults.append(Fault(message, name, place=f"answers.{answer.name}.of"))
+        if answer.row is not None and answer.row > variant.time.steps + 1:
+            faults.append(
+                Fault(
+                    f"the table has {variant.time.steps + 1} rows, found {answer.row}.", name, place=f"answers.{answer.name}.row"
+                )
+            )
+    for entry in rubric.confusions:
+        names = [given.name for given in variant.given]
+        if entry.datum not in names:
+            continue
+        try:
+            rubric.confused(variant)
+        except UnitFault as error:
+            faults.append(Fault(str(error), name, place=f"confusion.{entry.datum}"))
+    if faults:
+        raise InputError(faults)
+
+
+def _refuse_unknown(section: Mapping[str, Any], known: tuple[str, ...], place: str, name: str, faults: list[Fault]) -> None:
+    for key in section:
+        if key not in known:
+            faults.append(Fault(f'unknown key "{key}".{closest(key, known)} Known: {listing(known)}.', name, place=place))
+
+
+def _section(found: Mapping[str, Any], key: str, known: tuple[str, ...], name: str, faults: list[Fault]) -> Mapping[str, Any]:
+    section = found.get(key, {})
+    if not isinstance(section, dict):
+        faults.append(Fault(f"a section [{key}] was expected, found {section!r}.", name, place=key))
+        return {}
+    _refuse_unknown(section, known, key, name, faults)
+    return section
+
+
+def _number(
+    section: Mapping[str, Any], key: str, default: float, place: str, name: str, faults: list[Fault], most: float
+) -> float:
+    value = section.get(key, default)
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0 <= value <= most:
+        faults.append(Fault(f"a number from 0 to {most:g} was expected, found {value!r}.", name, place=place))
+        return default
+    return float(value)
+
+
+def _answers(section: Any, name: str, faults: list[Fault]) -> list[Answer]:
+    if not isinstance(section, dict):
+        faults.append(Fault(f"a section [answers] was expected, found {section!r}.", name, place="answers"))
+        return []
+    found = []
+    for key, entry in section.items():
+        place = f"answers.{key}"
+        if not isinstance(entry, dict) or not isinstance(entry.get("of"), str):
+            message = f'the quantity was expected, as in {key} = {{ of = "w2", row = 4 }}, found {entry!r}.'
+            faults.append(Fault(message, name, place=place))
+            continue
+        _refuse_unknown(entry, ("of", "row", "tolerance"), place, name, faults)
+        row = entry.get("row")
+        if row is not None and (isinstance(row, bool) or not isinstance(row, int) or row < 1):
+            faults.append(Fault(f"a row from 1 was expected, found {row!r}.", name, place=f"{place}.row"))
+            continue
+        found.append(Answer(key, entry["of"], row, _number(entry, "tolerance", READING_TOLERANCE, place, name, faults, 1.0)))
+    return found
+
+
+def _confusions(entries: Any, name: str, faults: list[Fault]) -> list[Confusion]:
+    found = []
+    for index, entry in enumerate(entries if isinstance(entries, list) else [entries], start=1):
+        place = f"confusion.{index}"
+        if not isinstance(entry, dict) or not isinstance(entry.get("datum"), str) or not isinstance(entry.get("value"), str):
+            faults.append(Fault('datum = "…" and value = "… unit" were expected.', name, place=place))
+            continue
+        _refuse_unknown(entry, ("datum", "value", "because"), place, name, faults)
+        found.append(Confusion(entry["datum"], entry["value"], str(entry.get("because", ""))))
+    return found

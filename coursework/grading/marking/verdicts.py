@@ -1,0 +1,69 @@
+"""Equations, integration, arithmetic: what was understood and what was only slipped, told apart.
+
+Enters: marks.  Leaves: `Verdicts` and the sentence that follows from the three.  Used by `grade.py`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from coursework.grading.marking.cells import Cells
+from coursework.grading.marking.equations import EquationMarks
+from coursework.grading.marking.key import Key
+from coursework.grading.marking.misconceptions import FEWEST, FEWEST_SHARE, Misconception
+from coursework.grading.marking.points import TablePoints, true_steps
+from coursework.sentences import Sentence, joined, say
+
+# Steps that follow from the row before, from which on the integration is right; rows below which nobody can tell.
+FOLLOWED, LEAST_ROWS = 0.93, 3
+
+
+@dataclass(frozen=True, slots=True)
+class Verdicts:
+    """Three verdicts that do not depend on each other."""
+
+    equations: Literal["right", "wrong", "none"]
+    integration: Literal["right", "wrong", "unknown"]
+    arithmetic: Literal["right", "slip", "unknown"]
+
+    @property
+    def sentence(self) -> Sentence:
+        """Return what the three mean together."""
+        return joined(
+            [say(f"marking.verdict.{name}.{getattr(self, name)}") for name in ("equations", "integration", "arithmetic")]
+        )
+
+
+def verdicts(
+    key: Key, cells: Cells | None, points: TablePoints | None, equations: EquationMarks | None, named: Misconception | None
+) -> Verdicts:
+    """Return the verdicts of a submission; a table that is not there leaves two of them unknown."""
+    first: Literal["right", "wrong", "none"] = "none"
+    if equations is not None:
+        complete = equations.independent == equations.needed and not equations.wrong
+        first = "right" if complete else "wrong"
+    if cells is None or points is None:
+        return Verdicts(first, "unknown", "unknown")
+    return Verdicts(first, _integration(key, cells), _arithmetic(cells, points, named))
+
+
+def _integration(key: Key, cells: Cells) -> Literal["right", "wrong", "unknown"]:
+    m = len(key.coordinates)
+    there = np.isfinite(cells.student.values)
+    rows = int(np.all(there[:, :m], axis=1).sum())
+    speaks = there[1:, :m] & there[:-1, :m] & there[:-1, m : 2 * m]
+    if rows < LEAST_ROWS or not speaks.any():
+        return "unknown"
+    return "right" if float(true_steps(key, cells)[speaks].mean()) >= FOLLOWED else "wrong"
+
+
+def _arithmetic(cells: Cells, points: TablePoints, named: Misconception | None) -> Literal["right", "slip", "unknown"]:
+    wrong = int(cells.wrong.sum())
+    if not wrong:
+        return "right"
+    if named is not None:
+        return "unknown"
+    return "slip" if wrong <= max(FEWEST, FEWEST_SHARE * points.cells) else "unknown"

@@ -1,0 +1,74 @@
+"""What a whole class shows: states, points, the first wrong row, misconceptions, files that are the same.
+
+Enters: finished submissions one by one.  Leaves: `ClassFacts`.  Used by grades.json and the class page.
+Only a few numbers of each submission are kept, so that a university's class fits into memory.
+"""
+
+from __future__ import annotations
+
+import statistics
+from collections import Counter, defaultdict
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+SAME_FILE_KINDS = ("table", "equations", "answers", "variant", "attachment")
+
+
+@dataclass
+class ClassFacts:
+    """Counts over the class; ids are listed only where a person must look."""
+
+    states: Counter[str] = field(default_factory=Counter)
+    scores: list[float] = field(default_factory=list)
+    most: float = 0.0
+    misconceptions: dict[str, list[str]] = field(default_factory=lambda: defaultdict(list))
+    first_rows: Counter[int] = field(default_factory=Counter)
+    first_columns: Counter[str] = field(default_factory=Counter)
+    by_variant: dict[str, list[float]] = field(default_factory=lambda: defaultdict(list))
+    files: dict[str, list[str]] = field(default_factory=lambda: defaultdict(list))
+    other_data: list[tuple[str, str]] = field(default_factory=list)
+    to_look_at: list[tuple[str, str, str]] = field(default_factory=list)
+
+    def add(self, entry: Mapping[str, Any], reason: str = "") -> None:
+        """Count one submission as grades.json says it."""
+        self.states[entry["status"]] += 1
+        self.most = max(self.most, float(entry["max"] or 0.0))
+        if entry["score"] is not None:
+            self.scores.append(entry["score"])
+            self.by_variant[entry["variant"]].append(entry["score"])
+        else:
+            self.to_look_at.append((entry["id"], entry["status"], reason))
+        if named := entry["misconception"]:
+            self.misconceptions[named["code"]].append(entry["id"])
+            if named["code"].startswith("variant_"):
+                self.other_data.append((entry["id"], named["code"].removeprefix("variant_")))
+        if first := entry["first_wrong"]:
+            self.first_rows[first["row"]] += 1
+            self.first_columns[first["column"]] += 1
+        for file in entry["files"]:
+            if file["kind"] in SAME_FILE_KINDS and file["bytes"]:
+                self.files[file["sha256"]].append(entry["id"])
+
+    @property
+    def same_files(self) -> list[list[str]]:
+        """Return the ids that handed in the same bytes, each group once."""
+        groups = {tuple(sorted(set(ids))) for ids in self.files.values() if len(set(ids)) > 1}
+        return [list(group) for group in sorted(groups)]
+
+    @property
+    def hardest_column(self) -> str | None:
+        """Return the column in which the first wrong cell stands most often."""
+        return min(self.first_columns, key=lambda name: (-self.first_columns[name], name)) if self.first_columns else None
+
+    def plain(self) -> dict[str, Any]:
+        """Return the facts as `class` of grades.json."""
+        return {
+            "graded": len(self.scores),
+            "mean": round(statistics.fmean(self.scores), 2) if self.scores else None,
+            "median": round(statistics.median(self.scores), 2) if self.scores else None,
+            "misconceptions": {code: len(ids) for code, ids in sorted(self.misconceptions.items())},
+            "first_wrong_rows": {str(row): self.first_rows[row] for row in sorted(self.first_rows)},
+            "hardest_column": self.hardest_column,
+            "same_files": self.same_files,
+        }

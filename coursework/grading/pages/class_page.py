@@ -1,0 +1,70 @@
+"""The page of a whole class: what to look at first, then how it went, in pictures where these say more.
+
+Enters: `ClassFacts`, changes since the last run.  Leaves: HTML without script.  Used by `gradebook.py`.
+"""
+
+from __future__ import annotations
+
+import statistics
+from collections.abc import Sequence
+
+from coursework.grading.pages.bars import bars
+from coursework.grading.pages.class_facts import ClassFacts
+from coursework.grading.pages.feedback import misconception_sentence, shown_points
+from coursework.report.html import template
+from coursework.report.text_runs import clean
+from coursework.sentences import ENGLISH, say
+
+PARTS = 10  # of the distribution
+MOST_LISTED = 200
+
+
+def class_page(
+    facts: ClassFacts, changes: Sequence[tuple[str, str, str, str]], not_on_roster: Sequence[tuple[str, Sequence[str]]]
+) -> str:
+    """Return the page; `changes` are (id, before, after, reason), `not_on_roster` (name, files)."""
+    first, last = (min(facts.first_rows), max(facts.first_rows)) if facts.first_rows else (1, 0)
+    named = sorted(facts.misconceptions.items(), key=lambda item: (-len(item[1]), item[0]))
+    variants = sorted(facts.by_variant.items())
+    return template("class.html.j2").render(
+        say=say,
+        language=ENGLISH,
+        count=sum(facts.states.values()),
+        states=[(say(f"feedback.state.{state.replace('-', '_')}"), number) for state, number in sorted(facts.states.items())],
+        graded=len(facts.scores),
+        mean=shown_points(round(statistics.fmean(facts.scores), 2)) if facts.scores else "–",
+        median=shown_points(round(statistics.median(facts.scores), 2)) if facts.scores else "–",
+        most=shown_points(facts.most),
+        distribution=bars(_tenths(facts)),
+        first_rows=bars([(str(row), facts.first_rows[row]) for row in range(first, last + 1)]),
+        hardest=facts.hardest_column,
+        columns=[(name, number) for name, number in facts.first_columns.most_common()],
+        misconceptions=[(misconception_sentence(code), len(ids), _listed(ids)) for code, ids in named],
+        to_look_at=[
+            (clean(i), say(f"feedback.state.{s.replace('-', '_')}"), clean(r)) for i, s, r in facts.to_look_at[:MOST_LISTED]
+        ],
+        same_files=[_listed(ids) for ids in facts.same_files[:MOST_LISTED]],
+        other_data=[(clean(who), clean(whose)) for who, whose in facts.other_data[:MOST_LISTED]],
+        variants=[
+            (clean(name), len(scores), shown_points(round(statistics.fmean(scores), 2)))
+            for name, scores in variants[:MOST_LISTED]
+        ]
+        if len(variants) > 1
+        else [],
+        changes=[tuple(clean(part) for part in change) for change in changes[:MOST_LISTED]],
+        not_on_roster=[(clean(name), _listed(files)) for name, files in not_on_roster[:MOST_LISTED]],
+    )
+
+
+def _tenths(facts: ClassFacts) -> list[tuple[str, int]]:
+    """Return how many scores lie in each tenth of the points; full points belong to the last."""
+    counts = [0] * PARTS
+    for score in facts.scores:
+        counts[min(int(PARTS * score / (facts.most or 1.0)), PARTS - 1)] += 1
+    edges = [shown_points(round(facts.most * part / PARTS, 2)) for part in range(PARTS + 1)]
+    return [(f"{edges[part]}–{edges[part + 1]}", counts[part]) for part in range(PARTS)]
+
+
+def _listed(names: Sequence[str]) -> str:
+    shown = ", ".join(clean(name, 80) for name in names[:30])
+    return f"{shown} …" if len(names) > 30 else shown

@@ -1,0 +1,156 @@
+"""The page a student gets: points, the first wrong cell, how the file was read, the table, the equations, the curves.
+
+Enters: a `Grade`.  Leaves: HTML without script, all that came from the student escaped.  Used by the children of a batch.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from coursework.grading.marking.cells import GIVEN, KEY, MISSING, WRONG
+from coursework.grading.marking.grade import GRADED, Grade, TableMarks
+from coursework.grading.pages.curves import panel
+from coursework.report.html import template
+from coursework.report.text_runs import clean
+from coursework.sentences import ENGLISH, Sentence, load_phrases, say
+
+# Longer tables show their first rows and those with wrong cells: the page stays one that a person reads.
+FIRST_ROWS, MOST_ROWS = 25, 60
+LONGEST_TEXT = 300
+_SIGNS = {WRONG: "✗", MISSING: "–", KEY: "", GIVEN: ""}
+CARRIED = "→"
+_VERDICT_SIGNS = {"right": "✓", "rounded": "✓", "closure": "✓", "half": "½", "wrong": "✗", "unreadable": "?", "blank": "–"}
+
+
+def feedback_page(
+    grade: Grade, student: str, name: str | None, overrides: tuple[Mapping[str, Any], ...] = (), score: float | None = None
+) -> str:
+    """Return the page; `score` and `overrides` are what the instructor decided, where that differs."""
+    final = grade.total if score is None and grade.status in GRADED else score
+    parts = [
+        {"name": say(f"feedback.part.{part}"), "points": shown_points(got), "most": shown_points(most)}
+        for part in grade.parts
+        if grade.rubric.weights[part]
+        for got, most in [grade.part(part)]
+    ]
+    return template("feedback.html.j2").render(
+        say=say,
+        language=ENGLISH,
+        student=clean(student, LONGEST_TEXT),
+        name=clean(name or "", LONGEST_TEXT),
+        variant=grade.key.variant.title,
+        status=say(f"feedback.status.{grade.status.replace('-', '_')}"),
+        reason=grade.reason or "",
+        points=shown_points(final),
+        most=shown_points(grade.rubric.points),
+        parts=parts,
+        verdict=grade.verdicts.sentence if grade.status in GRADED or grade.table or grade.equations else "",
+        notes=[clean(str(entry.text), LONGEST_TEXT) for entry in grade.notes],
+        table=_table(grade, grade.table) if grade.table else None,
+        equations=_equations(grade),
+        answers=_answers(grade),
+        misconception=_misconception(grade),
+        overrides=[{key: clean(str(value), LONGEST_TEXT) for key, value in entry.items()} for entry in overrides],
+    )
+
+
+def shown_points(value: float | None) -> str:
+    """Return points as a person writes them, "–" for none."""
+    return "–" if value is None else f"{value:.2f}".rstrip("0").rstrip(".")
+
+
+def misconception_sentence(code: str) -> Sentence | str:
+    """Return what a code means, with the name it carries (datum, velocity, variant) filled in."""
+    for stem in ("rounded_omega", "confusion", "variant", "origin", "datum", "swap", "sign"):
+        if code.startswith(f"{stem}_") and code != "sign_drive":
+            name = clean(code.removeprefix(f"{stem}_").replace("_", ", " if stem == "swap" else "_"), LONGEST_TEXT)
+            return say(f"feedback.misconception.{stem}", name=name)
+    key = f"feedback.misconception.{code}"
+    return say(key) if load_phrases().has(key) else code
+
+
+def _misconception(grade: Grade) -> dict[str, Any] | None:
+    named = grade.table.misconception if grade.table else None
+    if named is None:
+        return None
+    ties = [misconception_sentence(code) for code in named.ties]
+    return {"told": misconception_sentence(named.code), "share": f"{100 * named.share:.0f}", "ties": ties}
+
+
+def _table(grade: Grade, marked: TableMarks) -> dict[str, Any]:
+    key, cells = grade.key, marked.cells
+    reading = marked.table.reading
+    wrong_rows = np.flatnonzero(cells.wrong.any(axis=1)).tolist()
+    chosen = sorted({*range(min(FIRST_ROWS, len(key.table))), *wrong_rows[: MOST_ROWS - FIRST_ROWS]})
+    if len(key.table) <= MOST_ROWS:
+        chosen = list(range(len(key.table)))
+    columns = [marked.table.column(name) for name in key.names]
+    rows = []
+    for row in chosen:
+        entries = []
+        for place, column in enumerate(columns):
+            mark = str(cells.marks[row, place])
+            sign = _SIGNS.get(mark, CARRIED)
+            text = clean(column.texts[row], 24) if column and column.texts[row] else ""
+            entries.append(
+                {"text": text, "sign": sign, "mark": "wrong" if mark == WRONG else "carried" if sign == CARRIED else ""}
+            )
+        rows.append({"number": row + 1, "t": f"{key.t[row]:.6g}", "cells": entries})
+    m = len(key.coordinates)
+    panels = [
+        panel(
+            name, key.variant.unit_of(name), key.t, key.table[:, m + place], cells.student.values[:, m + place],
+            cells.wrong[:, m + place],
+        )
+        for place, name in enumerate(key.velocities)
+    ]  # fmt: skip
+    read = [
+        {"name": name, "at": entry["at"], "by": say(f"feedback.by.{entry['by']}"), "unit": entry["unit"]}
+        for name, entry in reading.columns.items()
+    ]
+    return {
+        "first": marked.first.sentence if marked.first else "",
+        "counts": {
+            "wrong": int(cells.wrong.sum()), "missing": int(cells.missing.sum()), "carried": int(cells.carried.sum()),
+            "cells": marked.points.cells,
+        },
+        "file": clean(reading.file, LONGEST_TEXT), "reading": reading, "read": read, "names": key.names,
+        "units": [key.variant.unit_of(name) for name in key.names], "rows": rows,
+        "left_out": len(key.table) - len(chosen), "panels": panels, "least": key.least_decimals,
+    }  # fmt: skip
+
+
+def _equations(grade: Grade) -> dict[str, Any] | None:
+    if grade.equations is None:
+        return None
+    items = []
+    for mark in grade.equations.marks:
+        hint = ""
+        if mark.hint:
+            text = clean(mark.hint.text, LONGEST_TEXT)
+            hint = say(f"feedback.hint.{mark.hint.kind}", text=text, column=mark.hint.column, others=mark.hint.others)
+        items.append(
+            {
+                "line": mark.line.line, "text": clean(mark.line.text, LONGEST_TEXT), "sign": _VERDICT_SIGNS[mark.verdict],
+                "verdict": say(f"feedback.equation.{mark.verdict}"), "hint": hint,
+            }
+        )  # fmt: skip
+    marks = grade.equations
+    dependent = say("feedback.dependent", lines=", ".join(map(str, marks.dependent))) if marks.dependent else ""
+    count = say("feedback.independent", independent=marks.independent, needed=marks.needed)
+    return {"items": items, "count": count, "dependent": dependent}
+
+
+def _answers(grade: Grade) -> list[dict[str, Any]] | None:
+    if grade.answers is None:
+        return None
+    return [
+        {
+            "name": clean(mark.name, LONGEST_TEXT), "found": "–" if mark.found is None else f"{mark.found:.4g}",
+            "sign": _VERDICT_SIGNS[mark.verdict], "verdict": say(f"feedback.answer.{mark.verdict}"),
+        }
+        for mark in grade.answers.marks
+    ]  # fmt: skip

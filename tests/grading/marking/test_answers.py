@@ -1,0 +1,51 @@
+"""Measured answers against the numbers of the coursework's graph-analytical check (row 4 of variant 31)."""
+
+import pytest
+
+import coursework
+from coursework.grading.contents import AnswerLine
+from coursework.grading.marking.answers import mark_answers
+from coursework.grading.marking.reference import key_of
+from coursework.grading.marking.rubric import Answer
+
+# The exact motion in row 4, from the reference plans of velocities.
+W = {"w1": 0.17465532, "w2": 0.086914667, "w3": 4.4111308, "w4": -8.1550535}
+SPEED_OF_M = 4.1044636
+
+
+@pytest.fixture(scope="module")
+def key():
+    return key_of(coursework.load("31"))
+
+
+def answer(name, value, state="read"):
+    return AnswerLine("answers.txt", 1, name, str(value), value, "1/s", state)
+
+
+@pytest.mark.parametrize(
+    ("off", "verdict", "share"), [(0.049, "right", 1.0), (0.051, "half", 0.5), (0.099, "half", 0.5), (0.101, "wrong", 0.0)]
+)
+def test_the_tolerance_is_a_part_of_the_largest_velocity_of_the_row(key, off, verdict, share):
+    found = W["w3"] + off * abs(W["w4"])
+    marks = mark_answers(key, [Answer("w", "w3", 4)], [answer("w", found)])
+    assert marks.marks[0].verdict == verdict
+    assert marks.share == share
+    assert marks.marks[0].expected == pytest.approx(W["w3"], abs=1e-6)
+
+
+def test_a_size_without_a_sign_is_right_and_a_wrong_sign_is_not(key):
+    asked = [Answer("w", "w4", 4)]
+    assert mark_answers(key, asked, [answer("w", 8.15)]).share == 1.0
+    asked = [Answer("w", "w3", 4)]
+    assert mark_answers(key, asked, [answer("w", -4.41)]).share == 0.0
+
+
+def test_blank_and_unreadable_are_told_apart(key):
+    asked = [Answer("a", "w1", 4), Answer("b", "w2", 4), Answer("c", "w3", 4)]
+    lines = [answer("a", None, "blank"), answer("b", None, "unreadable")]
+    assert [mark.verdict for mark in mark_answers(key, asked, lines).marks] == ["blank", "unreadable", "blank"]
+
+
+def test_the_speed_of_a_point(key):
+    marks = mark_answers(key, [Answer("vM", "v_M", 4)], [answer("vM", 4.1)])
+    assert marks.marks[0].expected == pytest.approx(SPEED_OF_M, abs=1e-6)

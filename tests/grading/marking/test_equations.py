@@ -1,0 +1,134 @@
+"""Equations: every equivalent form is right, every single slip is found and named, dependent ones are told."""
+
+import pytest
+
+import coursework
+from coursework.catalogue import names
+from coursework.formula.reader import parse
+from coursework.formula.tree import Formula, spelled
+from coursework.grading.contents import EquationLine
+from coursework.grading.marking.edits import applied, edits
+from coursework.grading.marking.equations import ROUNDED, Judge
+from coursework.grading.marking.reference import key_of
+
+RIGHT = [
+    "VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0",
+    "2*r3*w3*sin(phi3) - r3*w3*cos(phi3) + 0.5*r3*w4 = 0",
+    "-0.5*r3*w4 + r3*w3*cos(phi3) + r2*w2*sin(phi2) + r1*w1*sin(phi1) = 0",
+    "r3*w3*sin(phi3) - r2*w2*cos(phi2) - r1*w1*cos(phi1) = 0",
+]
+EQUIVALENT = [
+    "w3 = VMy/(r3*(2*cos(phi3) + sin(phi3)))",
+    "0 = r3*w3*(2*cos(phi3) + sin(phi3)) - VMy",
+    "V1*sin(p*t + alpha) = 2*r3*w3*cos(phi3) + r3*w3*cos(phi3 - pi/2)",
+    "w4 = 2*w3*(cos(phi3) - 2*sin(phi3))",
+    "1000*r3*w4 = 2000*r3*w3*cos(phi3) - 4000*r3*w3*sin(phi3)",
+    "r1*w1*sin(phi1) + r2*w2*sin(phi2) + 2*r3*w3*sin(phi3) = 0",
+    "w1 = -r3*w3*sin(phi3)*(2*cos(phi2) + sin(phi2))/(r1*sin(phi1 - phi2))",
+    "VMy - 0.914*w3*cos(phi3) - 0.457*w3*sin(phi3) = VMx",
+]
+
+
+def line(text, number=1):
+    left, _, right = text.partition("=")
+    return EquationLine("equations.txt", number, text, parse(left), parse(right))
+
+
+@pytest.fixture(scope="module")
+def judge():
+    return Judge(key_of(coursework.load("31")))
+
+
+def test_the_author_s_equations_are_right_and_complete(judge):
+    marks = judge.mark([line(text, number) for number, text in enumerate(RIGHT, start=1)])
+    assert [mark.verdict for mark in marks.marks] == ["right"] * 4
+    assert (marks.independent, marks.needed, marks.share, marks.dependent) == (4, 4, 1.0, ())
+
+
+@pytest.mark.parametrize("text", EQUIVALENT)
+def test_equivalent_forms_are_right(judge, text):
+    assert judge.mark([line(text)]).marks[0].verdict == "right"
+
+
+def test_rounded_data_and_what_is_just_too_far(judge):
+    for factor, verdict in ((1 + 0.9 * ROUNDED, "rounded"), (1 + 6 * ROUNDED, "wrong")):
+        text = f"VMy - {2 * 0.457 * factor:.9f}*w3*cos(phi3) - 0.457*w3*sin(phi3) = 0"
+        assert judge.mark([line(text)]).marks[0].verdict == verdict
+
+
+def test_an_equation_that_holds_on_the_closure_only(judge):
+    marks = judge.mark([line("r1*sin(phi1) + r2*sin(phi2) + r3*sin(phi3 + pi/2) = 0.317265 + 0*w1")])
+    assert marks.marks[0].verdict in {"closure", "wrong"}
+    point = coursework.load("31")
+    values = {c.name: c.start for c in point.coordinates}
+    from math import pi, sin
+
+    height = 0.953 * sin(values["phi1"]) + 0.847 * sin(values["phi2"]) + 0.457 * sin(values["phi3"] + pi / 2)
+    kept = f"r1*sin(phi1) + r2*sin(phi2) + r3*sin(phi3 + pi/2) = {height:.15f}"
+    assert judge.mark([line(kept)]).marks[0].verdict == "closure"
+
+
+def test_dependent_and_too_few(judge):
+    marks = judge.mark([line(RIGHT[0], 1), line(EQUIVALENT[0], 2), line(RIGHT[1], 3)])
+    assert (marks.independent, marks.needed, marks.dependent) == (2, 4, (2,))
+    assert marks.share == 0.5
+
+
+def test_guessing_every_sign_does_not_pay(judge):
+    guesses = [f"VMy {a} 2*r3*w3*cos(phi3) {b} r3*w3*sin(phi3) = 0" for a in "+-" for b in "+-"]
+    marks = judge.mark([line(text, number) for number, text in enumerate([*RIGHT, *guesses], start=1)])
+    assert marks.independent == 4
+    assert marks.share == pytest.approx(4 / 7)
+
+
+@pytest.mark.parametrize("text", ["w3*w3 = 1", "w1*w2 = w2*w1 + w3^2 - w3*w3 + 1", "1/w3 = 2"])
+def test_what_is_not_linear_in_the_velocities_is_wrong(judge, text):
+    assert judge.mark([line(text)]).marks[0].verdict == "wrong"
+
+
+def test_a_line_that_could_not_be_read_earns_and_costs_nothing(judge):
+    unread = EquationLine("equations.txt", 5, "w3 == lambda: 0", None, None)
+    marks = judge.mark([*(line(text, number) for number, text in enumerate(RIGHT, start=1)), unread])
+    assert marks.marks[-1].verdict == "unreadable"
+    assert marks.share == 1.0
+
+
+SLIPS = [
+    ("sign", "r3*w3*sin(phi3) - r2*w2*cos(phi2) + r1*w1*cos(phi1) = 0"),
+    ("function", "VMy - 2*r3*w3*sin(phi3) - r3*w3*sin(phi3) = 0"),
+    ("name", "VMx - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0"),
+    ("name", "w4 = 2*w3*(cos(phi3) - 2*sin(phi1))"),
+    ("factor", "VMy - r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0"),
+    ("factor", "VMy - 2*w3*cos(phi3) - r3*w3*sin(phi3) = 0"),
+]
+
+
+@pytest.mark.parametrize(("kind", "text"), SLIPS)
+def test_slips_are_named_where_they_stand(judge, kind, text):
+    mark = judge.mark([line(text)]).marks[0]
+    assert mark.verdict == "wrong"
+    assert mark.hint is not None
+    assert mark.hint.kind == kind
+    assert judge.mark([line(mark.hint.text)]).marks[0].verdict == "right"
+
+
+WRITTEN = [name for name in names() if any(not c.is_closure for c in coursework.load(name).constraints)]
+
+
+@pytest.mark.parametrize("name", WRITTEN)
+def test_every_single_edit_of_the_catalogue_is_found(name):
+    variant = coursework.load(name)
+    judge = Judge(key_of(variant))
+    written = [c for c in variant.constraints if not c.is_closure]
+    marks = judge.mark([EquationLine("e", c.line, "", c.left, c.right) for c in written])
+    assert {mark.verdict for mark in marks.marks} == {"right"}
+    tried = 0
+    for constraint in written:
+        tree = Formula("-", (constraint.left, constraint.right))
+        slips = [edit for edit in edits(tree, judge.kinds) if edit.path and edit.kind != "factor"]
+        for edit in slips[:: max(1, len(slips) // 6)]:
+            changed = applied(tree, edit)
+            mark = judge.mark([EquationLine("e", 1, "", *changed.args)]).marks[0]
+            assert mark.verdict != "wrong" or mark.hint is not None, spelled(changed)
+            tried += mark.verdict == "wrong"
+    assert tried >= len(written)
