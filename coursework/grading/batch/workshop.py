@@ -53,7 +53,7 @@ class Workshop:
         if source.sha256 in self._markers:
             self._markers.move_to_end(source.sha256)
             return self._markers[source.sha256]
-        variant = parse_variant(source.content, source.name)
+        variant = parse_variant(source.content, source.name, source.tables)
         key = key_of(variant)
         if not len(key.table):
             raise InputError(f"{source.name}: the motion stops at once, so there is no table to mark. {key.stopped}")
