@@ -19,7 +19,8 @@ from coursework.geometry.closure import Closure, compile_closure, require_start
 from coursework.geometry.drive import breaks, refuse_aliasing, refuse_endless
 from coursework.geometry.start import start_values
 from coursework.graph import Ledger, computed
-from coursework.integration.exact_motion import NotReached, exact_motion
+from coursework.integration.exact_motion import exact_motion
+from coursework.integration.following import NotReached
 from coursework.integration.integrate import Correction, march
 from coursework.integration.motion import Motion, Stop, rows_before
 from coursework.integration.rates import Rates, compile_rates

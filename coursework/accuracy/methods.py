@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from coursework.accuracy.trace import trace
 from coursework.geometry.closure import Closure
 from coursework.integration.adaptive import integrate_adaptive
-from coursework.integration.exact_motion import follow_closure
+from coursework.integration.following import follow_closure
 from coursework.integration.integrate import Correction, march
 from coursework.integration.loops import Loop, generate_loop
 from coursework.integration.rates import Rates
@@ -116,17 +116,16 @@ def _adaptive(problem: Problem, tolerance: float) -> tuple[Array, int]:
 def _closed(problem: Problem) -> tuple[Array, int]:
     """Return the closed positions, and how often slopes or residuals were computed on the way."""
     assert problem.closure is not None
-    count = 0
+    counts: list[int] = []
 
     def counted(function: Callable[..., Any]) -> Callable[..., Any]:
-        def called(*at: float) -> Any:
-            nonlocal count
-            count += 1
-            return function(*at)
+        def called(t: Any, *q: Any) -> Any:
+            counts.append(np.size(t))
+            return function(t, *q)
 
         return called
 
-    closure = replace(problem.closure, function=counted(problem.closure.function))
-    rates = replace(problem.rates, evaluate=counted(problem.rates.evaluate))
-    positions = follow_closure(closure, rates, problem.times)
-    return positions, count
+    closure = replace(problem.closure, function=counted(problem.closure.function), rows=counted(problem.closure.rows))
+    rates = replace(problem.rates, evaluate=counted(problem.rates.evaluate), rows=counted(problem.rates.rows))
+    positions = follow_closure(closure, rates, problem.times, counts.append)
+    return positions, sum(counts)

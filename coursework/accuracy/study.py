@@ -20,7 +20,8 @@ from coursework.accuracy.record import AccuracyStudy, StudyRow
 from coursework.accuracy.sentences import sentences_of
 from coursework.accuracy.timing import seconds
 from coursework.accuracy.trace import errors, slope
-from coursework.integration.exact_motion import follow_closure, refine
+from coursework.integration.exact_motion import refine
+from coursework.integration.following import follow_closure
 from coursework.integration.motion import Motion
 from coursework.schemes import SCHEMES
 from coursework.sentences import say, title_of

@@ -23,6 +23,9 @@ from coursework.reduction.system import compile_values
 
 Array = NDArray[np.float64]
 MAX_NEWTON = 25
+# Sizes of a correction (rad or m): too far to be a correction at all; settled; small enough that round-off may stop its
+# shrinking; closed where the corrections run out.
+FARTHEST, SETTLED, SHRINKING, CLOSED = 10.0, 1e-15, 1e-11, 1e-9
 OPEN = 0.01  # of the largest length: more than this is a wrong start, not a rounded one
 MOST_COMBINED = 12  # equations; beyond it pairs are not tried
 
@@ -33,6 +36,7 @@ class Closure:
 
     `names` of the equations, `free` the places of the coordinates they determine, `driven` the places of known ones;
     `kept` per equation the name of the drive it follows ("" for none); `origin` the value kept (m or rad).
+    `function(t, *q)` gives the values and their derivatives by the free coordinates, `rows` the same over arrays (n,).
     `combination` (k, k) adds and subtracts equations so that they fall into `blocks` (rows, free columns), solved in turn.
     """
 
@@ -43,6 +47,7 @@ class Closure:
     origin: Array
     start: Array
     function: Callable[..., Any]
+    rows: Callable[..., Any]
     equations: VelocityEquations
     combination: Array
     blocks: tuple[tuple[list[int], list[int]], ...]
@@ -68,31 +73,32 @@ class Closure:
         known = np.array([self.start[place] + moved[rates[place]] for place in self.driven])
         return kept.T.reshape(len(times), len(self.names)), known.T.reshape(len(times), len(self.driven))
 
-    def residual(self, t: float, q: Array, target: Array) -> tuple[Array, Array]:
-        """Return g - target (k,) and its Jacobian by the free coordinates (k, f)."""
-        values = np.array(self.function(t, *q.tolist()), dtype=float)
+    def residual(self, t: float | Array, q: Array, target: Array) -> tuple[Array, Array]:
+        """Return g - target (k,) and its Jacobian by the free coordinates (k, f); for times (n,) and q (n, m) n of each."""
+        if isinstance(t, np.ndarray):
+            values = np.stack(np.broadcast_arrays(*self.rows(t, *q.T), t)[:-1], axis=-1).astype(float)
+        else:
+            values = np.array(self.function(t, *q.tolist()), dtype=float)
         count = len(self.names)
-        return values[:count] - target, values[count:].reshape(count, len(self.free))
+        return values[..., :count] - target, values[..., count:].reshape(*values.shape[:-1], count, len(self.free))
 
-    def correction(self, t: float, q: Array, target: Array) -> tuple[Array, Array]:
-        """Return one Newton correction of the coordinates (m,), block after block, and the residual before it (k,)."""
-        first, jacobian = self.residual(t, q, target)
+    def correction(self, t: float | Array, q: Array, target: Array) -> Array:
+        """Return one Newton correction of the coordinates (m,), block after block; for n rows (n, m)."""
         if not self.blocks:
-            return self.linear(t, q, target), first
-        moved, residual = q.copy(), first
-        for index, (rows, columns) in enumerate(self.blocks):
-            if index:
-                residual, jacobian = self.residual(t, moved, target)
+            return self.linear(t, q, target)
+        moved = q.copy()
+        for rows, columns in self.blocks:
+            residual, jacobian = self.residual(t, moved, target)
             mixed = self.combination[rows]
-            part = np.linalg.solve((mixed @ jacobian)[:, columns], -mixed @ residual)
-            moved[[self.free[column] for column in columns]] += part
-        return moved - q, first
+            part = np.linalg.solve((mixed @ jacobian)[..., columns], -(residual @ mixed.T)[..., None])[..., 0]
+            moved[..., [self.free[column] for column in columns]] += part
+        return moved - q
 
-    def linear(self, t: float, q: Array, target: Array) -> Array:
+    def linear(self, t: float | Array, q: Array, target: Array) -> Array:
         """Return the correction (m,) of all equations at once, linear in the residual: what Baumgarte's gain multiplies."""
         residual, jacobian = self.residual(t, q, target)
         step = np.zeros_like(q)
-        step[list(self.free)] = np.linalg.lstsq(jacobian, -residual, rcond=None)[0]
+        step[..., list(self.free)] = -(np.linalg.pinv(jacobian) @ residual[..., None])[..., 0]
         return step
 
     def newton(self, t: float, guess: Array, target: Array) -> Array | None:
@@ -101,18 +107,40 @@ class Closure:
         last = np.inf
         for _ in range(MAX_NEWTON):
             try:
-                step, _ = self.correction(t, q, target)
+                step = self.correction(t, q, target)
             except np.linalg.LinAlgError:
                 return None
             size = float(np.max(np.abs(step), initial=0.0))
-            if not np.isfinite(size) or size > 10.0:
+            if not size <= FARTHEST:
                 return None
             q = q + step
             # Quadratic convergence ends in round-off: stop when the correction no longer shrinks.
-            if size < 1e-15 or (size < 1e-11 and size >= last / 2):
+            if size < SETTLED or (size < SHRINKING and size >= last / 2):
                 return q
             last = size
-        return q if last < 1e-9 else None
+        return q if last < CLOSED else None
+
+    def newton_rows(self, times: Array, guess: Array, targets: Array) -> tuple[Array, NDArray[np.bool_]]:
+        """Return n positions (n, m) by one Newton over all rows, and which of them close their mechanism (n,).
+
+        The rules of `newton`, row by row; a row that has settled is left alone.  Raises `LinAlgError` where some row is singular.
+        """
+        q = guess.copy()
+        last = np.full(len(q), np.inf)
+        lost = np.zeros(len(q), dtype=bool)
+        moving = np.arange(len(q))
+        for _ in range(MAX_NEWTON):
+            step = self.correction(times[moving], q[moving], targets[moving])
+            size = np.max(np.abs(step), axis=1, initial=0.0)
+            near = size <= FARTHEST  # false for what is no number
+            lost[moving[~near]] = True
+            q[moving[near]] += step[near]
+            settled = (size < SETTLED) | ((size < SHRINKING) & (size >= last[moving] / 2))
+            last[moving] = size
+            moving = moving[near & ~settled]
+            if not len(moving):
+                break
+        return q, ~lost & (last < CLOSED)
 
 
 def compile_closure(equations: VelocityEquations, start: Sequence[float]) -> Closure | None:
@@ -127,7 +155,7 @@ def compile_closure(equations: VelocityEquations, start: Sequence[float]) -> Clo
     names = [symbol(variant.coordinates[place].name) for place in free]
     wanted = [position.expression for position in positions]
     wanted += [equations.symbols.partial(position.expression, name) for position in positions for name in names]
-    function, _ = compile_values(equations, wanted)
+    function, rows = compile_values(equations, wanted)
     try:
         values = np.array(function(0.0, *start), dtype=float)[: len(positions)]
     except (ArithmeticError, ValueError) as error:
@@ -140,7 +168,7 @@ def compile_closure(equations: VelocityEquations, start: Sequence[float]) -> Clo
     kept = tuple("" if position.kept in {"zero", "start"} else position.kept for position in positions)
     combination, blocks = _blocks([position.expression for position in positions], names, equations)
     return Closure(
-        tuple(p.name for p in positions), free, driven, kept, origin, np.array(start, dtype=float), function, equations,
+        tuple(p.name for p in positions), free, driven, kept, origin, np.array(start, dtype=float), function, rows, equations,
         combination, blocks,
     )  # fmt: skip
 

@@ -43,9 +43,8 @@ def integrals(equations: VelocityEquations, names: Sequence[str], times: Array) 
     inner = [b for b in breaks(equations.variant) if b < times[-1]]
     edges = np.unique(np.concatenate([[0.0], times, inner]))
     counts = np.maximum(1, np.ceil(np.diff(edges) / finest).astype(int))
-    fine = np.concatenate(
-        [[edges[0]], *[np.linspace(a, b, c + 1)[1:] for a, b, c in zip(edges, edges[1:], counts, strict=False)]]
-    )
+    inside = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+    fine = np.append(np.repeat(edges[:-1], counts) + inside * np.repeat(np.diff(edges) / counts, counts), edges[-1])
     middle, half = (fine[1:] + fine[:-1]) / 2, np.diff(fine) / 2
     at = middle[:, None] + half[:, None] * _POINTS
     starts = np.zeros(len(equations.variant.coordinates))

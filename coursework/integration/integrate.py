@@ -162,7 +162,7 @@ def _corrected(
     moved = moved.copy()
     moved[list(closure.driven)] = known[index + 1]
     for _ in range(correction.newton):
-        moved = moved + closure.correction(t + step, moved, kept[index + 1])[0]
+        moved = moved + closure.correction(t + step, moved, kept[index + 1])
     return moved
 
 
