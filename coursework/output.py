@@ -46,6 +46,9 @@ def record(run: Run) -> dict[str, Any]:
         "evaluations": motion.evaluations,
         "quantities": list(run.asked),
         "stop": _stop(run),
+        "remarks": [
+            {"code": remark.code, "line": remark.line, "sentence": str(remark.sentence)} for remark in run.variant.plausibility
+        ],
         "checks": [
             {
                 "code": check.code,

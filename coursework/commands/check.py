@@ -5,6 +5,7 @@ from __future__ import annotations
 import click
 
 from coursework.api import load, solve
+from coursework.commands.run import tell_remarks
 from coursework.errors import listing
 from coursework.formula.tree import spelled
 from coursework.run import Run
@@ -16,6 +17,7 @@ def check_variant(variant: str) -> int:
     run = solve(load(variant))
     chosen = run.variant
     click.echo(f"{chosen.title}  ({chosen.name}, {chosen.path})")
+    tell_remarks(run)
     scene = run.scene
     equations, reduction = scene.equations, scene.reduction
     count = len(chosen.sought)

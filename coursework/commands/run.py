@@ -11,7 +11,7 @@ from coursework.api import load, solve
 from coursework.errors import InputError, closest, listing
 from coursework.output import write_record, write_tables
 from coursework.run import Run
-from coursework.sentences import load_phrases
+from coursework.sentences import load_phrases, say
 
 FORMATS = ("html", "pdf", "csv")
 _MARKS = {"PASS": "✓", "FAIL": "✗", "SKIP": "–", "ERROR": "!"}
@@ -133,6 +133,12 @@ def write_all(run: Run, folder: Path, formats: tuple[str, ...], language: str) -
     return [*written, "run.json", *(page.name for page in pages)]
 
 
+def tell_remarks(run: Run) -> None:
+    """Print what looks like a slip of the pen in the file."""
+    for remark in run.variant.plausibility:
+        click.echo(f"  {remark.code}: {say('remark.line', line=remark.line, sentence=remark.sentence)}")
+
+
 def tell(run: Run, folder: Path, written: list[str]) -> None:
     """Print the summary."""
     motion = run.motion
@@ -151,6 +157,7 @@ def tell(run: Run, folder: Path, written: list[str]) -> None:
         click.echo(f"Stopped ({run.stop.kind}): {run.stop.sentence}")
         if run.scene.phases:
             click.echo(run.scene.phases)
+    tell_remarks(run)
     if "checks" in run.asked:
         for check in run.checks:
             value = "" if check.value is None else f" {check.value:.3g}"

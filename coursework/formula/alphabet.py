@@ -6,6 +6,7 @@ Enters: a name as an author wrote it.  Leaves: the tool's own spelling.  Used wh
 from __future__ import annotations
 
 import unicodedata
+from functools import lru_cache
 
 _GREEK = {
     "α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "ε": "eps", "ζ": "zeta", "η": "eta", "θ": "theta",
@@ -18,6 +19,7 @@ LOOK_ALIKE = dict(zip("асеорхуіјѕАВЕКМНОРСТХІЅοιυΑΒ�
 _SUBSCRIPTS = {ord("₀") + digit: str(digit) for digit in range(10)}
 
 
+@lru_cache(maxsize=10_000)
 def spell(name: str) -> str:
     """Return a name in the tool's own spelling: Greek letters written out, subscripts as digits."""
     plain = "".join(_GREEK.get(letter, letter) for letter in unicodedata.normalize("NFC", name))

@@ -29,18 +29,24 @@ class FormulaFault(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class Formula:
-    """One node: `op` is number, name, neg, + - * / ^, call, @ (polar vector), pair (x, y) or part (.x, .y)."""
+    """One node: `op` is number, name, neg, + - * / ^, call, @ (polar vector), pair (x, y) or part (.x, .y).
+
+    `si` is the SI unit of a number that was written with a unit ("120 rpm"), "" for any other.
+    """
 
     op: str
     args: tuple[Formula, ...] = ()
     name: str = ""
     column: int = field(default=0, compare=False)
+    si: str = field(default="", compare=False)
 
     def walk(self) -> Iterator[Formula]:
         """Yield this node and all below it, in the author's order."""
-        yield self
-        for arg in self.args:
-            yield from arg.walk()
+        waiting = [self]
+        while waiting:
+            node = waiting.pop()
+            yield node
+            waiting += reversed(node.args)
 
     def names(self) -> tuple[str, ...]:
         """Return the symbols used, each once, in order of appearance."""

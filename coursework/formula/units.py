@@ -157,11 +157,12 @@ def unknown(text: str, unit: str, wanted: str = "") -> str:
     return f"a value with a unit was expected, {found}. Known units: {known_units()}."
 
 
-def unknown_unit(unit: str) -> str:
-    """Return what is said about a unit of [unknowns] that is not known."""
+def unknown_unit(unit: str, wanted: str = "") -> str:
+    """Return what is said about a unit alone that is not known, in [unknowns]; `wanted` as in `unknown`."""
     if unit.lower() in _HERTZ:
         return f'Hz says neither turns nor radians a second, found "{unit[:40]}". Write 1/s, or rad/s.'
-    advice = _nearest(unit, ("1/s", "m/s")) or f" Known units: {known_units()}."
+    advice = _nearest(unit, (wanted,) if wanted else ("1/s", "m/s"))
+    advice = advice or f" Known units: {KINDS[wanted][2] if wanted else known_units()}."
     return f'a unit was expected, found "{unit[:40]}".{advice}'
 
 

@@ -36,6 +36,7 @@ from coursework.report.tables import extra_parts, motion_parts, row_at
 from coursework.report.text_runs import LONGEST_NAME, clean, numeral, runs
 
 STOP_DIGITS = 8  # a dead point is located to 1e-8 s
+MOST_REMARKS = 12  # on the first page, on which the results begin
 
 Writer = Callable[[PageContext], list[Part]]
 
@@ -53,7 +54,12 @@ def title(context: PageContext) -> list[Part]:
     ]
     facts = [(say(f"title.{key}"), _plain(value)) for key, value in lines if value]
     facts += [(say("title.method"), runs(method_line(context))), (say("title.result"), runs(_result(context)))]
-    return [Facts(facts)]
+    plausibility = run.variant.plausibility
+    told = [(remark.line, context.told(remark.sentence)) for remark in plausibility[:MOST_REMARKS]]
+    notes = [say("remark.line", line=line, sentence=sentence) for line, sentence in told]
+    if len(plausibility) > MOST_REMARKS:
+        notes.append(say("remark.more", number=len(plausibility) - MOST_REMARKS))
+    return [Facts(facts), *(Paragraph(runs(note), style="note") for note in notes)]
 
 
 def method_line(context: PageContext) -> str:

@@ -7,6 +7,7 @@ Used by `reader.py`.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Literal
 
 from coursework.errors import Fault, closest
@@ -44,6 +45,9 @@ class Parts:
         self.sure = sure
         self.faults: list[Fault] = []
         self.values: dict[str, float] = {}
+        self.times: dict[Path, Formula] = {}
+        self.grads: list[tuple[Path, str]] = []
+        self._unread: list[tuple[Path, str, str]] = []
 
     def say(self, path: Path, message: str, column: int = 0) -> None:
         """Keep a fault."""
@@ -55,27 +59,50 @@ class Parts:
             self.say(path, message, column)
 
     def quantity(self, path: Path, value: str | int | float, wanted: str = "") -> units.Quantity:
-        """Return "value unit" in SI; advice offers units of what is `wanted` (an SI unit, "" for any)."""
+        """Return "value unit" in SI.
+
+        Advice about a unit that is not known offers units of what is `wanted` (an SI unit); with "" it waits until the rest
+        of the file has told what is (`tell_unread`).
+        """
         try:
-            return units.read(value, wanted)
+            read = units.read(value, wanted)
+            if read.unit.startswith("grad"):
+                self.grads.append((path, f"{read.text} {read.unit}"))
+            return read
         except units.UnitFault as fault:
-            self.say(path, str(fault))
+            if fault.unit and not wanted:
+                self._unread.append((path, str(value), fault.unit))
+            else:
+                self.say(path, str(fault))
             return _NOTHING
 
+    @property
+    def sound(self) -> bool:
+        """Return whether nothing was wrong so far."""
+        return not self.faults and not self._unread
+
+    def tell_unread(self, wanted: Callable[[str], str]) -> None:
+        """Keep a fault for each unit that is not known; `wanted` gives the SI unit that a name must have, "" if any."""
+        for path, text, unit in self._unread:
+            name = self.names.canonical(str(path[1])) if len(path) > 1 else ""
+            si = wanted(name)
+            self.say(path, units.unknown(text, unit, si) if unit else units.unknown_unit(text, si))
+        self._unread = []
+
     def unit(self, path: Path, text: str) -> str:
-        """Return the SI unit named by `text`."""
+        """Return the SI unit named by `text`, "" after a fault."""
         unit = units.plain_unit(text)
         if unit not in units.UNITS:
-            self.say(path, units.unknown_unit(text))
-            return "1"
+            self._unread.append((path, text, ""))
+            return ""
         return units.UNITS[unit][1]
 
     def number(self, path: Path, value: str | int | float, si: str) -> float:
         """Return a quantity of unit `si`, or the value of a formula of given data such as "2*pi/p"; nan after a fault."""
         if isinstance(value, str) and not units.is_quantity(value):
-            tree = self.formula(path, value, "scalar", "time")
+            tree = self.times[path] = self.formula(path, value, "scalar", "time")
             try:
-                return evaluate(tree, self.values) if not self.faults else math.nan
+                return evaluate(tree, self.values) if self.sound else math.nan
             except FormulaFault as fault:
                 self.say(path, f"the value cannot be computed from the given data: {fault.message}.", fault.column)
             except KeyError as missing:
@@ -88,16 +115,16 @@ class Parts:
             return math.nan
         return read.value if read is not _NOTHING else math.nan
 
-    def scalar(self, path: Path, value: str | int | float, scope: str = "geometry") -> Formula:
-        """Return a formula, also from a bare number or a quantity such as "30 deg"."""
+    def scalar(self, path: Path, value: str | int | float, scope: str = "geometry", wanted: str = "") -> Formula:
+        """Return a formula, also from a bare number or a quantity such as "30 deg", which must measure what is `wanted`."""
         if isinstance(value, str) and not units.is_quantity(value):
             return self.formula(path, value, "scalar", scope)
-        read = self.quantity(path, value)
-        return (
-            Formula("number", name=repr(read.value))
-            if read.value >= 0
-            else Formula("neg", (Formula("number", name=repr(-read.value)),))
-        )
+        read = self.quantity(path, value, wanted)
+        if wanted and read.si and units.KINDS[read.si][0] != units.KINDS[wanted][0]:
+            _, what, shown = units.KINDS[wanted]
+            self.say(path, f'{what} was expected: {shown} (found "{value}").')
+        size = Formula("number", name=repr(abs(read.value)), si=read.si)
+        return size if read.value >= 0 else Formula("neg", (size,))
 
     def equation(self, path: Path, text: str, *, closure: bool) -> tuple[Formula, Formula]:
         """Return both sides of a velocity equation, or of a closure (two scalars or two vectors)."""

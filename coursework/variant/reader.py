@@ -16,11 +16,13 @@ from typing import Any
 from coursework.errors import Fault, InputError, closest
 from coursework.formula.alphabet import spell
 from coursework.formula.tree import Formula
-from coursework.formula.units import is_quantity
+from coursework.formula.units import KINDS, is_quantity
 from coursework.variant import schema
 from coursework.variant.at_start import faults_at_start
+from coursework.variant.dimension_check import check_dimensions
 from coursework.variant.names import Names
 from coursework.variant.parts import Parts
+from coursework.variant.plausibility import remarks_on
 from coursework.variant.record import MAX_ROWS, Constraint, Coordinate, Frame, Given, Group, Guide, Law, Link, Time, Variant
 from coursework.variant.record import whole_steps as _whole_steps
 from coursework.variant.shape import read_shape
@@ -48,12 +50,21 @@ def _build(source: Source, name: str, path: Path | None) -> Variant:
     file = shape.file
     parts = Parts(source, Names.declared(file), sure=shape.sure)
     variant = _assemble(file, parts, name, path)
-    parts.faults += shape.faults + parts.names.faults(source)
+    dimensions = check_dimensions(variant, source, parts.times)
+    parts.tell_unread(dimensions.si_of)
+    doubtful = parts.names.faults(source)
+    parts.faults += shape.faults + doubtful
+    slip = None if doubtful else dimensions.fault  # a name with two meanings has two dimensions
     if not parts.faults:
-        parts.faults += _rules(variant, source) + faults_at_start(variant, source)
+        parts.faults += _rules(variant, source)
+        # A datum with a wrong unit spoils values at t = 0; what is wrong in the line of the slip itself says more than it.
+        parts.faults += [f for f in faults_at_start(variant, source) if slip is None or f.line == slip.line]
+    if slip and slip.line not in {fault.line for fault in parts.faults}:
+        parts.faults.append(slip)
     if parts.faults:
         raise InputError(parts.faults)
-    return replace(variant, reread=partial(_read_again, source, name, path))
+    remarks = remarks_on(variant, dimensions, source, parts.times, parts.grads)
+    return replace(variant, plausibility=remarks, reread=partial(_read_again, source, name, path))
 
 
 def _read_again(source: Source, name: str, path: Path | None, changes: Mapping[tuple[str | int, ...], Any]) -> Variant:
@@ -81,7 +92,7 @@ def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | No
         functions, _time(file.time, parts), constraints, groups, points,
         tuple(_link(key, entry, list(file.links), parts) for key, entry in file.links.items()), _frame(file.frame, parts),
         _driven(file.closure.driven, parts), holds,
-        tuple(file.ask.quantities), tuple(file.remarks), _lines(parts.source),
+        tuple(file.ask.quantities), tuple(file.remarks), (), _lines(parts.source),
     )  # fmt: skip
 
 
@@ -163,16 +174,13 @@ def _named(constraints: list[Constraint]) -> tuple[Constraint, ...]:
 def _group(index: int, entry: schema.Group, parts: Parts) -> Group:
     path = ("group", index)
 
-    def scalar(key: str, value: Any) -> Formula:
-        return parts.scalar((*path, key), value)
-
     listed: list[tuple[tuple[str | int, ...], schema.Guide]] = [((*path, "guide"), entry.guide)] if entry.guide else []
     listed += [((*path, "guides", i), guide) for i, guide in enumerate(entry.guides)]
     guides = tuple(
         Guide(
             parts.formula((*at, "through"), g.through, "vector"),
-            parts.scalar((*at, "angle"), g.angle),
-            parts.scalar((*at, "offset"), g.offset),
+            parts.scalar((*at, "angle"), g.angle, wanted="rad"),
+            parts.scalar((*at, "offset"), g.offset, wanted="m"),
         )
         for at, g in listed
     )
@@ -185,12 +193,12 @@ def _group(index: int, entry: schema.Group, parts: Parts) -> Group:
         entry.kind,
         tuple(parts.formula((*path, "from", i), text, "vector") for i, text in enumerate(entry.start_points)),
         parts.names.canonical(entry.meets) if entry.meets else None,
-        tuple(parts.scalar((*path, "lengths", i), value) for i, value in enumerate(entry.lengths)),
+        tuple(parts.scalar((*path, "lengths", i), value, wanted="m") for i, value in enumerate(entry.lengths)),
         tuple(parts.names.canonical(coordinate) for coordinate in entry.coordinates),
         int(entry.mode or 0),
         guides,
-        scalar("offset", entry.offset if entry.offset is not None else 0),
-        scalar("angle", entry.angle) if entry.angle is not None else None,
+        parts.scalar((*path, "offset"), entry.offset if entry.offset is not None else 0, wanted="m"),
+        parts.scalar((*path, "angle"), entry.angle, wanted="rad") if entry.angle is not None else None,
         parts.source.positions.find(path)[0],
     )
 
@@ -201,12 +209,16 @@ def _coordinate(key: str, entry: schema.Coordinate, parts: Parts, angles: set[st
     rate = parts.names.canonical(entry.rate)
     guessed = "rad" if name in angles else "m"
     if entry.start is None:
-        return Coordinate(name, rate, None, entry.unit or guessed)
-    read = parts.quantity(path, entry.start)
-    if read.si not in {"", "rad", "m", "1"}:
+        return Coordinate(name, rate, None, entry.unit or guessed, said=entry.unit is not None)
+    read = parts.quantity(path, entry.start, entry.unit or "")
+    measured = {"1": "rad"}.get(read.si, read.si)
+    if measured not in {"", "rad", "m"}:
         parts.say(path, f'a coordinate starts at an angle (rad, deg) or a length (m), found "{entry.start}".')
-    unit = entry.unit or (read.si if read.si in {"rad", "m"} else guessed)
-    return Coordinate(name, rate, read.value, unit, read.text, read.unit or unit)
+    elif entry.unit and measured not in {"", entry.unit}:
+        parts.say(path, f'{KINDS[entry.unit][1]} was expected, because unit = "{entry.unit}" (found "{entry.start}").')
+    unit = entry.unit or (measured if measured in {"rad", "m"} else guessed)
+    said = entry.unit is not None or measured in {"rad", "m"}
+    return Coordinate(name, rate, read.value, unit, read.text, read.unit or unit, said=said, bare=not read.unit)
 
 
 def _time(entry: schema.Time, parts: Parts) -> Time:
@@ -250,14 +262,14 @@ def _frame(entry: schema.Frame, parts: Parts) -> Frame:
     rails = tuple(
         (
             parts.formula(("frame", "rails", i, "through"), rail.through, "vector"),
-            parts.scalar(("frame", "rails", i, "angle"), rail.angle),
+            parts.scalar(("frame", "rails", i, "angle"), rail.angle, wanted="rad"),
         )
         for i, rail in enumerate(entry.rails)
     )
     circles = tuple(
         (
             parts.formula(("frame", "circles", i, "center"), circle.center, "vector"),
-            parts.scalar(("frame", "circles", i, "radius"), circle.radius),
+            parts.scalar(("frame", "circles", i, "radius"), circle.radius, wanted="m"),
         )
         for i, circle in enumerate(entry.circles)
     )

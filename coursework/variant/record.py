@@ -52,6 +52,8 @@ class Coordinate:
     """An integrated coordinate: `start` in rad or m, its rate's name.
 
     `start` is None where a chain of groups gives it, and where other data have moved it: the closed position `near` a value.
+    `text` and `written` are number and unit as the file has them; `said` is False where its unit was found from its use,
+    `bare` is True where the start is a number without a unit.
     """
 
     name: str
@@ -61,6 +63,8 @@ class Coordinate:
     text: str = ""
     written: str = ""
     near: float | None = None
+    said: bool = True
+    bare: bool = False
 
     @property
     def guess(self) -> float | None:
@@ -153,6 +157,18 @@ class Frame:
 
 
 @dataclass(frozen=True, slots=True)
+class Remark:
+    """Something that looks like a slip of the pen and changes no status: a stable code, the line, a sentence.
+
+    Codes: ANGLE, LENGTH, NO-UNIT, NUMBER, TIME-AS-ANGLE, GRAD.
+    """
+
+    code: str
+    line: int
+    sentence: str
+
+
+@dataclass(frozen=True, slots=True)
 class Variant:
     """One variant of the coursework, complete."""
 
@@ -176,6 +192,7 @@ class Variant:
     holds: tuple[Formula, ...]
     ask: tuple[str, ...]
     remarks: tuple[str, ...] = ()
+    plausibility: tuple[Remark, ...] = ()
     lines: Mapping[tuple[str | int, ...], int] = field(default_factory=dict, repr=False, compare=False)
     reread: Callable[[Mapping[Path, Any]], Variant] | None = field(default=None, repr=False, compare=False)
     changes: Mapping[Path, float | str] = field(default_factory=dict, repr=False, compare=False)

@@ -60,6 +60,22 @@ class Source:
         where = start + column if column else start
         return Fault(message, self.file, line, where if line else 0, place + (f", column {column}" if column else ""))
 
+    def path_of(self, path: tuple[str | int, ...]) -> tuple[str | int, ...]:
+        """Return a path with names in the tool's own spelling as the file spells it; one `guide` is the first of `guides`."""
+        found: tuple[str | int, ...] = ()
+        data: Any = self.data
+        for part in path:
+            if isinstance(part, int) and found[-1:] == ("guide",):
+                continue
+            if isinstance(data, dict):
+                key = "guide" if part == "guides" and part not in data else _spelt_as(part, data)
+                found, data = (*found, key), data.get(key)
+            elif isinstance(data, list):
+                found, data = (*found, part), data[part] if isinstance(part, int) and part < len(data) else None
+            else:
+                found = (*found, part)
+        return found
+
     def _name_of(self, index: int) -> str:
         entry = self.data["constraint"][index] if isinstance(self.data["constraint"], list) else {}
         name = entry.get("name") if isinstance(entry, dict) else None

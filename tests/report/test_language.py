@@ -53,6 +53,7 @@ def scenes() -> dict[str, tuple[str, dict[str, Any]]]:
         "31": (V31, {"quantities": ALL}),
         "31 projected": (V31, {"project": 2, "quantities": ALL}),
         "31 dead": (dead, {}),
+        "remarks": (V31.replace('"4.35 rad"', "10.6331853072").replace('"1.63 rad"', "1.63"), {"quantities": ["table"]}),
         "31 coarse": (V31, {"step": 0.1, "end": 0.5}),
         "31 long": (V31, {"end": 4.8, "quantities": ["table", "checks"]}),
         "redundant": (redundant, {}),

@@ -52,7 +52,7 @@ SPELLINGS = {
     "tangent": [("r2*w2*sin(phi2)", "r2*w2*tg(phi2)*cos(phi2)")],
     "cotangent": [("r2*w2*cos(phi2)", "r2*w2*ctg(phi2)*sin(phi2)"), ("r1*w1*cos(phi1)", "r1*w1*cot(phi1)*sin(phi1)")],
     "inverse": [("sin(p*t + alpha)", "sin(p*t + arctg(tg(alpha)) + pi)"), ("2*pi/p", "2*π/p")],
-    "logarithm": [("V1*sin", "exp(ln(V1))*sin")],
+    "logarithm": [("V1*sin", "exp(ln(2))/2*V1*sin")],
 }
 
 

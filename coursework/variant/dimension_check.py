@@ -1,0 +1,167 @@
+"""Whether everything in a file measures what it must: one fault at most, the datum named where it is known.
+
+Enters: a `Variant` as read, its `Source`, the formulas of its times.  Leaves: `Dimensions`.  Used by `reader.py` only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from itertools import islice
+
+from coursework.dimensions.exponents import Dimension, is_known, si_unit, symbols
+from coursework.dimensions.formulas import Clash, Measurer, Term
+from coursework.errors import Fault
+from coursework.formula.tree import Formula
+from coursework.variant.dimension_words import Blame, advice, contrast, datum_named
+from coursework.variant.places import Path, Place, measures, places
+from coursework.variant.record import Variant
+from coursework.variant.source import Source
+
+# Parts of formulas measured while a culprit is looked for: half a second; a file of coursework has some hundreds.
+_MOST_NODES = 300_000
+
+
+@dataclass(frozen=True, slots=True)
+class Dimensions:
+    """What was found: `names` as they entered, and what each is `known` to measure.
+
+    `fault`, or in a file whose data carry no units the `disagreement` (path, label, two formulas); `numbers`: terms of
+    velocity equations whose number had to measure something (SI unit); `times_as_angles`: calls such as sin(t).
+    """
+
+    names: Mapping[str, Dimension]
+    known: Mapping[str, Dimension]
+    fault: Fault | None
+    disagreement: tuple[Path, str, Formula, Formula] | None
+    numbers: tuple[tuple[Path, Formula, str], ...]
+    times_as_angles: tuple[tuple[Path, Formula], ...]
+
+    def si_of(self, name: str) -> str:
+        """Return the SI unit of what a name measures, "" where the file does not tell."""
+        return si_unit(self.known[name]) if name in self.known else ""
+
+
+@dataclass(slots=True)
+class _Outcome:
+    """One pass over a file, up to the first place that cannot hold."""
+
+    measurer: Measurer
+    clash: Clash | None = None
+    place: Place | None = None
+    numbers: list[tuple[Path, Formula, str]] = field(default_factory=list)
+    times_as_angles: list[tuple[Path, Formula]] = field(default_factory=list)
+
+    def solved(self, dimension: Dimension) -> Dimension | None:
+        found = self.measurer.system.reduced(dimension)
+        return found if is_known(found) else None
+
+
+def check_dimensions(variant: Variant, source: Source, times: Mapping[Path, Formula]) -> Dimensions:
+    """Return whether every +, =, argument and place of a file can hold, exponents of length and time being unknowns."""
+    outcome = _pass(variant, times)
+    names = outcome.measurer.names
+    known = {name: found for name in names if (found := outcome.solved(names[name])) is not None}
+    fault = disagreement = None
+    if outcome.clash and outcome.place:
+        first, second = outcome.clash.first.tree, outcome.clash.second.tree
+        if outcome.measurer.measured or first.si:
+            fault = _fault(outcome.clash, outcome.place, outcome, variant, source, times)
+        else:
+            disagreement = outcome.place.path, outcome.place.label, first, second
+    return Dimensions(names, known, fault, disagreement, tuple(outcome.numbers), tuple(outcome.times_as_angles))
+
+
+def _pass(variant: Variant, times: Mapping[Path, Formula], free: Path | None = None) -> _Outcome:
+    names = measures(variant, free)
+    measurer = Measurer(names, frozenset(given.name for given in variant.given if given.si))
+    outcome = _Outcome(measurer)
+    factors = []
+    for place in places(variant, names, times):
+        counted, angles = len(measurer.factors), len(measurer.times_as_angles)
+        try:
+            _judge(place, measurer)
+        except Clash as clash:
+            outcome.clash, outcome.place = clash, place
+            break
+        outcome.times_as_angles += [(place.path, whole) for whole in measurer.times_as_angles[angles:]]
+        if place.velocity:
+            factors += [(place.path, factor) for factor in measurer.factors[counted:]]
+    for path, factor in factors:
+        if measured := outcome.solved({factor.key: 1}):
+            outcome.numbers.append((path, factor.term, symbols(measured)))
+    return outcome
+
+
+def _judge(place: Place, measurer: Measurer) -> None:
+    tree = place.formulas[0] if len(place.formulas) == 1 else Formula("-", place.formulas)
+    found = measurer.measure(tree)
+    if place.wanted is not None:
+        measurer.compare("place", found, Term(tree, place.wanted))
+
+
+def _fault(
+    clash: Clash, place: Place, outcome: _Outcome, variant: Variant, source: Source, times: Mapping[Path, Formula]
+) -> Fault:
+    told = contrast(place, clash, outcome.solved)
+    at = source.path_of(place.path)
+    passes = max(1, _MOST_NODES // outcome.measurer.nodes)
+    data = [*_data(variant)]
+    tried = data if len(data) <= passes else []
+    candidates = [(datum, freed) for datum in tried if (freed := _pass(variant, times, datum.path)).clash is None]
+    must = candidates[0][1].solved({candidates[0][0].name: 1}) if len(candidates) == 1 else None
+    if must is None or not si_unit(must):
+        return source.fault(at, f"{told} {advice(clash)}".strip())
+    datum, freed = candidates[0]
+    blame = replace(datum, must=must)
+    line = source.positions.find(source.path_of(blame.path))[0]
+    # The unit of an unknown is read off the equations; and a name left out of a drive, or too many in it, looks like a datum
+    # with a strange unit.
+    of_formula = place.path[0] in {"drive", "functions"} and (
+        freed.times_as_angles or _mends_itself(place, variant, times, passes)
+    )
+    if of_formula or blame.path[0] == "unknowns":
+        return source.fault(at, f"{told} {blame.conditional(line)}")
+    return Fault(datum_named(blame, place, clash, freed.solved), source.file, line)
+
+
+def _data(variant: Variant) -> Iterator[Blame]:
+    """Yield everything of a file that carries a unit."""
+    for given in variant.given:
+        if given.si:
+            yield Blame(("given", given.name), given.name, given.text, given.unit, given.si)
+    for coordinate in variant.coordinates:
+        if coordinate.said:
+            yield Blame(
+                ("coordinates", coordinate.name),
+                coordinate.name,
+                coordinate.text,
+                coordinate.written or coordinate.unit,
+                coordinate.unit,
+            )
+    for name, unit in variant.unknowns:
+        yield Blame(("unknowns", name), name, "", unit, unit)
+
+
+def _mends_itself(place: Place, variant: Variant, times: Mapping[Path, Formula], passes: int) -> bool:
+    """Return whether the formula holds as soon as one name is taken out of a product of it."""
+    for shorter in islice(_shortened(place.formulas[0]), passes):
+        drive, functions = (
+            tuple(replace(law, formula=shorter) if law.name == place.path[1] and law.formula else law for law in laws)
+            for laws in (variant.drive, variant.functions)
+        )
+        if _pass(replace(variant, drive=drive, functions=functions), times).clash is None:
+            return True
+    return False
+
+
+def _shortened(tree: Formula) -> Iterator[Formula]:
+    """Yield the formula without one of the factors in it that are a name or depend on t alone."""
+    for index, arg in enumerate(tree.args):
+        if arg.op == "name" or {*arg.names()} == {"t"}:
+            if tree.op == "*":
+                yield tree.args[1 - index]
+            if tree.op == "/" and index == 1:
+                yield tree.args[0]
+        for shorter in _shortened(arg):
+            yield replace(tree, args=(*tree.args[:index], shorter, *tree.args[index + 1 :]))

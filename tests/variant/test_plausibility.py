@@ -1,0 +1,146 @@
+"""Remarks: what looks like a slip of the pen is told with its line, and changes no status."""
+
+import json
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from coursework.cli import main
+from coursework.variant.reader import parse_variant
+
+PAGE = (Path(__file__).parent.parent / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
+
+
+def rewritten(*pairs):
+    text = PAGE
+    for plain, other in pairs:
+        assert plain in text, plain
+        text = text.replace(plain, other)
+    return text
+
+
+def remarks(*pairs):
+    """Return code, line and sentence of each remark on variant 31 with something rewritten."""
+    return [(remark.code, remark.line, str(remark.sentence)) for remark in parse_variant(rewritten(*pairs)).plausibility]
+
+
+def line_of(begin):
+    return next(number for number, line in enumerate(PAGE.split("\n"), start=1) if line.startswith(begin))
+
+
+@pytest.mark.parametrize(
+    ("written", "other", "begin", "told"),
+    [
+        ('"4.35 rad"', '"249.2 rad"', "alpha", [("ANGLE", "alpha = 249.2 rad is 39.7 turns; 249.2 deg?")]),
+        (
+            '"4.35 rad"', "249.2", "alpha",
+            [
+                ("ANGLE", "alpha = 249.2 rad is 39.7 turns; 249.2 deg?"),
+                ("NO-UNIT", "alpha = 249.2 has no unit, other data have one; it is read as 249.2 rad."),
+            ],
+        ),
+        ('"1.63 rad"', '"193 rad"', "phi1", [("ANGLE", "phi1 = 193 rad is 30.7 turns; 193 deg?")]),
+        (
+            '"1.63 rad"', "93.4", "phi1",
+            [
+                ("ANGLE", "phi1 = 93.4 rad is 14.9 turns; 93.4 deg?"),
+                ("NO-UNIT", "phi1 = 93.4 has no unit, other data have one; it is read as 93.4 rad."),
+            ],
+        ),
+        ('"0.953 m"', '"953 m"', "r1", [("LENGTH", "r1 = 953 m beside 0.847 m: 953 mm?")]),
+        ('"0.953 m"', '"0.953 mm"', "r1", [("LENGTH", "r1 = 0.953 mm beside 0.457 m: 0.953 m?")]),
+        ('"0.953 m"', '"953 м"', "r1", [("LENGTH", "r1 = 953 м beside 0.847 m: 953 мм?")]),
+        ('"0.953 m"', '"0.0001 m"', "r1", [("LENGTH", "r1 = 0.0001 m beside 0.457 m: is the number right?")]),
+        (
+            '"0.953 m"', "953", "r1",
+            [
+                ("LENGTH", "r1 = 953 m beside 0.847 m: 953 mm?"),
+                ("NO-UNIT", "r1 = 953 has no unit, other data have one; it is read as 953 m."),
+            ],
+        ),
+        ('"13.08 1/s"', "13.08", "p ", [("NO-UNIT", "p = 13.08 has no unit, other data have one; it is read as 13.08 rad/s.")]),
+        ('"4.35 rad"', '"249.2 grad"', "alpha", [("GRAD", "grad is read as degrees: 249.2 grad is 249.2 deg.")]),
+        (
+            '"V1*sin(p*t + alpha)"', '"V1*sin(t)"', "VMy",
+            [("TIME-AS-ANGLE", "in sin(t) the time in s stands for an angle in rad; is a factor in rad/s missing?")],
+        ),
+        (
+            "r3*w3*cos(phi3) + 0.5*r3*w4 =", "r3*w3*cos(phi3) + 0.5*w4 =", 'equation = "2*r3*w3*sin',
+            [("NUMBER", "the number in 0.5*w4 had to measure m for constraint 12 to hold; is a factor missing?")],
+        ),
+    ],
+)  # fmt: skip
+def test_told(written, other, begin, told):
+    assert remarks((written, other)) == [(code, line_of(begin), sentence) for code, sentence in told]
+
+
+@pytest.mark.parametrize(
+    ("written", "other"),
+    [
+        ('"4.35 rad"', '"6.2831853071 rad"'),
+        ('"4.35 rad"', '"249.2 deg"'),
+        ('"4.35 rad"', '"249.2 град"'),
+        ('"1.63 rad"', '"-6.28 rad"'),
+        ('"0.953 m"', '"25.4 m"'),  # 29.99 times its neighbour
+        ('"0.953 m"', '"0.0153 m"'),
+        ("2*r3*w3*sin(phi3)", "2*1*r3*w3*sin(phi3)"),
+        ("0.5*r3*w4 + r3", "0.5*(r3*w4) + r3"),
+        ('"1.63 rad"', "0"),
+        ('end       = "0.48 s"', 'end = "8 min"'),
+    ],
+)
+def test_just_inside_nothing_is_told(written, other):
+    assert remarks((written, other)) == []
+
+
+@pytest.mark.parametrize(
+    ("written", "other", "code"),
+    [('"4.35 rad"', '"6.2831853072 rad"', "ANGLE"), ('"0.953 m"', '"25.42 m"', "LENGTH"), ('"0.953 m"', '"0.0152 m"', "LENGTH")],
+)
+def test_just_outside_it_is(written, other, code):
+    assert [remark[0] for remark in remarks((written, other))] == [code]
+
+
+def test_of_two_sides_of_a_gap_the_smaller_is_named():
+    both = remarks(('"0.953 m"', '"953 m"'), ('"0.847 m"', '"847 m"'))
+    assert [(code, sentence) for code, _, sentence in both] == [("LENGTH", "r3 = 0.457 m beside 847 m: is the number right?")]
+
+
+BARE = [('"0.953 m"', "0.953"), ('"0.847 m"', "0.847"), ('"0.457 m"', "0.457"), ('"4.5 m/s"', "4.5"), ('"13.08 1/s"', "13.08"),
+        ('"4.35 rad"', "4.35")]  # fmt: skip
+
+
+def test_where_no_datum_carries_a_unit_a_slip_is_only_remarked():
+    told = remarks(*BARE, ("r2*w2*sin(phi2)", "r2*sin(phi2)"))
+    assert told == [
+        (
+            "NO-UNIT",
+            line_of('equation = "r3*w3*sin'),
+            "no datum carries a unit, and in constraint 18 the parts r3*w3*sin(phi3) and r2*w2*cos(phi2) cannot measure the "
+            "same; is a factor missing?",
+        )
+    ]
+
+
+def test_a_datum_without_a_unit_is_told_what_it_is_read_as():
+    assert [sentence.rpartition(" as ")[2] for _, _, sentence in remarks(*BARE)] == [
+        "0.953 m.", "0.847 m.", "0.457 m.", "4.5 m/s.", "13.08 rad/s.", "4.35 rad.",
+    ]  # fmt: skip
+
+
+def test_remarks_stand_in_the_record_on_the_console_and_on_the_first_page(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Path("mine.toml").write_text(rewritten(('"4.35 rad"', '"10.6331853072 rad"')), encoding="utf-8")
+    result = CliRunner().invoke(main, ["run", "mine.toml", "--quantities", "table", "--format", "html,csv", "--out", "out"])
+    assert result.exit_code == 0, result.output
+    line = line_of("alpha")
+    sentence = "alpha = 10.6331853072 rad is 1.69 turns; 10.6331853072 deg?"
+    record = json.loads(Path("out/run.json").read_text(encoding="utf-8"))
+    assert record["remarks"] == [{"code": "ANGLE", "line": line, "sentence": sentence}]
+    assert f"ANGLE: Remark on line {line} of the file: {sentence}" in result.output
+    page = Path("out/report.html").read_text(encoding="utf-8")
+    assert f"Remark on line {line} of the file" in page
+    checked = CliRunner().invoke(main, ["check", "mine.toml"])
+    assert checked.exit_code == 0
+    assert f"ANGLE: Remark on line {line} of the file: {sentence}" in checked.output
