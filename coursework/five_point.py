@@ -78,9 +78,9 @@ def truncation(fifth: float, spacing: float) -> float:
 
 
 def best_spacing(sigma: float, fifth: float) -> float:
-    """Return the spacing h at which truncation and noise are equal: h^5 = 30 sigma sqrt(130)/(12 |f5|).
+    """Return the spacing h at which truncation and noise together are least: 4 h^3 |f5|/30 = sigma sqrt(130)/(12 h^2).
 
-    A closer table has more noise, a wider one more truncation (hard case H24).  `sigma` of the values,
+    There the noise is four times the truncation: a closer table has more noise, a wider one more truncation (hard case H24).  `sigma` of the values,
     `fifth` the size of the fifth derivative.  Raises `ValueError` unless both are finite and different from
     zero.
     """
@@ -89,7 +89,7 @@ def best_spacing(sigma: float, fifth: float) -> float:
             "five-point derivative: the best spacing needs an error of the values above zero and a fifth "
             f"derivative other than zero, found {sigma:g} and {fifth:g}."
         )
-    return float((30.0 * AMPLIFICATION * sigma / abs(fifth)) ** 0.2)
+    return float((7.5 * AMPLIFICATION * sigma / abs(fifth)) ** 0.2)
 
 
 def _table(nodes: ArrayLike, values: ArrayLike) -> tuple[Array, float]:

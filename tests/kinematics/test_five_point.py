@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.optimize import minimize_scalar
 
 from coursework.five_point import (
     COEFFICIENTS,
@@ -78,11 +79,12 @@ def test_noise_and_truncation_of_the_hard_case() -> None:
         assert wrong[2:-2].std() == pytest.approx(noise(sigma, h), rel=0.15)
 
 
-def test_best_spacing_balances_truncation_and_noise() -> None:
+def test_best_spacing_makes_the_sum_of_truncation_and_noise_least() -> None:
     sigma, fifth = rounding_error(1e-4), 0.05 * (2 * np.pi) ** 5
     best = best_spacing(sigma, fifth)
-    assert best == pytest.approx(0.0699, abs=1e-4)
-    assert noise(sigma, best) == pytest.approx(truncation(fifth, best), rel=1e-12)
+    found = minimize_scalar(lambda h: noise(sigma, h) + truncation(fifth, h), bounds=(0.01, 0.2), options={"xatol": 1e-12})
+    assert best == pytest.approx(found.x, rel=1e-6)
+    assert noise(sigma, best) == pytest.approx(4 * truncation(fifth, best), rel=1e-12)
     assert best_spacing(32 * sigma, -fifth) == pytest.approx(2 * best, rel=1e-12)
 
     def worst(h: float) -> float:

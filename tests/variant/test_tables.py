@@ -87,6 +87,11 @@ def test_arguments_printed_with_eight_digits_are_equally_spaced(law, form):
     assert np.max(np.abs(error)) < 3e-7
 
 
+def test_an_exponent_of_thousands_of_digits_is_a_number(law):
+    rows = [f"0e{'9' * 5000},1", *(f"{k / 10},1" for k in range(1, 9))]
+    assert law("\n".join(rows).encode()) == pytest.approx(1)
+
+
 def test_unevenness_is_told_just_outside_the_printed_digits(law):
     """Half a unit of the last place for the node and half for the ends."""
     even = [f"{k * 0.1:.5f},{k}" for k in range(5)]
