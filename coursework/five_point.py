@@ -80,9 +80,9 @@ def truncation(fifth: float, spacing: float) -> float:
 def best_spacing(sigma: float, fifth: float) -> float:
     """Return the spacing h at which truncation and noise together are least: 4 h^3 |f5|/30 = sigma sqrt(130)/(12 h^2).
 
-    There the noise is four times the truncation: a closer table has more noise, a wider one more truncation (hard case H24).  `sigma` of the values,
-    `fifth` the size of the fifth derivative.  Raises `ValueError` unless both are finite and different from
-    zero.
+    There the noise is four times the truncation: a closer table has more noise, a wider one more truncation (hard
+    case H24).  `sigma` of the values, `fifth` the size of the fifth derivative.  Raises `ValueError` unless both are
+    finite and different from zero.
     """
     if not (math.isfinite(sigma) and sigma > 0.0 and math.isfinite(fifth) and fifth != 0.0):
         raise ValueError(
