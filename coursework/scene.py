@@ -16,7 +16,7 @@ from coursework.errors import InputError
 from coursework.geometry.agreement import require_agreement
 from coursework.geometry.chain import chain_positions, is_chain
 from coursework.geometry.closure import Closure, compile_closure, require_start
-from coursework.geometry.drive import breaks, refuse_aliasing, refuse_endless
+from coursework.geometry.drive import breaks, refuse_aliasing, refuse_endless, refuse_short_tables
 from coursework.geometry.start import start_values
 from coursework.graph import Ledger, computed
 from coursework.integration.exact_motion import exact_motion
@@ -97,6 +97,7 @@ class Scene:
     @computed("closure", "flow", "start", "equations")
     def search(self) -> Search:
         """The true motion followed to its first dead or change point; it starts closed also where the file's start is rounded."""
+        refuse_short_tables(self.equations)
         time, closure = self.variant.time, self.closure
         horizon = time.end
         if time.period is not None and time.end > PERIODS_LOOKED_AT * time.period:

@@ -44,6 +44,11 @@ class TableLaw:
         values = np.array([row[1] for row in self.rows])
         return _cubics(values, self.step) if self.method == "spline" else _quartics(values, self.step)
 
+    @property
+    def nodes(self) -> Array:
+        """Return the arguments (n,) between which the law is one polynomial each."""
+        return self.first + self.step * np.arange(self.intervals + 1)
+
     def function(self, order: int) -> Callable[[Any], Any]:
         """Return the function of the law's argument (a number or an array) that gives its derivative of `order` 0, 1 or 2.
 

@@ -11,6 +11,7 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
+from coursework.codegen.tabulated import TableLaw
 from coursework.errors import Fault, InputError
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import TIME, symbol
@@ -34,14 +35,15 @@ def breaks(variant: Variant) -> tuple[float, ...]:
 def integrals(equations: VelocityEquations, names: Sequence[str], times: Array) -> Array:
     """Return the integrals from 0 to each time (n,) of the named drives, (n, len(names)).
 
-    `times` grow from 0.  Composite Gauss-Legendre, split at rows and breaks; error near round-off for smooth drives.
+    `times` grow from 0.  Composite Gauss-Legendre, split at rows, breaks and the nodes of tables over t, between which
+    a law is a polynomial; error near round-off for drives that are smooth between them.
     """
     if not names:
         return np.zeros((len(times), 0))
     _, rows = compile_values(equations, [symbol(name) for name in names])
     finest = max(float(times[-1]), 1e-300) / _PIECES_PER_RUN
-    inner = [b for b in breaks(equations.variant) if b < times[-1]]
-    edges = np.unique(np.concatenate([[0.0], times, inner]))
+    inner = np.concatenate([breaks(equations.variant), *(law.nodes for law in _over_time(equations))])
+    edges = np.unique(np.concatenate([[0.0], times, inner[(inner > 0) & (inner < times[-1])]]))
     counts = np.maximum(1, np.ceil(np.diff(edges) / finest).astype(int))
     inside = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
     fine = np.append(np.repeat(edges[:-1], counts) + inside * np.repeat(np.diff(edges) / counts, counts), edges[-1])
@@ -58,6 +60,28 @@ def integrals(equations: VelocityEquations, names: Sequence[str], times: Array) 
     pieces = np.einsum("ipk,p,i->ik", values, _WEIGHTS, half)
     total = np.vstack([np.zeros(len(names)), np.cumsum(pieces, axis=0)])
     return np.asarray(total[np.searchsorted(fine, times)])
+
+
+def _over_time(equations: VelocityEquations) -> list[TableLaw]:
+    """Return the laws that are tabulated over t."""
+    variant = equations.variant
+    return [equations.tables[law.name] for law in (*variant.drive, *variant.functions) if law.of == "t"]
+
+
+def refuse_short_tables(equations: VelocityEquations) -> None:
+    """Raise `InputError` for laws whose table over t does not reach from 0 to the end of the run."""
+    variant, faults = equations.variant, []
+    for law in _over_time(equations):
+        if not all(law.covers(time) for time in (0.0, variant.time.end)):
+            section = "drive" if law.name in {drive.name for drive in variant.drive} else "functions"
+            text = (
+                f"the table covers {law.first:.6g} to {law.last:.6g} s, and the run 0 to {variant.time.end:.6g} s. "
+                "Add nodes, or end the run before."
+            )
+            line = variant.line_of(section, law.name)
+            faults.append(Fault(text, str(variant.path or variant.name), line, 0, f"{section}.{law.name}"))
+    if faults:
+        raise InputError(faults)
 
 
 def fastest(equations: VelocityEquations) -> float:

@@ -133,9 +133,11 @@ def _law(section: str, key: str, value: Any, parts: Parts) -> Law:
     if isinstance(value, schema.Table):
         table = read_table(value.table, parts.source, (*path, "table"), parts.faults)
         of = parts.names.canonical(value.of)
-        if parts.names.kinds.get(of) != "coordinate":
-            known = [known for known, kind in parts.names.kinds.items() if kind == "coordinate"]
-            parts.undeclared((*path, "of"), f'"{value.of}" is not in [coordinates].{closest(of, known)}')
+        known = [known for known, kind in parts.names.kinds.items() if kind == "coordinate"]
+        if section == "drive" and of != "t":
+            parts.say((*path, "of"), f'a drive is tabulated over time, found of = "{value.of}". Write of = "t".')
+        elif of not in {"t", *known}:
+            parts.undeclared((*path, "of"), f'"{value.of}" is neither t nor in [coordinates].{closest(of, known)}')
         return Law(name, table=table, of=of, method=value.method, file=value.table)
     return Law(name, _formula(path, value, parts, scope))
 

@@ -30,7 +30,7 @@ class Pieces(_Section):
 
 
 class Table(_Section):
-    """A law given as a table of two columns in a CSV file inside the variant's folder."""
+    """A law given as a table of two columns, over a coordinate or over t, in a CSV file inside the variant's folder."""
 
     table: Short
     of: Name
@@ -140,7 +140,7 @@ class VariantFile(_Section):
     teaches: Short = ""
     remarks: Annotated[list[Text], Field(max_length=20, description="paragraphs printed on the page of this variant")] = []
     given: dict[Name, Value] = {}
-    drive: dict[Name, Value | Pieces] = {}
+    drive: dict[Name, Value | Pieces | Table] = {}
     coordinates: Annotated[dict[Name, Coordinate], Field(min_length=1, max_length=200)]
     unknowns: dict[Name, Short] = {}
     functions: dict[Name, Text | Pieces | Table] = {}

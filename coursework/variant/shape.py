@@ -108,10 +108,10 @@ def _at(data: Any, path: Path) -> Any:
 
 
 def _meant(data: dict[str, Any], path: Path) -> str:
-    """Return whether a table of [functions] is meant for a table of numbers or for pieces."""
+    """Return whether a law of several keys is meant for a table of numbers or for pieces."""
     owner = _at(data, path[:2])
     keys = set(owner) if isinstance(owner, dict) else set()
-    return "Table" if path[0] == "functions" and not keys & {"pieces"} else "Pieces"
+    return "Pieces" if "pieces" in keys or (path[0] == "drive" and not keys & {"table", "of", "method"}) else "Table"
 
 
 def _fault(path: Path, entry: Entry, source: Source) -> Fault:
