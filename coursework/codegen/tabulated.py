@@ -47,7 +47,7 @@ class TableLaw:
     @property
     def nodes(self) -> Array:
         """Return the arguments (n,) between which the law is one polynomial each."""
-        return self.first + self.step * np.arange(self.intervals + 1)
+        return np.asarray(self.first + self.step * np.arange(self.intervals + 1), dtype=np.float64)
 
     def function(self, order: int) -> Callable[[Any], Any]:
         """Return the function of the law's argument (a number or an array) that gives its derivative of `order` 0, 1 or 2.

@@ -102,7 +102,7 @@ def _rows(name: str, text: str) -> Rows:
 def _last_place(number: str) -> float:
     """Return the place of the last digit of a printed number: 0.01 of "1.25", 100 of "3e2"."""
     digits, _, exponent = number.lower().partition("e")
-    return 10.0 ** max(-300.0, min(float(exponent or 0) - len(digits.partition(".")[2]), 300.0))
+    return math.pow(10.0, max(-300.0, min(float(exponent or 0) - len(digits.partition(".")[2]), 300.0)))
 
 
 def _refuse_uneven(name: str, arguments: list[float], units: list[float], lines: list[int]) -> None:
