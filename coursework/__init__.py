@@ -19,7 +19,8 @@ if TYPE_CHECKING:
     from coursework.errors import CourseworkError, InputError, OutputError
     from coursework.model.data import Data
     from coursework.model.model import Model
-    from coursework.report import notebook_html, write_report
+    from coursework.output.write import write_report
+    from coursework.report import notebook_html
     from coursework.run import Run
     from coursework.variant.reader import parse_variant
     from coursework.variant.record import Variant
@@ -29,7 +30,7 @@ __version__ = "1.0.0"
 _HOMES = {
     "load": "coursework.api", "solve": "coursework.api", "exact": "coursework.api", "compile_model": "coursework.api",
     "Model": "coursework.model.model", "Data": "coursework.model.data", "Run": "coursework.run",
-    "write_report": "coursework.report", "notebook_html": "coursework.report", "Variant": "coursework.variant.record",
+    "write_report": "coursework.output.write", "notebook_html": "coursework.report", "Variant": "coursework.variant.record",
     "parse_variant": "coursework.variant.reader",
     "CourseworkError": "coursework.errors", "InputError": "coursework.errors", "OutputError": "coursework.errors",
 }  # fmt: skip

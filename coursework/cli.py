@@ -1,64 +1,92 @@
 """The command line: options -> one library call -> exit status.  Progress and colours live here only.
 
-Exit status: 0 all passed; 1 a check failed or the motion stopped; 2 the input is wrong; 3 a fault of the tool.
+Exit status: 0 all passed; 1 a check failed or the motion stopped; 2 the input is wrong or the output cannot be written;
+3 a fault of the tool; 130 interrupted.
 Only click and the tableaux are imported at start; everything else inside the command that needs it.
 """
 
 from __future__ import annotations
 
-import os
 import sys
 from collections.abc import Callable
-from functools import wraps
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 import click
 
+from coursework.errors import CourseworkError
+from coursework.output.formats import formats_for
 from coursework.schemes import DEFAULT_SCHEME, SCHEMES
+from coursework.standard_streams import patient_streams
 
-_FORMATS = ("html", "pdf", "csv")
-PASSED, FAILED, WRONG_INPUT, OUR_FAULT = 0, 1, 2, 3
+PASSED, FAILED, WRONG_INPUT, OUR_FAULT, INTERRUPTED = 0, 1, 2, 3, 130
 
 
-def _guarded(command: Callable[..., int]) -> Callable[..., None]:
-    """Turn what a command returns or raises into the exit status; a traceback is kept only for our own faults."""
+class Program(click.Group):
+    """The commands, each of which returns its exit status; whatever one raises becomes a sentence and a status here."""
 
-    @wraps(command)
-    def run(*args: Any, **options: Any) -> None:
-        from coursework.errors import CourseworkError
+    def main(self, *args: Any, **options: Any) -> NoReturn:
+        """Run one command line and end the process with its status."""
+        options["standalone_mode"] = False
+        with patient_streams() as output:
+            status = self._status(*args, **options)
+            if output is not None and output.lost:
+                click.echo(output.lost, err=True)
+                status = max(status, WRONG_INPUT)
+        sys.exit(status)
 
+    def invoke(self, ctx: click.Context) -> Any:
+        """Run a command; an interrupt is told in one sentence."""
         try:
-            sys.exit(command(*args, **options))
+            return super().invoke(ctx)
+        except KeyboardInterrupt:
+            click.echo("Interrupted: nothing unfinished is left behind.", err=True)
+            return INTERRUPTED
+
+    def _status(self, *args: Any, **options: Any) -> int:
+        """Return the exit status; a traceback is kept only for our own faults."""
+        try:
+            return int(super().main(*args, **options) or PASSED)
         except CourseworkError as error:
             click.echo(str(error), err=True)
-            sys.exit(WRONG_INPUT)
-        except BrokenPipeError:
-            # The reader of our output (head, a pager) has left; what was written stays.
-            sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115, PTH123
-            sys.exit(PASSED)
-        except (click.ClickException, click.exceptions.Exit, SystemExit):
-            raise
+            return WRONG_INPUT
+        except click.ClickException as error:
+            error.show()
+            return error.exit_code
+        except (click.Abort, KeyboardInterrupt):
+            return INTERRUPTED
         except Exception:
             import traceback
 
             traceback.print_exc()
             click.echo("This is a fault of the tool, not of your file. Please report it with the lines above.", err=True)
-            sys.exit(OUR_FAULT)
-
-    return run
+            return OUR_FAULT
 
 
-@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+class Formats(click.ParamType):  # type: ignore[type-arg]  # generic only in the newest click
+    """Formats that a command offers, commas between."""
+
+    name = "formats"
+
+    def __init__(self, user: str) -> None:
+        self.user = user
+
+    def get_metavar(self, param: click.Parameter, ctx: click.Context | None = None) -> str:
+        """Return what the help shows."""
+        return ",".join(formats_for(self.user))
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[str, ...]:
+        """Return the suffixes."""
+        return _listed(ctx, param, value) if isinstance(value, str) else value
+
+
+@click.group(cls=Program, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(package_name="coursework", prog_name="coursework")
 def main() -> None:
     """Euler-scheme coursework of two-degree-of-freedom mechanisms: table, plots, checks, report."""
-    for stream in (sys.stdout, sys.stderr):
-        if hasattr(stream, "reconfigure"):
-            stream.reconfigure(encoding="utf-8", errors="replace")
 
 
-def _listed(_context: click.Context, _option: click.Parameter, value: str | None) -> tuple[str, ...]:
+def _listed(_context: click.Context | None, _option: click.Parameter | None, value: str | None) -> tuple[str, ...]:
     return tuple(part.strip() for part in value.split(",") if part.strip()) if value else ()
 
 
@@ -80,7 +108,7 @@ _VARIANT = click.argument("variant", shell_complete=_offered("variants"))
 @main.command("run")
 @_VARIANT
 @click.option("--out", type=click.Path(path_type=Path), help="Folder for the results (default: coursework-NAME).")
-@click.option("--format", "formats", callback=_listed, default="html,pdf,csv", show_default=True, help="html, pdf, csv.")
+@click.option("--format", "formats", type=Formats("run"), help="Files to write (default: all of these).")
 @click.option(
     "--scheme", default=DEFAULT_SCHEME.name, show_default=True, shell_complete=_offered("schemes"), help=f"{', '.join(SCHEMES)}."
 )
@@ -100,7 +128,6 @@ _VARIANT = click.argument("variant", shell_complete=_offered("variants"))
 @click.option("--student", help="Name for the title block.")
 @click.option("--group", help="Group for the title block.")
 @click.option("--date", help="Date for the title block.")
-@_guarded
 def run_command(variant: str, **options: Any) -> int:
     """Run VARIANT (a name of the catalogue or a file) and write its report."""
     from coursework.commands.run import run_variant
@@ -110,7 +137,6 @@ def run_command(variant: str, **options: Any) -> int:
 
 @main.command("check")
 @_VARIANT
-@_guarded
 def check_command(variant: str) -> int:
     """Look at VARIANT: its faults, mobility, blocks, and whether the whole motion is possible."""
     from coursework.commands.check import check_variant
@@ -119,7 +145,6 @@ def check_command(variant: str) -> int:
 
 
 @main.command("variants")
-@_guarded
 def variants_command() -> int:
     """List the catalogue."""
     from coursework.catalogue import entries
@@ -134,7 +159,6 @@ def variants_command() -> int:
 @main.command("new")
 @click.argument("name")
 @click.option("--from", "original", shell_complete=_offered("variants"), help="Copy this variant, with the tables it reads.")
-@_guarded
 def new_command(name: str, original: str | None) -> int:
     """Write NAME.toml, a commented variant file to fill in, or a copy of another."""
     from coursework.commands.new import new_variant
@@ -145,9 +169,8 @@ def new_command(name: str, original: str | None) -> int:
 @main.command("accuracy")
 @_VARIANT
 @click.option("--out", type=click.Path(path_type=Path), help="Folder for the page (default: coursework-NAME).")
-@click.option("--format", "formats", callback=_listed, default="html,pdf", show_default=True, help="html, pdf.")
-@_guarded
-def accuracy_command(variant: str, out: Path | None, formats: tuple[str, ...]) -> int:
+@click.option("--format", "formats", type=Formats("accuracy"), help="Files to write (default: all of these).")
+def accuracy_command(variant: str, out: Path | None, formats: tuple[str, ...] | None) -> int:
     """Show what accuracy costs in time for VARIANT."""
     from coursework.commands.accuracy import accuracy_page
 

@@ -13,27 +13,27 @@ from coursework.accuracy.methods import Problem
 from coursework.accuracy.record import AccuracyStudy
 from coursework.accuracy.study import make_study, time_of
 from coursework.api import load, solve
-from coursework.commands.run import check_formats
 from coursework.errors import InputError
+from coursework.file_set import working_folder
+from coursework.output.formats import chosen
+from coursework.output.results import StudyResults
+from coursework.output.write import write_set
 from coursework.run import Run
 from coursework.sentences import say
 
 
-def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...]) -> int:
-    """Return 0 after writing the page, 1 where the motion stops and there is nothing to study."""
-    check_formats(formats)
-    chosen = load(variant)
-    run = solve(chosen, quantities=("accuracy",))
+def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...] | None) -> int:
+    """Return 0 after writing it, 1 where the motion stops and there is nothing to study."""
+    wanted = chosen(formats, "accuracy")
+    read = load(variant)
+    run = solve(read, quantities=("accuracy",))
     if run.stop is not None:
         click.echo(f"The motion stops, so there is no accuracy to study: {run.stop.sentence}")
         return 1
     study = timed_study(run)
-    folder = out or Path(f"coursework-{chosen.name}")
-    pages = [folder / f"accuracy.{kind}" for kind in ("html", "pdf") if kind in formats]
-    if pages:
-        from coursework.report import write_report
-
-        write_report(replace(run, timed=study), *pages)
+    folder = out or Path(f"coursework-{read.name}")
+    with working_folder(folder) as hidden:
+        written = write_set(StudyResults(replace(run, timed=study)), wanted, folder, hidden)
     click.echo(f"{run.variant.title}  ({run.variant.name}): error against cost")
     for sentence in study.sentences:
         click.echo(f"  {sentence}")
@@ -42,7 +42,7 @@ def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...]) -> i
     for label, spent in study.overhead:
         click.echo(f"  {label}: {spent:.2f} s")
     click.echo(f"Reference: {study.reference_label}")
-    click.echo(f"Written to {folder}: {', '.join(page.name for page in pages)}" if pages else "Nothing written.")
+    click.echo(f"Written to {folder}: {', '.join(written)}")
     return 0
 
 

@@ -2,67 +2,65 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import click
 
 from coursework.api import load, solve
-from coursework.errors import InputError, closest, listing
-from coursework.output import write_record, write_tables
+from coursework.errors import InputError, listing
+from coursework.file_set import files_of, working_folder
+from coursework.output.formats import FORMATS, PAGES, Format, chosen
+from coursework.output.results import Results
+from coursework.output.write import write_set
 from coursework.run import Run
 from coursework.sentences import load_phrases, say
 
-FORMATS = ("html", "pdf", "csv")
 _MARKS = {"PASS": "✓", "FAIL": "✗", "SKIP": "–", "ERROR": "!"}
 
 
 def run_variant(
-    variant: str, *, out: Path | None, formats: tuple[str, ...], step: str | None, error: float | None, end: float | None,
+    variant: str, *, out: Path | None, formats: tuple[str, ...] | None, step: str | None, error: float | None, end: float | None,
     scheme: str, quantities: tuple[str, ...], project: bool, gain: float, precision: str, plan: bool, profile: bool,
     student: str | None, group: str | None, date: str | None, language: str,
 ) -> int:  # fmt: skip
     """Return the exit status of one run."""
-    check_formats(formats)
+    wanted = chosen(formats, "run")
     load_phrases(language)
-    chosen = load(variant)
+    read = load(variant)
     if precision == "single":
-        return tell_round_off(solve(chosen, scheme, _step(step), end, quantities=("table",)))
+        return tell_round_off(solve(read, scheme, _step(step), end, quantities=("table",)))
     if error is not None and step != "auto":
         raise InputError("--error is a wish for --step auto; a fixed step has the error it has.")
     h = _step(step)
     if step == "auto":
-        found = solve(chosen, scheme, end=end, quantities=("table",))
+        found = solve(read, scheme, end=end, quantities=("table",))
         if found.stop is not None:
             return tell_stop(found, "no step makes this motion possible")
         h = auto_step(found, error)
     run = solve(
-        chosen, scheme, h, end, quantities=quantities or None, project=int(project), gain=gain,
+        read, scheme, h, end, quantities=quantities or None, project=int(project), gain=gain,
         student=student, group=group, date=date,
     )  # fmt: skip
     if plan:
-        on_pages = ("solutions",) if {"html", "pdf"} & set(formats) else ()
+        on_pages = ("solutions",) if any(PAGES in each.serves for each in wanted) else ()
         click.echo("\n".join(run.plan_with(*on_pages).lines()))
         used, left = run.blocks_evaluated()
         click.echo(f"Scheme: {run.scheme_title}, {run.tableau.slopes} evaluations a step.")
         click.echo(f"In each row: the velocities {listing(used)}; left out: {listing(left) or 'nothing'}.")
         return 0
-    folder = out or Path(f"coursework-{chosen.name}")
-    written = write_all(run, folder, formats, language)
+    folder = out or Path(f"coursework-{read.name}")
+    older = earlier_files(folder)
+    written = write_all(run, folder, wanted, language)
     tell(run, folder, written)
+    tell_older(folder, older, written)
     if profile:
         click.echo("\nquantity              calls      ms")
         ledger = run.scene.ledger
         for name, seconds in ledger.seconds.items():
             click.echo(f"{name:<20} {ledger.calls[name]:>6} {seconds * 1e3:>8.2f}")
     return 0 if run.passed else 1
-
-
-def check_formats(formats: tuple[str, ...]) -> None:
-    """Raise `InputError` for a format that is not written."""
-    for name in formats:
-        if name not in FORMATS:
-            raise InputError(f'"{name}" is not a format of the report.{closest(name, FORMATS)} Formats: {", ".join(FORMATS)}.')
 
 
 def tell_stop(run: Run, consequence: str) -> int:
@@ -115,22 +113,31 @@ def _step(text: str | None) -> float | None:
         raise InputError(f'a step in seconds, such as 0.02, was expected, found "{text}".') from None
 
 
-def write_all(run: Run, folder: Path, formats: tuple[str, ...], language: str) -> list[str]:
-    """Compute everything, then write the files; return their names."""
-    run.columns()
-    pages = [folder / f"report.{kind}" for kind in ("html", "pdf") if kind in formats]
-    if "checks" in run.asked:
-        run.checks  # noqa: B018  computed before the first file is written
-    _ = run.own_tables
-    if pages:
-        _ = run.extra_tables, run.graph
-    written = write_tables(run, folder) if "csv" in formats else []
-    write_record(run, folder / "run.json")
-    if pages:
-        from coursework.report import write_report
+def write_all(run: Run, folder: Path, formats: Sequence[Format], language: str) -> list[str]:
+    """Compute everything, then write the files as one set; return their names."""
+    results = Results(run, language)
+    results.compute(any(PAGES in each.serves for each in formats))
+    with working_folder(folder) as hidden:
+        return write_set(results, formats, folder, hidden)
 
-        write_report(run, *pages, language=language)
-    return [*written, "run.json", *(page.name for page in pages)]
+
+def earlier_files(folder: Path) -> tuple[str, ...] | None:
+    """Return the files of the set that an earlier run left in a folder; None where it was ended before it had finished them."""
+    names = [f"{Results.stem}.{each.suffix}" for each in FORMATS] + ["table.csv"]
+    there = tuple(name for name in names if (folder / name).exists())
+    recorded = files_of(folder, Results.record_name)
+    if recorded is None:
+        return None if there and not (folder / Results.record_name).exists() else there
+    return tuple(name for name in recorded if (folder / name).exists())
+
+
+def tell_older(folder: Path, older: tuple[str, ...] | None, written: list[str]) -> None:
+    """Say which files in the folder are not of this run."""
+    if older is None:
+        click.echo(f"{folder} held an unfinished set: an earlier run was ended before it had written its {Results.record_name}.")
+        older = tuple(f"{Results.stem}.{each.suffix}" for each in FORMATS)
+    if left := [name for name in older if name not in written and (folder / name).exists()]:
+        click.echo(f"From an earlier run, and not of this one: {listing(left)}")
 
 
 def tell_remarks(run: Run) -> None:
@@ -168,6 +175,3 @@ def tell(run: Run, folder: Path, written: list[str]) -> None:
             if check.verdict in {"FAIL", "ERROR"} and check.code != "STOP":
                 click.echo(f"  {check.code}: {check.sentence}")
     click.echo(f"Written to {folder}: {', '.join(written)}")
-    known = ("table.csv", *(f"report.{kind}" for kind in ("html", "pdf")))
-    if older := [name for name in known if name not in written and (folder / name).exists()]:
-        click.echo(f"From an earlier run, and not of this one: {listing(older)}")

@@ -21,13 +21,14 @@ LONGEST_RUNNING = (70, 36)  # characters of title and name above a later page: t
 
 @dataclass(frozen=True, slots=True)
 class ReportModel:
-    """One report: its language, titles, and sections in order; `running` stands above the later pages."""
+    """One report: its language, titles, and sections in order; `running` stands above the later pages, `footer` below all."""
 
     language: str
     kind: str
     heading: str
     author: str
     running: str
+    footer: str
     sections: tuple[Section, ...]
 
     def plain(self) -> dict[str, Any]:
@@ -38,14 +39,16 @@ class ReportModel:
             "heading": self.heading,
             "author": self.author,
             "running": self.running,
+            "footer": self.footer,
             "sections": [section.plain() for section in self.sections],
         }
 
 
-def build_model(run: Run, language: str = "en") -> ReportModel:
+def build_model(run: Run, language: str = "en", stamp: str = "") -> ReportModel:
     """Return the report of a run: the sections that have something to say, and those only if asked for.
 
-    Raises `InputError` where the language is not there.
+    `stamp` names the run in the footer, so that a page can be told from one of another run.  Raises `InputError` where the
+    language is not there.
     """
     words = load_words(language)
     context = PageContext(run, words)
@@ -59,6 +62,7 @@ def build_model(run: Run, language: str = "en") -> ReportModel:
         heading=heading,
         author=author,
         running=" – ".join(running),
+        footer=words("title.footer", version=run.versions["coursework"], stamp=stamp) if stamp else "",
         sections=tuple(_numbered(all_sections(context), words)),
     )
 

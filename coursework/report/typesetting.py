@@ -46,16 +46,27 @@ def _typst() -> Any:
     return typst
 
 
-@lru_cache(maxsize=2)
 def _fonts(everything: bool) -> typst.Fonts:
     """Return Typst's own faces and DejaVu Sans; `everything` adds those of the machine, for scripts these lack."""
-    fonts: typst.Fonts = _typst().Fonts(include_system_fonts=everything, font_paths=[str(_faces())])
+    return _fonts_in(_faces(), everything)
+
+
+@lru_cache(maxsize=2)
+def _fonts_in(place: Path, everything: bool) -> typst.Fonts:
+    fonts: typst.Fonts = _typst().Fonts(include_system_fonts=everything, font_paths=[str(place)])
     return fonts
 
 
-@lru_cache(maxsize=1)
+_places: list[Path] = []
+
+
 def _faces() -> Path:
-    """Return a folder with `FACES` alone: matplotlib's own folder holds faces that would be taken for missing signs."""
+    """Return a folder with `FACES` alone: matplotlib's own folder holds faces that would be taken for missing signs.
+
+    Typst reads a face when it first needs it, so a folder that was cleared away in between is made anew.
+    """
+    if _places and _places[-1].is_dir():
+        return _places[-1]
     found = importlib.util.find_spec("matplotlib")
     if found is None or found.origin is None:
         raise OutputError('matplotlib cannot be found. Install it with "pip install matplotlib".')
@@ -66,7 +77,8 @@ def _faces() -> Path:
         for face in FACES:
             _link(source / face, place / face)
     except OSError:
-        return source  # no room for temporary files: the whole folder serves as well
+        place = source  # no room for temporary files: the whole folder serves as well
+    _places.append(place)
     return place
 
 

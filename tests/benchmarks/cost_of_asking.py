@@ -11,13 +11,14 @@ from collections.abc import Callable
 from pathlib import Path
 
 import coursework
-from coursework.output import write_table
+from coursework.files import write_bytes
+from coursework.output.tables import table_csv
 
 
 def _write(quantities: list[str], *kinds: str) -> None:
     run = coursework.solve("31", quantities=quantities)
     with tempfile.TemporaryDirectory() as folder:
-        write_table(run, Path(folder) / "table.csv")
+        write_bytes(Path(folder) / "table.csv", table_csv(run).encode("utf-8"))
         if "checks" in quantities:
             _ = run.checks
         if kinds:

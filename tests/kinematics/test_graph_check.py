@@ -394,7 +394,7 @@ def test_a_mechanism_without_size_is_drawn_all_the_same() -> None:
 def test_the_bar_measures_100_mm_in_the_pdf(tmp_path: Path) -> None:
     import pymupdf
 
-    from coursework.report import write_report
+    from coursework import write_report
 
     write_report(run_of("31"), tmp_path / "report.pdf")
     with pymupdf.open(tmp_path / "report.pdf") as document:

@@ -10,8 +10,9 @@ from typing import Any
 import pytest
 
 import coursework
+from coursework import write_report
 from coursework.data import folder
-from coursework.report import build_model, render_html, render_pdf, write_report
+from coursework.report import build_model, render_html, render_pdf
 from coursework.variant.reader import parse_variant
 
 ASKED = ("table", "plots", "checks")

@@ -9,8 +9,8 @@ from types import ModuleType
 
 import pytest
 
+from coursework import write_report
 from coursework.errors import OutputError
-from coursework.report import write_report
 
 
 def test_suffix_decides(stand_in: ModuleType, tmp_path: Path) -> None:

@@ -1,34 +1,27 @@
-"""A `Run` -> `table.csv` and `run.json`: every digit, the same bytes on every run.
+"""What `run.json` and `accuracy.json` say: how the numbers came about, and which files belong together.
 
-Enters: a `Run`.  Leaves: files.  Raises `OutputError`.  Needs no pandas, no matplotlib, no typst.
+Enters: a `Run`.  Leaves: plain data, and the stamp that ties pages, tables and record of one run together.
+Used by `write.py`.
 """
 
 from __future__ import annotations
 
-import csv
-import io
+import hashlib
 import json
 import math
-from collections.abc import Iterable
-from pathlib import Path
+from dataclasses import replace
 from typing import Any
 
-from coursework.files import write_bytes
 from coursework.run import Run
 
-
-def table_csv(run: Run) -> str:
-    """Return the results table as CSV: header t, then the columns; SI; shortest text that reads back to the same number."""
-    names, rows = run.columns()
-    return _csv(["t", *names], ([t, *row] for t, row in zip(run.motion.t.tolist(), rows.tolist(), strict=True)))
+STAMP_LENGTH = 16  # letters of the hash: enough that two runs never meet by chance, short enough to compare by eye
 
 
-def _csv(head: Iterable[str], rows: Iterable[Iterable[float]]) -> str:
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(head)
-    writer.writerows(map(repr, row) for row in rows)
-    return text.getvalue()
+def stamp_of(run: Run, language: str = "en") -> str:
+    """Return the stamp of a run: a hash of its variant, its options and the tool's version, wherever the file lies."""
+    settings = (run.settings, run.asked, run.student, run.group, run.date, language, run.versions["coursework"])
+    content = repr((replace(run.variant, path=None), settings))
+    return hashlib.sha256(content.encode("utf-8", "backslashreplace")).hexdigest()[:STAMP_LENGTH]
 
 
 def record(run: Run) -> dict[str, Any]:
@@ -63,6 +56,16 @@ def record(run: Run) -> dict[str, Any]:
     }
 
 
+def study_record(run: Run) -> dict[str, Any]:
+    """Return what `accuracy.json` holds."""
+    return {"variant": run.variant.name, "title": run.variant.title, "versions": run.versions, "scheme": run.settings.scheme}
+
+
+def as_json(content: dict[str, Any]) -> bytes:
+    """Return a record as the bytes of its file."""
+    return (json.dumps(content, indent=1, ensure_ascii=False) + "\n").encode("utf-8", "backslashreplace")
+
+
 def _stop(run: Run) -> dict[str, Any] | None:
     stop = run.stop
     if stop is None:
@@ -81,22 +84,3 @@ def _stop(run: Run) -> dict[str, Any] | None:
 
 def _finite(value: float | None) -> float | None:
     return value if value is not None and math.isfinite(value) else None
-
-
-def write_tables(run: Run, folder: Path) -> list[str]:
-    """Write `table.csv` and, where asked for, `analogs.csv` and `invariants.csv`, whose rows are others; return their names."""
-    texts = {"table.csv": table_csv(run)}
-    texts |= {f"{name}.csv": _csv(table.names, table.rows.tolist()) for name, table in run.own_tables.items()}
-    for name, text in texts.items():
-        write_bytes(folder / name, text.encode("utf-8"))
-    return [*texts]
-
-
-def write_table(run: Run, path: Path) -> None:
-    """Write `table.csv`."""
-    write_bytes(path, table_csv(run).encode("utf-8"))
-
-
-def write_record(run: Run, path: Path) -> None:
-    """Write `run.json`."""
-    write_bytes(path, (json.dumps(record(run), indent=1, ensure_ascii=False) + "\n").encode("utf-8"))

@@ -1,0 +1,182 @@
+"""Files that belong together: made in a hidden folder, moved into place one by one, the record last.
+
+Enters: the folder of the results.  Leaves: the whole set, or what was there before; a set whose writer was killed has no
+record, and the next writer clears what it left.  Used by the command line; all scratch of a command lives here.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import secrets
+import shutil
+import sys
+import tempfile
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import IO
+
+from coursework.errors import OutputError
+from coursework.files import refused
+
+HIDDEN = ".coursework-"
+LOCK = ".lock"
+MATPLOTLIB = "MPLCONFIGDIR"  # where matplotlib looks first
+
+
+@contextmanager
+def working_folder(target: Path) -> Iterator[Path]:
+    """Yield a hidden folder inside `target` for whatever is unfinished; it is gone afterwards, whatever happens.
+
+    `target` is made where it is not there, and removed again where it stays empty.  Folders that killed runs left in it are
+    cleared.  Temporary files of libraries go there too.  Raises `OutputError`.
+    """
+    with refused(target):
+        made = _make(target)
+    try:
+        clear_leftovers(target)
+        with refused(target):
+            lock, hidden = _new_hidden(target)
+        try:
+            with scratch_in(hidden.absolute()):
+                yield hidden
+        finally:
+            discard(hidden)
+            lock.close()
+            _remove(hidden.with_name(hidden.name + LOCK))
+    finally:
+        for folder in made:
+            with suppress(OSError):
+                folder.rmdir()  # only where nothing is in it
+
+
+@contextmanager
+def scratch_in(folder: Path) -> Iterator[None]:
+    """Let temporary files lie in a folder; matplotlib's settings too, where its own place for them cannot be written.
+
+    Left alone, it would make a folder elsewhere and tell the user about it.
+    """
+    before = tempfile.tempdir, os.environ.get(MATPLOTLIB)
+    tempfile.tempdir = str(folder)
+    if before[1] is None and not all(map(_is_writable, _homes())):
+        os.environ[MATPLOTLIB] = str(folder)
+    try:
+        yield
+    finally:
+        tempfile.tempdir = before[0]
+        if before[1] is None:
+            os.environ.pop(MATPLOTLIB, None)
+
+
+def _homes() -> Iterator[Path]:
+    """Yield the folders in which matplotlib keeps its settings and its list of fonts."""
+    home = Path(os.path.expanduser("~"))  # noqa: PTH111  `Path.home` raises where there is none
+    if not sys.platform.startswith(("linux", "freebsd")):
+        yield home / ".matplotlib"
+        return
+    for variable, usual in (("XDG_CONFIG_HOME", ".config"), ("XDG_CACHE_HOME", ".cache")):
+        yield Path(os.environ.get(variable) or home / usual) / "matplotlib"
+
+
+def _is_writable(folder: Path) -> bool:
+    """Return whether a folder could be made or written to, without making it."""
+    nearest = next((place for place in (folder, *folder.parents) if place.exists()), folder)
+    return nearest.is_dir() and os.access(nearest, os.W_OK | os.X_OK)
+
+
+def publish(hidden: Path, target: Path, names: Iterable[str], record: str) -> None:
+    """Move the files of a set from `hidden` to `target`; while they move, `target` has no record.
+
+    Raises `OutputError` naming the file that could not be put in place.
+    """
+    names = (*names, record)
+    for name in names:
+        if (target / name).is_dir():
+            raise OutputError(f"{target / name}: could not be written: there is a folder of this name. Remove it.")
+    with refused(target / record):
+        target.mkdir(parents=True, exist_ok=True)
+        (target / record).unlink(missing_ok=True)
+    for name in names:
+        with refused(target / name):
+            (hidden / name).replace(target / name)
+
+
+def files_of(target: Path, record: str) -> Mapping[str, str] | None:
+    """Return the files of a finished set (name -> SHA-256); None where there is no record to read them from."""
+    try:
+        found = json.loads((target / record).read_text(encoding="utf-8"))["files"]
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        return None
+    return found if isinstance(found, dict) else None
+
+
+def clear_leftovers(target: Path) -> None:
+    """Remove the hidden folders that killed runs left in `target`; those of a run that still works stay."""
+    for path in target.glob(f"{HIDDEN}*"):
+        hidden = path.with_name(path.name.removesuffix(LOCK))
+        lock = hidden.with_name(hidden.name + LOCK)
+        if _is_abandoned(lock):
+            discard(hidden)
+            _remove(lock)
+
+
+def discard(hidden: Path) -> None:
+    """Remove a hidden folder with all that is in it, as far as the system lets us."""
+    shutil.rmtree(hidden, ignore_errors=True)
+
+
+def _make(target: Path) -> list[Path]:
+    """Make a folder and those above it; return the new ones, the innermost first."""
+    new = []
+    for folder in (target, *target.parents):
+        if folder.exists():
+            break
+        new.append(folder)
+    target.mkdir(parents=True, exist_ok=True)
+    return new
+
+
+def _new_hidden(target: Path) -> tuple[IO[bytes], Path]:
+    """Return a new hidden folder, and its lock, which is held as long as this process lives."""
+    hidden = target / f"{HIDDEN}{secrets.token_hex(6)}"
+    path = hidden.with_name(hidden.name + LOCK)
+    file = path.open("xb")
+    try:
+        with suppress(OSError):  # a disk without locks
+            _lock(file)
+        hidden.mkdir()
+    except BaseException:
+        file.close()
+        _remove(path)
+        raise
+    return file, hidden
+
+
+def _is_abandoned(lock: Path) -> bool:
+    """Return whether nobody holds a lock; one that is not there is held by nobody."""
+    try:
+        with lock.open("r+b") as file:
+            _lock(file)
+    except FileNotFoundError:
+        return True
+    except OSError:
+        return False
+    return True
+
+
+def _lock(file: IO[bytes]) -> None:
+    """Take a lock that ends with the process.  Raises `OSError` where another process has it."""
+    if sys.platform == "win32":
+        import msvcrt
+
+        msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+    else:
+        import fcntl
+
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+
+
+def _remove(path: Path) -> None:
+    with suppress(OSError):
+        path.unlink(missing_ok=True)

@@ -1,0 +1,74 @@
+"""What a format writes from: a run and, made once and only when looked at, its pages.
+
+Enters: a `Run`.  Leaves: `Results`.  Used by the formats and whoever writes them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from coursework.output.record import record, stamp_of, study_record
+from coursework.output.tables import run_tables, study_csv
+from coursework.run import Run
+
+if TYPE_CHECKING:
+    from coursework.report.model import ReportModel
+
+
+class Results:
+    """A run ready to be written; `stem` names its pages and `record_name` the file that is written last."""
+
+    stem = "report"
+    record_name = "run.json"
+
+    def __init__(self, run: Run, language: str = "en") -> None:
+        self.run = run
+        self.language = language
+
+    def compute(self, pages: bool) -> None:
+        """Compute what is asked for, so that a fault in it comes before the first file."""
+        run = self.run
+        run.columns()
+        _ = run.own_tables
+        if "checks" in run.asked:
+            _ = run.checks
+        if pages:
+            _ = run.extra_tables, run.graph
+
+    @cached_property
+    def stamp(self) -> str:
+        """Return the stamp of variant, options and version."""
+        return stamp_of(self.run, self.language)
+
+    @cached_property
+    def model(self) -> ReportModel:
+        """Return what a page says, its figures drawn."""
+        from coursework.report import build_model
+
+        return build_model(self.run, self.language, self.stamp)
+
+    def tables(self) -> Iterable[tuple[str, str]]:
+        """Return the CSV texts by name."""
+        return run_tables(self.run)
+
+    def record(self) -> dict[str, Any]:
+        """Return what the record says beside stamp and files."""
+        return record(self.run)
+
+
+class StudyResults(Results):
+    """A study of accuracy ready to be written."""
+
+    stem = "accuracy"
+    record_name = "accuracy.json"
+
+    def tables(self) -> Iterable[tuple[str, str]]:
+        """Return the study as CSV."""
+        assert self.run.accuracy is not None
+        return [("accuracy.csv", study_csv(self.run.accuracy))]
+
+    def record(self) -> dict[str, Any]:
+        """Return which variant was studied with what."""
+        return study_record(self.run)

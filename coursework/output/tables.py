@@ -1,0 +1,54 @@
+"""What a run computed -> CSV text: every digit, the same bytes on every run.
+
+Enters: a `Run`.  Leaves: text by file name.  Used by `formats.py`; needs no pandas, no matplotlib, no typst.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
+
+from coursework.run import Run
+
+if TYPE_CHECKING:
+    from coursework.accuracy.record import AccuracyStudy
+
+STUDY_HEAD = (
+    "method", "steps_or_tolerance", "evaluations", "max_error", "unit", "end_error", "end_unit", "seconds", "failed",
+)  # fmt: skip
+
+
+def run_tables(run: Run) -> Iterator[tuple[str, str]]:
+    """Yield `table.csv` and, where asked for, `analogs.csv` and `invariants.csv`, whose rows are others."""
+    yield "table.csv", table_csv(run)
+    for name, table in run.own_tables.items():
+        yield f"{name}.csv", _csv(table.names, table.rows.tolist())
+
+
+def table_csv(run: Run) -> str:
+    """Return the results table as CSV: header t, then the columns; SI; shortest text that reads back to the same number."""
+    names, rows = run.columns()
+    return _csv(["t", *names], ([t, *row] for t, row in zip(run.motion.t.tolist(), rows.tolist(), strict=True)))
+
+
+def study_csv(study: AccuracyStudy) -> str:
+    """Return a study of accuracy as CSV: one line a method and setting; errors in the units named beside them."""
+    rows = (
+        (r.method, r.steps_or_tolerance, r.evaluations, r.max_error, r.unit, r.end_error, r.end_unit, r.seconds, r.failed)
+        for r in study.rows
+    )
+    return _csv(STUDY_HEAD, rows)
+
+
+def _csv(head: Iterable[str], rows: Iterable[Iterable[object]]) -> str:
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(head)
+    writer.writerows(map(_cell, row) for row in rows)
+    return text.getvalue()
+
+
+def _cell(value: object) -> str:
+    return "" if value is None else value if isinstance(value, str) else repr(value)

@@ -1,0 +1,86 @@
+"""Formats are records: one added in a test is offered, written and listed wherever a format is."""
+
+import csv
+import io
+import json
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+import coursework
+from coursework.cli import main
+from coursework.errors import OutputError
+from coursework.output import formats
+from coursework.output.formats import FORMATS, Format, formats_for
+from coursework.output.tables import STUDY_HEAD
+
+README = Path(__file__).parents[2] / "README.md"
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def call(*arguments):
+    return CliRunner().invoke(main, [str(argument) for argument in arguments])
+
+
+def _dummy(results):
+    yield f"{results.stem}.dummy", f"{results.run.variant.title} {results.stamp}".encode()
+
+
+@pytest.fixture
+def dummy(monkeypatch):
+    added = Format("dummy", _dummy, ("run", "accuracy", "write_report"))
+    monkeypatch.setattr(formats, "FORMATS", (*FORMATS, added))
+    return added
+
+
+@pytest.mark.usefixtures("dummy")
+def test_a_new_format_is_offered_and_written_everywhere(folder):
+    for command in ("run", "accuracy"):
+        assert "html,pdf,csv,dummy" in call(command, "--help").stdout
+    assert call("run", "31", "--quantities", "table", "--format", "dummy").exit_code == 0
+    record = json.loads((folder / "coursework-31/run.json").read_text(encoding="utf-8"))
+    assert list(record["files"]) == ["report.dummy"]
+    assert (folder / "coursework-31/report.dummy").read_text(encoding="utf-8").endswith(record["stamp"])
+    assert call("accuracy", "31", "--format", "dummy").stdout.endswith("accuracy.dummy, accuracy.json\n")
+    coursework.write_report(coursework.solve("31", quantities=["table"]), folder / "page.dummy")
+    assert (folder / "page.dummy").is_file()
+    assert "Formats: html, pdf, csv, dummy." in call("run", "31", "--format", "docx").stderr
+    with pytest.raises(OutputError, match=r"ends in \.html, \.pdf or \.dummy"):
+        coursework.write_report(coursework.solve("31"), "a.docx")
+
+
+def test_without_the_option_every_format_is_written(folder):
+    assert call("run", "31", "--quantities", "table").exit_code == 0
+    names = {path.suffix.removeprefix(".") for path in (folder / "coursework-31").iterdir()}
+    assert names == {*formats_for("run"), "json"}
+
+
+def test_the_readme_names_every_format():
+    text = README.read_text(encoding="utf-8")
+    for each in FORMATS:
+        assert f"`.{each.suffix}`" in text or f".{each.suffix}" in text, each.suffix
+
+
+def test_a_study_as_csv_holds_every_method(folder):
+    assert call("accuracy", "31", "--format", "csv").exit_code == 0
+    head, *rows = csv.reader(io.StringIO((folder / "coursework-31/accuracy.csv").read_text(encoding="utf-8")))
+    assert tuple(head) == STUDY_HEAD
+    assert {"explicit Euler", "Heun", "Runge-Kutta 4"} <= {row[0] for row in rows}
+    own = next(row for row in rows if row[:2] == ["explicit Euler", "24"])
+    assert float(own[3]) == pytest.approx(0.152, rel=1e-2)  # README, "What accuracy costs"
+    assert own[4] == "rad"
+    assert all(float(row[7]) > 0 for row in rows if not row[8])
+
+
+def test_a_format_that_is_not_offered_is_refused_before_anything_is_measured(folder, monkeypatch):
+    monkeypatch.setattr("coursework.commands.accuracy.load", None)
+    result = call("accuracy", "31", "--format", "docx")
+    assert result.exit_code == 2
+    assert result.stderr == '"docx" is not a format of the report. Formats: html, pdf, csv.\n'
+    assert list(folder.iterdir()) == []
