@@ -175,3 +175,37 @@ def accuracy_command(variant: str, out: Path | None, formats: tuple[str, ...] | 
     from coursework.commands.accuracy import accuracy_page
 
     return accuracy_page(variant, out, formats)
+
+
+@main.command("grade")
+@click.argument("source", type=click.Path(path_type=Path))
+@click.option("--variant", shell_complete=_offered("variants"), help="The variant that everybody has.")
+@click.option("--roster", type=click.Path(path_type=Path), help="ROSTER.csv: id,name,email,variant.")
+@click.option("--out", type=click.Path(path_type=Path), required=True, help="Folder for the gradebook.")
+@click.option("--rubric", type=click.Path(path_type=Path), help="Points, parts, answers (TOML).")
+@click.option("--overrides", type=click.Path(path_type=Path), help="Your own decisions: id,check,points,reason.")
+@click.option("--worksheet", type=click.Path(path_type=Path), help="Moodle's offline grading worksheet, to be filled in.")
+@click.option("--canvas", type=click.Path(path_type=Path), help="Canvas's gradebook export, to be filled in.")
+@click.option("--results", type=click.Choice(["gradescope", "prairielearn"]), help="One submission, for an autograder.")
+@click.option("--no-pages", is_flag=True, help="No feedback pages.")
+@click.option("--jobs", type=click.IntRange(0, 256), default=0, help="Submissions at once (default: the cores, at most 8).")
+@click.option("--scheduler", help="Address of a Dask scheduler: the same on a cluster.")
+@click.option("--limit", type=click.FloatRange(0.1, 3600), default=10.0, show_default=True, help="Seconds a submission may take.")
+@click.option("--memory", type=click.IntRange(256, 65536), default=1024, show_default=True, help="MiB a submission may take.")
+@_guarded
+def grade_command(source: Path, **options: Any) -> int:
+    """Grade SOURCE, a folder or zip of submissions."""
+    from coursework.commands.grade import grade_source
+
+    return grade_source(source, **options)
+
+
+@main.command("precheck")
+@click.argument("files", nargs=-1, required=True, type=click.Path(path_type=Path))
+@click.option("--variant", shell_complete=_offered("variants"), help="The variant you were given.")
+@_guarded
+def precheck_command(files: tuple[Path, ...], variant: str | None) -> int:
+    """See how FILES of yours would be read, before you hand them in; no number of the key is shown."""
+    from coursework.commands.precheck import precheck_files
+
+    return precheck_files(files, variant)

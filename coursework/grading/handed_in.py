@@ -121,6 +121,15 @@ def collect_one(place: Path, student: str = "submission") -> Submission:
     return Submission(student, None, files, (*notes, *more))
 
 
+def collect_files(paths: Iterable[Path], student: str = "submission") -> Submission:
+    """Return a submission of some files.  Raises `InputError` for a file that is not there."""
+    listed = list(paths)
+    if missing := [path for path in listed if not path.is_file()]:
+        raise InputError(f"{missing[0]}: there is no such file. Check its name.")
+    files, notes = _gathered((path.name, partial(read_regular, path, path.name)) for path in listed)
+    return Submission(student, None, files, notes)
+
+
 def _gathered(
     entries: Iterable[tuple[str, Callable[[int], SubmittedFile | Note]]],
 ) -> tuple[tuple[SubmittedFile, ...], tuple[Note, ...]]:

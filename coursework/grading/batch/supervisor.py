@@ -12,7 +12,7 @@ import threading
 from contextlib import suppress
 from typing import IO
 
-from coursework.grading.batch.work import Outcome, Setup, Task, outcome_from
+from coursework.grading.batch.work import Outcome, Setup, Task, failed, outcome_from
 from coursework.sentences import say
 
 LIMIT = 10.0  # s a submission may take
@@ -41,11 +41,11 @@ class Supervisor:
         for _ in range(2):
             answer = self._asked(task)
             if answer == _SILENT:
-                return failed(task, self.setup, "timeout", seconds=self.limit)
+                return failed(task, self.setup, "timeout", say("grading.timeout", seconds=self.limit))
             with suppress(ValueError):
                 return outcome_from(answer)
             self.close()
-        return failed(task, self.setup, "crashed-grader")
+        return failed(task, self.setup, "crashed-grader", say("grading.crashed_grader"))
 
     def close(self) -> None:
         """End the child."""
@@ -105,9 +105,3 @@ def _forward(stream: IO[bytes], answers: queue.Queue[bytes]) -> None:
         for line in stream:
             answers.put(line)
     answers.put(b"")
-
-
-def failed(task: Task, setup: Setup, status: str, **values: object) -> Outcome:
-    """Return the outcome of a submission that could not be graded; it has no number, and is no zero."""
-    reason = say(f"grading.{status.replace('-', '_')}", **values)
-    return Outcome(task.submission.id, {"status": status, "reason": str(reason)})

@@ -14,7 +14,11 @@ from functools import cached_property
 from typing import Any
 
 import coursework
+from coursework.grading.batch.decisions import Override, overridden
+from coursework.grading.marking.grade import blank_grade
+from coursework.grading.marking.rubric import read_rubric
 from coursework.grading.submission import Submission, submission_from
+from coursework.sentences import Sentence
 
 # Raised whenever marks may come out otherwise: a second run then grades everything anew.
 GRADING_VERSION = 1
@@ -57,13 +61,6 @@ class Setup:
     class_tables: Mapping[str, list[list[float]]] = field(default_factory=dict)
     memory_mib: int = 1024
 
-    @cached_property
-    def fingerprint(self) -> str:
-        """Return the hash of what changes marks: the rubric, the variants of the class, the version."""
-        tables = json.dumps(self.class_tables, sort_keys=True)
-        parts = [self.rubric, str(GRADING_VERSION), coursework.__version__, tables]
-        return hashlib.sha256("\0".join(parts).encode()).hexdigest()
-
     def plain(self) -> dict[str, Any]:
         """Return the setup as JSON can carry it."""
         return {
@@ -79,28 +76,42 @@ def setup_from(plain: Mapping[str, Any]) -> Setup:
 
 @dataclass(frozen=True, slots=True)
 class Task:
-    """One submission and the variant it is graded by."""
+    """One submission, the variant it is graded by, and what the instructor decided about it."""
 
     submission: Submission
     variant: VariantSource
+    overrides: tuple[Override, ...] = ()
 
     def line(self) -> bytes:
         """Return the task as one line of JSON."""
-        plain = {"submission": self.submission.plain(), "variant": self.variant.plain()}
+        plain = {
+            "submission": self.submission.plain(), "variant": self.variant.plain(),
+            "overrides": [override.plain() for override in self.overrides],
+        }  # fmt: skip
         return json.dumps(plain, ensure_ascii=True, separators=(",", ":")).encode("ascii") + b"\n"
 
     def key(self, setup: Setup) -> str:
-        """Return the content a journal knows this work by: files, variant, rubric, version; never a path or a clock."""
-        digest = hashlib.sha256(setup.fingerprint.encode())
-        digest.update(self.variant.sha256.encode())
-        digest.update(json.dumps(self.submission.plain(), sort_keys=True).encode())
-        return digest.hexdigest()
+        """Return the content a journal knows this work by, one hash a reason to grade anew; never a path or a clock."""
+        parts = {
+            "files": json.dumps(self.submission.plain(), sort_keys=True),
+            "variant": self.variant.sha256,
+            "rubric": setup.rubric,
+            "overrides": json.dumps([override.plain() for override in self.overrides]),
+            "version": f"{GRADING_VERSION} {coursework.__version__} {setup.pages}",
+        }
+        return " ".join(hashlib.sha256(text.encode()).hexdigest()[:_DIGITS] for text in parts.values())
+
+
+# Why a submission is graded anew, in the order of the hashes in a key.
+REASONS = ("files", "variant", "rubric", "overrides", "version")
+_DIGITS = 32
 
 
 def task_from(line: bytes) -> Task:
     """Return the task of a line."""
     plain = json.loads(line)
-    return Task(submission_from(plain["submission"]), source_from(plain["variant"]))
+    overrides = tuple(Override(**override) for override in plain["overrides"])
+    return Task(submission_from(plain["submission"]), source_from(plain["variant"]), overrides)
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,3 +133,12 @@ def outcome_from(line: bytes) -> Outcome:
     if not isinstance(plain, dict) or set(plain) != {"id", "grade", "page"}:
         raise ValueError("not an outcome")
     return Outcome(plain["id"], plain["grade"], plain["page"])
+
+
+def failed(task: Task, setup: Setup, status: str, reason: Sentence) -> Outcome:
+    """Return the outcome of a submission that could not be graded; it has no number, and is no zero."""
+    grade = overridden(blank_grade(status, reason, read_rubric(setup.rubric)), task.overrides)
+    from coursework.grading.pages.feedback import short_page
+
+    page = short_page(task.submission.id, task.submission.name, grade) if setup.pages else ""
+    return Outcome(task.submission.id, grade, page)

@@ -10,7 +10,8 @@ from collections import OrderedDict
 import numpy as np
 
 from coursework.errors import InputError
-from coursework.grading.batch.work import Outcome, Setup, VariantSource, task_from
+from coursework.grading.batch.decisions import overridden
+from coursework.grading.batch.work import Outcome, Setup, VariantSource, failed, task_from
 from coursework.grading.expected import Expected, grid_of
 from coursework.grading.marking.grade import Grade, Marker
 from coursework.grading.marking.reference import key_of
@@ -40,9 +41,10 @@ class Workshop:
         try:
             grade = self.grade(submission, source)
         except MemoryError:
-            return Outcome(submission.id, {"status": "unreadable", "reason": str(say("grading.memory"))})
-        page = feedback_page(grade, submission.id, submission.name) if self.setup.pages else ""
-        return Outcome(submission.id, grade.plain(), page)
+            return failed(task, self.setup, "unreadable", say("grading.memory"))
+        plain = overridden(grade.plain(), task.overrides)
+        page = feedback_page(grade, submission.id, submission.name, plain) if self.setup.pages else ""
+        return Outcome(submission.id, plain, page)
 
     def grade(self, submission: Submission, source: VariantSource) -> Grade:
         """Return the grade of a submission.  Raises `InputError` where the variant itself cannot be used."""

@@ -206,6 +206,19 @@ class Marker:
         return tuple(found)
 
 
+def blank_grade(status: str, reason: str, rubric: Rubric) -> dict[str, Any]:
+    """Return what grades.json says of a submission that nobody could look into."""
+    nothing = {
+        "state": "missing", "score": None, "max": points(rubric.most("table")), "rows": 0, "rows_needed": 0, "first_wrong": None,
+        "wrong_cells": 0, "missing_cells": 0, "carried_cells": 0, "decimals": {}, "least_decimals": None, "computed_to": None,
+    }  # fmt: skip
+    return {
+        "status": status, "score": None, "max": rubric.points, "proposed": None, "reason": reason, "files": [], "reading": None,
+        "table": nothing, "first_wrong": None, "equations": None, "answers": None, "misconception": None,
+        "verdicts": {"equations": "none", "integration": "unknown", "arithmetic": "unknown"}, "notes": [],
+    }  # fmt: skip
+
+
 def student_of(key: Key, table: Table) -> Student:
     """Return a table as it was read, with a column of its own for everything the key has."""
     values = np.full(key.table.shape, np.nan)

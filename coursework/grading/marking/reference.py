@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 
 import numpy as np
@@ -53,14 +54,12 @@ def key_of(variant: Variant) -> Key:
     )  # fmt: skip
 
 
-def class_tables(variants: Sequence[Variant]) -> dict[str, Array]:
-    """Return Euler's tables of the variants of a class by name, without those whose motion cannot be computed."""
+def class_tables(variants: Mapping[str, Variant]) -> dict[str, Array]:
+    """Return Euler's tables of variants by name, without those whose motion cannot be computed."""
     found = {}
-    for variant in variants:
-        try:
-            found[variant.name] = solve(variant, DEFAULT_SCHEME.name, quantities=["table"]).motion.rows
-        except CourseworkError:
-            continue
+    for name, variant in variants.items():
+        with suppress(CourseworkError):
+            found[name] = solve(variant, DEFAULT_SCHEME.name, quantities=["table"]).motion.rows
     return found
 
 

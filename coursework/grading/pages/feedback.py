@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from coursework.grading.marking.cells import GIVEN, KEY, MISSING, WRONG
-from coursework.grading.marking.grade import GRADED, Grade, TableMarks
+from coursework.grading.marking.grade import Grade, TableMarks
 from coursework.grading.pages.curves import panel
 from coursework.report.html import template
 from coursework.report.text_runs import clean
@@ -25,35 +25,51 @@ CARRIED = "→"
 _VERDICT_SIGNS = {"right": "✓", "rounded": "✓", "closure": "✓", "half": "½", "wrong": "✗", "unreadable": "?", "blank": "–"}
 
 
-def feedback_page(
-    grade: Grade, student: str, name: str | None, overrides: tuple[Mapping[str, Any], ...] = (), score: float | None = None
-) -> str:
-    """Return the page; `score` and `overrides` are what the instructor decided, where that differs."""
-    final = grade.total if score is None and grade.status in GRADED else score
+def feedback_page(grade: Grade, student: str, name: str | None, decided: Mapping[str, Any] | None = None) -> str:
+    """Return the page of a grade; `decided` is the grade as grades.json says it after the instructor's decisions."""
+    final = decided or grade.plain()
     parts = [
-        {"name": say(f"feedback.part.{part}"), "points": shown_points(got), "most": shown_points(most)}
+        {"name": say(f"feedback.part.{part}"), "points": shown_points((final[part] or {}).get("score")), "most": shown_points(most)}
         for part in grade.parts
         if grade.rubric.weights[part]
-        for got, most in [grade.part(part)]
+        for _, most in [grade.part(part)]
     ]
-    return template("feedback.html.j2").render(
-        say=say,
-        language=ENGLISH,
-        student=clean(student, LONGEST_TEXT),
-        name=clean(name or "", LONGEST_TEXT),
+    return _page(
+        final,
+        student,
+        name,
         variant=grade.key.variant.title,
-        status=say(f"feedback.status.{grade.status.replace('-', '_')}"),
-        reason=grade.reason or "",
-        points=shown_points(final),
-        most=shown_points(grade.rubric.points),
         parts=parts,
-        verdict=grade.verdicts.sentence if grade.status in GRADED or grade.table or grade.equations else "",
+        verdict=grade.verdicts.sentence if grade.table or grade.equations else "",
         notes=[clean(str(entry.text), LONGEST_TEXT) for entry in grade.notes],
         table=_table(grade, grade.table) if grade.table else None,
         equations=_equations(grade),
         answers=_answers(grade),
         misconception=_misconception(grade),
-        overrides=[{key: clean(str(value), LONGEST_TEXT) for key, value in entry.items()} for entry in overrides],
+    )
+
+
+def short_page(student: str, name: str | None, decided: Mapping[str, Any]) -> str:
+    """Return the page of a submission that nobody could look into."""
+    nothing = {"variant": "", "parts": [], "verdict": "", "notes": []}
+    return _page(decided, student, name, **nothing, table=None, equations=None, answers=None, misconception=None)
+
+
+def _page(final: Mapping[str, Any], student: str, name: str | None, **content: Any) -> str:
+    reason = final["reason"] if final["score"] is None else ""
+    return template("feedback.html.j2").render(
+        say=say,
+        language=ENGLISH,
+        student=clean(student, LONGEST_TEXT),
+        name=clean(name or "", LONGEST_TEXT),
+        status=say(f"feedback.status.{final['status'].replace('-', '_')}"),
+        reason=clean(reason, 2 * LONGEST_TEXT),
+        points=shown_points(final["score"]),
+        most=shown_points(final["max"]),
+        overrides=[
+            {key: clean(str(value), LONGEST_TEXT) for key, value in entry.items()} for entry in final.get("overrides", ())
+        ],
+        **content,
     )
 
 

@@ -1,0 +1,114 @@
+"""`coursework grade`: a folder or zip of submissions -> gradebook, pages, the class page; and one submission for autograders.
+
+Enters: options.  Leaves: files in OUT; the exit status (0 = every submission has a state).
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from coursework.errors import InputError, OutputError
+from coursework.grading.batch.class_list import ClassList, class_of_one, class_of_roster, read_source
+from coursework.grading.batch.decisions import Override, read_overrides
+from coursework.grading.batch.gradebook import Options, grade_class
+from coursework.grading.batch.journal import Journal
+from coursework.grading.batch.single import autograder_results
+from coursework.grading.batch.supervisor import Supervisor
+from coursework.grading.batch.tables_of_class import class_tables
+from coursework.grading.batch.work import Setup, Task
+from coursework.grading.batch.written import write_gradebook
+from coursework.grading.handed_in import Source, collect_one
+from coursework.grading.marking.rubric import Rubric, check_rubric, read_rubric
+from coursework.grading.platforms.canvas import read_gradebook
+from coursework.grading.platforms.roster import read_roster
+from coursework.grading.platforms.worksheet import Worksheet, read_worksheet
+
+
+def grade_source(
+    source: Path, *, variant: str | None, roster: Path | None, out: Path, rubric: Path | None, overrides: Path | None,
+    worksheet: Path | None, canvas: Path | None, results: str | None, no_pages: bool, jobs: int, scheduler: str | None,
+    limit: float, memory: int,
+) -> int:  # fmt: skip
+    """Return the exit status of grading one source."""
+    if (variant is None) == (roster is None):
+        raise InputError("name either the variant of all (--variant 31) or the roster (--roster roster.csv).")
+    text = _bytes(rubric).decode("utf-8-sig", errors="replace") if rubric else ""
+    marking = read_rubric(text, str(rubric or "rubric"))
+    if results:
+        if variant is None:
+            raise InputError("--results marks one submission: name its variant with --variant.")
+        return _one(source, variant, marking, text, out, results, limit, memory)
+    with Source(source) as opened:
+        sheet = read_worksheet(_bytes(worksheet), str(worksheet)) if worksheet else None
+        if sheet is not None:
+            sheet.check_total(marking.points, str(rubric or "the default rubric"))
+        gradebook = read_gradebook(_bytes(canvas), str(canvas), marking.points) if canvas else None
+        listed = _listed(opened, variant, roster, sheet)
+        for found in listed.variants.values():
+            check_rubric(marking, found, str(rubric or "rubric"))
+        decided = _decided(overrides, listed, marking)
+        setup = Setup(text, not no_pages, class_tables(listed.variants), memory)
+        _prepare(out)
+        with Journal(out) as journal, click.progressbar(length=len(listed.places), label="Grading", width=30) as bar:
+            graded = grade_class(
+                listed, opened, setup, journal, out, Options(jobs, scheduler, limit), decided, lambda: bar.update(1)
+            )
+            bar.finish()
+            moodle = opened.platform == "moodle" and not no_pages
+            written = write_gradebook(out, listed, graded, marking, worksheet=sheet, canvas=gradebook, moodle=moodle)
+            _tell(listed, graded.fresh, len(graded.changes), out, written, {e.id: e.grade["status"] for e in graded.entries()})
+            journal.rewrite([graded.places[student] for student in sorted(graded.places)])
+    return 0
+
+
+def _listed(opened: Source, variant: str | None, roster: Path | None, sheet: Worksheet | None) -> ClassList:
+    if roster is not None:
+        return class_of_roster(opened, read_roster(_bytes(roster), str(roster)), roster, sheet)
+    assert variant is not None
+    return class_of_one(opened, variant, sheet)
+
+
+def _decided(overrides: Path | None, listed: ClassList, rubric: Rubric) -> dict[str, tuple[Override, ...]]:
+    if overrides is None:
+        return {}
+    return read_overrides(_bytes(overrides), str(overrides), [place.id for place in listed.places], rubric)
+
+
+def _one(
+    source: Path, variant: str, rubric: Rubric, text: str, out: Path, results: str, limit: float, memory: int
+) -> int:  # fmt: skip
+    """Mark one submission and write the results file of an autograder, and nothing else."""
+    chosen, content = read_source(variant, Path())
+    check_rubric(rubric, chosen)
+    submission = collect_one(source)
+    with Supervisor(Setup(text, pages=False, memory_mib=memory), limit) as supervisor:
+        outcome = supervisor.grade(Task(submission, content))
+    autograder_results(outcome.grade, results, out / "results.json")
+    return 0
+
+
+def _prepare(out: Path) -> None:
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise OutputError(f"{out}: the folder could not be made ({error.strerror}). Choose another with --out.") from error
+
+
+def _bytes(path: Path) -> bytes:
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        raise InputError(f"{path}: the file could not be read ({error.strerror}). Check its name.") from error
+
+
+def _tell(listed: ClassList, fresh: int, changed: int, out: Path, written: list[str], states: dict[str, str]) -> None:
+    counts = {state: sum(found == state for found in states.values()) for state in sorted(set(states.values()))}
+    told = ", ".join(f"{number} {state}" for state, number in counts.items()) or "nobody"
+    click.echo(f"{len(listed.places)} submissions: {told}. Marked now: {fresh}; taken from the last run: {len(states) - fresh}.")
+    if changed:
+        click.echo(f"{changed} grade(s) changed since the last run: changes.csv.")
+    if listed.not_on_roster:
+        click.echo(f"{len(listed.not_on_roster)} submission(s) of people not on the roster have no grade; grades.json lists them.")
+    click.echo(f"Written to {out}: {', '.join(written)}")

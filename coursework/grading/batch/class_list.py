@@ -1,0 +1,120 @@
+"""SOURCE, roster and worksheet -> whom to grade by which variant.
+
+Enters: an opened `Source`, the roster or one variant, perhaps Moodle's worksheet.  Leaves: `ClassList`.
+Raises `InputError` before anything is graded.  Used by `gradebook.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from coursework.catalogue import find
+from coursework.errors import Fault, InputError
+from coursework.grading.batch.decisions import Override
+from coursework.grading.batch.work import Task, VariantSource
+from coursework.grading.handed_in import Source
+from coursework.grading.matching import match
+from coursework.grading.parcels import Parcel
+from coursework.grading.platforms.roster import Roster
+from coursework.grading.platforms.worksheet import Worksheet, WorksheetRow
+from coursework.grading.submission import Submission
+from coursework.sentences import say
+from coursework.variant.reader import read_variant
+from coursework.variant.record import Variant
+
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """One student to grade: by which variant, from which parcels (none: nothing handed in), where the worksheet has them."""
+
+    id: str
+    name: str | None
+    email: str
+    variant: str
+    parcels: tuple[Parcel, ...]
+    row: WorksheetRow | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class ClassList:
+    """Everyone to grade, by id; `sources` and `variants` by the name of a variant; parcels of nobody on the roster."""
+
+    places: tuple[Place, ...]
+    sources: Mapping[str, VariantSource]
+    variants: Mapping[str, Variant]
+    not_on_roster: tuple[Parcel, ...]
+
+    def tasks(self, source: Source, overrides: Mapping[str, tuple[Override, ...]]) -> Iterator[Task]:
+        """Yield the tasks, each with its files read when it is drawn."""
+        for place in self.places:
+            yield Task(_collected(source, place), self.sources[place.variant], overrides.get(place.id, ()))
+
+
+def _collected(source: Source, place: Place) -> Submission:
+    if not place.parcels:
+        return Submission(place.id, place.name, ())
+    found = source.collect(place.parcels[0])
+    name = place.name or found.name
+    if len(place.parcels) > 1:
+        listed = tuple(parcel.folder or parcel.id for parcel in place.parcels)
+        return replace(found, id=place.id, name=name, review=say("reading.review.resubmitted", names=listed))
+    return replace(found, id=place.id, name=name)
+
+
+def class_of_one(source: Source, variant: str, worksheet: Worksheet | None) -> ClassList:
+    """Return a class in which everybody has the same variant; ids come from SOURCE."""
+    chosen = read_source(variant, Path())
+    rows = {row.number: row for row in worksheet.rows if row.number} if worksheet else {}
+    places = []
+    for parcel in source.parcels:
+        row = rows.get(parcel.number)
+        name = parcel.name or (row.name if row else None)
+        places.append(Place(parcel.id, name, row.email if row else "", chosen[1].name, (parcel,), row))
+    return ClassList(_by_id(places), {chosen[1].name: chosen[1]}, {chosen[1].name: chosen[0]}, ())
+
+
+def class_of_roster(source: Source, roster: Roster, file: Path, worksheet: Worksheet | None) -> ClassList:
+    """Return the class of a roster, each student with the variant that stands there.  Raises `InputError` with every fault."""
+    faults: list[Fault] = []
+    read: dict[str, tuple[Variant, VariantSource]] = {}
+    for student in roster.students:
+        if not student.variant:
+            faults.append(Fault("the variant of this student is missing.", str(file), student.line))
+        elif student.variant not in read:
+            try:
+                found = read_source(student.variant, file.parent)
+                taken = any(source.name == found[1].name for _, source in read.values())
+                named = replace(found[1], name=student.variant) if taken else found[1]
+                read[student.variant] = found[0], named
+            except InputError as error:
+                faults.append(Fault(str(error), str(file), student.line))
+    if faults:
+        raise InputError(faults)
+    matched = match(roster, source.parcels, source.platform, worksheet)
+    places = [
+        Place(
+            student.id, student.name or None, student.email, read[student.variant][1].name,
+            matched.parcels.get(student.id, ()), matched.rows.get(student.id),
+        )
+        for student in roster.students
+    ]  # fmt: skip
+    sources = {found[1].name: found[1] for found in read.values()}
+    variants = {found[1].name: found[0] for found in read.values()}
+    return ClassList(_by_id(places), sources, variants, matched.not_on_roster)
+
+
+def read_source(name: str, folder: Path) -> tuple[Variant, VariantSource]:
+    """Return a variant and its bytes, by a name of the catalogue or a path (from `folder`).  Raises `InputError`."""
+    path = folder / name
+    variant = read_variant(path if path.is_file() else find(name))
+    assert variant.path is not None
+    content = variant.path.read_bytes()
+    beside = [law.file for law in (*variant.drive, *variant.functions) if law.file]
+    return variant, VariantSource(variant.path.stem, content, {file: (variant.path.parent / file).read_bytes() for file in beside})
+
+
+def _by_id(places: Sequence[Place]) -> tuple[Place, ...]:
+    return tuple(sorted(places, key=lambda place: place.id))

@@ -1,0 +1,86 @@
+"""What the instructor decided instead of the marks: read from a file, put into a grade after marking on every run.
+
+Enters: `overrides.csv` (id,check,points,reason), grades.  Leaves: `Override`s by id, changed grades.
+Raises `InputError` for what cannot be meant: nothing is graded by half-understood decisions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from coursework.errors import Fault, InputError, closest
+from coursework.grading.marking.grade import GRADED, points
+from coursework.grading.marking.rubric import PARTS, Rubric
+from coursework.grading.names import same_key
+from coursework.grading.platforms.cells_of_csv import read_cells
+from coursework.grading.reading.numbers import printed
+
+COLUMNS = ("id", "check", "points", "reason")
+CHECKS = (*PARTS, "total")
+
+
+@dataclass(frozen=True, slots=True)
+class Override:
+    """What the instructor decided instead: `points` for a part ("table", "equations", "answers") or for the "total"."""
+
+    check: str
+    points: float
+    reason: str
+
+    def plain(self) -> dict[str, Any]:
+        """Return the record as grades.json writes it."""
+        return asdict(self)
+
+
+def read_overrides(content: bytes, file: str, known: Collection[str], rubric: Rubric) -> dict[str, tuple[Override, ...]]:
+    """Return the decisions by id of `known` students.  Raises `InputError` with every fault."""
+    cells = read_cells(content, file)
+    head = [cell.value.strip().casefold() for cell in cells.records[0]] if cells.records else []
+    if missing := [name for name in COLUMNS[:3] if name not in head]:
+        raise InputError([Fault(f"the column {missing[0]} is missing. The first line is {','.join(COLUMNS)}.", file, 1)])
+    ids = {same_key(student): student for student in known}
+    found: dict[str, list[Override]] = {}
+    faults: list[Fault] = []
+    for record in cells.records[1:]:
+        values = {name: record[head.index(name)].value.strip() if head.index(name) < len(record) else "" for name in COLUMNS
+                  if name in head}  # fmt: skip
+        if not any(values.values()):
+            continue
+        line = record[0].line
+        student = ids.get(same_key(values["id"]))
+        if student is None:
+            hint = closest(values["id"], list(known))
+            faults.append(Fault(f'nobody has the id "{values["id"][:80]}".{hint}', file, line))
+            continue
+        check = values["check"].casefold()
+        if check not in CHECKS:
+            hint = closest(check, CHECKS) or f" Known: {', '.join(CHECKS)}."
+            faults.append(Fault(f'there is no part "{values["check"][:80]}".{hint}', file, line))
+            continue
+        number = printed(values["points"], "," if "," in values["points"] else ".")
+        most = rubric.points if check == "total" else rubric.most(check)
+        if not number.is_number or not 0 <= number.value <= most:
+            faults.append(Fault(f'points from 0 to {most:g} were expected, found "{values["points"][:80]}".', file, line))
+            continue
+        found.setdefault(student, []).append(Override(check, float(number.value), values.get("reason", "")))
+    if faults:
+        raise InputError(faults)
+    return {student: tuple(listed) for student, listed in found.items()}
+
+
+def overridden(grade: Mapping[str, Any], overrides: Iterable[Override]) -> dict[str, Any]:
+    """Return a grade with the decisions in it; one about the total gives a number to what had none."""
+    changed = {**grade, "overrides": [override.plain() for override in overrides]}
+    for override in overrides:
+        if override.check == "total":
+            changed["score"], changed["proposed"] = points(override.points), None
+            if changed["status"] not in GRADED:
+                changed["status"] = "graded-with-notes"
+            continue
+        changed[override.check] = {**(changed[override.check] or {}), "score": points(override.points)}
+        parts = [changed[part] for part in PARTS if changed[part]]
+        number = "score" if changed["status"] in GRADED else "proposed"
+        changed[number] = points(sum(part.get("score") or 0.0 for part in parts))
+    return changed

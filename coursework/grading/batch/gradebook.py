@@ -1,0 +1,139 @@
+"""Grading a class: what is new goes to the workers, everything goes into the gradebook; nothing already done is lost.
+
+Enters: a `ClassList`, `Setup`, OUT.  Leaves: `journal.jsonl`, pages, then the files of `written.py`.  Used by the command.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from coursework.files import write_bytes
+from coursework.grading.batch.class_list import ClassList
+from coursework.grading.batch.decisions import Override
+from coursework.grading.batch.journal import Entry, Journal
+from coursework.grading.batch.supervisor import LIMIT
+from coursework.grading.batch.work import REASONS, Outcome, Setup
+from coursework.grading.batch.workers import Keyed, in_threads, on_cluster
+from coursework.grading.handed_in import Source
+from coursework.grading.names import file_stem
+
+MOST_JOBS = 8
+PAGES = "feedback"
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """How a batch is run; none of it changes a mark."""
+
+    jobs: int = 0
+    scheduler: str | None = None
+    limit: float = LIMIT
+
+    @property
+    def threads(self) -> int:
+        """Return how many children work at once."""
+        return self.jobs or min(MOST_JOBS, os.cpu_count() or 1)
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """A grade that is not what it was in the last run."""
+
+    id: str
+    before: str
+    after: str
+    reason: str
+
+
+@dataclass
+class Graded:
+    """What a run leaves: the place of each id's grade in the journal, how many were new, what changed."""
+
+    journal: Journal
+    places: dict[str, int] = field(default_factory=dict)
+    fresh: int = 0
+    changes: list[Change] = field(default_factory=list)
+
+    def entries(self) -> Iterator[Entry]:
+        """Yield every grade, by id."""
+        for student in sorted(self.places):
+            yield self.journal.read(self.places[student])
+
+
+def page_name(student: str) -> str:
+    """Return where in OUT the page of a student stands."""
+    return f"{PAGES}/{file_stem(student)}.html"
+
+
+def grade_class(
+    listed: ClassList, source: Source, setup: Setup, journal: Journal, out: Path, options: Options,
+    overrides: Mapping[str, tuple[Override, ...]], progress: Callable[[], None],
+) -> Graded:  # fmt: skip
+    """Return the grades of a class; `progress` is called once a student.  The journal must be open.
+
+    A submission whose files, variant, rubric, decisions and version are those of an earlier run is not graded again.
+    """
+    by_key, by_id = journal.places()
+    graded = Graded(journal)
+    names: dict[str, list[str]] = {}
+
+    def fresh() -> Iterator[Keyed]:
+        for task in listed.tasks(source, overrides):
+            key = task.key(setup)
+            student = task.submission.id
+            if key in by_key and _page_stands(out, journal.read(by_key[key]), setup.pages):
+                graded.places[student] = by_key[key]
+                progress()
+                continue
+            names.setdefault(key, []).append(student)
+            yield key, task
+
+    tasks = fresh()
+    done = (
+        on_cluster(tasks, setup, options.scheduler, options.limit)
+        if options.scheduler
+        else in_threads(tasks, setup, options.threads, options.limit)
+    )
+    for key, outcome in done:
+        entry = Entry(key, outcome.id, outcome.grade, _page_written(out, outcome))
+        graded.places[outcome.id] = journal.add(entry)
+        graded.fresh += 1
+        if change := _change(entry, journal.read(by_id[outcome.id]) if outcome.id in by_id else None):
+            graded.changes.append(change)
+        progress()
+    graded.changes.sort(key=lambda change: change.id)
+    return graded
+
+
+def _page_written(out: Path, outcome: Outcome) -> str:
+    """Write the page of an outcome; return its hash, "" where there is none."""
+    if not outcome.page:
+        return ""
+    content = outcome.page.encode("utf-8")
+    write_bytes(out / page_name(outcome.id), content)
+    return hashlib.sha256(content).hexdigest()
+
+
+def _page_stands(out: Path, entry: Entry, wanted: bool) -> bool:
+    """Return whether an entry's page is where it was written, unchanged, or none is wanted."""
+    if not wanted:
+        return True
+    page = out / page_name(entry.id)
+    return bool(entry.page) and page.is_file() and hashlib.sha256(page.read_bytes()).hexdigest() == entry.page
+
+
+def _change(entry: Entry, before: Entry | None) -> Change | None:
+    if before is None or _mark(before) == _mark(entry):
+        return None
+    parts = zip(REASONS, before.key.split(), entry.key.split(), strict=False)
+    reason = next((name for name, old, new in parts if old != new), "again")
+    return Change(entry.id, _mark(before), _mark(entry), reason)
+
+
+def _mark(entry: Entry) -> str:
+    score = entry.grade["score"]
+    return entry.grade["status"] if score is None else f"{score:.2f}"

@@ -1,0 +1,149 @@
+"""The gradebook's files: grades.csv, grades.json, changes.csv, class.html, and what goes back to the platforms.
+
+Enters: finished grades from the journal.  Leaves: files in OUT, each written whole, the same bytes for the same grades.
+Used by the command only.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from coursework.files import write_bytes
+from coursework.grading.batch.class_list import ClassList, Place
+from coursework.grading.batch.gradebook import Change, Graded, page_name
+from coursework.grading.escapes import csv_text
+from coursework.grading.marking.rubric import Rubric
+from coursework.grading.pages.class_facts import ClassFacts
+from coursework.grading.pages.class_page import class_page
+from coursework.grading.platforms.canvas import Gradebook
+from coursework.grading.platforms.feedback_zip import feedback_zip
+from coursework.grading.platforms.worksheet import Worksheet
+
+COLUMNS = (
+    "id", "name", "status", "points", "max", "table", "equations", "answers", "wrong_cells", "missing_cells", "first_wrong",
+    "misconception", "sentence", "page",
+)  # fmt: skip
+FORMAT = 1
+
+
+def submission_record(place: Place, grade: Mapping[str, Any], page: str) -> dict[str, Any]:
+    """Return one submission as grades.json says it."""
+    told = {key: value for key, value in grade.items() if key != "reason"}
+    head = {"id": place.id, "name": place.name, "variant": place.variant}
+    return {**head, **told, "overrides": grade.get("overrides", []), "page": page_name(place.id) if page else None}
+
+
+def write_gradebook(
+    out: Path, listed: ClassList, graded: Graded, rubric: Rubric, *, worksheet: Worksheet | None = None,
+    canvas: Gradebook | None = None, moodle: bool = False,
+) -> list[str]:  # fmt: skip
+    """Write every file but pages and journal; return their names."""
+    places = {place.id: place for place in listed.places}
+    facts = ClassFacts()
+    lines: list[list[str]] = []
+    records: list[str] = []
+    for entry in graded.entries():
+        place = places[entry.id]
+        record = submission_record(place, entry.grade, entry.page)
+        facts.add(record, entry.grade["reason"])
+        lines.append(_line(record, entry.grade["reason"]))
+        records.append(json.dumps(record, ensure_ascii=False, allow_nan=False))
+    strangers = [
+        {"name": parcel.name or parcel.folder or parcel.id, "files": [name for name, _ in parcel.files]}
+        for parcel in listed.not_on_roster
+    ]
+    written = ["grades.csv", "grades.json", "class.html", "changes.csv"]
+    write_bytes(out / "grades.csv", _csv(COLUMNS, lines))
+    write_bytes(out / "grades.json", b"".join(_json(rubric, records, strangers, facts)))
+    changes = [(change.id, change.before, change.after, change.reason) for change in graded.changes]
+    page = class_page(facts, changes, [(str(entry["name"]), list(entry["files"])) for entry in strangers])
+    write_bytes(out / "class.html", page.encode("utf-8"))
+    write_bytes(out / "changes.csv", _changes(graded.changes))
+    if worksheet is not None:
+        write_bytes(out / "worksheet.csv", worksheet.filled(_marks(listed, graded)))
+        written.append("worksheet.csv")
+    if canvas is not None:
+        write_bytes(out / "canvas.csv", canvas.filled(_points(listed, graded, canvas)))
+        written.append("canvas.csv")
+    if moodle:
+        write_bytes(out / "feedback.zip", feedback_zip(_pages(out, listed, graded)))
+        written.append("feedback.zip")
+    return written
+
+
+def _line(record: Mapping[str, Any], reason: str) -> list[str]:
+    parts = [record[part] for part in ("table", "equations", "answers")]
+    sentence = reason
+    if record["score"] is not None:
+        sentence = record["first_wrong"]["sentence"] if record["first_wrong"] else ""
+    return [
+        record["id"], record["name"] or "", record["status"], _number(record["score"]), _number(record["max"]),
+        *(_number(part.get("score") if part else None) for part in parts),
+        str(record["table"]["wrong_cells"]), str(record["table"]["missing_cells"]), record["table"]["first_wrong"] or "",
+        record["misconception"]["code"] if record["misconception"] else "", sentence, record["page"] or "",
+    ]  # fmt: skip
+
+
+def _number(value: float | None) -> str:
+    return "" if value is None else f"{value:.2f}"
+
+
+def _csv(head: Sequence[str], lines: Iterable[Sequence[str]]) -> bytes:
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\r\n")
+    writer.writerow(head)
+    writer.writerows([csv_text(cell) for cell in line] for line in lines)
+    return ("\ufeff" + text.getvalue()).encode("utf-8")
+
+
+def _changes(changes: Sequence[Change]) -> bytes:
+    head = ("id", "before", "after", "reason")
+    return _csv(head, [(change.id, change.before, change.after, change.reason) for change in changes])
+
+
+def _json(
+    rubric: Rubric, records: Sequence[str], strangers: Sequence[Mapping[str, Any]], facts: ClassFacts
+) -> Iterator[bytes]:
+    """Yield the pieces of grades.json, a line a submission."""
+    yield f'{{"format": {FORMAT}, "rubric": {json.dumps(rubric.plain(), ensure_ascii=False)},\n"submissions": [\n'.encode()
+    yield ",\n".join(records).encode()
+    tail = {"not_on_roster": strangers, "class": facts.plain()}
+    yield b"\n],\n" + json.dumps(tail, ensure_ascii=False, allow_nan=False)[1:].encode() + b"\n"
+
+
+def _marks(listed: ClassList, graded: Graded) -> dict[int, tuple[float | None, str]]:
+    """Return points and comment by the record of the worksheet."""
+    rows = {place.id: place.row for place in listed.places if place.row is not None}
+    marks: dict[int, tuple[float | None, str]] = {}
+    for entry in graded.entries():
+        if (row := rows.get(entry.id)) is not None:
+            first = entry.grade["first_wrong"]
+            comment = first["sentence"] if first and entry.grade["score"] is not None else entry.grade["reason"]
+            marks[row.record] = entry.grade["score"], comment
+    return marks
+
+
+def _points(listed: ClassList, graded: Graded, canvas: Gradebook) -> dict[int, float]:
+    places = {place.id: place for place in listed.places}
+    found = {}
+    for entry in graded.entries():
+        place = places[entry.id]
+        keys = (place.id, place.email, *(parcel.number for parcel in place.parcels))
+        record = canvas.record_of(keys, place.name)
+        if record is not None and entry.grade["score"] is not None:
+            found[record] = entry.grade["score"]
+    return found
+
+
+def _pages(out: Path, listed: ClassList, graded: Graded) -> Iterator[tuple[str, str, bytes]]:
+    places = {place.id: place for place in listed.places}
+    for entry in graded.entries():
+        page = out / page_name(entry.id)
+        for parcel in places[entry.id].parcels:
+            if entry.page and parcel.folder:
+                yield parcel.folder, entry.id, page.read_bytes()
