@@ -110,5 +110,7 @@ def _tell(listed: ClassList, fresh: int, changed: int, out: Path, written: list[
     if changed:
         click.echo(f"{changed} grade(s) changed since the last run: changes.csv.")
     if listed.not_on_roster:
-        click.echo(f"{len(listed.not_on_roster)} submission(s) of people not on the roster have no grade; grades.json lists them.")
+        click.echo(
+            f"{len(listed.not_on_roster)} submission(s) of people not on the roster have no grade; grades.json lists them."
+        )
     click.echo(f"Written to {out}: {', '.join(written)}")

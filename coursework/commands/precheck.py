@@ -5,10 +5,10 @@ Enters: paths, perhaps a variant.  Leaves: lines on the screen; 0 where every pa
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import click
 import numpy as np
-
-from pathlib import Path
 
 from coursework.api import load
 from coursework.errors import InputError
@@ -79,9 +79,10 @@ def _tell_steps(key: Key, cells: Cells) -> None:
     place = int(np.argmax(against[row]))
     name, rate = key.names[place], key.velocities[place]
     before, speed = values[row, place], values[row, m + place]
+    after, found = before + key.step * speed, values[row + 1, place]
     click.echo(
-        f"  Row {row + 2}: {name} does not follow from your own row {row + 1}: {before:.6g} + {key.step:g}·({speed:.6g}) = "
-        f"{before + key.step * speed:.6g}, but {values[row + 1, place]:.6g} stands there ({rate} is the velocity of row {row + 1})."
+        f"  Row {row + 2}: {name} does not follow from your own row {row + 1} and its {rate}: "
+        f"{before:.6g} + {key.step:g}·({speed:.6g}) = {after:.6g}, but {found:.6g} stands there."
     )
 
 

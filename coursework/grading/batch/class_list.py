@@ -25,7 +25,6 @@ from coursework.variant.reader import read_variant
 from coursework.variant.record import Variant
 
 
-
 @dataclass(frozen=True, slots=True)
 class Place:
     """One student to grade: by which variant, from which parcels (none: nothing handed in), where the worksheet has them."""
@@ -113,7 +112,9 @@ def read_source(name: str, folder: Path) -> tuple[Variant, VariantSource]:
     assert variant.path is not None
     content = variant.path.read_bytes()
     beside = [law.file for law in (*variant.drive, *variant.functions) if law.file]
-    return variant, VariantSource(variant.path.stem, content, {file: (variant.path.parent / file).read_bytes() for file in beside})
+    return variant, VariantSource(
+        variant.path.stem, content, {file: (variant.path.parent / file).read_bytes() for file in beside}
+    )
 
 
 def _by_id(places: Sequence[Place]) -> tuple[Place, ...]:

@@ -106,9 +106,7 @@ def _changes(changes: Sequence[Change]) -> bytes:
     return _csv(head, [(change.id, change.before, change.after, change.reason) for change in changes])
 
 
-def _json(
-    rubric: Rubric, records: Sequence[str], strangers: Sequence[Mapping[str, Any]], facts: ClassFacts
-) -> Iterator[bytes]:
+def _json(rubric: Rubric, records: Sequence[str], strangers: Sequence[Mapping[str, Any]], facts: ClassFacts) -> Iterator[bytes]:
     """Yield the pieces of grades.json, a line a submission."""
     yield f'{{"format": {FORMAT}, "rubric": {json.dumps(rubric.plain(), ensure_ascii=False)},\n"submissions": [\n'.encode()
     yield ",\n".join(records).encode()

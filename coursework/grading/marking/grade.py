@@ -208,7 +208,7 @@ class Marker:
 
 def blank_grade(status: str, reason: str, rubric: Rubric) -> dict[str, Any]:
     """Return what grades.json says of a submission that nobody could look into."""
-    nothing = {
+    nothing: dict[str, Any] = {
         "state": "missing", "score": None, "max": points(rubric.most("table")), "rows": 0, "rows_needed": 0, "first_wrong": None,
         "wrong_cells": 0, "missing_cells": 0, "carried_cells": 0, "decimals": {}, "least_decimals": None, "computed_to": None,
     }  # fmt: skip

@@ -29,7 +29,11 @@ def feedback_page(grade: Grade, student: str, name: str | None, decided: Mapping
     """Return the page of a grade; `decided` is the grade as grades.json says it after the instructor's decisions."""
     final = decided or grade.plain()
     parts = [
-        {"name": say(f"feedback.part.{part}"), "points": shown_points((final[part] or {}).get("score")), "most": shown_points(most)}
+        {
+            "name": say(f"feedback.part.{part}"),
+            "points": shown_points((final[part] or {}).get("score")),
+            "most": shown_points(most),
+        }
         for part in grade.parts
         if grade.rubric.weights[part]
         for _, most in [grade.part(part)]
