@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from coursework import groups
     from coursework.api import compile_model, exact, load, solve
     from coursework.errors import CourseworkError, InputError, OutputError
+    from coursework.many import Solutions, feasible, feasible_many, solve_many
     from coursework.model.data import Data
     from coursework.model.model import Model
     from coursework.output.write import write_report
@@ -29,15 +30,16 @@ __version__ = "1.0.0"
 
 _HOMES = {
     "load": "coursework.api", "solve": "coursework.api", "exact": "coursework.api", "compile_model": "coursework.api",
-    "Model": "coursework.model.model", "Data": "coursework.model.data", "Run": "coursework.run",
+    "solve_many": "coursework.many", "feasible": "coursework.many", "feasible_many": "coursework.many",
+    "Solutions": "coursework.many", "Model": "coursework.model.model", "Data": "coursework.model.data", "Run": "coursework.run",
     "write_report": "coursework.output.write", "notebook_html": "coursework.report", "Variant": "coursework.variant.record",
     "parse_variant": "coursework.variant.reader",
     "CourseworkError": "coursework.errors", "InputError": "coursework.errors", "OutputError": "coursework.errors",
 }  # fmt: skip
 
 __all__ = [
-    "CourseworkError", "Data", "InputError", "Model", "OutputError", "Run", "Variant", "compile_model", "exact", "groups",
-    "load", "notebook_html", "parse_variant", "solve", "write_report",
+    "CourseworkError", "Data", "InputError", "Model", "OutputError", "Run", "Solutions", "Variant", "compile_model", "exact",
+    "feasible", "feasible_many", "groups", "load", "notebook_html", "parse_variant", "solve", "solve_many", "write_report",
 ]  # fmt: skip
 
 

@@ -61,7 +61,7 @@ def solve(
     Baumgarte's correction in 1/s.  Raises `InputError`.
     """
     chosen = load(variant) if isinstance(variant, (str, Path)) else variant
-    chosen = _timed(chosen, step, end)
+    chosen = timed(chosen, step, end)
     asked, columns = _sorted(chosen, quantities)
     settings = Settings(scheme, project, gain, columns).checked(chosen.time.step)
     return Run(Scene(chosen, settings), asked, student, group, date)
@@ -83,7 +83,8 @@ def exact(
     return table[[*rates.coordinates, *rates.velocities]]
 
 
-def _timed(variant: Variant, step: float | None, end: float | None) -> Variant:
+def timed(variant: Variant, step: float | None, end: float | None) -> Variant:
+    """Return the variant with another step and end (s).  Raises `InputError` for times that make no table."""
     h = _number(step, "step") if step is not None else variant.time.step
     last = _number(end, "end") if end is not None else variant.time.end
     if not (np.isfinite(h) and h > 0):

@@ -6,6 +6,8 @@ Raises `CannotAssemble` (groups) with the row at which a group cannot be put tog
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
@@ -20,6 +22,7 @@ from coursework.groups.rpr import MODES as RPR_MODES
 from coursework.groups.rrp import MODES as RRP_MODES
 from coursework.groups.rrr import MODES as RRR_MODES
 from coursework.reduction.equations import VelocityEquations
+from coursework.reduction.symbolic import Symbols
 from coursework.variant.record import Group, Variant
 
 Array = NDArray[np.float64]
@@ -45,13 +48,17 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
     names = [c.name for c in variant.coordinates]
     q = np.tile([coordinate.guess or 0.0 for coordinate in variant.coordinates], (len(times), 1))
     driven = [place for place, coordinate in enumerate(variant.coordinates) if coordinate.rate in variant.known_rates]
+
+    def values(wanted: list[sp.Expr]) -> Array:
+        return compile_rows(equations, wanted, 0)(times, q)
+
     q[:, driven] += integrals(equations, [variant.coordinates[place].rate for place in driven], times)
     for number, group in enumerate(variant.groups, start=1):
         places = [names.index(name) for name in group.coordinates]
         if group.kind == "crank":
             continue
         try:
-            found = _dyad(equations, group, _mode(equations, group, q[:1]), times, q).coordinates
+            found = dyad(equations.symbols, group, _mode(equations, group, q[:1]), values).coordinates
         except groups.CannotAssemble as error:
             text = f"{group.kind}{_letters(group)} cannot be assembled at t = {times[error.row]:.6g} s: {error.reason}"
             raise _fault(text, number, group, variant) from error
@@ -95,8 +102,11 @@ def _mode(equations: VelocityEquations, group: Group, q: Array) -> int:
     starts = [(c.guess, c.unit) for c in chosen if c.guess is not None]
     if len(starts) == len(chosen):
 
+        def values(wanted: list[sp.Expr]) -> Array:
+            return compile_rows(equations, wanted, 0)(np.zeros(1), q)
+
         def distance(mode: int) -> float:
-            closed = _dyad(equations, group, mode, np.zeros(1), q).coordinates[0].tolist()
+            closed = dyad(equations.symbols, group, mode, values).coordinates[0].tolist()
             return max(abs(_nearest(value, start, unit) - start) for value, (start, unit) in zip(closed, starts, strict=True))
 
         return min((1, -1), key=distance)
@@ -111,11 +121,11 @@ def _nearest(value: float, start: float, unit: str) -> float:
     return value + 2 * np.pi * round((start - value) / (2 * np.pi)) if unit == "rad" else value
 
 
-def _dyad(equations: VelocityEquations, group: Group, mode: int, times: Array, q: Array) -> groups.GroupMotion:
-    symbols = equations.symbols
+def dyad(symbols: Symbols, group: Group, mode: int, values: Callable[[list[sp.Expr]], Array]) -> groups.GroupMotion:
+    """Return the positions of one dyad, row by row; `values` gives the numbers (n, k) of k expressions.
 
-    def values(wanted: list[sp.Expr]) -> Array:
-        return compile_rows(equations, wanted, 0)(times, q)
+    Raises `CannotAssemble` with the first row at which it cannot be put together.
+    """
 
     def pair(formula: Formula) -> Pair:
         return Pair(values(list(symbols.vector(formula))), None, None)

@@ -84,14 +84,17 @@ def refuse_short_tables(equations: VelocityEquations) -> None:
         raise InputError(faults)
 
 
+def argument_slopes(equations: VelocityEquations) -> list[sp.Expr]:
+    """Return d argument/dt (rad/s) of every sine and cosine in the drive whose argument moves."""
+    definitions = [equations.symbols.definitions[symbol(law.name)] for law in equations.variant.drive]
+    slopes = (sp.diff(call.args[0], TIME) for definition in definitions for call in definition.atoms(sp.sin, sp.cos))
+    return [slope for slope in slopes if slope != 0]
+
+
 def fastest(equations: VelocityEquations) -> float:
     """Return the largest |d argument/dt| (rad/s) of a sine or cosine in the drive over the run, 0 without any."""
     variant = equations.variant
-    slopes = []
-    for law in variant.drive:
-        definition = equations.symbols.definitions[symbol(law.name)]
-        slopes += [sp.diff(call.args[0], TIME) for call in definition.atoms(sp.sin, sp.cos)]
-    slopes = [slope for slope in slopes if slope != 0]
+    slopes = argument_slopes(equations)
     if not slopes:
         return 0.0
     _, rows = compile_values(equations, slopes)

@@ -51,13 +51,18 @@ class Rates:
 
     def latest(self, end: float) -> float:
         """Return how far (s) a step that ends at `end` may look: up to a break of the drive that lies there, else any time."""
-        at_break = any(abs(end - time) <= _BEFORE_BREAK * time for time in self.breaks)
-        return end * (1 - _BEFORE_BREAK) if at_break else math.inf
+        return latest(self.breaks, end)
 
     def table(self, t: Array, q: Array) -> tuple[Array, Array]:
         """Return velocities (n, k) and determinants (n, blocks) for rows of coordinates (n, m)."""
         values = np.stack(np.broadcast_arrays(*self.rows(t, *q.T), t)[:-1], axis=-1).astype(float)
         return values[:, : len(self.velocities)], values[:, len(self.velocities) :]
+
+
+def latest(breaks: Sequence[float], end: float) -> float:
+    """Return how far (s) a step that ends at `end` may look: up to a break that lies there, else any time."""
+    at_break = any(abs(end - time) <= _BEFORE_BREAK * time for time in breaks)
+    return end * (1 - _BEFORE_BREAK) if at_break else math.inf
 
 
 def compile_rates(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[str] | None = None) -> Rates:

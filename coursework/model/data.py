@@ -33,10 +33,16 @@ class Data:
     start: Array
     changed: tuple[str, ...]
 
-    def of(self, index: int) -> tuple[dict[str, float], dict[str, float | None]]:
+    def part(self, rows: slice) -> Data:
+        """Return some of the sets."""
+        start = self.start[rows]
+        return Data(len(start), {name: column[rows] for name, column in self.given.items()}, start, self.changed)
+
+    def of(self, index: int, variant: Variant) -> tuple[dict[str, float | str], dict[str, float | str]]:
         """Return the changed data and start values of one set, as `Variant.with_data` takes them."""
-        given = {name: float(column[index]) for name, column in self.given.items() if name in self.changed}
-        return given, {}
+        given: dict[str, float | str] = {name: float(self.given[name][index]) for name in self.changed if name in self.given}
+        starts = zip(variant.coordinates, self.start[index].tolist(), strict=True)
+        return given, {c.name: value for c, value in starts if c.name in self.changed}
 
 
 def read_data(variant: Variant, columns: Mapping[str, Any] | Any = None) -> Data:

@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from coursework.codegen.names import private
 from coursework.codegen.programs import Assign, Statement, compile_function
+from coursework.geometry.drive import breaks
 from coursework.geometry.start import start_values
 from coursework.integration.rates import block_statements
 from coursework.mechanism import build
@@ -25,6 +26,7 @@ from coursework.reduction.blocks import Block, Reduction, reduce
 from coursework.reduction.equations import VelocityEquations, differentiate
 from coursework.reduction.symbolic import constants, local, symbol
 from coursework.reduction.system import scene_program
+from coursework.variant.changes import follow_from
 from coursework.variant.record import Variant
 
 Array = NDArray[np.float64]
@@ -44,6 +46,7 @@ class Model:
     equations: VelocityEquations = field(repr=False)
     reduction: Reduction = field(repr=False)
     _blocks: dict[int, Callable[..., Any]] = field(default_factory=dict, repr=False)
+    _compiled: dict[Any, Callable[..., Any]] = field(default_factory=dict, repr=False)
 
     @property
     def coordinates(self) -> tuple[str, ...]:
@@ -59,6 +62,37 @@ class Model:
     def blocks(self) -> tuple[Block, ...]:
         """Return the blocks in the order of solution."""
         return self.reduction.blocks
+
+    @cached_property
+    def breaks(self) -> tuple[float, ...]:
+        """Return the times (s) at which a law of the template changes its formula."""
+        return breaks(self.variant)
+
+    def own_breaks(self, changed: Iterable[str]) -> bool:
+        """Return whether changed data move the times at which laws change."""
+        formulas = [formula for path, formula in self.variant.times.items() if path[0] != "time"]
+        return any(name in formula.names() for formula in formulas for name in changed)
+
+    @cached_property
+    def angles_in_determinants(self) -> list[int]:
+        """Return the places of the angles that are not driven and stand in a determinant."""
+        inside = {s for block in self.blocks for row in block.matrix for entry in row for s in entry.free_symbols}
+        variant = self.variant
+        free = [c.rate not in variant.known_rates and c.unit == "rad" and symbol(c.name) in inside for c in variant.coordinates]
+        return [place for place, is_free in enumerate(free) if is_free]
+
+    @cached_property
+    def lengths(self) -> tuple[sp.Expr, ...]:
+        """Return the lengths of links that are data or follow from data alone."""
+        variant, symbols = self.variant, self.equations.symbols
+        formulas = [formula for _, formula in variant.points] + list(variant.holds)
+        formulas += [side for constraint in variant.constraints for side in (constraint.left, constraint.right)]
+        found = [node.args[0] for formula in formulas for node in formula.walk() if node.op == "@"]
+        found += [length for group in variant.groups for length in group.lengths]
+        known = {*variant.values, "pi"}
+        scalars = [symbols.scalar(length) for length in found if {*length.names()} <= known]
+        # A velocity beside a datum of zero alone is lost; none of the data may vanish.
+        return tuple(dict.fromkeys([*scalars, *(symbol(given.name) for given in variant.given if given.value)]))
 
     def data(self, columns: Any = None) -> Data:
         """Return sets of data from a mapping or a frame of given names and start coordinates; None for the file's own.
@@ -114,10 +148,18 @@ class Model:
         names = [f"_out{place}" for place in range(len(results))]
         return compile_function("values", arguments, body, names, numpy=True, outside=True)
 
-    def compile_values(self, wanted: Sequence[sp.Expr], velocities: Iterable[str] = ()) -> Callable[..., Any]:
-        """Return the function (t, *q, *velocities, *numbers) of some expressions."""
-        names = [local(f"_value{place}") for place in range(len(wanted))]
-        return self.compile([Assign(name, value) for name, value in zip(names, wanted, strict=True)], names, velocities)
+    def compiled(self, wanted: tuple[sp.Expr, ...], velocities: tuple[str, ...] = ()) -> Callable[..., Any]:
+        """Return the function (t, *q, *velocities, *numbers) of some expressions, compiled once."""
+        if (wanted, velocities) not in self._compiled:
+            names = [local(f"_value{place}") for place in range(len(wanted))]
+            values = [Assign(name, value) for name, value in zip(names, wanted, strict=True)]
+            self._compiled[wanted, velocities] = self.compile(values, names, velocities)
+        return self._compiled[wanted, velocities]
+
+    def follow(self, changed: Iterable[str]) -> frozenset[str]:
+        """Return the coordinates whose start follows from changed data, as `Variant.with_data` lets it follow."""
+        keys = {("coordinates", name, "start") if name in self.coordinates else ("given", name): 0.0 for name in changed}
+        return follow_from(self.variant, keys)
 
     def numbers(self, data: Data, beside: int = 0) -> Columns:
         """Return the arguments that stand for the data: floats of one set, else (count, 1, …) with `beside` further axes."""

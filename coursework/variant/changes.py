@@ -7,7 +7,7 @@ Used by `record.py`; the file is then read anew with them, so that nothing deriv
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -40,7 +40,7 @@ def changed_values(variant: Variant, given: Values, start: Values, drive: Values
     return changes
 
 
-def follow_from(variant: Variant, changes: Mapping[Path, float | str]) -> frozenset[str]:
+def follow_from(variant: Variant, changes: Iterable[Path]) -> frozenset[str]:
     """Return the coordinates whose start follows from other data by the geometry and is not among the changes itself."""
     named = {path[1] for path in changes if path[0] in {"given", "coordinates"}}
     formulas = [formula for _, formula in variant.points] + [f for law in variant.functions for f in law.formulas]

@@ -64,7 +64,7 @@ def _build(source: Source, name: str, path: Path | None) -> Variant:
     if parts.faults:
         raise InputError(parts.faults)
     remarks = remarks_on(variant, dimensions, source, parts.times, parts.grads)
-    return replace(variant, plausibility=remarks, reread=partial(_read_again, source, name, path))
+    return replace(variant, plausibility=remarks, times=parts.times, reread=partial(_read_again, source, name, path))
 
 
 def _read_again(source: Source, name: str, path: Path | None, changes: Mapping[tuple[str | int, ...], Any]) -> Variant:

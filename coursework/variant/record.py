@@ -194,6 +194,7 @@ class Variant:
     remarks: tuple[str, ...] = ()
     plausibility: tuple[Remark, ...] = ()
     lines: Mapping[tuple[str | int, ...], int] = field(default_factory=dict, repr=False, compare=False)
+    times: Mapping[Path, Formula] = field(default_factory=dict, repr=False, compare=False)  # what is computed from data
     reread: Callable[[Mapping[Path, Any]], Variant] | None = field(default=None, repr=False, compare=False)
     changes: Mapping[Path, float | str] = field(default_factory=dict, repr=False, compare=False)
 

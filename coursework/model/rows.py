@@ -1,0 +1,52 @@
+"""The rows of many sets by one scheme, all sets in one step, with everything watched that `march` watches.
+
+Enters: a `Model`, prepared `Sets`, a scheme, the times.  Leaves: tables (n, rows, columns) and which of them are good.
+Used by `many.py`.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.integration.integrate import WIDEST_STEP
+from coursework.integration.rates import latest
+from coursework.model.model import Model
+from coursework.model.sets import Sets
+from coursework.model.watch import stacked
+from coursework.schemes import Scheme
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+
+def rows_of(model: Model, sets: Sets, scheme: Scheme, times: Array) -> tuple[Array, Flags]:
+    """Return the rows at `times` (t = i h) and for which sets (n,) the scheme stepped over nothing and stayed finite."""
+    q, numbers = sets.begin, sets.numbers
+    m, k = len(q), len(model.velocities)
+    step = float(times[1] - times[0]) if len(times) > 1 else 0.0
+    guarded = model.angles_in_determinants
+    table = np.empty((len(times), m + k, q.shape[1]))
+    good = np.ones(q.shape[1], dtype=bool)
+    before: Array | None = None
+    with np.errstate(all="ignore"):
+        for index, t in enumerate(times.tolist()):
+            values = stacked(model.program(t, *q, *numbers), q[:1])
+            table[index, :m], table[index, m:] = q, values[:k]
+            if before is not None:
+                good &= (values[k:] * before > 0).all(axis=0)
+            before = values[k:]
+            if index + 1 < len(times):
+                last = latest(model.breaks, (index + 1) * step)
+
+                def slopes(time: Any, at: Array, *, first: Array = values[:m], own: Array = q, last: float = last) -> Array:
+                    return first if at is own else stacked(model.program(min(time, last), *at, *numbers)[:m], at)
+
+                moved = scheme.step(slopes, t, q, step)
+                if guarded:
+                    good &= (np.abs(moved[guarded] - q[guarded]) <= WIDEST_STEP).all(axis=0)
+                q = moved
+        good &= np.isfinite(table).all(axis=(0, 1))
+    return table.transpose(2, 0, 1), good

@@ -1,0 +1,95 @@
+"""What is found out about many sets before any table: where they begin, and which of them are sure to move.
+
+Enters: a `Model` and `Data`.  Leaves: `Sets`.  Used by `many.py`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from numpy.typing import NDArray
+
+from coursework.geometry.drive import argument_slopes
+from coursework.model.data import Data
+from coursework.model.model import Columns, Model
+from coursework.model.start import close, start_of
+from coursework.model.watch import fewest_steps, frequencies, stacked, sure_to_move
+from coursework.reduction.symbolic import symbol
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+# How many times more steps those sets get that a first look leaves in doubt.
+_CLOSER = 4
+# Parts of the run at which equations that are not solved are held against the velocities found, and how exactly they must fit.
+_LOOKS, _FITS = (0.0, 0.013, 0.02), 1e-8
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Sets:
+    """`numbers` for the model's programs; `begin` (m, n) of the rows; `sure` (n,) to move; `frequency` (n,) of the drive."""
+
+    numbers: Columns
+    begin: Array
+    sure: Flags
+    frequency: Array
+
+
+def prepare(model: Model, data: Data, end: float) -> Sets:
+    """Return the sets; `end` (s) is how far they must move.  Nothing is raised: what is wrong with a set leaves it in doubt."""
+    with np.errstate(all="ignore"):
+        numbers = model.numbers(data)
+        start = start_of(model, data, numbers)
+        frequency = frequencies(model, argument_slopes(model.equations), numbers, data.count, end)
+        sure = ~start.doubtful & _sound(model, numbers, start.closed, end)
+        if model.own_breaks(data.changed):
+            sure[:] = False
+        places = np.flatnonzero(sure)
+        steps = 0
+        for _ in range(2):
+            if len(places):
+                some = _some(numbers, places)
+                at = start.closed[:, places]
+                steps = max(_CLOSER * steps, fewest_steps(model, some, frequency[places], at, end))
+                sure[places] = sure_to_move(model, some, at, end, steps)
+                places = places[~sure[places]]
+    return Sets(numbers, start.begin, sure, frequency)
+
+
+def _sound(model: Model, numbers: Columns, q: Array, end: float) -> Flags:
+    """Return for which sets links have lengths, and equations that nothing is solved from fit the velocities found."""
+    sound = np.ones(q.shape[1], dtype=bool)
+    lengths = model.lengths
+    if lengths:
+        sound &= (stacked(model.compiled(lengths)(0.0, *q, *numbers), q[:1]) != 0.0).all(axis=0)
+    unused = [e for e in model.equations.equations if e.name in model.reduction.unused]
+    held = [*unused, *model.equations.from_closure]
+    if not held:
+        return sound
+    terms = [[slope * symbol(name) for name, slope in e.coefficients.items()] for e in held]
+    gaps = tuple(sp.Add(*parts, -e.right_side) for e, parts in zip(held, terms, strict=True))
+    sizes = tuple(sp.Add(*map(sp.Abs, parts), sp.Abs(e.right_side)) for e, parts in zip(held, terms, strict=True))
+    function = model.compiled((*gaps, *sizes), model.variant.sought)
+    sought = [model.velocities.index(name) for name in model.variant.sought]
+    free = [place for place, c in enumerate(model.variant.coordinates) if c.rate not in model.variant.known_rates]
+    closed = any(position.kept == "zero" for position in model.equations.positions)
+    at: Any = q
+    for before, now in zip((0.0, *_LOOKS), _LOOKS, strict=False):
+        t = now * end
+        if now:
+            # Any position near the motion that the geometry allows will do.
+            at = at + (now - before) * end * stacked(model.program(before * end, *at, *numbers)[: len(at)], at)
+            at, settled = close(model, t, at, numbers, free) if closed else (at, sound)
+            sound &= settled
+        u = model.program(t, *at, *numbers)
+        values = stacked(function(t, *at, *(u[place] for place in sought), *numbers), at[:1])
+        gap, size = np.abs(values[: len(held)]), values[len(held) :]
+        sound &= (gap <= _FITS * np.where(size > 0, size, 1.0)).all(axis=0)
+    return sound
+
+
+def _some(numbers: Columns, places: NDArray[np.intp]) -> Columns:
+    """Return the numbers of some sets."""
+    return [number if np.ndim(number) == 0 else number[places] for number in numbers]

@@ -1,0 +1,162 @@
+"""Where the motions of many sets begin: groups put together, closures closed, for all sets at once.
+
+Enters: a `Model` and `Data`.  Leaves: `Start`; a set that leaves any doubt is marked, never guessed.
+Used by `sets.py`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from numpy.typing import NDArray
+
+from coursework.geometry.chain import dyad
+from coursework.geometry.closure import OPEN
+from coursework.geometry.start import START_TOLERANCE
+from coursework.groups import CannotAssemble
+from coursework.model.data import Data
+from coursework.model.model import Columns, Model
+from coursework.reduction.symbolic import symbol
+from coursework.variant.record import Group
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+# Corrections by Newton's rule and the size (rad, m) below which the last one is round-off.
+_MOST, _SETTLED = 12, 1e-11
+
+
+@dataclass(frozen=True, slots=True)
+class Start:
+    """`begin` (m, n) where the rows begin; `closed` (m, n) where the true motion begins; `doubtful` (n,) sets to be looked at."""
+
+    begin: Array
+    closed: Array
+    doubtful: Flags
+
+
+def start_of(model: Model, data: Data, numbers: Columns) -> Start:
+    """Return the start of every set."""
+    variant = model.variant
+    begin = np.ascontiguousarray(data.start.T)
+    doubtful: Flags = np.asarray(np.isnan(begin).any(axis=0))
+    follow = model.follow(data.changed)
+    if variant.groups:
+        begin, doubtful = _by_groups(model, begin, numbers, follow)
+        return Start(begin, begin, doubtful)
+    rows = [position.expression for position in model.equations.positions if position.kept == "zero"]
+    if not rows:
+        return Start(begin, begin, doubtful)
+    free = [place for place, c in enumerate(variant.coordinates) if c.rate not in variant.known_rates]
+    if follow:
+        moved = [place for place in free if model.coordinates[place] in follow]
+        begin, settled = close(model, 0.0, begin, numbers, moved)
+        doubtful = doubtful | ~settled
+    lengths = [np.abs(data.given[given.name]) for given in variant.given if given.si == "m"]
+    scale = np.max(lengths, axis=0, initial=0.0) if lengths else np.ones(data.count)
+    residual = np.array(np.broadcast_arrays(*model.compiled(tuple(rows))(0.0, *begin, *numbers), begin[0])[:-1])
+    doubtful |= ~(np.max(np.abs(residual), axis=0) <= OPEN * np.where(scale > 0, scale, 1.0))
+    closed, settled = close(model, 0.0, begin, numbers, free)
+    return Start(begin, closed, doubtful | ~settled)
+
+
+def close(model: Model, t: Any, q: Array, numbers: Columns, moved: list[int]) -> tuple[Array, Flags]:
+    """Return positions (m, n) closed by moving some coordinates, and whether Newton's rule has settled (n,)."""
+    positions = [position.expression for position in model.equations.positions if position.kept == "zero"]
+    names = [symbol(model.coordinates[place]) for place in moved]
+    slopes = [model.equations.symbols.partial(expression, name) for expression in positions for name in names]
+    function = model.compiled((*positions, *slopes))
+    q = q.copy()
+    k, f, n = len(positions), len(moved), q.shape[1]
+    settled = np.zeros(n, dtype=bool)
+    for _ in range(_MOST if f else 0):
+        values = np.array([np.broadcast_to(value, n) for value in function(t, *q, *numbers)]).T
+        residual, jacobian = values[:, :k], values[:, k:].reshape(n, k, f)
+        step = _least(jacobian, -residual)
+        q[moved] += step.T
+        settled = np.max(np.abs(step), axis=1) < _SETTLED
+        if settled[np.isfinite(step).all(axis=1)].all():
+            break
+    return q, settled | (f == 0)
+
+
+def _least(matrix: Array, right: Array) -> Array:
+    """Return the smallest x (n, f) for which matrix (n, k, f) x is nearest to right (n, k); nan where it is singular."""
+    k, f = matrix.shape[1:]
+    turned = np.swapaxes(matrix, 1, 2)
+    square = matrix if k == f else matrix @ turned if k < f else turned @ matrix
+    known = right if k <= f else (turned @ right[..., None])[..., 0]
+    good: Flags = np.asarray(np.isfinite(square).all(axis=(1, 2)) & np.isfinite(known).all(axis=1))
+    safe = np.where(good[:, None, None], square, np.eye(min(k, f)))
+    regular: Flags = np.asarray(good & (np.linalg.det(safe) != 0.0))
+    solved = np.linalg.solve(np.where(regular[:, None, None], safe, np.eye(min(k, f))), known[..., None])
+    found = turned @ solved if k < f else solved
+    return np.asarray(np.where(regular[:, None], found[..., 0], np.nan))
+
+
+def _by_groups(model: Model, begin: Array, numbers: Columns, follow: frozenset[str]) -> tuple[Array, Flags]:
+    """Return the starts with the groups put together; what a file writes itself must agree with them."""
+    variant = model.variant
+    q = np.nan_to_num(begin)
+    doubtful = np.zeros(q.shape[1], dtype=bool)
+    for group in variant.groups:
+        if group.kind == "crank":
+            continue
+        places = [model.coordinates.index(name) for name in group.coordinates]
+        guesses = begin[places]
+        found = _assembled(model, group, q, numbers, guesses, doubtful)
+        for place, guess, values in zip(places, guesses, found, strict=True):
+            coordinate = variant.coordinates[place]
+            turned = values
+            if coordinate.unit == "rad":
+                turned = values + 2 * np.pi * np.round((np.where(np.isnan(guess), values, guess) - values) / (2 * np.pi))
+            if coordinate.start is not None and coordinate.name not in follow:
+                doubtful |= ~(np.abs(guess - turned) <= START_TOLERANCE)
+            q[place] = turned
+    return q, doubtful | np.isnan(q).any(axis=0)
+
+
+def _assembled(model: Model, group: Group, q: Array, numbers: Columns, guesses: Array, doubtful: Flags) -> Array:
+    """Return the coordinates (k, n) of one dyad in the mode written, else in the one nearest to the guesses."""
+    if group.mode or group.kind not in {"RRR", "RRP", "RPR"}:
+        return _in_mode(model, group, group.mode, q, numbers, doubtful)
+    if np.isnan(guesses).any():
+        if group.kind != "RPR":
+            doubtful |= True
+            return np.full_like(guesses, np.nan)
+        return _in_mode(model, group, 1, q, numbers, doubtful)
+    units = [c.unit for name in group.coordinates for c in model.variant.coordinates if c.name == name]
+    ways = [_in_mode(model, group, mode, q, numbers, doubtful) for mode in (1, -1)]
+    away = []
+    for way in ways:
+        gaps = way - guesses
+        turns = np.array([[2 * np.pi if unit == "rad" else np.inf] for unit in units])
+        gaps = np.where(np.isinf(turns), gaps, gaps - turns * np.round(gaps / turns))
+        away.append(np.max(np.abs(gaps), axis=0))
+    return np.where(away[0] <= away[1], *ways)
+
+
+def _in_mode(model: Model, group: Group, mode: int, q: Array, numbers: Columns, doubtful: Flags) -> Array:
+    """Return the coordinates (k, n) of one dyad; sets that cannot be put together are marked and get nan."""
+    count = q.shape[1]
+    kept = np.flatnonzero(~doubtful)
+
+    def values(wanted: list[sp.Expr]) -> Array:
+        one_each = [number if np.ndim(number) == 0 else number[kept] for number in numbers]
+        function = model.compiled(tuple(wanted))
+        return np.array([np.broadcast_to(v, len(kept)) for v in function(0.0, *q[:, kept], *one_each)], dtype=float).T
+
+    result = np.full((len(group.coordinates), count), np.nan)
+    while len(kept):
+        try:
+            result[:, kept] = dyad(model.equations.symbols, group, mode, values).coordinates.T
+            break
+        except CannotAssemble as error:
+            doubtful[kept[list(error.rows)]] = True
+            kept = np.delete(kept, list(error.rows))
+        except ValueError:
+            doubtful[kept] = True
+            break
+    return result

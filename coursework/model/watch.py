@@ -1,0 +1,144 @@
+"""Whether the true motion of many sets is sure to go through: followed for all at once, every determinant watched.
+
+Enters: a `Model`, the numbers of the sets, where they begin.  Leaves: (n,) True where no dead or change point can have been
+missed.  Used by `sets.py`; what is not sure is searched one by one.
+
+The motion is followed by Runge-Kutta steps, the determinants are looked at in their ends and middles.  A set is sure where
+every determinant keeps a distance from zero that is larger than what it may dip between two looks (its second difference; a
+parabola dips an eighth of it) and than what the error of the positions may change it by (the defect of the cubic through both
+ends of a step, measured in its middle and added up: E. Hairer, S. P. Norsett, G. Wanner, "Solving Ordinary Differential
+Equations I", Springer 1993, II.6 and II.9).
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.model.model import Columns, Model
+from coursework.reduction.symbolic import TIME, symbol
+from coursework.schemes import PRECISE
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+# The widest turn of a driven angle or of the argument of a sine in the drive in one step (rad), and the fewest steps.
+TURN, FEWEST, MOST = 0.5, 12, 4000
+# The distance from zero, as part of the determinant's largest value, that is asked for beyond dips and errors.
+MARGIN = 0.02
+# How many times the summed defect the error of a position is taken for, and how fast a determinant may change with it.
+GROWTH, SLOPE = 30.0, 4.0
+# A determinant that stays below this part of the largest value it can have is not judged by its own largest value.
+_FLAT = 1e-6
+_BEFORE_BREAK = 1e-13
+
+
+@dataclass(slots=True)
+class Watch:
+    """What is known of the determinants (blocks, n) so far, look by look."""
+
+    last: Array
+    before: Array | None
+    least: Array
+    most: Array
+    dip: Array
+    changed: Flags
+    fastest: Array
+
+    @classmethod
+    def at(cls, determinants: Array) -> Watch:
+        """Return the watch after the first look."""
+        size = np.abs(determinants)
+        return cls(determinants, None, size, size, np.zeros_like(size), np.zeros(size.shape[1], dtype=bool), np.zeros_like(size))
+
+    def look(self, determinants: Array) -> None:
+        """Take in the next look."""
+        size = np.abs(determinants)
+        self.changed |= ~(determinants * self.last > 0).all(axis=0)
+        self.least, self.most = np.minimum(self.least, size), np.maximum(self.most, size)
+        self.fastest = np.maximum(self.fastest, np.abs(determinants - self.last))
+        if self.before is not None:
+            self.dip = np.maximum(self.dip, np.abs(determinants - 2 * self.last + self.before))
+        self.before, self.last = self.last, determinants
+
+
+def sure_to_move(model: Model, numbers: Columns, q: Array, end: float, steps: int) -> Flags:
+    """Return for which sets (n,) the motion from positions q (m, n) is sure to reach `end` (s); followed in `steps` steps."""
+    blocks, m = len(model.blocks), q.shape[0]
+    if not blocks:
+        return np.asarray(np.isfinite(q).all(axis=0))
+
+    def rates(t: float, at: Array) -> tuple[Array, Array]:
+        values = model.program(t, *at, *numbers)
+        return stacked(values[:m], at), stacked(values[-blocks:], at[:1])
+
+    breaks = {time for time in model.breaks if 0 < time < end}
+    times = sorted({*np.linspace(0.0, end, steps + 1).tolist(), *breaks})
+    slope, determinants = rates(0.0, q)
+    watch = Watch.at(determinants)
+    error, moved = np.zeros(q.shape[1]), np.zeros(q.shape[1])
+    for t, after in itertools.pairwise(times):
+        h, latest = after - t, after * (1 - _BEFORE_BREAK) if after in breaks else math.inf
+        first = slope
+
+        def slopes(time: Any, at: Array, *, first: Array = first, latest: float = latest, own: Array = q) -> Array:
+            return first if at is own else rates(min(time, latest), at)[0]
+
+        ahead = PRECISE.step(slopes, t, q, h)
+        slope, determinants = rates(min(after, latest), ahead)
+        middle = (q + ahead) / 2 + h / 8 * (first - slope)
+        there, between = rates(t + h / 2, middle)
+        watch.look(between)
+        watch.look(determinants)
+        error += h * np.max(np.abs(1.5 * (ahead - q) / h - (first + slope) / 4 - there), axis=0)
+        moved = np.maximum(moved, np.max(np.abs(ahead - q), axis=0))
+        q = ahead
+        if after in breaks:
+            slope, determinants = rates(after, q)
+            watch.look(determinants)
+    return _judged(model, watch, error, moved)
+
+
+def _judged(model: Model, watch: Watch, error: Array, moved: Array) -> Flags:
+    scale = np.where(watch.most > 0, watch.most, 1.0)
+    slope = np.maximum(SLOPE, SLOPE * watch.fastest / scale / np.maximum(moved, 1e-12))
+    room = watch.least / scale - watch.dip / scale - slope * GROWTH * error
+    largest = np.array([block.largest for block in model.blocks])[:, None]
+    flat = watch.most < _FLAT * largest
+    return np.asarray((room > MARGIN).all(axis=0) & ~watch.changed & ~flat.any(axis=0) & np.isfinite(error))
+
+
+def fewest_steps(model: Model, numbers: Columns, frequency: Array, start: Array, end: float) -> int:
+    """Return the steps of a first look: no drive turns further than `TURN` in one."""
+    drives = tuple(symbol(rate) for c, rate in zip(model.variant.coordinates, model.variant.rates, strict=True)
+                   if rate in model.variant.known_rates and c.unit == "rad")  # fmt: skip
+    turning = np.abs(np.array([np.max(np.abs(v)) for v in model.compiled(drives)(0.0, *start, *numbers)])) if drives else 0.0
+    fastest = max(float(np.max(frequency, initial=0.0)), float(np.max(turning, initial=0.0)))
+    fastest = fastest if math.isfinite(fastest) else 0.0
+    return int(min(MOST, max(FEWEST, math.ceil(end * fastest / TURN))))
+
+
+def frequencies(model: Model, slopes: Sequence[Any], numbers: Columns, count: int, end: float) -> Array:
+    """Return the fastest turn (n,) in rad/s of the argument of a sine or cosine in the drive, 0 without any."""
+    found = np.zeros(count)
+    if not slopes:
+        return found
+    timely = any(TIME in slope.free_symbols for slope in slopes)
+    times = np.linspace(0.0, end, 257)[:, None] if timely else 0.0
+    for value in model.compiled(tuple(slopes))(times, *np.zeros(len(model.coordinates)), *numbers):
+        size = np.abs(value)
+        found = np.maximum(found, np.max(size, axis=0) if np.ndim(size) == 2 else size)
+    return found
+
+
+def stacked(values: Sequence[Any], like: Array) -> Array:
+    """Return rows (k, n) of numbers and arrays (n,)."""
+    rows = np.empty((len(values), like.shape[1]))
+    for row, value in zip(rows, values, strict=True):
+        row[:] = value
+    return rows

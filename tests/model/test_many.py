@@ -1,0 +1,176 @@
+"""Many sets together are each set alone: rows to 1e-12, the same stops, and no dead point missed."""
+
+import numpy as np
+import pandas as pd
+import pytest
+
+import coursework
+from coursework.catalogue import names
+from coursework.model.sets import prepare
+from coursework.schemes import SCHEMES
+
+MODELS = {}
+
+
+def model(name):
+    if name not in MODELS:
+        MODELS[name] = coursework.compile_model(name)
+    return MODELS[name]
+
+
+def spread(name, part, count, seed=0):
+    """Return sets with every given datum off by at most a part of itself."""
+    random = np.random.default_rng(seed)
+    return {key: value * (1 + part * random.uniform(-1, 1, count)) for key, value in model(name).variant.values.items()}
+
+
+def alone(name, data, index, **options):
+    variant = model(name).variant
+    times = {"step": variant.time.step, "end": variant.time.end, **options}
+    given = {key: float(column if np.ndim(column) == 0 else column[index]) for key, column in data.items()}
+    start = {key: given.pop(key) for key in model(name).coordinates if key in given}
+    return coursework.solve(variant.with_data(given, start), quantities=["table"], **times)
+
+
+def same(name, data, **options):
+    """Raise where sets together are not the sets alone; return the solutions."""
+    time = model(name).variant.time
+    solved = coursework.solve_many(model(name), data, **{"step": time.step, "end": time.end, **options})
+    for index, stop in enumerate(solved.stops):
+        motion = alone(name, data, index, **options).motion
+        scale = 1.0 + np.max(np.abs(motion.rows), initial=0.0)
+        rows = solved.values[index]
+        assert np.max(np.abs(rows[: len(motion.t)] - motion.rows), initial=0.0) < 1e-12 * scale
+        assert np.isnan(rows[len(motion.t) :]).all()
+        assert stop == motion.stop
+    return solved
+
+
+# Two of the files allow few other data: the table of one law ends where the motion does.
+NARROW = {"variable-crank-table": 0.0}
+
+
+@pytest.mark.parametrize("name", names())
+def test_every_variant_of_the_catalogue(name):
+    same(name, spread(name, NARROW.get(name, 0.01), 2))
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_every_scheme(scheme):
+    same("31", spread("31", 0.02, 2), scheme=scheme)
+
+
+def test_dead_points_of_any_data():
+    data = spread("31", 0.3, 24) | {"alpha": np.linspace(0, 2 * np.pi, 24)}
+    solved = same("31", data)
+    kinds = {stop.kind if stop else None for stop in solved.stops}
+    assert {None, "dead point"} <= kinds
+    assert sum(stop is None for stop in solved.stops) > 4
+
+
+@pytest.mark.parametrize("edge", [1.5929, 4.6903])
+def test_beside_the_edge_of_what_is_possible(edge):
+    """The feasible phases of variant 31, to the digits its page gives, and closer than any step could see."""
+    alpha = edge + np.array([-1e-2, -1e-4, -1e-5, 0.0, 1e-5, 1e-4, 1e-2])
+    same("31", {"alpha": alpha})
+
+
+def test_a_set_is_sure_only_if_it_can_move():
+    data = spread("stephenson", 0.15, 40, seed=2)
+    sets = prepare(model("stephenson"), model("stephenson").data(data), model("stephenson").variant.time.end)
+    possible, reasons = coursework.feasible_many(model("stephenson"), data)
+    assert 5 < possible.sum() < 35
+    for index in range(40):
+        try:
+            given = {key: float(column[index]) for key, column in data.items()}
+            truth = coursework.feasible(model("stephenson").variant.with_data(given))
+        except coursework.InputError as error:
+            truth = False, str(error)
+        assert (possible[index], reasons[index]) == truth
+        assert truth[0] or not sets.sure[index]
+
+
+@pytest.mark.parametrize("step", [0.01, 0.06, 0.12])
+def test_what_the_step_does_is_told_as_alone(step):
+    same("31", spread("31", 0.02, 3), step=step)
+
+
+def test_start_coordinates_are_columns_too():
+    same("31", {"phi1": [1.6, 1.63, 1.7], "phi3": [2.8, 2.87, 2.9], "p": 12.0})
+
+
+def test_the_end_and_the_step_are_those_asked_for():
+    solved = coursework.solve_many("31", {"p": [13.08]}, step=0.01, end=0.2)
+    assert solved.t.tolist() == (np.arange(21) * 0.01).tolist()
+    assert solved.values.shape == (1, 21, 7)
+
+
+def test_a_frame_in_and_tables_out():
+    solved = coursework.solve_many(model("31"), pd.DataFrame({"alpha": [4.35, 0.02]}))
+    table = solved.table(0)
+    pd.testing.assert_frame_equal(table, coursework.solve("31", quantities=["table"]).table, rtol=1e-12)
+    assert solved.columns == tuple(table.columns)
+    stopped = solved.table(1)
+    assert len(stopped) == 6 and solved.stops[1].time == pytest.approx(0.116889254610302411, abs=1e-8)
+    with pytest.raises(ValueError, match="read-only"):
+        solved.values[0, 0, 0] = 1.0
+
+
+def test_no_sets_are_no_rows():
+    solved = coursework.solve_many(model("31"), {"p": []})
+    assert solved.values.shape == (0, 25, 7) and solved.stops == ()
+
+
+PIECES = """
+format = 1
+[given]
+V = "1 rad/s"
+late = "0.05 s"
+a = "0.3 m"
+[drive]
+D = { pieces = [["0 s", "V"], ["late", "2*V"], ["0.07 s", "V*cos(20*t)"]] }
+[coordinates]
+x = { start = "0.2 rad", rate = "u" }
+y = { start = "0.4 rad", rate = "v" }
+[time]
+step = "0.01 s"
+end = "0.12 s"
+[[constraint]]
+equation = "a*u*cos(x) = a*D"
+[[constraint]]
+equation = "a*v*cos(y) + a*u*sin(x) = 0"
+"""
+
+
+@pytest.mark.parametrize("data", [{"V": [1.0, 1.5, 30.0]}, {"late": [0.05, 0.033, 0.06]}])
+@pytest.mark.parametrize("scheme", ["euler", "rk4"])
+def test_a_drive_in_pieces(data, scheme):
+    variant = coursework.parse_variant(PIECES, "pieces")
+    MODELS["pieces"] = coursework.compile_model(variant)
+    same("pieces", data, scheme=scheme)
+
+
+@pytest.mark.parametrize(
+    ("call", "sentence"),
+    [
+        (lambda: coursework.solve_many("31", {"r1": [0.9, 0.0]}), "set 2: "),
+        (lambda: coursework.solve_many("31", {"p": [13.0, 400.0]}), "set 2: The step 0.02 s is too large for this drive"),
+        (lambda: coursework.solve_many("example-6", {"w0": [9.0, 10.0]}), "the step of example-6 depends on w0"),
+        (lambda: coursework.solve_many("example-6", {"w0": [9.0]}, step=0.01), "the end of example-6 depends on w0"),
+        (lambda: coursework.solve_many("31", {"p": [1.0]}, scheme="eular"), 'there is no scheme "eular"'),
+        (lambda: coursework.solve_many("31", {"p": [1.0]}, step=-1.0), "the step must be greater than 0"),
+        (lambda: coursework.solve_many("31", {"p": ["1 m"]}), "p, set 1: an angular velocity was expected"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_solved_is_said(call, sentence):
+    with pytest.raises(coursework.InputError) as caught:
+        call()
+    assert sentence in str(caught.value)
+
+
+def test_why_a_set_cannot_move():
+    possible, reasons = coursework.feasible_many("31", {"alpha": [4.35, 0.02, 4.35], "r1": [0.953, 0.953, 0.0]})
+    assert possible.tolist() == [True, False, False]
+    assert reasons[0] == "" and "0.116889" in reasons[1] and "zero length" in reasons[2]
+    assert coursework.feasible("31") == (True, "")
+    assert coursework.feasible("example-1")[0]
