@@ -112,13 +112,14 @@ _VARIANT = click.argument("variant", shell_complete=_offered("variants"))
 @click.option(
     "--scheme", default=DEFAULT_SCHEME.name, show_default=True, shell_complete=_offered("schemes"), help=f"{', '.join(SCHEMES)}."
 )
-@click.option("--step", help='Step in s, such as 0.02; "auto" with --error finds one.')
+@click.option("--step", help='Step in s, such as 0.02; "h/4": a part of the file\'s step; "auto" with --error.')
 @click.option("--error", type=float, help="With --step auto: largest error wanted over the rows, rad or m.")
 @click.option("--end", type=float, help="End of the run in s.")
 @click.option("--quantities", callback=_listed, help="What to compute: quantities, or columns of the table; commas between.")
 @click.option("--project", is_flag=True, help="One Newton projection onto the position equations a step.")
 @click.option("--gain", type=float, default=0.0, help="Baumgarte's gain in 1/s (a teaching knob; gain times step below 2).")
 @click.option("--precision", type=click.Choice(["double", "single"]), default="double", help="single: see what round-off does.")
+@click.option("--strict", is_flag=True, help="End with status 1 also where a check only needs a finer step (COARSE).")
 @click.option("--plan", is_flag=True, help="Print what would be computed and what is left out, and stop.")
 @click.option("--profile", is_flag=True, help="Print calls and time of every quantity.")
 @click.option(

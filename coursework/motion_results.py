@@ -18,7 +18,7 @@ from coursework.schemes import SCHEMES
 
 if TYPE_CHECKING:
     from coursework.checks.evidence import Evidence
-    from coursework.checks.result import Check
+    from coursework.checks.result import Finding
     from coursework.scene import Scene
 
 Array = NDArray[np.float64]
@@ -63,13 +63,6 @@ class MotionResults:
         motion = self.motion
         return motion.scheme in SCHEMES and (motion.stop is None or motion.stop is self.scene.stop)
 
-    @computed("motion", "stop", "rates", "closure", "reduction", "start", "flow")
-    def half_step(self) -> Motion | None:
-        """The same run with half the step: what the scheme's own error is estimated from."""
-        if len(self.motion.t) < 2 or not self.marched:
-            return None
-        return self.scene.march(self.motion.step / 2)
-
     @computed("motion", "stop", "rates", "reduction", "start")
     def extended_precision(self) -> Array | None:
         """The same rows in extended numbers: what round-off did to them.  None where that cannot be had."""
@@ -83,22 +76,27 @@ class MotionResults:
         extended: Array = march_in(np.longdouble, scene.rates, motion.scheme, scene.begin, motion.step, len(motion.t) - 1)
         return extended
 
-    @computed("motion", "exact", "half_step", "extended_precision", "equations", "closure", "reduction", "search")
+    @computed(
+        "motion", "exact", "extended_precision", "equations", "rates", "start", "closure", "stop", "reduction", "search", "flow"
+    )
     def evidence(self) -> Evidence:
-        """What the checks may look at."""
-        from coursework.checks.evidence import Evidence, richardson
-        from coursework.geometry.drive import fastest, is_sinusoidal
+        """What the checks may look at: the rows beside the exact ones, and ways to make them again."""
+        from coursework.checks.evidence import Evidence
+        from coursework.geometry.drive import fastest
+        from coursework.integration.replay import Replay
 
         scene, motion = self.scene, self.motion
-        known = scene.exact if len(scene.exact.t) == len(motion.t) else None
+        replay, rerun = None, None
+        if motion.scheme in SCHEMES:
+            replay = Replay(scene.rates, SCHEMES[motion.scheme], scene.begin, scene.correction)
+            rerun = scene.rerun
         return Evidence(
-            scene.variant, scene.equations, motion, self.half_step, known, self.extended_precision, scene.closure,
-            richardson(motion, self.half_step), scene.reduction.used, fastest(scene.equations),
-            is_sinusoidal(scene.equations), scene.search.fastest,
+            scene.variant, scene.equations, scene.rates, motion, scene.exact, self.extended_precision, scene.closure,
+            scene.stop, scene.reduction.used, fastest(scene.equations), scene.search.fastest, replay, rerun,
         )  # fmt: skip
 
     @computed("evidence")
-    def checks(self) -> tuple[Check, ...]:
+    def checks(self) -> tuple[Finding, ...]:
         """The checks of the page."""
         from coursework.checks.check import check_motion
 

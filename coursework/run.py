@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
     from coursework.accuracy.record import AccuracyStudy
-    from coursework.checks.result import Check
+    from coursework.checks.result import Finding
     from coursework.kinematics.extra import ExtraTable
     from coursework.plans.graph_check import GraphCheck
 
@@ -110,9 +110,16 @@ class Run:
         return self.scene.exact
 
     @property
-    def checks(self) -> tuple[Check, ...]:
-        """Return the checks."""
+    def checks(self) -> tuple[Finding, ...]:
+        """Return what each check has found."""
         return self.results.checks
+
+    @property
+    def summary(self) -> str:
+        """Return the findings in two or three sentences, "" where no checks were asked for."""
+        from coursework.checks.summary import summary
+
+        return summary(self.checks) if self.asks(CHECKS) else ""
 
     @property
     def stop(self) -> Stop | None:
@@ -126,9 +133,15 @@ class Run:
 
     @property
     def passed(self) -> bool:
-        """Return whether the motion reached its end and no computed check failed."""
-        judged = self.checks if self.asks(CHECKS) else ()
-        return self.stop is None and all(check.verdict in {"PASS", "SKIP"} for check in judged)
+        """Return whether the motion reached its end and no check failed; COARSE is no failure."""
+        return self.status() == 0
+
+    def status(self, strict: bool = False) -> int:
+        """Return the exit status: 3 where the tool could not judge, 1 for a stop or a FAIL (`strict`: a COARSE too), else 0."""
+        verdicts = {check.verdict for check in self.checks} if self.asks(CHECKS) else set()
+        if "ERROR" in verdicts:
+            return 3
+        return int(self.stop is not None or "FAIL" in verdicts or (strict and "COARSE" in verdicts))
 
     @property
     def table(self) -> pd.DataFrame:

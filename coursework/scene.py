@@ -12,6 +12,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from coursework.codegen.tabulated import OutsideTable
 from coursework.errors import InputError
 from coursework.geometry.agreement import require_agreement
 from coursework.geometry.chain import chain_positions, is_chain
@@ -71,8 +72,8 @@ class Scene:
         """The position equations, if the file has any; checked against start and written equations."""
         closure = compile_closure(self.equations, self.start)
         require_start(closure)
-        require_agreement(self.equations, closure)
-        return closure
+        agreed = require_agreement(self.equations, closure)
+        return replace(closure, agreed=agreed) if closure is not None else None
 
     @computed("equations", "start")
     def reduction(self) -> Reduction:
@@ -136,21 +137,33 @@ class Scene:
 
         return phase_sentence(self.equations, self.reduction, self.start)
 
-    def march(self, step: float) -> Motion:
-        """Return rows of the scheme with a step (s), up to the stop of the true motion."""
-        variant, settings, rates, stop = self.variant, self.settings, self.rates, self.stop
-        correction = None
-        if settings.project or settings.gain:
-            if self.closure is None or not self.closure.complete:
-                raise InputError("the projection needs position equations for every coordinate: add [closure] to the variant.")
-            if settings.columns:
-                raise InputError("the projection needs every coordinate; ask for the whole table.")
-            correction = Correction(self.closure, settings.project, settings.gain)
-        angles = self._angles_in_determinants()
+    def march(self, step: float, scheme: str) -> Motion:
+        """Return rows of a scheme with a step (s), corrected as the settings say, up to the stop of the true motion."""
+        rates, angles = self.rates, self._angles_in_determinants()
         guarded = [index for index, name in enumerate(rates.coordinates) if name in angles]
-        rows = march(rates, settings.scheme, self.begin, step, variant.time.end, correction, stop, guarded)
+        rows = march(rates, scheme, self.begin, step, self.variant.time.end, self.correction, self.stop, guarded)
         scaled = rows.determinants / np.array([self.flow.largest[index] for index in rates.blocks])
         return replace(rows, scaled=np.asarray(scaled))
+
+    def rerun(self, scheme: str, step: float) -> Motion | None:
+        """Return the rows made otherwise, None where they do not reach the end of the motion."""
+        try:
+            rows = self.march(step, scheme)
+        except (ArithmeticError, ValueError, OutsideTable):
+            return None
+        return rows if rows.stop is self.stop else None
+
+    @property
+    def correction(self) -> Correction | None:
+        """What keeps the positions closed, None where nothing does.  Raises `InputError` where it cannot be had."""
+        settings = self.settings
+        if not (settings.project or settings.gain):
+            return None
+        if self.closure is None or not self.closure.complete:
+            raise InputError("the projection needs position equations for every coordinate: add [closure] to the variant.")
+        if settings.columns:
+            raise InputError("the projection needs every coordinate; ask for the whole table.")
+        return Correction(self.closure, settings.project, settings.gain)
 
     @property
     def begin(self) -> list[float]:
@@ -170,7 +183,7 @@ class Scene:
         """The rows of the coursework."""
         _ = self.stop  # a start that does not close is told before a step that is too coarse
         refuse_aliasing(self.equations, self.variant.time.step)
-        return self.march(self.variant.time.step)
+        return self.march(self.variant.time.step, self.settings.scheme)
 
     @computed("stop", "equations", "reduction", "rates", "closure", "start")
     def exact(self) -> Motion:

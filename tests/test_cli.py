@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -11,6 +12,7 @@ from click.testing import CliRunner
 
 import coursework
 from coursework.catalogue import entries
+from coursework.checks.check import CHECKS
 from coursework.cli import main
 
 PAGE = (Path(__file__).parent / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
@@ -39,9 +41,11 @@ def process(*arguments, **environment):
 def test_zero_where_all_passed(folder):
     done = process("run", "31", *QUICK)
     assert (done.returncode, done.stderr) == (0, b"")
-    assert done.stdout.decode().startswith(
-        "Rolling wheel, right-angled link, crank and rod  (31)\nexplicit Euler, h = 0.02 s, 25 rows\n"
+    told = done.stdout.decode().splitlines()
+    assert told[0] == (
+        "The table is computed right: 5 of 5. It is not close to the motion: largest error 70 % (phi1, row 20); take --step h/19."
     )
+    assert told[1:3] == ["Rolling wheel, right-angled link, crank and rod  (31)", "explicit Euler, h = 0.02 s, 25 rows"]
     assert done.stdout.decode().endswith("Written to coursework-31: table.csv, run.json\n")
     assert sorted(path.name for path in (folder / "coursework-31").iterdir()) == ["run.json", "table.csv"]
 
@@ -62,11 +66,40 @@ def test_one_where_the_motion_stops(folder):
     assert call("accuracy", "dead.toml").exit_code == 1
 
 
-def test_one_where_a_check_fails():
-    result = call("run", "31", "--step", "0.04", *QUICK)
+def test_one_where_a_check_fails(folder):
+    Path("wrong.toml").write_text(PAGE.replace('"2*pi/p"', '"0.40 s"'), encoding="utf-8")
+    result = call("run", "wrong.toml", *QUICK)
     assert result.exit_code == 1
-    assert "✗ FAIL" in result.stdout
-    assert Path("coursework-31/table.csv").exists()
+    assert "✗ FAIL   PERIOD-POSITION" in result.stdout
+    assert Path("coursework-wrong/table.csv").exists()
+
+
+def test_a_coarse_step_is_a_failure_only_where_one_asks_for_it():
+    assert call("run", "31", "--step", "0.04", *QUICK).exit_code == 0
+    strict = call("run", "31", "--step", "0.04", "--strict", *QUICK)
+    assert strict.exit_code == 1
+    assert "≈ COARSE ACCURACY" in strict.stdout
+    assert call("run", "31", "--scheme", "rk4", "--strict", *QUICK).exit_code == 0
+
+
+@pytest.mark.parametrize("step", ["h/19", " h / 19 "])
+def test_a_step_may_be_a_part_of_the_files_own(step):
+    result = call("run", "31", "--step", step, "--strict", *QUICK)
+    assert result.exit_code == 0, result.output
+    record = json.loads(Path("coursework-31/run.json").read_text(encoding="utf-8"))
+    assert record["step"] == 0.02 / 19
+    assert record["rows"] == 24 * 19 + 1
+
+
+def test_three_where_the_tool_cannot_judge(monkeypatch):
+    def broken(_evidence):
+        raise RuntimeError("by us")
+
+    monkeypatch.setattr("coursework.checks.check.CHECKS", (replace(CHECKS[0], judge=broken), *CHECKS[1:]))
+    result = call("run", "31", *QUICK)
+    assert result.exit_code == 3
+    assert "! ERROR  STOP" in result.stdout
+    assert "✓ PASS   RESIDUAL" in result.stdout
 
 
 WRONG = {
@@ -76,7 +109,10 @@ WRONG = {
     "no file": (["run", "x/y.toml"], "x/y.toml  the file cannot be read: there is no such file."),
     "folder": (["check", "."], "this is a folder. Name the file in it."),
     "scheme": (["run", "31", "--scheme", "eulr"], 'there is no scheme "eulr". Did you mean "euler"? Schemes: euler, midpoint'),
-    "step": (["run", "31", "--step", "abc"], 'a step in seconds, such as 0.02, was expected, found "abc".'),
+    "step": (
+        ["run", "31", "--step", "abc"],
+        'a step in seconds, such as 0.02, or a part of the file\'s step, such as h/4, was expected, found "abc".',
+    ),
     "step zero": (["run", "31", "--step", "0"], "the step must be greater than 0, found 0 s."),
     "step negative": (["run", "31", "--step", "-1"], "the step must be greater than 0, found -1 s."),
     "step nan": (["run", "31", "--step", "nan"], "the step must be greater than 0, found nan s."),

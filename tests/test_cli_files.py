@@ -83,7 +83,9 @@ def test_the_record_says_how_the_numbers_came_about():
     run = coursework.solve("31", "rk4", step=0.01, quantities=["table", "checks"])
     assert [check["code"] for check in record["checks"]] == [check.code for check in run.checks]
     for check, found in zip(run.checks, record["checks"], strict=True):
-        assert {"code", "verdict", "value", "limit", "sentence"} <= set(found)
+        keys = ["code", "group", "verdict", "value", "unit", "limit", "column", "row", "sentence"]
+        assert [key for key in found if key not in {"step", "first", "last"}] == keys
+        assert ("first" in found) == ("last" in found) == (check.code in {"PERIOD-POSITION", "PERIOD-VELOCITY"})
         assert (found["verdict"], found["sentence"]) == (check.verdict, check.sentence)
 
 

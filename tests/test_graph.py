@@ -142,7 +142,7 @@ def test_any_motion_is_judged_by_the_same_code_with_a_cache_of_its_own():
 
 
 MARCH = {"mechanism", "equations", "start", "closure", "reduction", "rates", "flow", "search", "stop", "motion"}
-CHECKED = MARCH | {"half_step", "exact", "extended_precision", "evidence"}
+CHECKED = MARCH | {"exact", "extended_precision", "evidence"}
 SCENES = {
     "one angle": ("31", ["phi3"], MARCH | {"table"}),
     "table": ("31", ["table"], MARCH | {"table"}),

@@ -1,41 +1,84 @@
-"""All checks in the order of the page; to add one, write a function in its family's file and a line here."""
+"""Every kind of check as one record, in the order of the page.
+
+Enters: `Evidence` about any motion.  Leaves: a `Finding` of each kind.  Used by `quantities.py`; page, run.json and command
+line show whatever is found.  To add one: write its judging function, put a `Check` here, and its words under
+[check.CODE] in the words file: `title` and the sentences.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 
-from coursework.checks import conditioning, curves, drift, equations, long_run, period
+from coursework.checks import (
+    advice,
+    beginning,
+    closeness,
+    conditioning,
+    continuity,
+    digits,
+    drift,
+    equations,
+    long_run,
+    period,
+    rows,
+    sinusoid,
+)
 from coursework.checks.evidence import Evidence
-from coursework.checks.result import Check, judged
+from coursework.checks.needs import CLOSURE, EXACT, ROW, WHOLE, Need
+from coursework.checks.result import Finding, Group, skipped
 from coursework.sentences import say
 
-CHECKS: dict[str, Callable[[Evidence], Check]] = {
-    "STOP": drift.stopped,
-    "START": drift.start,
-    "INITIAL": equations.initial,
-    "RESIDUAL": equations.every_row,
-    "CONDITION": conditioning.condition,
-    "PERIOD-POSITION": period.position,
-    "PERIOD-VELOCITY": period.velocity,
-    "PERIOD-ASSEMBLY": period.assembly,
-    "CONTINUITY": curves.continuity,
-    "SINUSOID": curves.sinusoid,
-    "STEP": curves.rows_enough,
-    "PEAK": conditioning.peak,
-    "DRIFT": drift.drift,
-    "DRIFT-PER-PERIOD": long_run.per_period,
-}
+
+@dataclass(frozen=True, slots=True)
+class Check:
+    """`code` is stable; `needs` are met, or the first that is not says what is skipped; `judge` then finds a verdict."""
+
+    code: str
+    group: Group
+    judge: Callable[[Evidence], Finding]
+    needs: tuple[Need, ...] = (ROW,)
 
 
-def check_motion(evidence: Evidence) -> tuple[Check, ...]:
-    """Return every check; a fault inside one is an ERROR of the tool, never of the student."""
-    found = []
-    for code, rule in CHECKS.items():
-        if not len(evidence.motion.t) and code != "STOP":
-            found.append(judged(code, "SKIP", say("check.no_row")))
-            continue
-        try:
-            found.append(rule(evidence))
-        except (ArithmeticError, ValueError, KeyError, IndexError) as error:
-            found.append(judged(code, "ERROR", say("check.error", kind=type(error).__name__, error=str(error))))
-    return tuple(found)
+CHECKS: tuple[Check, ...] = (
+    Check("STOP", "computation", beginning.stopped, ()),
+    Check("START", "computation", beginning.start),
+    Check("INITIAL", "computation", equations.initial, (ROW, WHOLE)),
+    Check("RESIDUAL", "computation", equations.every_row, (ROW, WHOLE)),
+    Check("CONDITION", "computation", conditioning.condition, (ROW, WHOLE)),
+    Check("AGREEMENT", "computation", equations.agreement, ()),
+    Check("TABLE-DIGITS", "computation", digits.table_digits),
+    Check("ACCURACY", "motion", closeness.accuracy, (ROW, EXACT)),
+    Check("PERIOD-POSITION", "motion", period.position, (ROW, EXACT)),
+    Check("PERIOD-VELOCITY", "motion", period.velocity, (ROW, EXACT)),
+    Check("PERIOD-ASSEMBLY", "motion", period.assembly),
+    Check("CONTINUITY", "motion", continuity.continuity, (ROW, EXACT)),
+    Check("SINUSOID", "motion", sinusoid.sinusoid, (ROW, EXACT)),
+    Check("STEP", "motion", rows.enough),
+    Check("PEAK", "motion", conditioning.peak),
+    Check("DRIFT", "motion", drift.drift, (ROW, CLOSURE, WHOLE)),
+    Check("DRIFT-PER-PERIOD", "motion", long_run.per_period, (ROW, EXACT)),
+)
+
+
+def check_motion(evidence: Evidence) -> tuple[Finding, ...]:
+    """Return what every check finds, with the step advised where a finer one would do.
+
+    A fault inside a check is an ERROR of the tool, never of the student, and the other checks go on.
+    """
+    found = [_judged(check, evidence) for check in CHECKS]
+    return tuple(advice.with_advice(evidence, found, motion_findings))
+
+
+def motion_findings(evidence: Evidence) -> Sequence[Finding]:
+    """Return the findings about closeness alone: what a run with another step is judged by."""
+    return [_judged(check, evidence) for check in CHECKS if check.group == "motion"]
+
+
+def _judged(check: Check, evidence: Evidence) -> Finding:
+    lacking = next((need for need in check.needs if not need.met(evidence)), None)
+    try:
+        found = check.judge(evidence) if lacking is None else skipped(say(lacking.otherwise))
+    except Exception as error:
+        found = Finding("ERROR", say("check.error", kind=type(error).__name__, error=str(error)))
+    return replace(found, code=check.code, group=check.group)

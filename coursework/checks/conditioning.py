@@ -1,4 +1,7 @@
-"""CONDITION and PEAK: how many digits the equations leave, and whether the step is short enough for the fastest link."""
+"""CONDITION and PEAK: how many digits the equations leave, and whether the step is short enough for the fastest link.
+
+Enters: `Evidence`.  Leaves: a `Finding` each.  Used by `check.py`.
+"""
 
 from __future__ import annotations
 
@@ -6,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.checks.evidence import Evidence
-from coursework.checks.result import Check, Verdict, judged
-from coursework.integration.integrate import TOO_LARGE, WIDEST_STEP
+from coursework.checks.result import Finding, skipped
+from coursework.integration.integrate import WIDEST_STEP
 from coursework.reduction.magnitude import largest
 from coursework.reduction.system import compile_system
 from coursework.reduction.tidy import as_formula
@@ -20,14 +23,12 @@ DIGITS, FEWEST = 16.0, 6.0
 _ROUNDS = 8
 
 
-def condition(evidence: Evidence) -> Check:
+def condition(evidence: Evidence) -> Finding:
     """The equations leave at least six of sixteen digits in every row: 16 - log10 of their condition number."""
     motion, variant = evidence.motion, evidence.variant
-    if evidence.restricted:
-        return judged("CONDITION", "SKIP", say("check.only_some"))
     used = [equation for equation in evidence.equations.equations if equation.name in evidence.used]
     if not used:
-        return judged("CONDITION", "SKIP", say("check.CONDITION.nothing"))
+        return skipped(say("check.CONDITION.nothing"))
     system = compile_system(evidence.equations, used)
     matrix, _, _ = system.matrices(motion.t, motion.coordinates)
     sizes = np.max(np.abs(matrix), axis=0)
@@ -38,14 +39,14 @@ def condition(evidence: Evidence) -> Check:
     numbers = np.linalg.cond(equilibrated(matrix, sizes))
     worst = int(np.argmax(numbers))
     digits = float(np.clip(DIGITS - np.log10(numbers[worst]), 0.0, DIGITS)) if np.isfinite(numbers[worst]) else 0.0
-    verdict: Verdict = "PASS" if digits >= FEWEST else "FAIL"
     largest_number, first_number = float(numbers[worst]), float(numbers[0])
     when = float(motion.t[worst])
     sentence = say("check.CONDITION.found", digits=digits, row=worst + 1, time=when, number=largest_number)
-    if verdict == "FAIL":
-        sentence = joined([sentence, say("check.CONDITION.close")])
     rows = (say("check.CONDITION.worst"), largest_number, ""), (say("check.CONDITION.first"), first_number, "")
-    return judged("CONDITION", verdict, sentence, digits, FEWEST, say("unit.digits"), rows)
+    unit = say("unit.digits")
+    if digits >= FEWEST:
+        return Finding("PASS", sentence, digits, FEWEST, unit, None, worst + 1, rows=rows)
+    return Finding("FAIL", joined([sentence, say("check.CONDITION.close")]), digits, FEWEST, unit, None, worst + 1, rows=rows)
 
 
 def equilibrated(matrix: Array, sizes: Array) -> Array:
@@ -66,22 +67,22 @@ def _or_one(sizes: Array) -> Array:
     return np.where(sizes > 0, sizes, 1.0)
 
 
-def peak(evidence: Evidence) -> Check:
+def peak(evidence: Evidence) -> Finding:
     """No link turns by more than one radian in one step, also where it is fastest between two rows."""
     variant, step = evidence.variant, evidence.motion.step
-    stop = evidence.motion.stop
-    if (stop is not None and stop.kind != TOO_LARGE) or not evidence.fastest:
-        return judged("PEAK", "SKIP", say("check.PEAK.stopped"))
+    if evidence.stop is not None or not evidence.fastest:
+        return skipped(say("check.PEAK.stopped"))
     turning = [
         (rate, when, coordinate)
         for (rate, when), coordinate in zip(evidence.fastest, variant.coordinates, strict=True)
         if coordinate.unit == "rad"
     ]
     if not turning:
-        return judged("PEAK", "SKIP", say("check.PEAK.no_angle"))
+        return skipped(say("check.PEAK.no_angle"))
     rate, when, coordinate = max(turning, key=lambda entry: entry[0])
     turned = rate * step
     found = {"rate": coordinate.rate, "time": when, "value": rate, "turned": turned, "name": coordinate.name}
     if turned <= WIDEST_STEP:
-        return judged("PEAK", "PASS", say("check.PEAK.pass", **found), turned, WIDEST_STEP, "rad")
-    return judged("PEAK", "FAIL", say("check.PEAK.fail", **found, step=WIDEST_STEP / rate), turned, WIDEST_STEP, "rad")
+        return Finding("PASS", say("check.PEAK.pass", **found), turned, WIDEST_STEP, "rad", coordinate.rate)
+    sentence = say("check.PEAK.coarse", **found, step=WIDEST_STEP / rate)
+    return Finding("COARSE", sentence, turned, WIDEST_STEP, "rad", coordinate.rate)

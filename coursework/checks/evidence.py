@@ -1,47 +1,66 @@
-"""What the checks may look at, gathered once.
+"""What the checks may look at: any motion of a scene, beside the exact one.
 
-Enters: the motion and what was computed around it.  Leaves: `Evidence` with the scheme's own estimated error.
+Enters: a motion (of a scheme, exact, or somebody else's rows) and its scene.  Leaves: `Evidence`, which measures what
+several checks need, once.  Used by the rooms of `checks/` and made by `quantities.py`.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from coursework.geometry.closure import Closure
-from coursework.integration.motion import Motion
+from coursework.integration.motion import Motion, Stop
+from coursework.integration.rates import Rates
+from coursework.integration.replay import Replay
 from coursework.reduction.equations import VelocityEquations
-from coursework.schemes import SCHEMES
+from coursework.reduction.system import compile_system
 from coursework.variant.record import Variant
 
 Array = NDArray[np.float64]
+Fact = TypeVar("Fact")
 # The task sheet ends its table at a round number beside the period (0.48 s for 0.480366 s): that counts as the period.
 NEAR_PERIOD = 0.01
+# Part of a rate's largest size, and part of the largest range of its unit, below which its own range is no scale.
+OF_SIZE, OF_UNIT = 0.1, 0.05
+# An error below this (rad, m, or a second's worth) is none, whatever the scale: two exact motions differ by as much.
+NO_ERROR = 1e-10
+# The scale of a column that stands still in a mechanism that stands still: whatever counts as an error is off the scale.
+STILL = 1e-9
+# The part of a column's scale by which a table may be off: nobody sees it in a graph.
+LIMIT = 0.05
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Evidence:
-    """`motion` judged; `half` the same scheme with half the step; `exact` and `wide` (extended numbers) where known.
+    """`motion` judged against `exact`, on the same rows as far as both go; `exact` None where it cannot be had.
 
-    `scheme_error` (n, m + k) estimated from our own runs, so that a wrong row cannot widen the limit it is judged by;
-    `used` names the equations solved for the velocities; `drive_frequency` rad/s of the fastest sine in the drive,
-    `sinusoidal` whether the drive is made of sines alone; `fastest` per coordinate (largest rate of the true motion, when).
+    `stop`: where the true motion ends; `wide`: the coordinates in extended numbers (n, m) where known; `used`: the equations
+    solved for the velocities; `drive_frequency` rad/s of the fastest sine in the drive; `fastest`: per coordinate (largest
+    rate of the true motion, when).  `replay` makes each row anew from the row before, None for rows that no scheme of ours
+    has made; `rerun(scheme, step)` gives the same run made otherwise, None where that cannot be.  `facts` about the exact
+    motion alone are found once and shared by every table of the scene.
     """
 
     variant: Variant
     equations: VelocityEquations
+    rates: Rates
     motion: Motion
-    half: Motion | None
     exact: Motion | None
     wide: Array | None
     closure: Closure | None
-    scheme_error: Array | None
+    stop: Stop | None
     used: tuple[str, ...]
     drive_frequency: float
-    sinusoidal: bool
     fastest: tuple[tuple[float, float], ...] = ()
+    replay: Replay | None = None
+    rerun: Callable[[str, float], Motion | None] | None = None
+    facts: dict[str, object] = field(default_factory=dict)
 
     @property
     def restricted(self) -> bool:
@@ -64,18 +83,90 @@ class Evidence:
         whole = int((self.motion.t[-1] + near) / self.period)
         return min(round(whole * self.period / step), len(self.motion.t) - 1) if whole else None
 
+    def once(self, name: str, find: Callable[[], Fact]) -> Fact:
+        """Return a fact about the exact motion, found when it is first asked for."""
+        if name not in self.facts:
+            self.facts[name] = find()
+        return cast("Fact", self.facts[name])
+
     def unit(self, name: str) -> str:
         """Return the unit of a column."""
         return self.variant.unit_of(name)
 
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Return the columns that are judged: all but the driven rates, which no scheme can get wrong."""
+        known = self.variant.known_rates
+        return tuple(name for name in self.motion.names if name not in known)
 
-def richardson(motion: Motion, half: Motion | None) -> Array | None:
-    """Return the estimated scheme error of every row and column (n, m + k), None without a half-step run.
+    @cached_property
+    def scale(self) -> dict[str, float]:
+        """Return for each column the size of what it does, S = max(R, 0.1 A, 0.05 U) in its unit.
 
-    With order p, error = (y_h - y_h/2) 2^p/(2^p - 1).
-    """
-    rows = motion.rows
-    if half is None or len(half.t) < 2 * len(rows) - 1:
-        return None
-    factor = 2.0 ** SCHEMES[motion.scheme].order
-    return np.asarray((rows - half.rows[: 2 * len(rows) : 2]) * factor / (factor - 1))
+        R is the range of the exact motion over the first period at most (an angle's at most 2π), A the largest size of a
+        velocity, U the largest R among the columns of the same unit.
+        """
+        exact = self.exact
+        assert exact is not None
+        period = self.variant.time.period
+        last = len(exact.t) if period is None or not exact.step else round(period / exact.step) + 1
+        ranges, sizes = {}, {}
+        for name in exact.names:
+            column = exact.column(name)[: max(last, 2)]
+            spread = float(np.ptp(column))
+            ranges[name] = min(spread, 2 * np.pi) if self.unit(name) == "rad" else spread
+            sizes[name] = float(np.max(np.abs(column))) if name in exact.velocity_names else 0.0
+        widest: dict[str, float] = {}
+        for name, spread in ranges.items():
+            widest[self.unit(name)] = max(spread, widest.get(self.unit(name), 0.0))
+        return {
+            name: max(spread, OF_SIZE * sizes[name], OF_UNIT * widest[self.unit(name)], STILL) for name, spread in ranges.items()
+        }
+
+    @cached_property
+    def scales(self) -> Array:
+        """Return the scales of the judged columns (k,)."""
+        return np.array([self.scale[name] for name in self.names])
+
+    @property
+    def compared(self) -> int:
+        """Return how many rows stand in the table and in the exact motion."""
+        return min(len(self.motion.t), len(self.exact.t)) if self.exact is not None else 0
+
+    def table(self, motion: Motion) -> Array:
+        """Return the judged columns of a motion (compared rows, k)."""
+        return np.array([motion.column(name)[: self.compared] for name in self.names]).T
+
+    @cached_property
+    def errors(self) -> Array:
+        """Return table minus exact as shares of the scales (compared rows, k); an angle a whole turn further is the same."""
+        assert self.exact is not None
+        gap = self.table(self.motion) - self.table(self.exact)
+        for place, name in enumerate(self.names):
+            if self.unit(name) == "rad" and len(gap):
+                jumps = np.diff(gap[:, place], prepend=0.0)
+                gap[:, place] -= np.cumsum(turns(jumps))
+        return np.where(np.abs(gap) < NO_ERROR, 0.0, gap) / self.scales
+
+    @cached_property
+    def residuals(self) -> tuple[tuple[str, ...], Array]:
+        """Return names and |A u - b| of every equation and row, relative to the sum of the absolute terms."""
+        motion = self.motion
+        system = compile_system(self.equations, self.equations.equations)
+        matrix, right, _ = system.matrices(motion.t, motion.coordinates)
+        u = np.array([motion.column(name) for name in system.unknowns]).T.reshape(len(motion.t), len(system.unknowns))
+        terms = matrix * u[:, None, :]
+        scale = np.abs(terms).sum(axis=2) + np.abs(right)
+        gap = np.abs(terms.sum(axis=2) - right)
+        return system.names, np.where(scale > 0, gap / np.where(scale > 0, scale, 1.0), 0.0)
+
+
+def turns(differences: Array) -> Array:
+    """Return the whole turns (rad) in each difference of two angles."""
+    return np.asarray(2 * np.pi * np.round(differences / (2 * np.pi)))
+
+
+def worst(shares: Array) -> tuple[int, int]:
+    """Return row and column (from 0) of the largest size in (n, k); a number that is none is the largest of all."""
+    row, column = np.unravel_index(int(np.argmax(np.nan_to_num(np.abs(shares), nan=np.inf))), shares.shape)
+    return int(row), int(column)

@@ -1,50 +1,45 @@
-"""DRIFT-PER-PERIOD: what a scheme loses period after period; a table that repeats itself need not be the true motion."""
+"""DRIFT-PER-PERIOD: what a scheme loses period after period; a table that repeats itself need not be the true motion.
+
+Enters: `Evidence`.  Leaves: a `Finding`.  Used by `check.py`.
+"""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from coursework.checks.evidence import Evidence
-from coursework.checks.result import Check, judged
+from coursework.checks.evidence import LIMIT, Evidence
+from coursework.checks.result import Finding, Verdict, skipped
 from coursework.sentences import joined, say
 
-Array = NDArray[np.float64]
-_CODE = "DRIFT-PER-PERIOD"
-# Part of a coordinate's own range by which the last period may lie beside the true one: nobody sees it in a drawing.
-LIMIT = 0.05
 # The table repeats itself where the last period changes by less than this part of what it is off.
 REPEATS = 0.01
 _SHOWN = (1, 2, 3, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000)
 
 
-def per_period(evidence: Evidence) -> Check:
+def per_period(evidence: Evidence) -> Finding:
     """After many periods every coordinate is still where the true motion is."""
-    motion, exact = evidence.motion, evidence.exact
-    whole = int((motion.t[-1] + motion.step / 2) / evidence.period)
+    motion, period = evidence.motion, evidence.period
+    whole = int((motion.t[-1] + motion.step / 2) / period)
     if whole < 2 or motion.stop is not None:
-        return judged(_CODE, "SKIP", say("check.DRIFT-PER-PERIOD.short"))
-    if exact is None:
-        return judged(_CODE, "SKIP", say("check.DRIFT-PER-PERIOD.unknown"))
-    ends = np.minimum(np.rint(np.arange(1, whole + 1) * evidence.period / motion.step).astype(int), len(motion.t) - 1)
-    names = motion.coordinate_names
-    true = np.array([exact.column(name) for name in names]).T
-    gaps = motion.coordinates[ends] - true[ends]
-    spans = np.ptp(true, axis=0)
-    spans = np.array([min(s, 2 * np.pi) if evidence.unit(n) == "rad" else s for s, n in zip(spans, names, strict=True)])
-    parts = np.abs(gaps) / np.where(spans > 0, spans, np.inf)
-    worst = int(np.argmax(parts[-1]))
-    name, unit, value = names[worst], evidence.unit(names[worst]), float(parts[-1, worst])
-    first, last = float(gaps[0, worst]), float(gaps[-1, worst])
+        return skipped(say("check.DRIFT-PER-PERIOD.short"))
+    if evidence.compared < len(motion.t):
+        return skipped(say("check.unknown"))
+    names = [name for name in motion.coordinate_names if name in evidence.names]
+    listed = [k for k in _SHOWN if k < whole - 1] + [whole - 1, whole]
+    ends = np.minimum(np.rint(np.array(listed) * period / motion.step).astype(int), len(motion.t) - 1)
+    gaps = evidence.errors[ends][:, [evidence.names.index(name) for name in names]]
+    worst = int(np.argmax(np.abs(gaps[-1])))
+    name = names[worst]
+    unit, scale = evidence.unit(name), evidence.scale[name]
+    value, last = float(abs(gaps[-1, worst])), float(gaps[-1, worst] * scale)
     rows = tuple(
-        (say("check.DRIFT-PER-PERIOD.after", name=name, periods=k), float(gaps[k - 1, worst]), unit) for k in _SHOWN if k <= whole
+        (say("check.DRIFT-PER-PERIOD.after", name=name, periods=k), float(gap * scale), unit)
+        for k, gap in zip(listed, gaps[:, worst].tolist(), strict=True)
     )
-    found = {"name": name, "unit": unit, "first": first, "last": last, "periods": whole, "each": last / whole}
+    found = {"name": name, "unit": unit, "first": rows[0][1], "last": last, "periods": whole, "each": last / whole}
     told = [say("check.DRIFT-PER-PERIOD.found", **found)]
-    if value <= LIMIT:
-        return judged(_CODE, "PASS", told[0], value, LIMIT, say("unit.of_its_range"), rows)
-    moved = motion.coordinates[ends[-1]] - motion.coordinates[ends[-2]] - (true[ends[-1]] - true[ends[-2]])
-    if float(np.max(np.abs(moved))) < REPEATS * abs(last):
+    scales = np.array([evidence.scale[name] for name in names])
+    if value > LIMIT and float(np.max(np.abs(gaps[-1] - gaps[-2]) * scales)) < REPEATS * abs(last):
         told.append(say("check.DRIFT-PER-PERIOD.repeats"))
-    told.append(say("check.DRIFT-PER-PERIOD.advice"))
-    return judged(_CODE, "FAIL", joined(told), value, LIMIT, say("unit.of_its_range"), rows)
+    verdict: Verdict = "PASS" if value <= LIMIT else "COARSE"
+    return Finding(verdict, joined(told), value, LIMIT, say("unit.of_the_scale"), name, int(ends[-1]) + 1, rows=rows)

@@ -1,6 +1,7 @@
-"""One fact about a motion, judged.
+"""One finding about a motion: what a check has judged, and how.
 
-Leaves the rooms of `checks/`; read by run, report and the command line.
+Enters: numbers and sentences from the rooms of `checks/`.  Leaves: `Finding`.
+Used by run, output, report and the command line.
 """
 
 from __future__ import annotations
@@ -8,32 +9,58 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from coursework.sentences import say
+from coursework.sentences import Sentence, say, say_or
 
-Verdict = Literal["PASS", "FAIL", "SKIP", "ERROR"]
+Group = Literal["computation", "motion"]
+GROUPS: tuple[Group, ...] = ("computation", "motion")
+Verdict = Literal["PASS", "COARSE", "FAIL", "SKIP", "ERROR"]
+# The status a command ends with is that of the worst verdict.
+VERDICTS: tuple[Verdict, ...] = ("PASS", "COARSE", "FAIL", "SKIP", "ERROR")
 
 
 @dataclass(frozen=True, slots=True)
-class Check:
-    """`code` is stable; `title` names it; `sentence` says what was found; `value` and `limit` in `unit` (None where skipped).
+class Finding:
+    """`verdict` and `sentence` of one check; `value` and `limit` in `unit`, None where there is no number.
 
-    SKIP: the scene gives nothing to judge; ERROR: the tool itself could not judge, never the student's fault.
-    `rows` are further lines for a small table, (label, value, unit) each.
+    PASS: the claim holds; COARSE: computed right, but this step, or these digits, are too coarse for the claim; FAIL: wrong;
+    SKIP: nothing to judge; ERROR: the tool itself could not judge, never the student's fault.
+    `column` and `row` (from 1) are where the largest number stands; `first` and `last` the rows a period compares (SI);
+    `step` (s) is one with which every claim about the motion holds, `option` how the command line is told.  `rows` are
+    further lines, (label, value, unit) each.  `cured`: whether a finer step can turn COARSE into PASS.  `headline`: what the
+    summary says of it before all else.  `code` and `group` are those of the check.
     """
 
-    code: str
-    title: str
     verdict: Verdict
     sentence: str
     value: float | None = None
     limit: float | None = None
     unit: str = ""
+    column: str | None = None
+    row: int | None = None
+    first: float | None = None
+    last: float | None = None
+    step: float | None = None
     rows: tuple[tuple[str, float, str], ...] = ()
+    cured: bool = True
+    option: str = ""
+    headline: str = ""
+    code: str = ""
+    group: Group = "computation"
+
+    @property
+    def title(self) -> str:
+        """Return the name of the check that the words file has for its code, else the code."""
+        return say_or(f"check.{self.code}.title", self.code)
 
 
-def judged(
-    code: str, verdict: Verdict, sentence: str, value: float | None = None, limit: float | None = None, unit: str = "",
-    rows: tuple[tuple[str, float, str], ...] = (),
-) -> Check:  # fmt: skip
-    """Return a check under the title that its code has in the words file."""
-    return Check(code, say(f"check.{code}.title"), verdict, sentence, value, limit, unit, rows)
+def skipped(sentence: str) -> Finding:
+    """Return the finding of a check that has nothing to judge; the sentence says what is therefore not known."""
+    return Finding("SKIP", sentence)
+
+
+def percent(share: float) -> Sentence:
+    """Return a share in percent: whole from 10 % on, two digits below."""
+    value = 100 * share
+    if 0 < value < 1e-4:
+        return say("amount.below", value=1e-4, unit="%")
+    return say("amount.whole" if value >= 9.95 or value == 0 else "amount.two", value=value, unit="%")

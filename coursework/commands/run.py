@@ -9,6 +9,7 @@ from typing import Any
 import click
 
 from coursework.api import load, solve
+from coursework.checks.result import GROUPS
 from coursework.errors import InputError, listing
 from coursework.file_set import files_of, working_folder
 from coursework.output.formats import FORMATS, PAGES, Format, chosen
@@ -16,13 +17,11 @@ from coursework.output.results import Results
 from coursework.output.write import write_set
 from coursework.run import Run
 from coursework.sentences import load_phrases, say
-
-_MARKS = {"PASS": "✓", "FAIL": "✗", "SKIP": "–", "ERROR": "!"}
-
+from coursework.variant.record import Variant
 
 def run_variant(
     variant: str, *, out: Path | None, formats: tuple[str, ...] | None, step: str | None, error: float | None, end: float | None,
-    scheme: str, quantities: tuple[str, ...], project: bool, gain: float, precision: str, plan: bool, profile: bool,
+    scheme: str, quantities: tuple[str, ...], project: bool, gain: float, precision: str, strict: bool, plan: bool, profile: bool,
     student: str | None, group: str | None, date: str | None, language: str,
 ) -> int:  # fmt: skip
     """Return the exit status of one run."""
@@ -30,10 +29,10 @@ def run_variant(
     load_phrases(language)
     read = load(variant)
     if precision == "single":
-        return tell_round_off(solve(read, scheme, _step(step), end, quantities=("table",)))
+        return tell_round_off(solve(read, scheme, _step(step, read), end, quantities=("table",)))
     if error is not None and step != "auto":
         raise InputError("--error is a wish for --step auto; a fixed step has the error it has.")
-    h = _step(step)
+    h = _step(step, read)
     if step == "auto":
         found = solve(read, scheme, end=end, quantities=("table",))
         if found.stop is not None:
@@ -60,7 +59,7 @@ def run_variant(
         ledger = run.scene.ledger
         for name, seconds in ledger.seconds.items():
             click.echo(f"{name:<20} {ledger.calls[name]:>6} {seconds * 1e3:>8.2f}")
-    return 0 if run.passed else 1
+    return run.status(strict)
 
 
 def tell_stop(run: Run, consequence: str) -> int:
@@ -103,14 +102,19 @@ def tell_round_off(run: Run) -> int:
     return 0
 
 
-def _step(text: str | None) -> float | None:
+def _step(text: str | None, variant: Variant) -> float | None:
+    """Return a step in seconds: a number, or h/N, a whole part of the step h of the file."""
     if text in {None, "auto"}:
         return None
     assert text is not None
+    head, slash, parts = text.partition("/")
+    if slash and head.strip() == "h" and parts.strip().isdecimal() and int(parts) > 0:
+        return variant.time.step / int(parts)
     try:
         return float(text.removesuffix("s").strip())
     except ValueError:
-        raise InputError(f'a step in seconds, such as 0.02, was expected, found "{text}".') from None
+        told = f'a step in seconds, such as 0.02, or a part of the file\'s step, such as h/4, was expected, found "{text}".'
+        raise InputError(told) from None
 
 
 def write_all(run: Run, folder: Path, formats: Sequence[Format], language: str) -> list[str]:
@@ -147,8 +151,10 @@ def tell_remarks(run: Run) -> None:
 
 
 def tell(run: Run, folder: Path, written: list[str]) -> None:
-    """Print the summary."""
+    """Print the result, its summary first."""
     motion = run.motion
+    if run.summary:
+        click.echo(run.summary)
     click.echo(f"{run.variant.title}  ({run.variant.name})")
     click.echo(f"{run.scheme_title}, h = {motion.step:g} s, {len(motion.t)} rows")
     if gain := run.settings.gain:
@@ -166,12 +172,22 @@ def tell(run: Run, folder: Path, written: list[str]) -> None:
             click.echo(run.scene.phases)
     tell_remarks(run)
     if "checks" in run.asked:
-        for check in run.checks:
+        tell_checks(run)
+    click.echo(f"Written to {folder}: {', '.join(written)}")
+
+
+def tell_checks(run: Run) -> None:
+    """Print what every check has found, group by group, and the sentences of those that did not pass."""
+    words = load_phrases()
+    for group in GROUPS:
+        click.echo(words.template(f"checks.group.{group}"))
+        for check in (check for check in run.checks if check.group == group):
             value = "" if check.value is None else f" {check.value:.3g}"
             limit = "" if check.limit is None else f" (limit {check.limit:.3g})"
             unit = f" {check.unit}" if check.unit and value else ""
-            click.echo(f"  {_MARKS[check.verdict]} {check.verdict:<5} {check.code:<16}{value}{unit}{limit}")
-        for check in run.checks:
-            if check.verdict in {"FAIL", "ERROR"} and check.code != "STOP":
-                click.echo(f"  {check.code}: {check.sentence}")
-    click.echo(f"Written to {folder}: {', '.join(written)}")
+            where = "".join(f", {part}" for part in (check.column, f"row {check.row}" if check.row else "") if part)
+            mark = words.template(f"checks.mark.{check.verdict}")
+            click.echo(f"  {mark} {check.verdict:<6} {check.code:<16}{value}{unit}{limit}{where}")
+    for check in run.checks:
+        if check.verdict in {"COARSE", "FAIL", "ERROR"} and check.code != "STOP":
+            click.echo(f"  {check.code}: {check.sentence}")

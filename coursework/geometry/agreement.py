@@ -1,7 +1,7 @@
 """Whether the written velocity equations say what the geometry of the file says.
 
-Enters: written equations, those differentiated from [closure], positions on the closure.
-Raises `InputError` naming the equation that disagrees.
+Enters: written equations, those differentiated from [closure], positions on the closure.  Leaves: the names of the
+equations that agree.  Raises `InputError` naming the one that does not.  Used by `motions.py`.
 """
 
 from __future__ import annotations
@@ -22,19 +22,21 @@ TOLERANCE = 1e-8
 _CONFIGURATIONS = 5
 
 
-def require_agreement(equations: VelocityEquations, closure: Closure | None) -> None:
-    """Compare values and Jacobian of written and derived equations at several closed positions.
+def require_agreement(equations: VelocityEquations, closure: Closure | None) -> tuple[str, ...]:
+    """Return the written equations that the geometry confirms, comparing values and Jacobian at several closed positions.
 
     Both are rows (A | b); the written ones must lie in the space the derived ones span together with the unknown
-    velocities that only the written ones know.
+    velocities that only the written ones know.  Confirmed is an equation that follows from all the others: one that alone
+    brings in an unknown velocity could have any coefficient.  Raises `InputError` naming the equation that disagrees.
     """
     if closure is None or not equations.from_closure:
-        return
+        return ()
     _require_free(equations, closure)
     both = (*equations.from_closure, *equations.equations)
     system = compile_system(equations, both)
     first = len(equations.from_closure)
     suspects: set[int] | None = None
+    confirmed: set[int] = set()
     for t, q in _configurations(closure):
         matrix, right, _ = system.matrix(t, q)
         rows = np.hstack([matrix, right[:, None]])
@@ -44,6 +46,7 @@ def require_agreement(equations: VelocityEquations, closure: Closure | None) -> 
         rows = rows / np.where(lengths > 0, lengths, 1.0)
         inconsistent = _rank(rows) > _rank(rows[:, :-1])
         if not inconsistent or _rank(rows[:first]) > _rank(rows[:first, :-1]):
+            confirmed |= {index for index in range(first, len(both)) if _follows(rows[:, :-1], index)}
             continue  # they agree, or the geometry alone cannot follow its drive here: a dead point, told as such
         culprits = set()
         for index in range(first, len(both)):
@@ -52,7 +55,7 @@ def require_agreement(equations: VelocityEquations, closure: Closure | None) -> 
                 culprits.add(index)
         suspects = culprits if suspects is None else suspects & culprits
     if suspects is None:
-        return
+        return tuple(both[index].name for index in sorted(confirmed) if both[index].written is not None)
     file = str(equations.variant.path or equations.variant.name)
     if not suspects:
         text = (
@@ -88,6 +91,10 @@ def _require_free(equations: VelocityEquations, closure: Closure) -> None:
             faults.append(Fault(text, str(variant.path or variant.name), variant.line_of("closure")))
     if faults:
         raise InputError(faults)
+
+
+def _follows(rows: Array, index: int) -> bool:
+    return _rank(np.delete(rows, index, axis=0)) == _rank(rows)
 
 
 def _rank(rows: Array) -> int:

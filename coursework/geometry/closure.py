@@ -38,6 +38,7 @@ class Closure:
     `kept` per equation the name of the drive it follows ("" for none); `origin` the value kept (m or rad).
     `function(t, *q)` gives the values and their derivatives by the free coordinates, `rows` the same over arrays (n,).
     `combination` (k, k) adds and subtracts equations so that they fall into `blocks` (rows, free columns), solved in turn.
+    `agreed` names the written velocity equations that these positions confirm.
     """
 
     names: tuple[str, ...]
@@ -51,6 +52,7 @@ class Closure:
     equations: VelocityEquations
     combination: Array
     blocks: tuple[tuple[list[int], list[int]], ...]
+    agreed: tuple[str, ...] = ()
 
     @property
     def complete(self) -> bool:

@@ -143,15 +143,25 @@ def refuse_endless(equations: VelocityEquations, time: float) -> None:
         raise InputError(faults)
 
 
-def is_sinusoidal(equations: VelocityEquations) -> bool:
-    """Return whether every drive is zero or a plain sine or cosine of t, and one at least is not zero."""
-    moving = 0
+def frequencies(equations: VelocityEquations) -> tuple[float, ...]:
+    """Return the slopes |d argument/dt| (rad/s) of the sines the drives are sums of, the slowest first.
+
+    None are returned unless every drive is zero or a sum of sines and cosines of t, each times a constant.
+    """
+    laws = {symbol(law.name) for law in (*equations.variant.drive, *equations.variant.functions)}
+    slopes = set()
     for law in equations.variant.drive:
         definition = equations.symbols.definitions[symbol(law.name)]
-        _, rest = definition.as_independent(TIME, as_Add=False)
-        if definition == 0:
-            continue
-        if not isinstance(rest, (sp.sin, sp.cos)) or sp.diff(rest.args[0], TIME).has(TIME):
-            return False
-        moving += 1
-    return moving > 0
+        if definition.free_symbols & laws:
+            return ()
+        for term in sp.Add.make_args(sp.expand(definition)):
+            _, rest = term.as_independent(TIME, as_Add=False)
+            if term == 0:
+                continue
+            if not isinstance(rest, (sp.sin, sp.cos)) or (slope := sp.diff(rest.args[0], TIME)).has(TIME) or slope == 0:
+                return ()
+            slopes.add(slope)
+    if not slopes:
+        return ()
+    values = compile_values(equations, sorted(slopes, key=str))[0](0.0, *np.zeros(len(equations.variant.coordinates)))
+    return tuple(sorted({abs(float(value)) for value in values}))

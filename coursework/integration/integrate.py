@@ -121,7 +121,7 @@ def _followed(
             stop = _kept(stop, _too_wide(rates.coordinates[wide[0]], turned, index, t, step, q, rates))
             break
         if correction and targets is not None:
-            moved = _corrected(correction, targets, index, step, t, q, moved)
+            moved = corrected(correction, targets, index, step, t, q, moved)
         q = moved
         if not np.all(np.isfinite(q)):
             stop = _kept(stop, _broken("event.overflow", index, t, step, q, rates))
@@ -151,9 +151,13 @@ class _Known:
         return self.first if q is self.q and t == self.t else self.slopes(min(t, self.latest), q)
 
 
-def _corrected(
+def corrected(
     correction: Correction, targets: tuple[Array, Array], index: int, step: float, t: float, q: Array, moved: Array
 ) -> Array:
+    """Return the position (m,) that a correction makes of `moved`, which one step has made of row `index`, `q` at `t`.
+
+    `targets`: the values kept (n, k) and the driven coordinates (n, d) of all rows.
+    """
     closure = correction.closure
     assert closure is not None
     kept, known = targets

@@ -14,6 +14,9 @@ from typing import Any
 
 from coursework.run import Run
 
+if TYPE_CHECKING:
+    from coursework.checks.result import Finding
+
 STAMP_LENGTH = 16  # letters of the hash: enough that two runs never meet by chance, short enough to compare by eye
 
 
@@ -42,18 +45,25 @@ def record(run: Run) -> dict[str, Any]:
         "remarks": [
             {"code": remark.code, "line": remark.line, "sentence": str(remark.sentence)} for remark in run.variant.plausibility
         ],
-        "checks": [
-            {
-                "code": check.code,
-                "verdict": check.verdict,
-                "value": _finite(check.value),
-                "limit": _finite(check.limit),
-                "unit": check.unit,
-                "sentence": check.sentence,
-            }
-            for check in checks
-        ],
+        "summary": run.summary,
+        "checks": [_finding(check) for check in checks],
     }
+
+
+def _finding(finding: Finding) -> dict[str, Any]:
+    found: dict[str, Any] = {
+        "code": finding.code,
+        "group": finding.group,
+        "verdict": finding.verdict,
+        "value": _finite(finding.value),
+        "unit": finding.unit,
+        "limit": _finite(finding.limit),
+        "column": finding.column,
+        "row": finding.row,
+        "sentence": finding.sentence,
+    }
+    more = {name: _finite(getattr(finding, name)) for name in ("step", "first", "last")}
+    return found | {name: value for name, value in more.items() if value is not None}
 
 
 def study_record(run: Run) -> dict[str, Any]:

@@ -13,7 +13,7 @@ import sympy as sp
 
 from coursework.codegen.tabulated import TableLaw
 from coursework.errors import Fault, InputError, listing
-from coursework.formula.tree import Formula, spelled
+from coursework.formula.tree import Formula, FormulaFault, evaluate, spelled
 from coursework.mechanism import Mechanism
 from coursework.reduction.symbolic import TIME, Symbols, placed, symbol
 from coursework.reduction.tidy import Order, as_sum
@@ -42,11 +42,12 @@ class VelocityEquation:
 
 @dataclass(frozen=True, slots=True)
 class Position:
-    """A position equation `expression = value kept`: `kept` is "zero", "start", or the drive it follows."""
+    """A position equation `expression = value kept` in `unit` (m or rad); `kept`: "zero", "start", or the drive it follows."""
 
     name: str
     expression: sp.Expr
     kept: str
+    unit: str = "m"
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +82,7 @@ def differentiate(mechanism: Mechanism) -> VelocityEquations:
                 faults.append(Fault(fault.message, str(variant.path or variant.name), constraint.line, 0, where))
             continue
         with placed(variant, f"constraint {constraint.name}", constraint.line):
-            components = _components(constraint, symbols)
+            components = _components(constraint, symbols, variant)
         for position in components:
             positions.append(position)
             equations.append(_derived(position, constraint.because, variant, symbols, constraint.line))
@@ -98,9 +99,10 @@ def differentiate(mechanism: Mechanism) -> VelocityEquations:
     return VelocityEquations(variant, symbols, order, variant.sought, tuple(equations), from_closure, tuple(positions), tables)
 
 
-def _components(constraint: Constraint, symbols: Symbols) -> list[Position]:
+def _components(constraint: Constraint, symbols: Symbols, variant: Variant) -> list[Position]:
     if not symbols.is_vector(constraint.left):
-        return [Position(constraint.name, symbols.scalar(constraint.left) - symbols.scalar(constraint.right), "zero")]
+        both = Formula("-", (constraint.left, constraint.right))
+        return [Position(constraint.name, symbols.scalar(both), "zero", _unit(both, variant))]
     left, right = symbols.vector(constraint.left), symbols.vector(constraint.right)
     return [Position(f"{constraint.name}{axis}", a - b, "zero") for axis, a, b in zip("xy", left, right, strict=True)]
 
@@ -114,8 +116,31 @@ def _closure_positions(variant: Variant, symbols: Symbols) -> tuple[Position, ..
         plain = formula.op == "part" and formula.args[0].op == "name"
         name = f"{formula.args[0].name}.{formula.name}" if plain else f"hold {index}"
         with placed(variant, f"closure.holds.{index}", variant.line_of("closure", "holds", index - 1)):
-            kept.append(Position(name, symbols.scalar(formula), "start"))
+            kept.append(Position(name, symbols.scalar(formula), "start", _unit(formula, variant)))
     return tuple(kept)
+
+
+def _unit(formula: Formula, variant: Variant) -> str:
+    """Return the unit of a scalar position equation: rad where it stays the same with all lengths twice as long, else m."""
+    if any(node.op == "part" for node in formula.walk()):
+        return "m"
+    laws = {law.name: law for law in (*variant.drive, *variant.functions)}
+
+    def value(factor: float) -> float:
+        values = {"t": 0.37} | {g.name: g.value * (factor if g.si == "m" else 1.0) for g in variant.given}
+        for place, coordinate in enumerate(variant.coordinates):
+            values[coordinate.name] = (0.3 + 0.1 * place) * (factor if coordinate.unit == "m" else 1.0)
+        for name, law in laws.items():
+            if law.formula is None:
+                values[name] = factor
+            elif set(law.formula.names()) <= {*values, "pi"}:
+                values[name] = evaluate(law.formula, values)
+        return evaluate(formula, values)
+
+    try:
+        return "rad" if abs(value(2.0) - value(1.0)) <= 1e-9 * (1 + abs(value(1.0))) else "m"
+    except (FormulaFault, KeyError):
+        return "m"
 
 
 def _reason(position: Position) -> str:

@@ -1,11 +1,11 @@
 """The section of checks: each with its verdict in a mark and a word, its number, its limit.
 
-Enters: a `PageContext`.  Leaves: one part with all checks.
+Enters: a `PageContext`.  Leaves: the summary, and one part for each group of checks.  Used by `sections.py`.
 """
 
 from __future__ import annotations
 
-from coursework.checks.result import Check
+from coursework.checks.result import GROUPS, VERDICTS, Finding
 from coursework.report.numbers import unit_text, with_unit
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Cell, Checks, Judged, Paragraph, Part, Runs
@@ -14,7 +14,6 @@ from coursework.report.text_runs import clean, numeral, runs
 
 MOST_LINES = 30  # further lines of one check; more are thinned
 SHORT_UNIT = 12  # letters of a unit that stands behind its number; a longer one stands below
-ORDER = ("PASS", "FAIL", "SKIP", "ERROR")
 
 
 def counts(context: PageContext) -> str:
@@ -22,21 +21,25 @@ def counts(context: PageContext) -> str:
     verdicts = [check.verdict for check in context.run.checks]
     if set(verdicts) == {"PASS"}:
         return context.words.count("count.all_passed", len(verdicts))
-    kinds = [kind for kind in ORDER if kind in verdicts]
+    kinds = [kind for kind in VERDICTS if kind in verdicts]
     return ", ".join(context.words.count(f"count.{kind}", verdicts.count(kind)) for kind in kinds)
 
 
 def checks(context: PageContext) -> list[Part]:
-    """Every check that was made."""
-    if not context.run.checks:
+    """Every check that was made, those of the computation before those of the motion."""
+    findings = context.run.checks
+    if not findings:
         return []
     heads = [context.words(f"checks.{key}") for key in ("verdict", "check", "value", "limit")]
     total = counts(context)
-    lead = Paragraph(runs(f"{total[:1].upper()}{total[1:]}."))
-    return [lead, Checks(heads, [_judged(context, check) for check in context.run.checks])]
+    parts: list[Part] = [Paragraph(runs(f"{total[:1].upper()}{total[1:]}."))]
+    for group in GROUPS:
+        if chosen := [_judged(context, finding) for finding in findings if finding.group == group]:
+            parts.append(Checks(context.words(f"checks.group.{group}"), heads, chosen))
+    return parts
 
 
-def _judged(context: PageContext, check: Check) -> Judged:
+def _judged(context: PageContext, check: Finding) -> Judged:
     numbers = context.numbers
     unit = context.told(check.unit)
     is_short = len(unit) <= SHORT_UNIT
@@ -56,7 +59,7 @@ def _judged(context: PageContext, check: Check) -> Judged:
     )
 
 
-def _lines(context: PageContext, check: Check) -> tuple[list[str], list[list[Cell]]]:
+def _lines(context: PageContext, check: Finding) -> tuple[list[str], list[list[Cell]]]:
     """Return the further lines; labels "phi1: scheme", "phi1: period" … become a row with a column for each part."""
     parts = [context.words.written(label).partition(": ") for label, _, _ in check.rows]
     columns = list(dict.fromkeys(tail for _, _, tail in parts))
@@ -69,7 +72,7 @@ def _lines(context: PageContext, check: Check) -> tuple[list[str], list[list[Cel
     if complete and all(len(found) == 1 for found in units.values()):
         table: list[list[Cell]] = []
         for head in rows:
-            unit = unit_text(next(iter(units[head])))
+            unit = unit_text(context.told(next(iter(units[head]))))
             label = [*_label(context, head), *([{"t": f", {unit}"}] if unit else [])]
             table.append([label, *(values[head, tail] for tail in columns)])
         return ["", *(clean(column) for column in columns)], table
@@ -84,4 +87,4 @@ def _label(context: PageContext, label: str) -> Runs:
 
 
 def _amount(context: PageContext, row: tuple[str, float, str]) -> Cell:
-    return numeral(with_unit(context.numbers.scalar(row[1]), row[2]))
+    return numeral(with_unit(context.numbers.scalar(row[1]), context.told(row[2])))

@@ -122,8 +122,9 @@ class Judged:
 
 @dataclass(frozen=True, slots=True)
 class Checks:
-    """All checks; `heads` are the words above the columns."""
+    """The checks of one group; `title` is what they ask, `heads` are the words above the columns."""
 
+    title: str
     heads: list[str]
     items: list[Judged]
     kind: str = field(default="checks", init=False)

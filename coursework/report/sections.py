@@ -53,7 +53,11 @@ def title(context: PageContext) -> list[Part]:
         ("date", run.date),
     ]
     facts = [(say(f"title.{key}"), _plain(value)) for key, value in lines if value]
-    facts += [(say("title.method"), runs(method_line(context))), (say("title.result"), runs(_result(context)))]
+    result = [
+        *(context.rich(run.summary) if run.summary else []),
+        *runs(f" {_result(context)}" if run.summary else _result(context)),
+    ]
+    facts += [(say("title.method"), runs(method_line(context))), (say("title.result"), result)]
     plausibility = run.variant.plausibility
     told = [(remark.line, context.told(remark.sentence)) for remark in plausibility[:MOST_REMARKS]]
     notes = [say("remark.line", line=line, sentence=sentence) for line, sentence in told]

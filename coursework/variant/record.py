@@ -74,12 +74,13 @@ class Coordinate:
 
 @dataclass(frozen=True, slots=True)
 class Time:
-    """Step h, end and period in s; `check_row` counts from 1."""
+    """Step h, end and period in s; `check_row` counts from 1; `own_step` that of the file where `step` is another."""
 
     step: float
     end: float
     period: float | None
     check_row: int | None
+    own_step: float | None = None
 
     @property
     def steps(self) -> int:
@@ -246,7 +247,8 @@ class Variant:
 
     def timed(self, step: float | None = None, end: float | None = None) -> Variant:
         """Return the variant with another step or end (s)."""
-        time = replace(self.time, step=step or self.time.step, end=end or self.time.end)
+        own = self.time.own_step or self.time.step
+        time = replace(self.time, step=step or self.time.step, end=end or self.time.end, own_step=own)
         changes: dict[Path, float | str] = {}
         for key in ("step", "end"):
             if getattr(time, key) != getattr(self.time, key):

@@ -170,9 +170,9 @@ def test_h09_the_fastest_moment_between_two_rows_is_told(height, step):
     run = solve(past_the_pivot(height, step), quantities=("table", "checks"))
     found = check(run, "PEAK")
     peak = 1 / height  # |omega| = h v/(x^2 + h^2) at x = 0
-    assert found.verdict == ("PASS" if peak * step <= 1 else "FAIL")
+    assert found.verdict == ("PASS" if peak * step <= 1 else "COARSE")
     assert found.value == pytest.approx(peak * step, rel=1e-2)
-    assert ("Take a step" in found.sentence) == (found.verdict == "FAIL")
+    assert ("Take a step" in found.sentence) == (found.verdict == "COARSE")
     if run.stop is not None:
         assert run.stop.kind == "step too large"
         assert peak * step > 1

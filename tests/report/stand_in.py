@@ -12,7 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from coursework.checks.result import Check
+from coursework.checks.result import Finding
+from coursework.checks.summary import summary
 from coursework.formula.reader import parse, parse_equation
 from coursework.formula.tree import Formula
 from coursework.integration.motion import Motion, Stop
@@ -114,7 +115,7 @@ class Run:
     step: float = H
     end: float = 0.48
     exact: Motion | None = None
-    checks: tuple[Check, ...] = ()
+    checks: tuple[Finding, ...] = ()
     stop: Stop | None = None
     phases: str = ""
     asked: tuple[str, ...] = ("table", "plots", "checks")
@@ -133,6 +134,10 @@ class Run:
 
     def figures(self, written: Callable[[str], str]) -> dict[str, Any]:
         return {}
+
+    @property
+    def summary(self) -> str:
+        return summary(self.checks) if "checks" in self.asked else ""
 
     @property
     def solutions(self) -> tuple[tuple[tuple[str, Formula], ...], ...]:
@@ -234,15 +239,16 @@ REDUCTION = Reduction(
     ),
 )  # fmt: skip
 CHECKS = (
-    Check("K01", "Initial row", "PASS", "The velocities of row 1 satisfy every constraint equation.", 4.4e-16, 1e-12, "m/s"),
-    Check(
-        "K02", "First row against last row", "PASS",
-        "The last row returns to the first within what explicit Euler at this step explains.", 0.0833, 0.1, "rad",
-        (("φ₁: scheme error", -0.083332, "rad"), ("φ₁: T ≠ period", 0.000579, "rad"), ("φ₁: round-off", 1e-16, "rad")),
+    Finding("PASS", "The velocities of row 1 satisfy every constraint equation.", 4.4e-16, 1e-12, "m/s", code="INITIAL"),
+    Finding(
+        "COARSE", "The last row does not return to the first with explicit Euler at this step.", 0.0833, 0.05, "of the scale",
+        "phi1", 25, 1.63, 1.547, 0.001, (
+            ("φ₁: scheme error", -0.083332, "rad"), ("φ₁: T ≠ period", 0.000579, "rad"), ("φ₁: round-off", 1e-16, "rad"),
+        ), option="--step h/20", code="PERIOD-POSITION", group="motion",
     ),
-    Check("K03", "Continuity", "FAIL", "ω₃ jumps between row 7 and row 8 by 12.3 rad/s.", 12.3, 3.0, "rad/s"),
-    Check("K04", "Sinusoidal character", "SKIP", "The drive is no sine."),
-    Check("K05", "Closure drift", "ERROR", "The closure could not be evaluated."),
+    Finding("FAIL", "ω₃ jumps between row 7 and row 8 by 12.3 rad/s.", 12.3, 3.0, "rad/s", code="CONTINUITY", group="motion"),
+    Finding("SKIP", "The drive is no sine.", code="SINUSOID", group="motion"),
+    Finding("ERROR", "The closure could not be evaluated.", code="DRIFT", group="motion"),
 )  # fmt: skip
 
 

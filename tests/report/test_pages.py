@@ -93,7 +93,7 @@ def test_hostile_text_is_shown_and_never_obeyed(stand_in: ModuleType, reading: M
 
 
 def test_a_word_of_300_letters_stays_on_the_page(stand_in: ModuleType) -> None:
-    check = stand_in.Check("K01", LONG, "PASS", LONG, 1.0, 2.0, "", ((LONG, 1.0, "rad"),))
+    check = stand_in.Finding("PASS", LONG, 1.0, 2.0, rows=((LONG, 1.0, "rad"),), code=LONG)
     equation = stand_in.Equation(LONG[:80], LONG, stand_in.EQUATIONS[0].left, stand_in.EQUATIONS[0].right)
     run = stand_in.run(student=LONG, variant=stand_in.variant(title=LONG), checks=(check,), equations=(equation,))
     with pymupdf.open(stream=render_pdf(build_model(run)), filetype="pdf") as document:

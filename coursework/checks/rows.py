@@ -1,0 +1,71 @@
+"""STEP: rows enough for the drive, for every turn of a crank, and one at each break of the drive.
+
+Enters: `Evidence`.  Leaves: a `Finding`.  Used by `check.py`.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from coursework.checks.evidence import Evidence
+from coursework.checks.result import Finding, skipped
+from coursework.geometry.drive import breaks
+from coursework.sentences import joined, say
+
+# Explicit Euler wants at least twenty rows a period of the drive, and a turn of a crank.
+ROWS_A_PERIOD = 20
+# A break of the drive this part of its time from a row is at the row.
+AT_ROW = 1e-9
+# Parts of a step after which a break counts as one that no whole part of the step meets.
+_MOST_PARTS = 1000
+# A rate that changes by less than this part of its size is constant.
+_CONSTANT = 1e-9
+
+
+def enough(evidence: Evidence) -> Finding:
+    """At least twenty rows a period of the drive and a turn of a crank at constant speed, and a row at each break."""
+    step, variant = evidence.motion.step, evidence.variant
+    if missed := off_row(evidence, step):
+        time = missed[0]
+        row = int(time / step)
+        late = float(row + 1 - time / step)
+        listed = joined([say("check.STEP.time", time=time) for time in breaks(variant)], "join.comma")
+        sentence = say("check.STEP.break", time=time, row=row + 1, next=row + 2, late=late, breaks=listed)
+        return Finding("COARSE", sentence, late, 0.0, say("unit.of_a_step"), None, row + 1, cured=parts_at_breaks(evidence) > 0)
+    speeds = {"": evidence.drive_frequency, **_turning(evidence)}
+    name = max(speeds, key=lambda key: speeds[key])
+    if not speeds[name] > 0:
+        return skipped(say("check.STEP.skip"))
+    rows = float(2 * np.pi / (speeds[name] * step))
+    verdict = "pass" if rows >= ROWS_A_PERIOD * (1 - 1e-9) else "coarse"
+    most = float(2 * np.pi / ROWS_A_PERIOD / speeds[name])
+    key = f"check.STEP.turn.{verdict}" if name else f"check.STEP.{verdict}"
+    sentence = say(key, name=name, frequency=speeds[name], rows=rows, step=most)
+    unit = say("unit.rows")
+    return Finding("PASS" if verdict == "pass" else "COARSE", sentence, rows, float(ROWS_A_PERIOD), unit, name or None)
+
+
+def off_row(evidence: Evidence, step: float) -> list[float]:
+    """Return the breaks of the drive (s) that no row of a run with this step (s) is at."""
+    return [time for time in breaks(evidence.variant) if abs(time / step - round(time / step)) > AT_ROW * (1 + time / step)]
+
+
+def parts_at_breaks(evidence: Evidence, least: int = 1) -> int:
+    """Return the fewest parts of the step, at least `least`, that leave a row at each break of the drive; 0 where none do."""
+    step = evidence.motion.step
+    return next((parts for parts in range(least, least + _MOST_PARTS) if not off_row(evidence, step / parts)), 0)
+
+
+def _turning(evidence: Evidence) -> dict[str, float]:
+    """Return the speeds (rad/s) of cranks that turn at constant speed, by their angles."""
+    found = {}
+    for coordinate in evidence.variant.coordinates:
+        if (
+            coordinate.unit == "rad"
+            and coordinate.rate in evidence.variant.known_rates
+            and coordinate.name in evidence.motion.names
+        ):
+            speed = evidence.motion.column(coordinate.rate)
+            if len(speed) and float(np.ptp(speed)) <= _CONSTANT * float(np.max(np.abs(speed))):
+                found[coordinate.name] = float(abs(speed[0]))
+    return found
