@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from coursework.sentences import Sentence, say, say_or
+from coursework.sentences import Sentence, load_phrases, say
 
 Group = Literal["computation", "motion"]
 GROUPS: tuple[Group, ...] = ("computation", "motion")
@@ -50,7 +50,8 @@ class Finding:
     @property
     def title(self) -> str:
         """Return the name of the check that the words file has for its code, else the code."""
-        return say_or(f"check.{self.code}.title", self.code)
+        key = f"check.{self.code}.title"
+        return say(key) if load_phrases().has(key) else self.code
 
 
 def skipped(sentence: str) -> Finding:

@@ -17,7 +17,7 @@ def summary(findings: Sequence[Finding]) -> Sentence:
     by_code = {finding.code: finding for finding in findings}
     stop = by_code.get("STOP")
     if stop is not None and stop.verdict != "PASS" and stop.value is not None:
-        told.append(say("summary.stops", time=stop.value))
+        told.append(say("summary.steps_out" if stop.verdict == "COARSE" else "summary.stops", time=stop.value))
     told += [_computed([finding for finding in findings if finding.group == "computation"])]
     told += _close(by_code.get("ACCURACY"), [finding for finding in findings if finding.group == "motion"])
     if errors := tuple(finding.code for finding in findings if finding.verdict == "ERROR"):

@@ -19,6 +19,7 @@ from coursework.run import Run
 from coursework.sentences import load_phrases, say
 from coursework.variant.record import Variant
 
+
 def run_variant(
     variant: str, *, out: Path | None, formats: tuple[str, ...] | None, step: str | None, error: float | None, end: float | None,
     scheme: str, quantities: tuple[str, ...], project: bool, gain: float, precision: str, strict: bool, plan: bool, profile: bool,

@@ -10,7 +10,7 @@ import hashlib
 import json
 import math
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursework.run import Run
 
