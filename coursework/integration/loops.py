@@ -8,6 +8,7 @@ Names of the loops' own begin with _ and none with _s: those of a file never beg
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
@@ -18,6 +19,7 @@ from coursework.schemes import Scheme, Sum
 
 Loop = Callable[..., tuple[float, ...]]
 RowLoop = Callable[..., None]
+_CONSTANT = re.compile(r"(\w+) = -?[\d.]+(?:e[+-]?\d+)?")
 
 
 def generate_loop(scheme: Scheme, rates: Rates) -> Loop:
@@ -49,14 +51,17 @@ def generate_rows(scheme: Scheme, rates: Rates, guarded: Sequence[int], widest: 
     own = stages.lines(0)
     determinants = [stages.name(0, f"_det{index}") for index in rates.blocks]
     row = [*position, *(stages.name(0, private(name)) for name in rates.velocities), *determinants]
-    old = [f"_old{index}" for index in rates.blocks]
-    crossed = " or ".join(f"{a}*{b} <= 0.0 and {b} != 0.0" for a, b in zip(determinants, old, strict=True))
+    constant = {found[1] for line in own if (found := _CONSTANT.fullmatch(line))}
+    watched = [name for name in determinants if name not in constant]
+    old = [f"_old{place}" for place in range(len(watched))]
+    crossed = " or ".join(f"{a}*{b} <= 0.0 and {b} != 0.0" for a, b in zip(watched, old, strict=True))
     moved = [f"_moved{place}" for place in range(len(position))]
     turned = [f"-{widest!r} <= {moved[place]} - {position[place]} <= {widest!r}" for place in guarded]
+    free = [name for place, name in enumerate(moved) if place not in guarded]
     body = [
         "_t0 = _i*_h",
         *own,
-        *([f"if {crossed}: return", f"{', '.join(old)}, = {', '.join(determinants)},"] if old else []),
+        *([f"if {crossed}: return", f"{', '.join(old)}, = {', '.join(watched)},"] if old else []),
         f"_keep(({', '.join(row)},))",
         "if _i == _last: return",
         *(["_latest_now = _latest((_i + 1)*_h)"] if rates.breaks else []),
@@ -64,8 +69,7 @@ def generate_rows(scheme: Scheme, rates: Rates, guarded: Sequence[int], widest: 
         *(f"{name} = {stages.moved(scheme.outer, place)}" for place, name in enumerate(moved)),
         *([f"if not ({' and '.join(turned)}): return"] if turned else []),
         # Infinity minus itself is no number: a sum tells whether any of its terms has left the numbers.
-        f"_sum = {' + '.join(moved)}",
-        "if _sum - _sum != 0.0: return",
+        *([f"_sum = {' + '.join(free)}", "if _sum - _sum != 0.0: return"] if free else []),
         f"{', '.join(position)}, = {', '.join(moved)},",
     ]
     source = [

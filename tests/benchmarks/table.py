@@ -1,6 +1,5 @@
 """The table "How fast it is" of README.md, measured anew:  python -m tests.benchmarks.table"""
 
-import ctypes
 import shutil
 import tempfile
 from pathlib import Path
@@ -33,9 +32,10 @@ def rows():
     )
     if compiler := shutil.which("cc") or shutil.which("gcc") or shutil.which("clang"):
         with tempfile.TemporaryDirectory() as folder:
-            euler = march.compiled(compiler, Path(folder))
-            in_c = ratio(generated, lambda: euler(march.STEPS, h, (ctypes.c_double * 3)(*march.START)))
-        yield "generated Euler loop", "the same loop in C", in_c, "at most 10"
+            in_c = march.c_loop(compiler, Path(folder))[0]
+            marched, exact = ratio(march.table_march(scene), in_c), ratio(march.exact_rows(scene), in_c)
+        yield "march of a table, rows kept and determinants watched", "a bare loop in C", marched, "at most 25"
+        yield "exact rows of a closure", "a bare loop in C", exact, "at most 170"
     equations, start = scene.equations, scene.start
     bare = march.uncached(lambda: sp.linear_eq_to_matrix(*march.as_sympy(equations)))
     reduced = ratio(march.uncached(lambda: reduce(equations, start)), bare)
@@ -44,6 +44,8 @@ def rows():
         with tempfile.TemporaryDirectory() as folder:
             process = whole.ratio(arguments, imports, limit, folder)
         yield f"`coursework {' '.join(arguments)}`", f"importing {imports}", process, f"at most {limit}"
+    with tempfile.TemporaryDirectory() as folder:
+        yield f"the same with {whole.MANY} rows", "with 25 rows, csv", whole.growth(folder), f"at most {whole.MOST_GROWTH}"
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@ import pytest
 
 import coursework
 from coursework.integration.integrate import Correction, march
+from coursework.integration.loops import generate_rows
 from coursework.schemes import SCHEMES
 from coursework.variant.reader import parse_variant
 from tests.hard.scenes import V31_IMPOSSIBLE
@@ -59,6 +60,14 @@ def test_both_refuse_a_step_that_turns_a_link_too_far(guarded, said):
     assert rows.stop == steps.stop
     assert np.array_equal(rows.coordinates, steps.coordinates)
     assert said is None or said in rows.stop.cause
+
+
+def test_a_determinant_that_is_a_number_is_not_watched():
+    """Variant 31: the block of w4 is the radius, the two others change."""
+    rates = coursework.solve("31", quantities=["table"]).scene.rates
+    source = generate_rows(SCHEMES["euler"], rates, (), 1.0).__doc__
+    assert len(rates.blocks) == 3
+    assert source.count("_old") == 2 * 4  # set, multiplied, compared with nothing before, kept
 
 
 def test_a_start_at_a_dead_point_leaves_no_row():
