@@ -90,9 +90,10 @@ class MotionResults:
         if motion.scheme in SCHEMES:
             replay = Replay(scene.rates, SCHEMES[motion.scheme], scene.begin, scene.correction)
             rerun = scene.rerun
+        turning = [place for place, coordinate in enumerate(scene.variant.coordinates) if coordinate.unit == "rad"]
         return Evidence(
             scene.variant, scene.equations, scene.rates, motion, scene.exact, self.extended_precision, scene.closure,
-            scene.stop, scene.reduction.used, fastest(scene.equations), scene.search.fastest, replay, rerun,
+            scene.stop, scene.reduction.used, fastest(scene.equations), scene.search.fastest(turning), replay, rerun,
         )  # fmt: skip
 
     @computed("evidence")

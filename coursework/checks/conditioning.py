@@ -81,7 +81,8 @@ def peak(evidence: Evidence) -> Finding:
         return skipped(say("check.PEAK.no_angle"))
     rate, when, coordinate = max(turning, key=lambda entry: entry[0])
     turned = rate * step
-    found = {"rate": coordinate.rate, "time": when, "value": rate, "turned": turned, "name": coordinate.name}
+    moment = say("check.PEAK.constant") if when is None else say("check.PEAK.moment", time=when)
+    found = {"rate": coordinate.rate, "moment": moment, "value": rate, "turned": turned, "name": coordinate.name}
     if turned <= WIDEST_STEP:
         return Finding("PASS", say("check.PEAK.pass", **found), turned, WIDEST_STEP, "rad", coordinate.rate)
     sentence = say("check.PEAK.coarse", **found, step=WIDEST_STEP / rate)

@@ -57,7 +57,7 @@ class Evidence:
     stop: Stop | None
     used: tuple[str, ...]
     drive_frequency: float
-    fastest: tuple[tuple[float, float], ...] = ()
+    fastest: tuple[tuple[float, float | None], ...] = ()
     replay: Replay | None = None
     rerun: Callable[[str, float], Motion | None] | None = None
     facts: dict[str, object] = field(default_factory=dict)

@@ -20,6 +20,7 @@ from coursework.codegen.tabulated import OutsideTable
 from coursework.errors import InputError
 from coursework.integration.adaptive import Step, dormand_prince_8, next_length
 from coursework.singular.change_point import nearest_change_point
+from coursework.singular.peaks import Peaks, Piece
 from coursework.singular.scaled_flow import Flow
 
 Array = NDArray[np.float64]
@@ -64,10 +65,18 @@ class Event:
 
 @dataclass(frozen=True, slots=True)
 class Search:
-    """The true motion followed: the first `event`, if any, and per coordinate the `fastest` rate with its time (s)."""
+    """The true motion followed up to `end` (s): the first `event`, if any, and the `peaks` of the rates."""
 
     event: Event | None
-    fastest: tuple[tuple[float, float], ...] = ()
+    peaks: Peaks | None = None
+    end: float = 0.0
+
+    def fastest(self, turning: Sequence[int]) -> tuple[tuple[float, float | None], ...]:
+        """Return per coordinate the largest |rate| with its time (s), None for a constant one; nothing for one that stops.
+
+        `turning` are the coordinates among which the fastest is wanted exactly.
+        """
+        return self.peaks.found(self.end, turning) if self.peaks is not None and self.event is None else ()
 
 
 class NotFollowed(InputError):
@@ -91,7 +100,7 @@ def search_event(
     event = walk.at_start()
     for goal in [*(b for b in breaks if 0 < b < end), end]:
         event = event or walk.until(goal)
-    return Search(event, tuple(zip(walk.fastest.tolist(), walk.when.tolist(), strict=True)))
+    return Search(event, walk.peaks, end)
 
 
 class _Walk:
@@ -104,7 +113,7 @@ class _Walk:
         self.length = 0.0
         self.near = NEAR * tolerance**0.5
         self.tried = np.inf  # the determinant at which a change point was searched last
-        self.fastest, self.when = np.zeros(len(state) - 1), np.zeros(len(state) - 1)
+        self.peaks = Peaks.of(len(state) - 1)
 
     def at_start(self) -> Event | None:
         """Return the event of a start that is singular itself."""
@@ -156,9 +165,6 @@ class _Walk:
         """Return the next step that is accurate enough, its length and the next one; None where the law of a table ends."""
         t = float(self.state[-1])
         slope = self.slope = rule(0.0, self.state)
-        rates = np.abs(slope[:-1]) / slope[-1]
-        self.when[rates > self.fastest] = t
-        self.fastest = np.maximum(self.fastest, rates)
         sizes = 1.0 + np.abs(self.state)
         sizes[-1] = self.end
         while True:
@@ -175,6 +181,7 @@ class _Walk:
                 raise NotFollowed(f"the motion cannot be followed beyond t = {t:.6g} s: {why}", t) from error
             ratio = float(np.max(np.abs(step.error) / (self.tolerance * sizes)))
             if ratio <= 1.0:
+                self.peaks.see(Piece(self.state, slope, rule, self.length))
                 return step, self.length, next_length(self.length, ratio, 8)
             self.length = next_length(self.length, ratio if np.isfinite(ratio) else 1e10, 8)
 

@@ -171,7 +171,7 @@ def test_h09_the_fastest_moment_between_two_rows_is_told(height, step):
     found = check(run, "PEAK")
     peak = 1 / height  # |omega| = h v/(x^2 + h^2) at x = 0
     assert found.verdict == ("PASS" if peak * step <= 1 else "COARSE")
-    assert found.value == pytest.approx(peak * step, rel=1e-2)
+    assert found.value == pytest.approx(peak * step, rel=1e-9)
     assert ("Take a step" in found.sentence) == (found.verdict == "COARSE")
     if run.stop is not None:
         assert run.stop.kind == "step too large"
