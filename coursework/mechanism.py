@@ -10,14 +10,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from coursework.errors import Fault, InputError, listing
-from coursework.formula.tree import Formula, number
+from coursework.formula.tree import Formula
 from coursework.sentences import say
 from coursework.variant.record import Constraint, Group, Link, Variant
 
 # A point built from points built from points grows like a power of two; beyond this no mechanism is meant.
 MAX_EXPANDED = 20_000
-_QUARTER = Formula("/", (Formula("name", name="pi"), number(2)))
-_ZERO = number(0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +52,7 @@ def build(variant: Variant) -> Mechanism:
         if late := _later(group, written, known | set(group.coordinates), variant):
             raise _fault(
                 variant,
-                f"group {index} ({group.kind}) uses {late}, which only a later group gives. Change the order.",
+                f"group {index} ({group.kind.name}) uses {late}, which only a later group gives. Change the order.",
                 group.line,
             )
         known.update(group.coordinates)
@@ -75,78 +73,34 @@ def _fault(variant: Variant, message: str, line: int = 0) -> InputError:
     return InputError([Fault(message, str(variant.path or variant.name), line)])
 
 
-def _plus(*terms: Formula) -> Formula:
-    total = terms[0]
-    for term in terms[1:]:
-        total = Formula("+", (total, term))
-    return total
-
-
-def _along(length: Formula, angle: Formula) -> Formula:
-    return Formula("@", (length, angle))
-
-
-def _across(offset: Formula, angle: Formula) -> tuple[Formula, ...]:
-    """Return the vector `offset` at right angles to `angle`, or nothing where the offset is zero."""
-    zero = offset.op == "number" and offset.value == 0
-    return () if zero else (_along(offset, _plus(angle, _QUARTER)),)
-
-
 def _as_closure(group: Group, index: int, variant: Variant) -> tuple[Constraint | None, Formula | None]:
     """Return the vector closure of a group and the formula of the point it meets in."""
     _check_shape(group, index, variant)
-    names = [Formula("name", name=coordinate) for coordinate in group.coordinates]
-    start = group.start_points
-    because = say("equation.closes", kind=group.kind, number=index)
-    if group.kind == "crank":
-        return None, _plus(start[0], _along(group.lengths[0], names[0]))
-    if group.kind == "RRR":
-        sides = [_plus(point, _along(length, angle)) for point, length, angle in zip(start, group.lengths, names, strict=True)]
-        met = sides[0]
-    elif group.kind == "RRP":
-        guide = group.guides[0]
-        met = _plus(start[0], _along(group.lengths[0], names[0]))
-        sides = [met, _plus(guide.through, _along(names[1], guide.angle), *_across(guide.offset, guide.angle))]
-    elif group.kind == "RPR":
-        sides = [start[0], _plus(start[1], _along(names[1], names[0]), *_across(group.offset, names[0]))]
-        met = _plus(start[1], _along(group.lengths[0], names[0])) if group.lengths else start[0]
-    elif group.kind == "RPP":
-        guide = group.guides[0]
-        met = _plus(guide.through, _along(names[1], guide.angle))
-        slide = _plus(guide.angle, group.angle or _QUARTER)
-        sides = [start[0], _plus(met, _along(names[0], slide))]
-    else:
-        sides = [
-            _plus(guide.through, _along(slide, guide.angle), *_across(guide.offset, guide.angle))
-            for guide, slide in zip(group.guides, names, strict=True)
-        ]
-        met = sides[0]
+    sides, met = group.kind.closure(group)
+    if not sides:
+        return None, met
+    because = say("equation.closes", kind=group.kind.name, number=index)
     return Constraint(f"G{index}", because, sides[0], sides[1], True, group.line), met
 
 
-_SHAPES = {  # kind: (external points, lengths, guides, coordinates)
-    "crank": (1, (1,), 0, 1), "RRR": (2, (2,), 0, 2), "RRP": (1, (1,), 1, 2), "RPR": (2, (0, 1), 0, 2),
-    "RPP": (1, (0,), 1, 2), "PRP": (0, (0,), 2, 2),
-}  # fmt: skip
-
-
 def _check_shape(group: Group, index: int, variant: Variant) -> None:
-    points, lengths, guides, coordinates = _SHAPES[group.kind]
+    shape = group.kind.shape
     wrong = [
         f"{wanted} {what} (found {found})"
         for wanted, what, found, right in (
-            (points, "points in from", len(group.start_points), len(group.start_points) == points),
-            (lengths[-1], "lengths", len(group.lengths), len(group.lengths) in lengths),
-            (guides, "guides", len(group.guides), len(group.guides) == guides),
-            (coordinates, "coordinates", len(group.coordinates), len(group.coordinates) == coordinates),
+            (shape.points, "points in from", len(group.start_points), len(group.start_points) == shape.points),
+            (shape.lengths[-1], "lengths", len(group.lengths), len(group.lengths) in shape.lengths),
+            (shape.guides, "guides", len(group.guides), len(group.guides) == shape.guides),
+            (shape.coordinates, "coordinates", len(group.coordinates), len(group.coordinates) == shape.coordinates),
         )
         if not right
     ]
     if wrong:
-        raise _fault(variant, f"group {index}: {group.kind} takes {listing(wrong)}.", group.line)
+        raise _fault(variant, f"group {index}: {group.kind.name} takes {listing(wrong)}.", group.line)
     rate = next(c.rate for c in variant.coordinates if c.name == group.coordinates[0])
-    if group.kind == "crank" and rate not in variant.known_rates:
-        message = f'group {index}: a crank turns by itself, so its rate {rate} stands in [drive]. Write {rate} = "10" there.'
+    if group.kind.driven and rate not in variant.known_rates:
+        named = f"group {index}: a {group.kind.name} turns by itself, so its rate {rate} stands in [drive]."
+        message = f'{named} Write {rate} = "10" there.'
         raise _fault(variant, message, group.line)
 
 
@@ -206,7 +160,7 @@ def _in_order(written: dict[str, Formula], variant: Variant) -> tuple[tuple[tupl
 def _mobility(variant: Variant) -> Mobility | None:
     """Count links and pairs from [links] and [frame], or from a chain of groups; None where neither stands."""
     if variant.groups and not variant.links:
-        dyads = sum(group.kind != "crank" for group in variant.groups)
+        dyads = sum(not group.kind.driven for group in variant.groups)
         in_groups = {name for group in variant.groups for name in group.coordinates}
         beside = [c for c in variant.coordinates if c.name not in in_groups]
         if any(c.rate not in variant.known_rates for c in beside):

@@ -14,19 +14,16 @@ from numpy.typing import NDArray
 
 from coursework import groups
 from coursework.errors import Fault, InputError, listing
-from coursework.formula.tree import Formula, spelled
+from coursework.formula.tree import Formula, constant, spelled
 from coursework.geometry.drive import integrals
 from coursework.geometry.time_derivatives import compile_rows
 from coursework.groups import Guide, Pair
-from coursework.groups.rpr import MODES as RPR_MODES
-from coursework.groups.rrp import MODES as RRP_MODES
-from coursework.groups.rrr import MODES as RRR_MODES
+from coursework.groups.kind import Known
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import Symbols
 from coursework.variant.record import Group, Variant
 
 Array = NDArray[np.float64]
-_TWO_MODES = {"RRR": RRR_MODES, "RRP": RRP_MODES, "RPR": RPR_MODES}
 
 
 def is_chain(variant: Variant) -> bool:
@@ -55,12 +52,12 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
     q[:, driven] += integrals(equations, [variant.coordinates[place].rate for place in driven], times)
     for number, group in enumerate(variant.groups, start=1):
         places = [names.index(name) for name in group.coordinates]
-        if group.kind == "crank":
+        if group.kind.driven:
             continue
         try:
             found = dyad(equations.symbols, group, _mode(equations, group, q[:1]), values).coordinates
         except groups.CannotAssemble as error:
-            text = f"{group.kind}{_letters(group)} cannot be assembled at t = {times[error.row]:.6g} s: {error.reason}"
+            text = f"{group.kind.name}{_letters(group)} cannot be assembled at t = {times[error.row]:.6g} s: {error.reason}"
             raise _fault(text, number, group, variant) from error
         except ValueError as error:
             raise _fault(str(error), number, group, variant) from error
@@ -92,11 +89,12 @@ def _continued(angles: Array, start: float | None) -> Array:
 
 
 def _mode(equations: VelocityEquations, group: Group, q: Array) -> int:
-    """Return the assembly mode: the one written, else the one nearest to the start values; an RPR then counts its slide from D.
+    """Return the assembly mode: the one written, else the one nearest to the start values, else the kind's usual one.
 
-    Raises `ValueError` where neither tells.
+    Raises `ValueError` where nothing tells.
     """
-    if group.mode or group.kind not in _TWO_MODES:
+    kind = group.kind
+    if group.mode or not kind.modes:
         return group.mode
     chosen = [c for name in group.coordinates for c in equations.variant.coordinates if c.name == name]
     starts = [(c.guess, c.unit) for c in chosen if c.guess is not None]
@@ -110,10 +108,9 @@ def _mode(equations: VelocityEquations, group: Group, q: Array) -> int:
             return max(abs(_nearest(value, start, unit) - start) for value, (start, unit) in zip(closed, starts, strict=True))
 
         return min((1, -1), key=distance)
-    if group.kind == "RPR":
-        return 1
-    meanings = _TWO_MODES[group.kind]
-    raise ValueError(f'{group.kind} closes in two ways. Write mode = "+1" ({meanings[1]}) or mode = "-1" ({meanings[-1]}).')
+    if kind.usual_mode:
+        return kind.usual_mode
+    raise ValueError(f'{kind.name} closes in two ways. Write mode = "+1" ({kind.modes[1]}) or mode = "-1" ({kind.modes[-1]}).')
 
 
 def _nearest(value: float, start: float, unit: str) -> float:
@@ -131,20 +128,16 @@ def dyad(symbols: Symbols, group: Group, mode: int, values: Callable[[list[sp.Ex
         return Pair(values(list(symbols.vector(formula))), None, None)
 
     def scalar(formula: Formula) -> Array:
+        if (value := constant(formula)) is not None:
+            return np.array([float(value)])
         return np.asarray(values([symbols.scalar(formula)])[:, 0])
 
-    points = [pair(formula) for formula in group.start_points]
-    lengths = [scalar(formula) for formula in group.lengths]
-    guides = [Guide(pair(g.through), scalar(g.angle), offset=scalar(g.offset)) for g in group.guides]
-    if group.kind == "RRR":
-        return groups.rrr(*points, lengths=(lengths[0], lengths[1]), mode=mode, positions_only=True)
-    if group.kind == "RRP":
-        return groups.rrp(points[0], guides[0], length=lengths[0], mode=mode, positions_only=True)
-    if group.kind == "RPR":
-        end = lengths[0] if lengths else None
-        offset = scalar(group.offset)
-        return groups.rpr(*points, offset=offset, end_length=end, mode=mode, positions_only=True)
-    if group.kind == "RPP":
-        angle = scalar(group.angle) if group.angle else np.pi / 2
-        return groups.rpp(points[0], guides[0], slide_angle=angle, positions_only=True)
-    return groups.prp(guides[0], guides[1], positions_only=True)
+    known = Known(
+        [pair(formula) for formula in group.start_points],
+        [scalar(formula) for formula in group.lengths],
+        [Guide(pair(g.through), scalar(g.angle), offset=scalar(g.offset)) for g in group.guides],
+        scalar(group.offset),
+        scalar(group.angle) if group.angle else None,
+    )
+    assert group.kind.solve is not None
+    return group.kind.solve(known, mode)

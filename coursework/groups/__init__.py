@@ -3,39 +3,41 @@
 Enters: external pairs and guides with their velocities and accelerations.  Leaves: `GroupMotion`, whose
 `meets` is a pair the next group can hang on.  Used by exact motions, `kinematics`, and students' own scripts.
 
-To add a group: write one file with one function here, and one line in `GROUPS`.
+The exact motion of a chain takes the positions of a group alone: velocities come from the reduction, which also knows
+drives and equations beside the chain.  With velocities and accelerations the functions are procedures for students.
+To add a group: write one file with its function and its `GroupKind`, and add that to `GROUPS`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from coursework.groups.assembly import AtDeadPoint, CannotAssemble
-from coursework.groups.crank import crank
+from coursework.groups.crank import CRANK, crank
+from coursework.groups.kind import GroupKind
 from coursework.groups.pairs import GroupMotion, Guide, Pair
-from coursework.groups.prp import prp
-from coursework.groups.rpp import rpp
-from coursework.groups.rpr import rpr
-from coursework.groups.rrp import rrp
-from coursework.groups.rrr import rrr
+from coursework.groups.prp import PRP, prp
+from coursework.groups.rpp import RPP, rpp
+from coursework.groups.rpr import RPR, rpr
+from coursework.groups.rrp import RRP, rrp
+from coursework.groups.rrr import RRR, rrr
 
-GROUPS: dict[str, Callable[..., GroupMotion]] = {
-    "crank": crank,
-    "RRR": rrr,
-    "RRP": rrp,
-    "RPR": rpr,
-    "RPP": rpp,
-    "PRP": prp,
-}
+GROUPS: tuple[GroupKind, ...] = (CRANK, RRR, RRP, RPR, RPP, PRP)
+
+
+def group_kind(name: str) -> GroupKind:
+    """Return the kind of a group by its name.  Raises `KeyError` for a name that is none."""
+    return {kind.name: kind for kind in GROUPS}[name]
+
 
 __all__ = [
     "GROUPS",
     "AtDeadPoint",
     "CannotAssemble",
+    "GroupKind",
     "GroupMotion",
     "Guide",
     "Pair",
     "crank",
+    "group_kind",
     "prp",
     "rpp",
     "rpr",

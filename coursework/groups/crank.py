@@ -6,13 +6,20 @@ Source: [deck], crank; a length that varies in time as in [Pasika].
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numpy.typing import ArrayLike
 
 from coursework.groups import assembly
 from coursework.groups.assembly import Length, numbers
+from coursework.groups.kind import Closed, GroupKind, Joint, Shape, along, plus, unknowns
 from coursework.groups.pairs import GroupMotion, Pair, count_rows, group_motion
 from coursework.groups.plane import direction, vectors
+
+if TYPE_CHECKING:
+    from coursework.variant.record import Group
 
 
 def crank(a: Pair, *, length: Length, angle: ArrayLike, rate: ArrayLike, acceleration: ArrayLike = 0.0) -> GroupMotion:
@@ -49,3 +56,14 @@ def crank(a: Pair, *, length: Length, angle: ArrayLike, rate: ArrayLike, acceler
         determinant=one,
         scaled=one,
     )
+
+
+def _closure(group: Group) -> Closed:
+    return (), plus(group.start_points[0], along(group.lengths[0], unknowns(group)[0]))
+
+
+def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Sequence[str]) -> tuple[Joint, ...]:
+    return (Joint("R", (points[0], own[0]), group.start_points[0]),)
+
+
+CRANK = GroupKind("crank", Shape(1, (1,), 0, 1), _closure, None, _joints, angles=1, carries=(0,))

@@ -7,14 +7,20 @@ Dead when the guides are parallel, and then without a position too.  Source: [de
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from coursework.groups.assembly import require_crossing
+from coursework.groups.kind import Closed, GroupKind, Joint, Known, Shape, across, along, plus, unknowns
 from coursework.groups.line import Line
 from coursework.groups.pairs import GroupMotion, Guide, count_rows, group_motion
 from coursework.groups.plane import cross
+
+if TYPE_CHECKING:
+    from coursework.variant.record import Group
 
 
 def prp(guide_i: Guide, guide_j: Guide, *, positions_only: bool = False) -> GroupMotion:
@@ -49,3 +55,24 @@ def prp(guide_i: Guide, guide_j: Guide, *, positions_only: bool = False) -> Grou
         accelerations=(dds_i, dds_j),
         meets=(at_c, carried + ds_i * i.e, carried_on + dds_i * i.e),
     )
+
+
+def _closure(group: Group) -> Closed:
+    sides = tuple(
+        plus(guide.through, along(slide, guide.angle), *across(guide.offset, guide.angle))
+        for guide, slide in zip(group.guides, unknowns(group), strict=True)
+    )
+    return sides, sides[0]
+
+
+def _solve(known: Known, mode: int) -> GroupMotion:
+    return prp(known.guides[0], known.guides[1], positions_only=True)
+
+
+def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Sequence[str]) -> tuple[Joint, ...]:
+    hinge = _closure(group)[1]
+    slides = [Joint("P", (block, on), hinge, guide.angle) for block, on, guide in zip(own, guides, group.guides, strict=True)]
+    return (*slides, Joint("R", (own[0], own[1]), hinge))
+
+
+PRP = GroupKind("PRP", Shape(0, (0,), 2, 2), _closure, _solve, _joints, meaning="determinant.parallel")

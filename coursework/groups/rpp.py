@@ -7,15 +7,22 @@ right, [library] 2PG5V.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from coursework.formula.tree import Formula
 from coursework.groups.assembly import numbers, require_crossing
+from coursework.groups.kind import QUARTER, Closed, GroupKind, Joint, Known, Shape, along, plus, unknowns
 from coursework.groups.line import Line
 from coursework.groups.pairs import GroupMotion, Guide, Pair, count_rows, group_motion
 from coursework.groups.plane import cross, direction, vectors
+
+if TYPE_CHECKING:
+    from coursework.variant.record import Group
 
 
 def rpp(b: Pair, guide: Guide, *, slide_angle: ArrayLike, positions_only: bool = False) -> GroupMotion:
@@ -55,3 +62,29 @@ def rpp(b: Pair, guide: Guide, *, slide_angle: ArrayLike, positions_only: bool =
         accelerations=(dds_i, dds_j),
         meets=(at_d, carried + ds_j * e, carried_on + dds_j * e),
     )
+
+
+def _slide(group: Group) -> Formula:
+    return plus(group.guides[0].angle, group.angle or QUARTER)
+
+
+def _closure(group: Group) -> Closed:
+    (on_block, on_guide), guide = unknowns(group), group.guides[0]
+    met = plus(guide.through, along(on_guide, guide.angle))
+    return (group.start_points[0], plus(met, along(on_block, _slide(group)))), met
+
+
+def _solve(known: Known, mode: int) -> GroupMotion:
+    angle = known.angle if known.angle is not None else np.pi / 2
+    return rpp(known.points[0], known.guides[0], slide_angle=angle, positions_only=True)
+
+
+def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Sequence[str]) -> tuple[Joint, ...]:
+    return (
+        Joint("R", (points[0], own[0]), group.start_points[0]),
+        Joint("P", (own[0], own[1]), group.start_points[0], _slide(group)),
+        Joint("P", (own[1], guides[0]), _closure(group)[1], group.guides[0].angle),
+    )
+
+
+RPP = GroupKind("RPP", Shape(1, (0,), 1, 2), _closure, _solve, _joints, meaning="determinant.parallel")

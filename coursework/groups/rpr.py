@@ -6,15 +6,21 @@ Dead when the block is level with the pivot, s = 0.  Source: [deck] 5-4, [librar
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from coursework.groups import assembly
 from coursework.groups.assembly import at, dead, metres, numbers, places, refuse
+from coursework.groups.kind import Closed, GroupKind, Joint, Known, Shape, across, along, plus, unknowns
 from coursework.groups.pairs import GroupMotion, Pair, count_rows, group_motion
 from coursework.groups.plane import angle_of, cross, dot, vectors
+
+if TYPE_CHECKING:
+    from coursework.variant.record import Group
 
 MODES = {1: "s > 0, the rod points from D towards the block", -1: "s < 0, it points away"}
 
@@ -81,3 +87,27 @@ def rpr(
         accelerations=(acceleration, dds),
         meets=(meets, v_b, a_b),
     )
+
+
+def _closure(group: Group) -> Closed:
+    (angle, slide), (block, pivot) = unknowns(group), group.start_points
+    end = plus(pivot, along(group.lengths[0], angle)) if group.lengths else block
+    return (block, plus(pivot, along(slide, angle), *across(group.offset, angle))), end
+
+
+def _solve(known: Known, mode: int) -> GroupMotion:
+    end = known.lengths[0] if known.lengths else None
+    return rpr(*known.points, offset=known.offset, end_length=end, mode=mode, positions_only=True)
+
+
+def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Sequence[str]) -> tuple[Joint, ...]:
+    rod, block = own
+    return (
+        Joint("R", (points[0], block), group.start_points[0]),
+        Joint("P", (block, rod), group.start_points[0], unknowns(group)[0]),
+        Joint("R", (rod, points[1]), group.start_points[1]),
+    )
+
+
+# Without a word about the mode the slide is counted from D towards the block.
+RPR = GroupKind("RPR", Shape(2, (0, 1), 0, 2), _closure, _solve, _joints, angles=1, modes=MODES, usual_mode=1)

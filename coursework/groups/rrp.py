@@ -6,15 +6,21 @@ Dead when the rod stands perpendicular to the guide.  Source: [deck] 5-3, [libra
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from coursework.groups import assembly
 from coursework.groups.assembly import Length, at, dead, metres, places, refuse
+from coursework.groups.kind import Closed, GroupKind, Joint, Known, Shape, across, along, plus, unknowns
 from coursework.groups.line import Line
 from coursework.groups.pairs import GroupMotion, Guide, Pair, count_rows, group_motion
 from coursework.groups.plane import angle_of, cross, dot, vectors
+
+if TYPE_CHECKING:
+    from coursework.variant.record import Group
 
 MODES = {1: "the larger s", -1: "the smaller s"}
 
@@ -71,3 +77,25 @@ def rrp(b: Pair, guide: Guide, *, length: Length, mode: int, positions_only: boo
         accelerations=(acceleration, dds),
         meets=(at_c, carried + ds * e, carried_on + dds * e),
     )
+
+
+def _closure(group: Group) -> Closed:
+    (angle, slide), guide = unknowns(group), group.guides[0]
+    pin = plus(group.start_points[0], along(group.lengths[0], angle))
+    return (pin, plus(guide.through, along(slide, guide.angle), *across(guide.offset, guide.angle))), pin
+
+
+def _solve(known: Known, mode: int) -> GroupMotion:
+    return rrp(known.points[0], known.guides[0], length=known.lengths[0], mode=mode, positions_only=True)
+
+
+def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Sequence[str]) -> tuple[Joint, ...]:
+    pin = _closure(group)[1]
+    return (
+        Joint("R", (points[0], own[0]), group.start_points[0]),
+        Joint("R", (own[0], own[1]), pin),
+        Joint("P", (own[1], guides[0]), pin, group.guides[0].angle),
+    )
+
+
+RRP = GroupKind("RRP", Shape(1, (1,), 1, 2), _closure, _solve, _joints, angles=1, modes=MODES, meaning="determinant.right_angle")

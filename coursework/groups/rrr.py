@@ -6,14 +6,20 @@ Dead when the two links lie on one line.  Source: [deck] 5-2, [library] 2PG1V wi
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from coursework.groups import assembly
 from coursework.groups.assembly import Array, CannotAssemble, Length, at, dead, metres, places, refuse
+from coursework.groups.kind import Closed, GroupKind, Joint, Known, Shape, along, plus, unknowns
 from coursework.groups.pairs import GroupMotion, Pair, count_rows, group_motion
 from coursework.groups.plane import Vectors, angle_of, dot, vectors
+
+if TYPE_CHECKING:
+    from coursework.variant.record import Group
 
 MODES = {1: "C to the left of the ray from B to D", -1: "C to its right"}
 
@@ -97,3 +103,21 @@ def _out_of_reach(rows: tuple[int, ...], apart: Array, r_i: Array, r_j: Array) -
     short = at(np.abs(r_i - r_j) - apart, row)
     found += f", the links differ by {metres(gap)}"
     return refuse("RRR", rows, found, f"the longer link is {metres(short)} too long to fold", short)
+
+
+def _closure(group: Group) -> Closed:
+    arms = zip(group.start_points, group.lengths, unknowns(group), strict=True)
+    sides = tuple(plus(point, along(length, angle)) for point, length, angle in arms)
+    return sides, sides[0]
+
+
+def _solve(known: Known, mode: int) -> GroupMotion:
+    return rrr(*known.points, lengths=(known.lengths[0], known.lengths[1]), mode=mode, positions_only=True)
+
+
+def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Sequence[str]) -> tuple[Joint, ...]:
+    ends = [Joint("R", pair, point) for pair, point in zip(zip(points, own, strict=True), group.start_points, strict=True)]
+    return (*ends, Joint("R", (own[0], own[1]), _closure(group)[1]))
+
+
+RRR = GroupKind("RRR", Shape(2, (2,), 0, 2), _closure, _solve, _joints, angles=2, modes=MODES)

@@ -2,7 +2,9 @@
 
 Enters: crank angle, crank length and derivatives, rod, offset.  Leaves: analogs of slider and rod, or the
 length.
-Used by the report and by students.  Source: [Pasika], formulas (5), (9)-(12) with the printing repaired.
+Used by students as procedures; the tool itself has no need of it, as
+`variants/variable-crank.toml` shows the general way.
+Source: [Pasika], formulas (5), (9)-(12) with the printing repaired.
 
 Lengths are divided by l1 unless said: lr = r/l1, l2 the rod, l3 the offset of the slider's line; lr', lr''
 derivatives with respect to the crank angle phi.  The slider lies at x = lr cos phi + l2 cos phi2 on the line
@@ -169,7 +171,7 @@ def constant_speed_crank(
     owner = "crank for constant speed"
     require_mode(owner, mode, MODES)
     f = numbers("crank angle", phi)
-    l1, l2 = (float(numbers(name, part, positive=True)[0]) for name, part in (("crank", crank), ("rod", rod)))
+    l1, l2 = (float(numbers(name, part, positive=True)[0]) for name, part in (("crank l1", crank), ("rod l2", rod)))
     if not (math.isfinite(speed + omega_1 + offset) and omega_1 != 0.0):
         raise ValueError(
             f"{owner}: finite speed and offset and a turning crank were expected, found "

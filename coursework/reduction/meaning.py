@@ -30,12 +30,11 @@ def meaning(determinant: Formula, variant: Variant, equations: Sequence[str], at
 
 
 def _of_group(variant: Variant, equations: Sequence[str]) -> str:
-    """Return what the determinant of a dyad with a guide means: there the angles alone do not tell link from guide."""
+    """Return what a dyad says of its determinant, where the angles alone do not tell link from guide."""
     for number, group in enumerate(variant.groups, start=1):
         if set(equations) == {f"G{number}x", f"G{number}y"}:
-            if group.kind == "RRP":
-                return say("determinant.right_angle", link=_link(group.coordinates[0], variant))
-            return say("determinant.parallel") if group.kind in {"PRP", "RPP"} else ""
+            key = group.kind.meaning
+            return say(key, link=_link(group.coordinates[0], variant)) if key else ""
     return ""
 
 

@@ -17,8 +17,6 @@ _LENGTH: Dimension = {LENGTH: 1}
 _TIME: Dimension = {TIME: 1}
 _SPEED: Dimension = {LENGTH: 1, TIME: -1}
 _ONE = {"from": "point", "lengths": "length", "coordinates": "coordinate", "guides": "guide"}
-# What the coordinates of a group measure: so many angles first, then lengths.
-_ANGLES_FIRST = {"crank": 1, "RRR": 2, "RRP": 1, "RPR": 1, "RPP": 0, "PRP": 0}
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,7 +112,7 @@ def _group(path: Path, group: Group) -> Iterator[Place]:
     for index, length in enumerate(group.lengths):
         yield place(("lengths", index), length, _LENGTH)
     for index, coordinate in enumerate(group.coordinates):
-        wanted = NUMBER if index < _ANGLES_FIRST[group.kind] else _LENGTH
+        wanted = NUMBER if index < group.kind.angles else _LENGTH
         yield place(("coordinates", index), Formula("name", name=coordinate), wanted)
     for index, guide in enumerate(group.guides):
         yield place(("guides", index, "through"), guide.through, _LENGTH)

@@ -17,6 +17,7 @@ from coursework.errors import Fault, InputError, closest
 from coursework.formula.alphabet import spell
 from coursework.formula.tree import Formula
 from coursework.formula.units import KINDS, is_quantity
+from coursework.groups import group_kind
 from coursework.variant import schema
 from coursework.variant.at_start import faults_at_start
 from coursework.variant.dimension_check import check_dimensions
@@ -192,7 +193,7 @@ def _group(index: int, entry: schema.Group, parts: Parts) -> Group:
             text = f'"{coordinate}" is not in [coordinates].{closest(coordinate, known)}'
             parts.undeclared((*path, "coordinates", place), text)
     return Group(
-        entry.kind,
+        group_kind(entry.kind),
         tuple(parts.formula((*path, "from", i), text, "vector") for i, text in enumerate(entry.start_points)),
         parts.names.canonical(entry.meets) if entry.meets else None,
         tuple(parts.scalar((*path, "lengths", i), value, wanted="m") for i, value in enumerate(entry.lengths)),
@@ -287,8 +288,7 @@ def _angle_names(formulas: Iterable[Formula], groups: tuple[Group, ...]) -> set[
         elif tree.op == "@":
             angles.update(tree.args[1].names())
     for group in groups:
-        first = {"crank": 1, "RRR": 2, "RRP": 1, "RPR": 1}.get(group.kind, 0)
-        angles.update(group.coordinates[:first])
+        angles.update(group.coordinates[: group.kind.angles])
     return angles
 
 

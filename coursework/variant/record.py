@@ -8,11 +8,14 @@ from __future__ import annotations
 import pathlib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursework.errors import InputError
 from coursework.formula.tree import Formula
 from coursework.variant.changes import Path, Values, changed_values, follow_from
+
+if TYPE_CHECKING:
+    from coursework.groups.kind import GroupKind
 
 # More rows than this nobody reads; a step much smaller than the coursework needs is a slip of the pen.
 MAX_ROWS = 200_000
@@ -118,7 +121,7 @@ class Guide:
 class Group:
     """An Assur group or crank of a chain; `mode` is +1, -1, or 0 where the file leaves it to the start values."""
 
-    kind: str
+    kind: GroupKind
     start_points: tuple[Formula, ...]
     meets: str | None
     lengths: tuple[Formula, ...]

@@ -6,9 +6,11 @@ The only room that knows pydantic; `variants/variant.schema.json` is made from i
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, StringConstraints
+
+from coursework.groups import GROUPS
 
 Text = Annotated[str, StringConstraints(max_length=2000)]
 Short = Annotated[str, StringConstraints(max_length=300)]
@@ -17,6 +19,11 @@ Value = Annotated[Text | int | float, Field(description='"value unit", such as "
 
 
 Piece = Annotated[list[Value], Field(min_length=2, max_length=2, description="from this time on, this formula")]
+
+if TYPE_CHECKING:
+    KindName = str
+else:
+    KindName = Literal[tuple(kind.name for kind in GROUPS)]
 
 
 class _Section(BaseModel):
@@ -74,7 +81,7 @@ class Guide(_Section):
 class Group(_Section):
     """One Assur group of a chain, or its crank."""
 
-    kind: Literal["crank", "RRR", "RRP", "RPR", "RPP", "PRP"]
+    kind: KindName
     start_points: Annotated[list[Text], Field(alias="from", max_length=2)] = []
     meets: Name | None = None
     lengths: Annotated[list[Value], Field(max_length=2)] = []

@@ -17,6 +17,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from coursework.errors import Fault, InputError, closest
+from coursework.groups import GROUPS
 from coursework.variant import schema
 from coursework.variant.source import Source
 
@@ -135,7 +136,7 @@ _EXAMPLES = {
     "[coordinates]": '[coordinates] with a line phi1 = { start = "0 rad", rate = "w1" } for each',
     "rate": 'rate = "w1", the name of the velocity', "step": 'step = "0.02 s"', "end": 'end = "0.48 s"',
     "pieces": 'pieces = [["0 s", "0"], ["0.1 s", "V"]]', "table": 'table = "r.csv"', "of": 'of = "phi1"',
-    "kind": 'kind = "RRR"', "coordinates": 'coordinates = ["phi2", "phi3"]', "through": 'through = "P"',
+    "kind": f'kind = "{GROUPS[-1].name}"', "coordinates": 'coordinates = ["phi2", "phi3"]', "through": 'through = "P"',
     "angle": 'angle = "0 rad"', "center": 'center = "O"', "radius": 'radius = "R"',
 }  # fmt: skip
 _KINDS = {

@@ -12,6 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from coursework import groups
 from coursework.groups import (
     GROUPS,
     AtDeadPoint,
@@ -231,10 +232,11 @@ def test_errors_survive_a_process_pool(error: CannotAssemble | AtDeadPoint) -> N
 
 
 def test_every_group_is_listed_once() -> None:
-    assert list(GROUPS) == ["crank", "RRR", "RRP", "RPR", "RPP", "PRP"]
-    for name, group in GROUPS.items():
-        assert group.__name__ == name.lower()
-        assert group.__doc__ is not None
-        if name != "crank":
-            assert "AtDeadPoint" in group.__doc__
-            assert "determinant" in group.__doc__
+    assert [kind.name for kind in GROUPS] == ["crank", "RRR", "RRP", "RPR", "RPP", "PRP"]
+    for kind in GROUPS:
+        procedure = getattr(groups, kind.name.lower())
+        assert procedure.__doc__ is not None
+        assert pickle.loads(pickle.dumps(kind)) is kind
+        if not kind.driven:
+            assert "AtDeadPoint" in procedure.__doc__
+            assert "determinant" in procedure.__doc__

@@ -1,0 +1,120 @@
+"""What a group of a chain is: one record holds all that the house knows of its kind.
+
+Enters: a group as a file writes it, in formulas, or its known side in numbers.  Leaves: `GroupKind`.
+Used by every file of a kind, the reader of variants, `mechanism.py`, `joints.py`, `geometry/chain.py`, `reduction/meaning.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from coursework.formula.tree import Formula, number
+from coursework.groups.assembly import Array
+from coursework.groups.pairs import GroupMotion, Guide, Pair
+
+if TYPE_CHECKING:
+    from coursework.variant.record import Group
+
+# The two ways round a loop as vectors, none where nothing closes, and the point the next group may hang on.
+Closed = tuple[tuple[Formula, ...], Formula]
+QUARTER = Formula("/", (Formula("name", name="pi"), number(2)))
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """How many external points, lengths (any of these counts), guides and coordinates a group of the kind has."""
+
+    points: int
+    lengths: tuple[int, ...]
+    guides: int
+    coordinates: int
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """What stands before a group is put together, in all rows: pairs, `lengths` (m), guides, `offset` (m), `angle` (rad)."""
+
+    points: Sequence[Pair]
+    lengths: Sequence[Array]
+    guides: Sequence[Guide]
+    offset: Array
+    angle: Array | None
+
+
+@dataclass(frozen=True, slots=True)
+class Joint:
+    """A joint between two `bodies`; the frame is "0".
+
+    `kind` is "R" (revolute), "P" (prismatic, along the angle `along`), "rolling" (without slip) or "pin in guide", the only
+    one that takes a single freedom.  `where` is its point, None where a formula carries the body and names none.
+    """
+
+    kind: str
+    bodies: tuple[str, str]
+    where: Formula | None
+    along: Formula | None = None
+
+
+# The names of the bodies that carry external points and guides, and of the group's own, to the joints between them.
+Joints = Callable[["Group", Sequence[str], Sequence[str], Sequence[str]], tuple[Joint, ...]]
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class GroupKind:
+    """A kind of group.
+
+    `closure` writes it as formulas; `solve` puts it together in a mode, None where a drive gives its coordinate; the first
+    `angles` of its coordinates are angles; `modes` says what +1 and -1 mean, empty where there is one way, and `usual_mode`
+    which holds where nothing tells; `meaning` is the key of the sentence about a dead point that its determinant alone does
+    not show; `joints` joins its bodies, of which `carries` says which one each coordinate moves.
+    """
+
+    name: str
+    shape: Shape
+    closure: Callable[[Group], Closed]
+    solve: Callable[[Known, int], GroupMotion] | None
+    joints: Joints
+    angles: int = 0
+    modes: Mapping[int, str] = field(default_factory=dict)
+    usual_mode: int = 0
+    meaning: str = ""
+    carries: tuple[int, ...] = (0, 1)
+
+    def __repr__(self) -> str:
+        return self.name
+
+    def __reduce__(self) -> tuple[Callable[[str], GroupKind], tuple[str]]:
+        from coursework.groups import group_kind  # a kind travels between processes by its name
+
+        return group_kind, (self.name,)
+
+    @property
+    def driven(self) -> bool:
+        """Return whether a drive turns it: a crank."""
+        return self.solve is None
+
+
+def unknowns(group: Group) -> list[Formula]:
+    """Return the coordinates of a group as formulas."""
+    return [Formula("name", name=coordinate) for coordinate in group.coordinates]
+
+
+def plus(*terms: Formula) -> Formula:
+    """Return the sum of formulas."""
+    total = terms[0]
+    for term in terms[1:]:
+        total = Formula("+", (total, term))
+    return total
+
+
+def along(length: Formula, angle: Formula) -> Formula:
+    """Return the vector of a length at an angle."""
+    return Formula("@", (length, angle))
+
+
+def across(offset: Formula, angle: Formula) -> tuple[Formula, ...]:
+    """Return the vector `offset` at right angles to `angle`, or nothing where the offset is zero."""
+    zero = offset.op == "number" and offset.value == 0
+    return () if zero else (along(offset, plus(angle, QUARTER)),)

@@ -1,0 +1,87 @@
+"""A kind of group is one record in one file: added to `GROUPS` it is read, solved, explained and counted everywhere."""
+
+import ast
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import coursework
+from coursework.groups import GROUPS
+
+# A second name for the dyad RRP, whose dead point means something else; the tool has never heard of it.
+DUMMY = """
+import json
+from dataclasses import replace
+from coursework import groups
+from coursework.groups.rrp import RRP
+groups.GROUPS = (*groups.GROUPS, replace(RRP, name="LIFT", meaning="determinant.parallel"))
+import coursework
+from coursework.catalogue import find
+from coursework.variant.reader import parse_variant
+from coursework.variant.schema import json_schema
+
+def made(text):
+    variant = parse_variant(text, "lift")
+    run = coursework.solve(variant, quantities=["table", "checks"])
+    return run, parse_variant(text.replace('r2 = "1.2 m"', 'r2 = "0.3 m"').replace('"0 deg"', '"90 deg"'), "short")
+
+text = find("example-2").read_text(encoding="utf-8").replace('angle = "0"', 'angle = "0.3"')
+(known, _), (lift, short) = made(text), made(text.replace('"RRP"', '"LIFT"'))
+try:
+    coursework.solve(short).motion
+    told = ""
+except coursework.InputError as error:
+    told = str(error)
+try:
+    parse_variant(text.replace('"RRP"', '"LIFTS"'), "unknown")
+    unknown = ""
+except coursework.InputError as error:
+    unknown = str(error)
+print(json.dumps({
+    "same": lift.table.equals(known.table),
+    "exact": lift.exact.coordinates.tolist() == known.exact.coordinates.tolist(),
+    "label": lift.exact.label,
+    "meanings": [run.reduction.blocks[-1].meaning for run in (known, lift)],
+    "reasons": [run.equations[0].because for run in (known, lift)],
+    "mobility": lift.scene.mechanism.mobility.degrees,
+    "told": told,
+    "unknown": unknown,
+    "schema": "LIFT" in json.dumps(json_schema()),
+}))
+"""
+
+
+def test_a_kind_alone_is_found_everywhere(tmp_path):
+    done = subprocess.run(
+        [sys.executable, "-c", DUMMY], capture_output=True, text=True, encoding="utf-8", check=False, cwd=tmp_path
+    )
+    assert done.returncode == 0, done.stderr
+    found = json.loads(done.stdout)
+    assert found["same"]
+    assert found["exact"]
+    assert found["label"] == "closed form of the groups"
+    assert found["meanings"][0].endswith("at a right angle to the guide")
+    assert found["meanings"][1] == "the two guides are parallel"
+    assert [("RRP" in reason, "LIFT" in reason) for reason in found["reasons"]] == [(True, False), (False, True)]
+    assert found["mobility"] == 1
+    assert "LIFT" in found["told"]
+    assert '"LIFT"' in found["unknown"]
+    assert found["schema"]
+
+
+def strings(path):
+    """Return the text constants of a file that are not docstrings."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    prose = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+    return [node.value for node in ast.walk(tree) if isinstance(node, ast.Constant) and id(node) not in prose]
+
+
+@pytest.mark.parametrize("kind", GROUPS, ids=repr)
+def test_no_kind_is_named_outside_its_file(kind):
+    package = Path(coursework.__file__).parent
+    home = f"groups/{kind.name.lower()}.py"
+    naming = {path.relative_to(package).as_posix() for path in package.rglob("*.py") if kind.name in strings(path)}
+    assert naming - {"groups/__init__.py"} == {home}  # there the procedure of the same name is exported
