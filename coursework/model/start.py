@@ -102,7 +102,7 @@ def _by_groups(model: Model, begin: Array, numbers: Columns, follow: frozenset[s
     q = np.nan_to_num(begin)
     doubtful = np.zeros(q.shape[1], dtype=bool)
     for group in variant.groups:
-        if group.kind == "crank":
+        if group.kind.driven:
             continue
         places = [model.coordinates.index(name) for name in group.coordinates]
         guesses = begin[places]
@@ -120,13 +120,13 @@ def _by_groups(model: Model, begin: Array, numbers: Columns, follow: frozenset[s
 
 def _assembled(model: Model, group: Group, q: Array, numbers: Columns, guesses: Array, doubtful: Flags) -> Array:
     """Return the coordinates (k, n) of one dyad in the mode written, else in the one nearest to the guesses."""
-    if group.mode or group.kind not in {"RRR", "RRP", "RPR"}:
+    if group.mode or not group.kind.modes:
         return _in_mode(model, group, group.mode, q, numbers, doubtful)
     if np.isnan(guesses).any():
-        if group.kind != "RPR":
+        if not group.kind.usual_mode:
             doubtful |= True
             return np.full_like(guesses, np.nan)
-        return _in_mode(model, group, 1, q, numbers, doubtful)
+        return _in_mode(model, group, group.kind.usual_mode, q, numbers, doubtful)
     units = [c.unit for name in group.coordinates for c in model.variant.coordinates if c.name == name]
     ways = [_in_mode(model, group, mode, q, numbers, doubtful) for mode in (1, -1)]
     away = []
