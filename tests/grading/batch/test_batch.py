@@ -1,0 +1,222 @@
+"""A batch is never lost: killers, hangs and hogs are told apart; a second run does only what is new; the same bytes always."""
+
+import csv
+import json
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from coursework.cli import main
+from coursework.grading.batch import supervisor
+from tests.grading.batch.classroom import hand_in, small_class
+from tests.grading.marking import students
+
+
+def grade(source, out, *options):
+    arguments = ["grade", str(source), "--out", str(out), *map(str, options)]
+    if "--roster" not in options and "--variant" not in options:
+        arguments += ["--variant", "31"]
+    return CliRunner().invoke(main, arguments)
+
+
+def rows(out):
+    with (out / "grades.csv").open(encoding="utf-8-sig", newline="") as file:
+        return {row["id"]: row for row in csv.DictReader(file)}
+
+
+def submissions(out):
+    found = json.loads((out / "grades.json").read_text(encoding="utf-8"))
+    return {entry["id"]: entry for entry in found["submissions"]}
+
+
+@pytest.fixture(scope="module")
+def graded(tmp_path_factory):
+    root = tmp_path_factory.mktemp("class")
+    source, out = small_class(root / "in"), root / "out"
+    done = grade(source, out)
+    assert done.exit_code == 0, done.output
+    return source, out
+
+
+def test_every_submission_has_a_state_and_only_graded_ones_a_number(graded):
+    found = rows(graded[1])
+    states = {student: row["status"] for student, row in found.items()}
+    assert states == {
+        "ada": "graded", "bert": "graded", "carl": "graded", "dora": "graded", "emil": "graded", "fred": "unreadable",
+        "gina": "missing",
+    }  # fmt: skip
+    assert [found[student]["points"] for student in ("ada", "bert", "fred", "gina")] == ["100.00", "100.00", "", ""]
+    assert found["carl"]["first_wrong"] == "row 11 w2"
+    assert found["dora"]["misconception"] == "heun"
+    assert found["emil"]["equations"] == "30.00"
+    assert "PDF" in found["fred"]["sentence"]
+
+
+def test_grades_json_has_the_fixed_keys(graded):
+    document = json.loads((graded[1] / "grades.json").read_text(encoding="utf-8"))
+    assert list(document) == ["format", "rubric", "submissions", "not_on_roster", "class"]
+    assert set(document["class"]) == {
+        "graded", "mean", "median", "misconceptions", "first_wrong_rows", "hardest_column", "same_files",
+    }  # fmt: skip
+    for entry in document["submissions"]:
+        assert set(entry) == {
+            "id", "name", "variant", "status", "score", "max", "proposed", "files", "reading", "table", "first_wrong",
+            "equations", "answers", "misconception", "verdicts", "notes", "overrides", "page",
+        }  # fmt: skip
+        assert set(entry["table"]) == {
+            "state", "score", "max", "rows", "rows_needed", "first_wrong", "wrong_cells", "missing_cells", "carried_cells",
+            "decimals", "least_decimals", "computed_to",
+        }  # fmt: skip
+
+
+def test_pages_are_small_without_scripts_and_say_what_is_wrong(graded):
+    for student in rows(graded[1]):
+        page = (graded[1] / "feedback" / f"{student}.html").read_text(encoding="utf-8")
+        assert len(page.encode()) <= 40_000
+        assert "<script" not in page
+        assert "default-src 'none'" in page
+    page = (graded[1] / "feedback" / "carl.html").read_text(encoding="utf-8")
+    assert "Row 11" in page
+    assert "w2" in page
+
+
+def test_a_second_run_marks_nothing_anew_and_writes_the_same_bytes(graded, tmp_path):
+    source, out = graded
+    before = {path.relative_to(out): path.read_bytes() for path in out.rglob("*") if path.is_file()}
+    again = grade(source, out)
+    assert "Marked now: 0" in again.output
+    assert {path.relative_to(out): path.read_bytes() for path in out.rglob("*") if path.is_file()} == before
+    assert grade(source, tmp_path / "other", "--jobs", "3").exit_code == 0
+    assert {p.relative_to(tmp_path / "other"): p.read_bytes() for p in (tmp_path / "other").rglob("*") if p.is_file()} == before
+
+
+def test_a_second_run_marks_what_is_new_and_tells_what_changed(tmp_path):
+    source, out = small_class(tmp_path / "in"), tmp_path / "out"
+    grade(source, out)
+    hand_in_again = source / "carl" / "table.csv"
+    from tests.grading.batch.classroom import csv as table_csv
+
+    hand_in_again.write_bytes(table_csv(students.table()))
+    (out / "feedback" / "ada.html").unlink()
+    done = grade(source, out)
+    assert "Marked now: 2" in done.output
+    changes = (out / "changes.csv").read_text(encoding="utf-8-sig").splitlines()
+    assert changes[0] == "id,before,after,reason"
+    assert len(changes) == 2
+    assert changes[1].startswith("carl,")
+    assert changes[1].endswith(",100.00,files")
+
+
+def test_a_torn_journal_loses_nothing_else(tmp_path):
+    source, out = small_class(tmp_path / "in"), tmp_path / "out"
+    grade(source, out)
+    journal = out / "journal.jsonl"
+    whole = journal.read_bytes()
+    journal.write_bytes(whole[:-40])
+    done = grade(source, out)
+    assert "Marked now: 1" in done.output
+    assert journal.read_bytes() == whole
+
+
+def test_decisions_of_the_instructor(tmp_path):
+    source, out = small_class(tmp_path / "in"), tmp_path / "out"
+    decided = tmp_path / "overrides.csv"
+    decided.write_text('id,check,points,reason\nfred,total,55,read on paper\nemil,equations,"40,0",=right\n', encoding="utf-8")
+    done = grade(source, out, "--overrides", decided)
+    assert done.exit_code == 0, done.output
+    found = submissions(out)
+    assert (found["fred"]["status"], found["fred"]["score"]) == ("graded-with-notes", 55)
+    assert found["emil"]["score"] == 100
+    assert found["emil"]["overrides"] == [{"check": "equations", "points": 40.0, "reason": "=right"}]
+    assert "read on paper" in (out / "feedback" / "fred.html").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("line", "told"),
+    [
+        ("adda,total,5,x", 'nobody has the id "adda". Did you mean "ada"?'),
+        ("ada,tabel,5,x", 'there is no part "tabel". Did you mean "table"?'),
+        ("ada,table,60.01,x", "points from 0 to 60"),
+        ("ada,table,lots,x", 'found "lots"'),
+    ],
+)
+def test_decisions_that_cannot_be_meant_stop_before_anything_is_graded(tmp_path, line, told):
+    hand_in(tmp_path / "in" / "ada")
+    decided = tmp_path / "overrides.csv"
+    decided.write_text(f"id,check,points,reason\n{line}\n", encoding="utf-8")
+    done = grade(tmp_path / "in", tmp_path / "out", "--overrides", decided)
+    assert done.exit_code == 2
+    assert told in done.output
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_roster_gives_each_student_a_variant(tmp_path):
+    source = tmp_path / "in"
+    hand_in(source / "ada")
+    hand_in(source / "zoe")
+    roster = tmp_path / "roster.csv"
+    roster.write_text("id,name,email,variant\nada,Ada A.,a@x,31\nbob,Bob B.,b@x,v101\n", encoding="utf-8")
+    done = grade(source, tmp_path / "out", "--roster", roster)
+    assert done.exit_code == 0, done.output
+    found = submissions(tmp_path / "out")
+    assert {student: (entry["variant"], entry["status"]) for student, entry in found.items()} == {
+        "ada": ("31", "graded"), "bob": ("v101", "missing"),
+    }  # fmt: skip
+    document = json.loads((tmp_path / "out" / "grades.json").read_text(encoding="utf-8"))
+    assert [entry["name"] for entry in document["not_on_roster"]] == ["zoe"]
+
+
+@pytest.mark.parametrize("roster", ["id,name,email,variant\nada,A,a,3i1\n", "id,name,email,variant\nada,A,a,\n"])
+def test_a_wrong_roster_stops_before_anything_is_graded(tmp_path, roster):
+    hand_in(tmp_path / "in" / "ada")
+    file = tmp_path / "roster.csv"
+    file.write_text(roster, encoding="utf-8")
+    done = grade(tmp_path / "in", tmp_path / "out", "--roster", file)
+    assert done.exit_code == 2
+    assert "roster.csv:2" in done.output
+    assert not (tmp_path / "out").exists()
+
+
+def test_killers_hangs_and_hogs_are_told_apart_and_stop_nobody_else(tmp_path, monkeypatch):
+    source, out = tmp_path / "in", tmp_path / "out"
+    for student in ("a", "b", "killer", "c", "hang", "d", "hog", "e", "once"):
+        hand_in(source / student)
+    monkeypatch.setattr(supervisor, "CHILD", "tests.grading.batch.hostile_child")
+    monkeypatch.setenv("COURSEWORK_TEST_ONCE", str(tmp_path / "once"))
+    monkeypatch.setenv("PYTHONPATH", str(Path(__file__).parents[3]))
+    done = grade(source, out, "--limit", "6", "--jobs", "2")
+    assert done.exit_code == 0, done.output
+    states = {student: entry["status"] for student, entry in submissions(out).items()}
+    assert {student for student, state in states.items() if state == "graded"} == {"a", "b", "c", "d", "e", "once"}
+    assert (states["killer"], states["hang"], states["hog"]) == ("crashed-grader", "timeout", "unreadable")
+    monkeypatch.undo()
+    again = grade(source, out)
+    assert "Marked now: 2" in again.output  # the two that were no fault of theirs
+    assert {entry["status"] for entry in submissions(out).values()} == {"graded", "unreadable"}
+
+
+def test_one_submission_for_an_autograder(tmp_path):
+    hand_in(tmp_path / "in", students.slip(10, 1, 1.05))
+    for platform, key in (("gradescope", "score"), ("prairielearn", "score")):
+        done = grade(tmp_path / "in", tmp_path / platform, "--results", platform)
+        assert done.exit_code == 0, done.output
+        assert [path.name for path in (tmp_path / platform).iterdir()] == ["results.json"]
+        found = json.loads((tmp_path / platform / "results.json").read_text(encoding="utf-8"))
+        assert found[key] == pytest.approx(99.3 if platform == "gradescope" else 0.993, abs=0.05)
+    tests = json.loads((tmp_path / "gradescope" / "results.json").read_text(encoding="utf-8"))
+    assert sum(part["score"] for part in tests["tests"]) == pytest.approx(tests["score"], abs=1e-9)
+
+
+def test_hostile_names_stay_inside_out_and_are_escaped(tmp_path):
+    source, out = tmp_path / "in", tmp_path / "out"
+    for student in ("<img src=x onerror=alert(1)>", "CON", "ends.", "=cmd|calc", "x" * 120):
+        hand_in(source / student)
+    done = grade(source, out)
+    assert done.exit_code == 0, done.output
+    written = {path.name for path in (out / "feedback").iterdir()}
+    assert all(name.startswith("x-") and len(name) == 23 for name in written)
+    assert len(written) == 5
+    page = (out / "class.html").read_text(encoding="utf-8")
+    assert "<img src" not in page
+    assert "'=cmd|calc" in (out / "grades.csv").read_text(encoding="utf-8-sig")
