@@ -18,6 +18,7 @@ from coursework.grading.batch.work import Outcome, Setup, Task, outcome_from, se
 
 Keyed = tuple[str, Task]
 CHUNK = 100  # submissions a cluster task: far longer than its way there and back
+PATIENCE = 10  # s to reach a scheduler
 AHEAD = 2  # chunks a worker thread has waiting
 _END = object()
 
@@ -76,7 +77,7 @@ def on_cluster(tasks: Iterable[Keyed], setup: Setup, address: str, limit: float 
         raise InputError('a cluster needs Dask. Install it with: pip install "coursework[cluster]"') from None
     cluster: Any = distributed  # its calls carry no types
     try:
-        client = cluster.Client(address, timeout=10)
+        client = cluster.Client(address, timeout=PATIENCE)
     except (OSError, TimeoutError, ValueError) as error:
         raise InputError(f"no scheduler answers at {address} ({error}). Start one with: dask scheduler") from None
     with client:

@@ -17,6 +17,8 @@ def grade(source, out, *options):
     arguments = ["grade", str(source), "--out", str(out), *map(str, options)]
     if "--roster" not in options and "--variant" not in options:
         arguments += ["--variant", "31"]
+    if "--jobs" not in options:
+        arguments += ["--jobs", "1"]
     return CliRunner().invoke(main, arguments)
 
 
