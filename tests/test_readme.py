@@ -5,11 +5,14 @@ import re
 import shlex
 import subprocess
 import sys
+import zipfile
 from pathlib import Path
 
 from click.testing import CliRunner
 
 from coursework.cli import main
+from tests.grading.batch import classroom
+from tests.grading.marking import students
 
 ROOT = Path(__file__).parent.parent
 TEXT = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -24,6 +27,47 @@ def test_commands_run_as_written_one_after_the_other(tmp_path, monkeypatch):
         result = CliRunner().invoke(main, words[1:])
         assert result.exit_code == 0, (command, result.output)
         assert result.output.strip(), command
+
+
+def test_instructors_commands_run_from_a_download_of_moodle_to_grades(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    moodle_download(tmp_path)
+    section = TEXT.partition("## For instructors")[2]
+    commands = [line.split("#")[0].strip() for line in re.search(r"```sh\n(.*?)```", section, re.S)[1].splitlines()]
+    assert len(commands) == 3
+    for command in commands:
+        result = CliRunner().invoke(main, shlex.split(command)[1:])
+        assert result.exit_code == 0, (command, result.output)
+    sheet = (tmp_path / "marks" / "worksheet.csv").read_text(encoding="utf-8-sig").splitlines()
+    assert sheet[1].startswith("Participant 1001,Ada Lovelace,ada@example.org,Submitted,100.00,100.00,")
+    assert sheet[2].startswith("Participant 1002,Bert Brecht,bert@example.org,Submitted,80.00,100.00,")
+    with zipfile.ZipFile(tmp_path / "marks" / "feedback.zip") as feedback:
+        assert sorted(name.partition("/")[0] for name in feedback.namelist()) == [
+            "Ada Lovelace_1001_assignsubmission_file", "Bert Brecht_1002_assignsubmission_file",
+        ]  # fmt: skip
+    assert (tmp_path / "marks" / "class.html").stat().st_size > 1000
+
+
+def moodle_download(folder):
+    """Two submissions and the worksheet as Moodle gives them, and the files that the commands of README name."""
+    with zipfile.ZipFile(folder / "submissions.zip", "w") as download:
+        for number, name, table in ((1001, "Ada Lovelace", students.table()), (1002, "Bert Brecht", students.slip(5, 0, 1.2))):
+            top = f"{name}_{number}_assignsubmission_file"
+            download.writestr(f"{top}/table.csv", classroom.csv(table))
+            download.writestr(f"{top}/equations.txt", "\n".join(classroom.EQUATIONS))
+    (folder / "worksheet.csv").write_text(
+        "Identifier,Full name,Email address,Status,Grade,Maximum Grade,Grade can be changed,Last modified (submission),"
+        "Last modified (grade),Feedback comments\n"
+        "Participant 1001,Ada Lovelace,ada@example.org,Submitted,,100.00,Yes,-,-,\n"
+        "Participant 1002,Bert Brecht,bert@example.org,Submitted,,100.00,Yes,-,-,\n",
+        encoding="utf-8-sig",
+    )
+    (folder / "rubric.toml").write_text("", encoding="utf-8")
+    (folder / "decided.csv").write_text(
+        "id,check,points,reason\nBert Brecht_1002_assignsubmission_file,total,80,explained in person\n", encoding="utf-8"
+    )
+    (folder / "table.csv").write_bytes(classroom.csv(students.table()))
+    (folder / "equations.txt").write_text("\n".join(classroom.EQUATIONS), encoding="utf-8")
 
 
 def test_lines_for_the_shell_are_what_the_shell_can_run():

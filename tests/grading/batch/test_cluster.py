@@ -6,13 +6,12 @@ import signal
 import threading
 import time
 
+import distributed
 import pytest
 from click.testing import CliRunner
 
 from coursework.cli import main
 from tests.grading.batch.classroom import hand_in, small_class
-
-distributed = pytest.importorskip("distributed")
 
 
 @pytest.fixture(scope="module")
