@@ -33,15 +33,18 @@ def rows_of(model: Model, sets: Sets, scheme: Scheme, times: Array) -> tuple[Arr
     before: Array | None = None
     with np.errstate(all="ignore"):
         for index, t in enumerate(times.tolist()):
-            values = stacked(model.program(t, *q, *numbers), q[:1])
-            table[index, :m], table[index, m:] = q, values[:k]
+            row, values = table[index], model.program(t, *q, *numbers)
+            row[:m] = q
+            for place, value in enumerate(values[:k], start=m):
+                row[place] = value
+            determinants = stacked(values[k:], q[:1])
             if before is not None:
-                good &= (values[k:] * before > 0).all(axis=0)
-            before = values[k:]
+                good &= (determinants * before > 0).all(axis=0)
+            before = determinants
             if index + 1 < len(times):
                 last = latest(model.breaks, (index + 1) * step)
 
-                def slopes(time: Any, at: Array, *, first: Array = values[:m], own: Array = q, last: float = last) -> Array:
+                def slopes(time: Any, at: Array, *, first: Array = row[m : 2 * m], own: Array = q, last: float = last) -> Array:
                     return first if at is own else stacked(model.program(min(time, last), *at, *numbers)[:m], at)
 
                 moved = scheme.step(slopes, t, q, step)
