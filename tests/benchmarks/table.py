@@ -10,6 +10,7 @@ import coursework
 from coursework.integration.loops import generate_loop
 from coursework.reduction.blocks import reduce
 from coursework.schemes import SCHEMES
+from tests.benchmarks import test_many as many
 from tests.benchmarks import test_march as march
 from tests.benchmarks import test_whole_process as whole
 from tests.benchmarks.timer import ratio
@@ -40,6 +41,9 @@ def rows():
     bare = march.uncached(lambda: sp.linear_eq_to_matrix(*march.as_sympy(equations)))
     reduced = ratio(march.uncached(lambda: reduce(equations, start)), bare)
     yield "reduction of variant 31", "a bare linear_eq_to_matrix", reduced, "at most 20"
+    batch = "`solve_many`, 1000 sets of variant 31"
+    yield batch, "Euler by hand over arrays, nothing watched", many.cost(0), f"at most {many.MOST}"
+    yield "1000 sets of variant 31, one by one", "`solve_many`", many.gain(), f"at least {many.LEAST_GAIN}"
     for arguments, imports, limit in whole.CASES:
         with tempfile.TemporaryDirectory() as folder:
             process = whole.ratio(arguments, imports, limit, folder)

@@ -179,7 +179,7 @@ def test_why_a_set_cannot_move():
 def test_equations_that_fit_their_own_data_alone_are_told_as_alone():
     """A factor of 1 in one equation: right for the file, against the geometry for any other number."""
     text = find("31").read_text(encoding="utf-8").replace('"r3*w3*sin(phi3) -', '"k*r3*w3*sin(phi3) -')
-    variant = coursework.parse_variant(text.replace("[given]", '[given]\nk = 1'), "31")
+    variant = coursework.parse_variant(text.replace("[given]", "[given]\nk = 1"), "31")
     assert coursework.solve_many(variant, {"p": [13.0]}).stops == (None,)
     with pytest.raises(coursework.InputError, match=r"set 2: .*contradicts the geometry"):
         coursework.solve_many(variant, {"k": [1.0, 1.001]})
