@@ -82,7 +82,7 @@ class MotionResults:
     def evidence(self) -> Evidence:
         """What the checks may look at: the rows beside the exact ones, and ways to make them again."""
         from coursework.checks.evidence import Evidence
-        from coursework.geometry.drive import fastest
+        from coursework.geometry.oscillation import fastest
         from coursework.integration.replay import Replay
 
         scene, motion = self.scene, self.motion

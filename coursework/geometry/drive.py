@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from coursework.codegen.tabulated import TableLaw
 from coursework.errors import Fault, InputError
+from coursework.geometry.oscillation import fastest
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import TIME, symbol
 from coursework.reduction.system import compile_values
@@ -89,19 +90,6 @@ def argument_slopes(equations: VelocityEquations) -> list[sp.Expr]:
     definitions = [equations.symbols.definitions[symbol(law.name)] for law in equations.variant.drive]
     slopes = (sp.diff(call.args[0], TIME) for definition in definitions for call in definition.atoms(sp.sin, sp.cos))
     return [slope for slope in slopes if slope != 0]
-
-
-def fastest(equations: VelocityEquations) -> float:
-    """Return the largest |d argument/dt| (rad/s) of a sine or cosine in the drive over the run, 0 without any."""
-    variant = equations.variant
-    slopes = argument_slopes(equations)
-    if not slopes:
-        return 0.0
-    _, rows = compile_values(equations, slopes)
-    times = np.linspace(0.0, variant.time.end, 257)
-    with np.errstate(all="ignore"):
-        values = rows(times, *np.zeros(len(variant.coordinates)))
-    return float(max(np.max(np.abs(value)) for value in values))
 
 
 def refuse_aliasing(equations: VelocityEquations, step: float) -> None:

@@ -1,0 +1,95 @@
+"""How fast a drive oscillates: the highest harmonic that a table of it must not miss.
+
+Enters: the drives of a scene.  Leaves: a frequency (rad/s).  Used by `drive.py`, by the checks and by the search for a step.
+"""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+import numpy as np
+import sympy as sp
+from numpy.typing import NDArray
+
+from coursework.reduction.equations import VelocityEquations
+from coursework.reduction.symbolic import TIME, symbol
+from coursework.reduction.system import compile_values
+
+Array = NDArray[np.float64]
+# A harmonic counts from this part of the power of the largest one on: of abs(sin) the first, of sin cubed the third.
+_POWER = 0.05
+# Frequencies whose quotients are fractions of whole numbers up to this have a common period.
+_WHOLE = 40
+# Samples of a common period for each of its highest base frequency: harmonics up to half as many are told apart.
+_SAMPLES = 32
+# Times of the run at which an argument that does not grow evenly is looked at.
+_LOOKS = 257
+
+
+def fastest(equations: VelocityEquations) -> float:
+    """Return the largest frequency (rad/s) in the drives that carries more than 5 % of the power of the strongest, 0 without any.
+
+    >>> import coursework
+    >>> round(fastest(coursework.solve("31").scene.equations), 6)
+    13.08
+    """
+    found = [0.0]
+    for law in equations.variant.drive:
+        whole = _written_out(equations.symbols.definitions[symbol(law.name)], equations)
+        pieces = [piece for piece, _ in whole.args] if isinstance(whole, sp.Piecewise) else [whole]
+        found += [_highest(piece, equations) for piece in pieces]
+    return max(found)
+
+
+def _written_out(expr: sp.Expr, equations: VelocityEquations) -> sp.Expr:
+    """Return a drive with the other drives it is written with in their places."""
+    definitions = equations.symbols.definitions
+    while names := expr.free_symbols & definitions.keys():
+        expr = expr.xreplace({name: definitions[name] for name in names})
+    return expr
+
+
+def _highest(expr: sp.Expr, equations: VelocityEquations) -> float:
+    """Return the highest harmonic of one formula, or the steepest slope of an argument that does not grow evenly."""
+    waves = sorted((wave for wave in expr.atoms(sp.sin, sp.cos, sp.tan) if wave.has(TIME)), key=str)
+    if not waves:
+        return 0.0
+    slopes = [sp.diff(wave.args[0], TIME) for wave in waves]
+    looks = np.linspace(0.0, equations.variant.time.end, _LOOKS)
+    steepest = np.array([float(np.max(np.abs(values))) for values in _values(slopes, looks, equations)])
+    if any(slope.has(TIME) for slope in slopes) or not np.all(np.isfinite(steepest)):
+        return float(np.max(steepest[np.isfinite(steepest)], initial=0.0))
+    base = _common(steepest)
+    if not base:
+        # Without a common period each term is looked at alone; a product of two waves has their sum in it.
+        terms = sp.Add.make_args(sp.expand(expr))
+        return max(_highest(term, equations) for term in terms) if len(terms) > 1 else float(np.sum(steepest))
+    # What stands outside the waves (a factor exp(-t)) is no oscillation: it is taken as it is in the middle of the run.
+    held = {wave: sp.Dummy(real=True) for wave in waves}
+    still = expr.xreplace(held).xreplace({TIME: sp.Float(equations.variant.time.end / 2)})
+    wave = still.xreplace({dummy: wave for wave, dummy in held.items()})
+    count = _SAMPLES * round(float(np.max(steepest)) / base)
+    (values,) = _values([wave], 2 * np.pi / base * np.arange(count) / count, equations)
+    power = np.abs(np.fft.rfft(values)[1:]) ** 2
+    if not np.all(np.isfinite(power)) or not np.max(power) > (1e-12 * count) ** 2:
+        return float(np.max(steepest))
+    return base * float(1 + np.flatnonzero(power > _POWER * np.max(power))[-1])
+
+
+def _values(wanted: list[sp.Expr], times: Array, equations: VelocityEquations) -> list[Array]:
+    _, rows = compile_values(equations, wanted)
+    with np.errstate(all="ignore"):
+        found = rows(times, *np.zeros(len(equations.variant.coordinates)))
+    return [np.broadcast_to(np.asarray(value, dtype=float), times.shape) for value in found]
+
+
+def _common(frequencies: Array) -> float:
+    """Return the frequency of which all are whole multiples, 0 where there is none worth the name."""
+    slowest = float(np.min(frequencies))
+    if not slowest > 0:
+        return 0.0
+    parts = [Fraction(float(value) / slowest).limit_denominator(_WHOLE) for value in frequencies]
+    base = slowest / math.lcm(*(part.denominator for part in parts))
+    even = all(abs(float(part) * slowest - value) <= 1e-9 * value for part, value in zip(parts, frequencies, strict=True))
+    return base if even and float(np.max(frequencies)) / base <= _WHOLE**2 else 0.0
