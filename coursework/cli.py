@@ -55,6 +55,9 @@ class Program(click.Group):
             return error.exit_code
         except (click.Abort, KeyboardInterrupt):
             return INTERRUPTED
+        except MemoryError:
+            click.echo("The memory of this machine does not suffice. Take fewer rows, or close other programs.", err=True)
+            return WRONG_INPUT
         except Exception:
             import traceback
 
@@ -105,9 +108,25 @@ def _offered(name: str) -> Callable[[click.Context, click.Parameter, str], list[
 _VARIANT = click.argument("variant", shell_complete=_offered("variants"))
 
 
+def _limited(command: Callable[..., int]) -> Callable[..., int]:
+    """Add the two limits of whatever computes."""
+    above_zero = click.FloatRange(min=0, min_open=True)
+    seconds = click.option(
+        "--budget", type=above_zero, default=60.0, show_default=True, help="Most processor time of a variant, s."
+    )
+    memory = click.option(
+        "--memory", type=above_zero, default=1024.0, show_default=True, help="Most memory beyond the start, MiB."
+    )
+    return seconds(memory(command))
+
+
 @main.command("run")
-@_VARIANT
-@click.option("--out", type=click.Path(path_type=Path), help="Folder for the results (default: coursework-NAME).")
+@click.argument("variants", nargs=-1, required=True, metavar="VARIANT...", shell_complete=_offered("variants"))
+@click.option(
+    "--out",
+    type=click.Path(path_type=Path),
+    help="Folder for the results (default: coursework-NAME; for several coursework-runs).",
+)
 @click.option("--format", "formats", type=Formats("run"), help="Files to write (default: all of these).")
 @click.option(
     "--scheme", default=DEFAULT_SCHEME.name, show_default=True, shell_complete=_offered("schemes"), help=f"{', '.join(SCHEMES)}."
@@ -129,20 +148,25 @@ _VARIANT = click.argument("variant", shell_complete=_offered("variants"))
 @click.option("--student", help="Name for the title block.")
 @click.option("--group", help="Group for the title block.")
 @click.option("--date", help="Date for the title block.")
-def run_command(variant: str, **options: Any) -> int:
-    """Run VARIANT (a name of the catalogue or a file) and write its report."""
-    from coursework.commands.run import run_variant
+@click.option("--jobs", type=click.IntRange(min=1), default=1, show_default=True, help="Processes that share several variants.")
+@_limited
+def run_command(variants: tuple[str, ...], **options: Any) -> int:
+    """Run VARIANT (a name of the catalogue or a file) and write its report; several, or a pattern, get a folder each."""
+    from coursework.commands.several import run_variants
 
-    return run_variant(variant, **options)
+    return run_variants(variants, **options)
 
 
 @main.command("check")
 @_VARIANT
-def check_command(variant: str) -> int:
+@_limited
+def check_command(variant: str, budget: float, memory: float) -> int:
     """Look at VARIANT: its faults, mobility, blocks, and whether the whole motion is possible."""
+    from coursework.budget import Budget, watched
     from coursework.commands.check import check_variant
 
-    return check_variant(variant)
+    with watched(Budget(budget, memory), variant):
+        return check_variant(variant)
 
 
 @main.command("variants")
@@ -171,11 +195,14 @@ def new_command(name: str, original: str | None) -> int:
 @_VARIANT
 @click.option("--out", type=click.Path(path_type=Path), help="Folder for the page (default: coursework-NAME).")
 @click.option("--format", "formats", type=Formats("accuracy"), help="Files to write (default: all of these).")
-def accuracy_command(variant: str, out: Path | None, formats: tuple[str, ...] | None) -> int:
+@_limited
+def accuracy_command(variant: str, out: Path | None, formats: tuple[str, ...] | None, budget: float, memory: float) -> int:
     """Show what accuracy costs in time for VARIANT."""
+    from coursework.budget import Budget, watched
     from coursework.commands.accuracy import accuracy_page
 
-    return accuracy_page(variant, out, formats)
+    with watched(Budget(budget, memory), variant):
+        return accuracy_page(variant, out, formats)
 
 
 @main.command("grade")

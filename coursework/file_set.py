@@ -24,6 +24,8 @@ HIDDEN = ".coursework-"
 LOCK = ".lock"
 MATPLOTLIB = "MPLCONFIGDIR"  # where matplotlib looks first
 
+_open: set[Path] = set()  # the hidden folders that this process has made and not yet removed
+
 
 @contextmanager
 def working_folder(target: Path) -> Iterator[Path]:
@@ -38,11 +40,13 @@ def working_folder(target: Path) -> Iterator[Path]:
         clear_leftovers(target)
         with refused(target):
             lock, hidden = _new_hidden(target)
+        _open.add(hidden.absolute())
         try:
             with scratch_in(hidden.absolute()):
                 yield hidden
         finally:
             discard(hidden)
+            _open.discard(hidden.absolute())
             lock.close()
             _remove(hidden.with_name(hidden.name + LOCK))
     finally:
@@ -119,6 +123,13 @@ def clear_leftovers(target: Path) -> None:
         if _is_abandoned(lock):
             discard(hidden)
             _remove(lock)
+
+
+def discard_all() -> None:
+    """Remove every hidden folder of this process; for one that is about to end without clearing up."""
+    for hidden in tuple(_open):
+        discard(hidden)
+        _remove(hidden.with_name(hidden.name + LOCK))
 
 
 def discard(hidden: Path) -> None:

@@ -7,7 +7,8 @@ Used by `scene.py`, `motion_results.py` and `quantities.py`; `run.py` reads the 
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from graphlib import TopologicalSorter
 from typing import Any, Generic, Protocol, TypeVar, overload
@@ -15,7 +16,18 @@ from typing import Any, Generic, Protocol, TypeVar, overload
 from coursework.errors import listing
 
 T = TypeVar("T")
+UNDER_WAY: list[str] = []  # what this process is computing, the innermost last: for whoever must say where time went
 Needs = Mapping[str, tuple[str, ...]]
+
+
+@contextmanager
+def under_way(name: str) -> Iterator[None]:
+    """Mark what is being computed."""
+    UNDER_WAY.append(name)
+    try:
+        yield
+    finally:
+        UNDER_WAY.pop()
 
 
 @dataclass(slots=True)
@@ -31,7 +43,8 @@ class Ledger:
         self._within.append(0.0)
         begun = time.perf_counter()
         try:
-            value = compute(owner)
+            with under_way(name):
+                value = compute(owner)
         finally:
             spent = time.perf_counter() - begun
             inner = self._within.pop()

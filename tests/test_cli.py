@@ -144,7 +144,7 @@ WRONG = {
     "auto without wish": (["run", "31", "--step", "auto"], "--step auto needs the wish: --error 0.001"),
     "wish without auto": (["run", "31", "--error", "0.1"], "--error is a wish for --step auto"),
     "precision": (["run", "31", "--precision", "quad"], "'quad' is not one of 'double', 'single'."),
-    "no argument": (["run"], "Missing argument 'VARIANT'."),
+    "no argument": (["run"], "Missing argument 'VARIANT...'."),
     "no option": (["run", "31", "--nope"], "No such option"),
     "no command": (["rnu"], "No such command 'rnu'."),
     "new name of the catalogue": (["new", "V102"], '"V102" is a variant of the catalogue, and that one would run.'),

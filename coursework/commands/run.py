@@ -22,27 +22,22 @@ from coursework.variant.record import Variant
 
 def run_variant(
     variant: str, *, out: Path | None, formats: tuple[str, ...] | None, step: str | None, error: float | None, end: float | None,
-    scheme: str, quantities: tuple[str, ...], project: bool, gain: float, precision: str, strict: bool, plan: bool, profile: bool,
-    student: str | None, group: str | None, date: str | None, language: str,
+    scheme: str, precision: str, strict: bool, plan: bool, profile: bool, language: str, **options: Any,
 ) -> int:  # fmt: skip
     """Return the exit status of one run."""
     wanted = chosen(formats, "run")
-    load_phrases(language)
     read = load(variant)
     if precision == "single":
-        return tell_round_off(solve(read, scheme, _step(step, read), end, quantities=("table",)))
+        return tell_round_off(solve(read, scheme, step_of(step, read), end, quantities=("table",)))
     if error is not None and step != "auto":
         raise InputError("--error is a wish for --step auto; a fixed step has the error it has.")
-    h = _step(step, read)
+    h = step_of(step, read)
     if step == "auto":
         found = solve(read, scheme, end=end, quantities=("table",))
         if found.stop is not None:
             return tell_stop(found, "no step makes this motion possible")
         h = auto_step(found, error)
-    run = solve(
-        read, scheme, h, end, quantities=quantities or None, project=int(project), gain=gain,
-        student=student, group=group, date=date,
-    )  # fmt: skip
+    run = make_run(read, step=h, end=end, scheme=scheme, **options)
     if plan:
         on_pages = ("solutions",) if any(PAGES in each.serves for each in wanted) else ()
         click.echo("\n".join(run.plan_with(*on_pages).lines()))
@@ -61,6 +56,17 @@ def run_variant(
         for name, seconds in ledger.seconds.items():
             click.echo(f"{name:<20} {ledger.calls[name]:>6} {seconds * 1e3:>8.2f}")
     return run.status(strict)
+
+
+def make_run(
+    read: Variant, *, step: float | None, end: float | None, scheme: str, quantities: tuple[str, ...], project: bool, gain: float,
+    student: str | None, group: str | None, date: str | None,
+) -> Run:  # fmt: skip
+    """Return the run that the options of the command line ask for."""
+    return solve(
+        read, scheme, step, end, quantities=quantities or None, project=int(project), gain=gain,
+        student=student, group=group, date=date,
+    )  # fmt: skip
 
 
 def tell_stop(run: Run, consequence: str) -> int:
@@ -103,7 +109,7 @@ def tell_round_off(run: Run) -> int:
     return 0
 
 
-def _step(text: str | None, variant: Variant) -> float | None:
+def step_of(text: str | None, variant: Variant) -> float | None:
     """Return a step in seconds: a number, or h/N, a whole part of the step h of the file."""
     if text in {None, "auto"}:
         return None

@@ -1,0 +1,163 @@
+"""One budget of processor time and memory over a run, and what happens when it is spent.
+
+Enters: limits and the name of the file.  Leaves: nothing, or `BudgetSpent` in the run that is watched.  Used by `commands/`.
+
+Processor time is that of the whole process, on every system.  Memory is what the process holds beyond what it held at the
+start: on Linux and Windows what it holds now, elsewhere (macOS) the most it has held so far; where the system tells neither,
+memory is not watched.
+"""
+
+from __future__ import annotations
+
+import _thread
+import os
+import signal
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from types import FrameType
+from typing import Any
+
+from coursework.errors import CourseworkError
+from coursework.file_set import discard_all
+from coursework.graph import UNDER_WAY
+from coursework.sentences import load_phrases, say
+
+PACE = 0.1  # s between two looks
+GRACE = 5.0  # s that a run has to clear up by itself, before the process is ended around it
+MIB = 2**20
+WRONG_INPUT = 2
+
+
+class BudgetSpent(CourseworkError):
+    """A run took more time or memory than it may."""
+
+
+class _Ended(BaseException):
+    """Raised wherever the run happens to be; no library's `except Exception` holds it up."""
+
+
+@dataclass(frozen=True, slots=True)
+class Budget:
+    """`seconds` of processor time; `memory` in MiB beyond the start."""
+
+    seconds: float = 60.0
+    memory: float = 1024.0
+
+
+@contextmanager
+def watched(budget: Budget, name: str, last_word: Callable[[str], None] | None = None) -> Iterator[None]:
+    """Watch what is done inside; it ends with `BudgetSpent` once it has taken more than the budget.
+
+    Where the run does not answer (a library that computes without looking up), unfinished files are removed, `last_word` is
+    called with the sentence, and the process ends with status 2.  To be used in the main thread, where signals arrive.
+    """
+    watch = _Watch(budget, name, last_word or _say_last)
+    before = signal.signal(signal.SIGTERM, watch.answer)
+    try:
+        try:
+            watch.start()
+            yield
+        finally:
+            watch.stop()
+            signal.signal(signal.SIGTERM, before)
+    except _Ended:
+        raise BudgetSpent(watch.sentence) from None
+
+
+class _Watch(threading.Thread):
+    def __init__(self, budget: Budget, name: str, last_word: Callable[[str], None]) -> None:
+        super().__init__(daemon=True)
+        self.budget, self.of, self.last_word = budget, name, last_word
+        self.begun, self.held = time.process_time(), memory_held()
+        self.sentence = ""
+        self._done = threading.Event()
+
+    def run(self) -> None:
+        while not self._done.wait(PACE):
+            if spent := self._spent():
+                self.sentence = str(spent)
+                _thread.interrupt_main(signal.SIGTERM)
+                if not self._done.wait(GRACE):
+                    self._end_process()
+                return
+
+    def stop(self) -> None:
+        """Stop watching; an end that was called for in this very moment arrives here."""
+        self._done.set()
+        self.join()
+
+    def answer(self, number: int, frame: FrameType | None) -> None:
+        """End the run, in the main thread; a SIGTERM of somebody else ends it as an interrupt does."""
+        if self.sentence:
+            raise _Ended
+        raise KeyboardInterrupt
+
+    def _spent(self) -> str:
+        if time.process_time() - self.begun > self.budget.seconds:
+            return say("ended.time", name=self.of, limit=f"{self.budget.seconds:g}", stage=_stage())
+        held = memory_held()
+        if held is not None and self.held is not None and held - self.held > self.budget.memory * MIB:
+            return say("ended.memory", name=self.of, limit=f"{self.budget.memory:g}", stage=_stage())
+        return ""
+
+    def _end_process(self) -> None:
+        discard_all()
+        self.last_word(self.sentence)
+        os._exit(WRONG_INPUT)
+
+
+def _say_last(sentence: str) -> None:
+    if sys.stderr is not None:
+        sys.stderr.write(f"{sentence}\n")
+        sys.stderr.flush()
+
+
+def _stage() -> str:
+    """Return what the run is doing, in words."""
+    name = UNDER_WAY[-1] if UNDER_WAY else "other"
+    key = f"ended.stage.{name}"
+    return say(key) if load_phrases().has(key) else name.replace("_", " ")
+
+
+def memory_held() -> int | None:
+    """Return how many bytes of memory this process holds, None where the system does not tell."""
+    if sys.platform == "win32":
+        return _working_set()
+    try:
+        with open("/proc/self/statm", encoding="ascii") as file:  # noqa: PTH123  read ten times a second
+            return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+    except (OSError, ValueError, IndexError):
+        pass
+    try:
+        import resource
+    except ImportError:
+        return None
+    most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return most if sys.platform == "darwin" else most * 1024
+
+
+def _working_set() -> int | None:
+    """Return the working set of this process on Windows (bytes)."""
+    import ctypes
+
+    class Counters(ctypes.Structure):
+        # PROCESS_MEMORY_COUNTERS of the Windows API, psapi.h
+        _fields_ = (
+            ("size", ctypes.c_uint32), ("page_faults", ctypes.c_uint32),
+            *((name, ctypes.c_size_t) for name in (
+                "peak_working_set", "working_set", "quota_peak_paged", "quota_paged", "quota_peak_nonpaged",
+                "quota_nonpaged", "pagefile", "peak_pagefile",
+            )),
+        )  # fmt: skip
+
+    kernel: Any = getattr(ctypes, "windll").kernel32  # noqa: B009  exists on Windows only
+    kernel.GetCurrentProcess.restype = ctypes.c_void_p
+    kernel.K32GetProcessMemoryInfo.argtypes = (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint32)
+    counters = Counters(size=ctypes.sizeof(Counters))
+    if not kernel.K32GetProcessMemoryInfo(kernel.GetCurrentProcess(), ctypes.byref(counters), counters.size):
+        return None
+    return int(counters.working_set)

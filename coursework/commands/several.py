@@ -1,0 +1,223 @@
+"""`coursework run A B C …`: several variants in one process or a few, a folder each, a summary at the end.
+
+Enters: names, paths and patterns.  Leaves: folders, `summary.csv`, the worst exit status (3 before 2 before 1 before 0).
+Used by `cli.py`; one faulty file never stops the rest.
+"""
+
+from __future__ import annotations
+
+import csv
+import glob
+import io
+import sys
+import traceback
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager, nullcontext
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, get_args
+
+import click
+
+from coursework.api import load
+from coursework.budget import Budget, watched
+from coursework.catalogue import find
+from coursework.checks.result import Verdict
+from coursework.commands.run import make_run, run_variant, step_of
+from coursework.commands.workers import outcomes
+from coursework.errors import CourseworkError, InputError
+from coursework.file_set import clear_leftovers, working_folder
+from coursework.files import write_bytes
+from coursework.output.formats import PAGES, chosen
+from coursework.output.results import Results
+from coursework.output.write import write_set
+from coursework.quantities import CHECKS
+from coursework.sentences import load_phrases
+
+SUMMARY = "summary.csv"
+VERDICTS: tuple[str, ...] = get_args(Verdict)
+MOST_JOBS = 64
+OUR_FAULT, WRONG_INPUT = 3, 2
+
+
+@dataclass(frozen=True, slots=True)
+class Item:
+    """One variant to run: what the user called it and the folder its results go to."""
+
+    variant: str
+    folder: str
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What became of one variant; `verdicts` counts its checks, `told` is everything that went wrong."""
+
+    item: Item
+    status: int
+    rows: int = 0
+    stop: str = ""
+    verdicts: Counter[str] = field(default_factory=Counter)
+    told: str = ""
+
+    @property
+    def sentence(self) -> str:
+        """Return why the status is not 0, in a line."""
+        return self.stop or self.told.strip().partition("\n")[0]
+
+
+@dataclass(frozen=True, slots=True)
+class RunTask:
+    """How every variant is run: where to, in which formats and language, with which options and budget."""
+
+    out: Path
+    formats: tuple[str, ...] | None
+    language: str
+    options: dict[str, Any]
+    budget: Budget
+
+    @contextmanager
+    def ready(self) -> Iterator[Callable[[Item], Outcome]]:
+        """Open the folder for what is unfinished; yield what runs one variant."""
+        with working_folder(self.out) as hidden:
+            yield lambda item: self._outcome(item, hidden)
+
+    def lost(self, item: Item) -> Outcome:
+        """Return the outcome of a variant whose process died."""
+        return Outcome(item, WRONG_INPUT, told=f"{item.variant}: its process ended before it was done.")
+
+    def _outcome(self, item: Item, hidden: Path) -> Outcome:
+        try:
+            with watched(self.budget, item.variant):
+                return self._run(item, hidden)
+        except (CourseworkError, MemoryError) as error:
+            return Outcome(item, WRONG_INPUT, told=str(error) or "the memory of this machine does not suffice.")
+        except Exception as error:
+            told = f"{item.variant}: a fault of the tool ({type(error).__name__}: {error}).\n{traceback.format_exc()}"
+            return Outcome(item, OUR_FAULT, told=told)
+
+    def _run(self, item: Item, hidden: Path) -> Outcome:
+        formats = chosen(self.formats, "run")
+        options = dict(self.options)
+        strict, read = options.pop("strict"), load(item.variant)
+        run = make_run(read, **{**options, "step": step_of(options["step"], read)})
+        results = Results(run, self.language)
+        results.compute(any(PAGES in each.serves for each in formats))
+        unfinished = hidden / item.folder
+        unfinished.mkdir(exist_ok=True)
+        write_set(results, formats, self.out / item.folder, unfinished)
+        checks = run.checks if run.asks(CHECKS) else ()
+        stop = "" if run.stop is None else f"stopped ({run.stop.kind}) at t = {run.stop.time:.6g} s"
+        wrong = {"FAIL", "ERROR", *(["COARSE"] if strict else [])}
+        failed = "; ".join(f"{check.code}: {check.sentence}" for check in checks if check.verdict in wrong)
+        return Outcome(item, run.status(strict), len(run.motion.t), stop, Counter(c.verdict for c in checks), failed)
+
+
+def run_variants(
+    variants: tuple[str, ...], *, out: Path | None, formats: tuple[str, ...] | None, jobs: int, budget: float, memory: float,
+    language: str, **options: Any,
+) -> int:  # fmt: skip
+    """Return the exit status of one run, or the worst of several."""
+    load_phrases(language)
+    limits = Budget(budget, memory)
+    if not is_several(variants):
+        with watched(limits, variants[0]):
+            return run_variant(variants[0], out=out, formats=formats, language=language, **options)
+    for_one = {name: options.pop(name) for name in ("plan", "profile", "precision", "error")}
+    if for_one["plan"] or for_one["profile"] or for_one["error"] or for_one["precision"] == "single" or options["step"] == "auto":
+        raise InputError("--plan, --profile, --precision single and --step auto look at one variant. Name one.")
+    return run_several(variants, jobs, RunTask(out or Path("coursework-runs"), formats, language, options, limits))
+
+
+def is_several(variants: Sequence[str]) -> bool:
+    """Return whether more than one variant is meant: several words, or a pattern."""
+    return len(variants) > 1 or any(_is_pattern(variant) for variant in variants)
+
+
+def run_several(variants: Sequence[str], jobs: int, task: RunTask) -> int:
+    """Run every variant, write the summary, and return the worst exit status."""
+    chosen(task.formats, "run")
+    items = _items(variants)
+    done: dict[int, Outcome] = {}
+    shows = sys.stderr is not None and sys.stderr.isatty()
+    bar = click.progressbar(length=len(items), label="Running", file=sys.stderr) if shows else nullcontext()
+    try:
+        with bar as progress:
+            for index, outcome in outcomes(task, items, min(jobs, MOST_JOBS)):
+                done[index] = outcome
+                if progress is not None:
+                    progress.update(1)
+    finally:
+        if task.out.is_dir():
+            clear_leftovers(task.out)
+    ordered = [done[index] for index in range(len(items))]
+    write_bytes(task.out / SUMMARY, summary_csv(ordered).encode("utf-8", "backslashreplace"))
+    for outcome in ordered:
+        if outcome.status >= WRONG_INPUT:
+            click.echo(outcome.told.rstrip(), err=True)
+    for line in summary_lines(ordered):
+        click.echo(line)
+    click.echo(f"Written to {task.out}: {SUMMARY}, and a folder each")
+    return max(outcome.status for outcome in ordered)
+
+
+def summary_csv(ordered: Iterable[Outcome]) -> str:
+    """Return the summary: a line a variant, its exit status, rows, checks by verdict, and what went wrong."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(["variant", "folder", "status", "rows", *(verdict.lower() for verdict in VERDICTS), "sentence"])
+    for each in ordered:
+        counts = [each.verdicts[verdict] for verdict in VERDICTS]
+        writer.writerow([each.item.variant, each.item.folder, each.status, each.rows, *counts, each.sentence])
+    return text.getvalue()
+
+
+def summary_lines(ordered: Sequence[Outcome]) -> Iterator[str]:
+    """Yield the summary for a reader."""
+    width = max([len("variant"), *(len(each.item.folder) for each in ordered)])
+    heads = "  ".join(f"{verdict:>6}" for verdict in VERDICTS)
+    yield f"{'variant':<{width}}  status    rows  {heads}"
+    for each in ordered:
+        counts = "  ".join(f"{each.verdicts[verdict]:>6}" for verdict in VERDICTS)
+        why = "" if not each.status else f"  {each.sentence[:100]}"
+        yield f"{each.item.folder:<{width}}  {each.status:>6}  {each.rows:>6}  {counts}{why}"
+    counted = Counter(each.status for each in ordered)
+    yield f"{len(ordered)} variants: " + ", ".join(f"{counted[status]} with status {status}" for status in sorted(counted))
+
+
+def _items(variants: Sequence[str]) -> list[Item]:
+    """Return what is to be run, each file once, with folders that are different on every system."""
+    items: list[Item] = []
+    seen: set[str] = set()
+    taken: set[str] = {SUMMARY}
+    for variant in (found for word in variants for found in _expanded(word)):
+        try:
+            path = find(variant)
+        except CourseworkError:
+            path = Path(variant)
+        key = str(path.resolve())
+        if key in seen:
+            continue
+        seen.add(key)
+        items.append(Item(variant, _free(path.stem.strip(". ") or "variant", taken)))
+    return items
+
+
+def _free(stem: str, taken: set[str]) -> str:
+    """Return a name of a folder that is not taken; on some systems A and a are the same."""
+    name, number = stem, 2
+    while name.casefold() in taken:
+        name, number = f"{stem}-{number}", number + 1
+    taken.add(name.casefold())
+    return name
+
+
+def _is_pattern(word: str) -> bool:
+    return glob.has_magic(word) and not Path(word).exists()
+
+
+def _expanded(word: str) -> list[str]:
+    """Return the files of a pattern in order; a pattern without a file stays, to be told as a fault."""
+    if not _is_pattern(word):
+        return [word]
+    return sorted(found for found in glob.glob(word, recursive=True) if Path(found).is_file()) or [word]  # noqa: PTH207  may begin at the root
