@@ -23,8 +23,8 @@ from coursework.variant.record import Law
 Array = NDArray[np.float64]
 # A table with more decimals than this was computed, not rounded for print.
 _MOST_DECIMALS = 12
-# A value this part of the last place beside a multiple of it is that multiple, read and converted.
-_PART_OF_PLACE = 1e-3
+# A number read and converted lies this part of itself beside the decimal it was printed as.
+_ROUND_OFF = 1e-14
 # Nodes of the tables of weights: the middle one is beyond the reach of both ends.
 _NODES = 25
 _MIDDLE = _NODES // 2
@@ -84,7 +84,7 @@ def decimals(law: Law) -> int | None:
     values = np.array([value for _, value in law.table])
     for count in range(_MOST_DECIMALS + 1):
         scaled = values * 10.0**count
-        if np.all(np.abs(scaled - np.round(scaled)) <= _PART_OF_PLACE):
+        if np.all(np.abs(scaled - np.round(scaled)) <= _ROUND_OFF * np.maximum(1.0, np.abs(scaled))):
             return count
     return None
 

@@ -1,0 +1,64 @@
+"""A jump is a change that stays however short the time looked at; a steep slope, a turn and a break of the drive are none."""
+
+import math
+
+import numpy as np
+import pytest
+
+from coursework.checks import continuity
+from tests.checks.scenes import V31, evidence_of, found, solve
+from tests.hard.scenes import scene
+
+
+def sliding(law: str, **more):
+    """A slider on a rail at a distance that follows from a crank: x = law of phi."""
+    return scene(
+        'phi = { start = "0.1 rad", rate = "w" }\nx = { rate = "u", unit = "m", start = "START m" }',
+        given='r = "0.2 m"',
+        drive='w = "3"',
+        step=0.01,
+        end=1.0,
+        equations=[],
+        more=f'[functions]\ns = "{law}"\n[[constraint]]\nname = "slide"\nclosure = "x = s"\n',
+        **more,
+    )
+
+
+def test_a_velocity_that_jumps_where_a_formula_has_a_kink():
+    """d|sin|/dt jumps by 2 r w where the crank passes a half turn: 1.2 m/s at t = (pi - 0.1)/3."""
+    run = solve(sliding("r*abs(sin(phi))").replace("START", repr(0.2 * math.sin(0.1))), "rk4", end=1.5)
+    jump = found(run, "CONTINUITY")
+    assert (jump.verdict, jump.column) == ("FAIL", "u")
+    assert jump.row == int((np.pi - 0.1) / 3 / 0.01) + 1
+    assert jump.value * run.results.evidence.scale["u"] == pytest.approx(1.2, rel=1e-3)
+    assert run.status() == 1
+    at = float(jump.sentence.partition("at t = ")[2].partition(" s")[0])
+    assert at == pytest.approx((np.pi - 0.1) / 3, abs=1e-6)
+
+
+@pytest.mark.parametrize(("height", "verdict"), [(0.049, "PASS"), (0.051, "FAIL")])
+def test_how_large_a_jump_is_one(height, verdict):
+    """x = r sin(phi) + k|sin(phi)| - k sin(phi): u jumps by 2 k w of a range from -r w to r w cos(0.1)."""
+    r = 0.2
+    k = height * r * (1 + math.cos(0.1)) / 2
+    law = f"r*sin(phi) + {k!r}*(abs(sin(phi)) - sin(phi))"
+    run = solve(sliding(law).replace("START", repr(r * math.sin(0.1))), "rk4", end=2 * np.pi / 3)
+    judged = found(run, "CONTINUITY")
+    assert judged.verdict == verdict, judged
+
+
+def test_a_break_of_the_drive_is_no_jump():
+    text = scene(
+        'phi = { start = "0 rad", rate = "w" }', given='r = "0.5 m"', step=0.05, end=0.5, equations=["r*w = v"],
+        drive='v = { pieces = [["0 s", "0"], ["0.1 s", "1"], ["0.35 s", "0"]] }',
+    )  # fmt: skip
+    for step in (0.05, 0.02):
+        assert found(solve(text, step=step), "CONTINUITY").verdict == "PASS"
+
+
+@pytest.mark.parametrize("step", [0.02, 0.01, 0.005])
+def test_a_steep_slope_is_no_jump(step):
+    """Close to the feasible edge the curves turn sharply; looked at closely they are curves."""
+    run = solve(V31.replace('alpha = "4.35 rad"', 'alpha = "1.5985 rad"'), "rk4", step=step)
+    assert found(run, "CONTINUITY").verdict != "FAIL"
+    assert continuity.jump_of_exact(evidence_of(run)) is None
