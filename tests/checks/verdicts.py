@@ -15,7 +15,7 @@ from typing import Any
 import coursework
 from coursework.catalogue import entries
 from coursework.errors import CourseworkError
-from coursework.schemes import SCHEMES
+from coursework.schemes import DEFAULT_SCHEME, SCHEMES
 from coursework.variant.reader import parse_variant
 from tests.checks.independent import Judge, judge, verdict
 
@@ -44,7 +44,8 @@ def contradictions(run: Any, truth: Judge) -> list[str]:
             found.append(f"{code}: {finding.verdict}, but {share}")
         elif isinstance(share, float) and finding.value is not None and abs(finding.value - share) > AGREED * (1 + share):
             found.append(f"{code}: {finding.value}, but {share}")
-    return found + [f"{f.code}: {f.verdict}: {f.sentence}" for f in run.checks if f.verdict in {"FAIL", "ERROR"}]
+    judged = [f for f in run.checks if f.verdict in {"FAIL", "ERROR"} and verdict(wanted.get(f.code)) != f.verdict]
+    return found + [f"{f.code}: {f.verdict}: {f.sentence}" for f in judged]
 
 
 def _on_the_edge(share: float | str | None) -> bool:
@@ -55,11 +56,10 @@ def unkept(run: Any, variant: Any, scheme: str) -> list[str]:
     """Return what is still COARSE when the steps that the checks advise are run."""
     found = []
     for step in {finding.step for finding in run.checks if finding.step is not None}:
-        cured = {finding.code for finding in run.checks if finding.step == step}
         again = coursework.solve(variant, scheme, step=step, quantities=["table", "checks"])
-        # What no step cures is told so and has no step of its own.
-        left = {f.code for f in again.checks if f.group == "motion" and f.verdict == "COARSE" and f.cured}
-        found += [f"{code} is COARSE with the advised step {step!r}" for code in sorted(left | (cured & set()))]
+        # What no step cures is told so, and is no promise.
+        left = sorted(f.code for f in again.checks if f.group == "motion" and f.verdict == "COARSE" and f.cured)
+        found += [f"{code} is COARSE with the advised step {step!r}" for code in left]
         found += contradictions(again, judge(again))
     return found
 
@@ -87,7 +87,8 @@ def catalogue() -> Iterator[tuple[str, str, Counter[tuple[str, str]], list[str],
 def random_variants(count: int, seed: int = 1) -> Iterator[Any]:
     """Yield variants of the catalogue with every length, angle and speed changed by up to 5 %, as many as can move."""
     random = Random(seed)
-    texts = [entry.path.read_text(encoding="utf-8") for entry in entries() if "table =" not in entry.path.read_text("utf-8")]
+    files = [coursework.load(entry.name).path for entry in entries()]
+    texts = [text for text in (file.read_text(encoding="utf-8") for file in files) if "table =" not in text]
     made = 0
     while made < count:
         text = random.choice(texts)
@@ -96,7 +97,7 @@ def random_variants(count: int, seed: int = 1) -> Iterator[Any]:
         changed = re.sub(r'"(\d+\.?\d*)( ?[^"\d*/+-]*)"', lambda found: _changed(found, random), section)
         try:
             variant = parse_variant(head + given + changed + mark + tail, "random.toml")
-            run = coursework.solve(variant, random.choice(list(SCHEMES)), quantities=["table", "checks"])
+            run = coursework.solve(variant, random.choice([DEFAULT_SCHEME.name, *SCHEMES]), quantities=["table", "checks"])
             if run.stop is None:
                 made += 1
                 yield run
@@ -125,16 +126,13 @@ def main(count: int) -> int:
     kinds: Counter[tuple[str, str]] = Counter()
     for run in random_variants(count):
         judged += 1
-        kinds.update((f.code, f.verdict) for f in run.checks)
+        kinds.update((finding.code, finding.verdict) for finding in run.checks)
+        # A period stated as a number does not follow a change of the lengths: to call it wrong is right, if the truth says so.
         told = contradictions(run, judge(run)) + unkept(run, run.variant, run.scheme)
         advised += any(finding.step is not None for finding in run.checks)
-        every += [
-            f"random {judged} ({run.variant.title}, {run.scheme}): {text}"
-            for text in told
-            if "PERIOD" not in text or "but" in text
-        ]
+        every += [f"random {judged} ({run.variant.title}, {run.scheme}): {text}" for text in told]
     print(f"random variants: {judged}, advised steps run: {advised}")
-    print("  " + ", ".join(f"{code} {verdict} {number}" for (code, verdict), number in sorted(kinds.items()) if code in CODES))
+    print("  " + ", ".join(f"{code} {kind} {number}" for (code, kind), number in sorted(kinds.items()) if code in CODES))
     print("\n".join(every) or "no verdict is contradicted")
     return int(bool(every))
 
