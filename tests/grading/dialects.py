@@ -107,7 +107,7 @@ def sep_line(names: Sequence[str], rows: Texts, unit: str) -> bytes:
 
 
 def mathcad_prn(names: Sequence[str], rows: Texts, unit: str) -> bytes:
-    return "".join("".join(f"{text:>14}" for text in row) + "\r\n" for row in rows).encode()
+    return "".join("".join(f" {text:>13}" for text in row) + "\r\n" for row in rows).encode()
 
 
 def mathcad_csv(names: Sequence[str], rows: Texts, unit: str) -> bytes:

@@ -116,7 +116,8 @@ def test_one_column_of_a_canvas_export_is_filled() -> None:
     book = read_gradebook(CANVAS.encode("utf-8-sig"), "export.csv", 100)
     assert book.cells.records[0][book.column].value == "Coursework (555)"
     assert [book.record_of(keys, name) for keys, name in (
-        (("101",), None), (("S2",), None), (("ivan",), None), (("nobody",), "Ann Lee"), (("nobody",), "Lee, Ann"), ((), "Same Name"),
+        (("101",), None), (("S2",), None), (("ivan",), None), (("nobody",), "Ann Lee"), (("nobody",), "Lee, Ann"),
+        ((), "Same Name"),
         (("105",), None), (("S4",), None),
     )] == [2, 3, 3, 2, 2, None, None, 5]  # fmt: skip
     filled = book.filled({2: 87.5, 3: 90.0, 4: 80.004, 5: 1234.0}).decode("utf-8-sig")

@@ -33,12 +33,15 @@ class Places:
     repeated: tuple[str, ...]
 
 
-def find_columns(layout: Layout, names: Sequence[str]) -> Places:
-    """Return where each column stands.  Raises `Refused` where columns cannot be told apart or say two things."""
+def find_columns(layout: Layout, names: Sequence[str], step: float) -> Places:
+    """Return where each column stands; `step` is the grid's, in s.
+
+    Raises `Refused` where columns cannot be told apart or say two things.
+    """
     filled = [at for at in range(len(layout.heads)) if _is_filled(layout, at)]
     places, repeated = _by_head(layout, filled)
     free = [at for at in filled if at not in {place.at for place in places.values()} and at not in repeated]
-    _add_time(layout, places, free, len(names))
+    _add_time(layout, places, free, len(names), step)
     known = [name for name in names if name in places]
     rest = [at for at in free if at not in {place.at for place in places.values()}]
     if not known and rest:
@@ -75,7 +78,7 @@ def _differ(first: Printed, second: Printed) -> bool:
     return first.is_number and second.is_number and first.value != second.value
 
 
-def _add_time(layout: Layout, places: dict[str, Place], free: list[int], columns: int) -> None:
+def _add_time(layout: Layout, places: dict[str, Place], free: list[int], columns: int, step: float) -> None:
     """Find the time, and the numbers of the rows before it, where no head says which column they are."""
     if TIME in places or not free or (layout.has_heads and layout.heads[free[0]].text):
         return
@@ -84,9 +87,15 @@ def _add_time(layout: Layout, places: dict[str, Place], free: list[int], columns
     if INDEX not in places and spare >= 2 and _counts(first) and _rises(layout, free[1]):
         places[INDEX] = Place(free[0], "position")
         places[TIME] = Place(free[1], "position")
-    elif spare >= 1 and _rises(layout, free[0]):
+    elif (spare >= 1 or _is_time(first, step)) and _rises(layout, free[0]):
         # 1, 2, 3 … before the columns of the task are the numbers of the rows.
         places[INDEX if _counts(first) and INDEX not in places else TIME] = Place(free[0], "position")
+
+
+def _is_time(values: list[float], step: float) -> bool:
+    """Return whether numbers are the times of the grid."""
+    ordered = sorted(values)
+    return len(ordered) > 2 and ordered[0] == 0 and abs(ordered[-1] / (len(ordered) - 1) / step - 1) < 0.05
 
 
 def _numbers(layout: Layout, at: int) -> list[float]:

@@ -27,11 +27,11 @@ def last_places(cells: Sequence[Printed]) -> tuple[int, list[float]]:
         return 0, [1.0] * len(cells)
     decimals = Counter(-cell.place for cell in numbers)
     most = max(decimals)
-    if _is_significant(numbers, most) or (decimals[most] < _FIXED * len(numbers) and _same_digits(numbers)):
+    digits = _significant_digits(numbers)
+    if digits and (_is_significant(numbers, most, digits) or decimals[most] < _FIXED * len(numbers)):
         usual = max(decimals, key=lambda count: (decimals[count], count))
-        digits = Counter(cell.digits for cell in numbers if cell.value).most_common(1)[0][0]
         full = 0 if _keeps_zeros(numbers) else digits
-        return max(usual, 0), [_unit(_own_decimals(cell, full) if cell.is_number else usual) for cell in cells]
+        return max(usual, 0), [_unit(_own_decimals(cell, full) if cell.value and cell.is_number else usual) for cell in cells]
     return max(most, 0), [_unit(most)] * len(cells)
 
 
@@ -41,7 +41,7 @@ def _unit(decimals: int) -> float:
 
 def _own_decimals(cell: Printed, full: int) -> int:
     """Return the decimals of a cell; one with fewer than `full` significant digits lost zeros at its end."""
-    return -cell.place + (max(full - cell.digits, 0) if cell.value else 0)
+    return -cell.place + max(full - cell.digits, 0)
 
 
 def _keeps_zeros(numbers: list[Printed]) -> bool:
@@ -49,21 +49,30 @@ def _keeps_zeros(numbers: list[Printed]) -> bool:
     return any(-300 < cell.place < 0 and round(cell.value * 10.0**-cell.place) % 10 == 0 for cell in numbers if cell.value)
 
 
-def _same_digits(numbers: list[Printed]) -> bool:
-    """Return whether most cells have the same number of significant digits while their decimals differ."""
-    counts = Counter(cell.digits for cell in numbers if cell.value)
-    return bool(counts) and max(counts.values()) >= _SIGNIFICANT * counts.total() and len({cell.place for cell in numbers}) > 1
+def _significant_digits(numbers: list[Printed]) -> int:
+    """Return the number of significant digits that most cells have while their decimals differ, 0 where there is none.
+
+    A whole number cannot be printed with fewer digits than it has.
+    """
+    nonzero = [cell for cell in numbers if cell.value]
+    has_powers = any(cell.place > 0 for cell in nonzero)  # 1.2e+03 has only the digits it shows
+    counts = Counter(cell.digits for cell in nonzero if has_powers or cell.place < 0)
+    if not counts or len({cell.place for cell in numbers}) == 1:
+        return 0
+    digits = counts.most_common(1)[0][0]
+    return digits if sum(_fits(cell, digits) for cell in nonzero) >= _SIGNIFICANT * len(nonzero) else 0
 
 
-def _is_significant(numbers: list[Printed], most: int) -> bool:
+def _fits(cell: Printed, digits: int) -> bool:
+    return cell.digits == digits or (cell.place == 0 and cell.digits > digits > 1)
+
+
+def _is_significant(numbers: list[Printed], most: int, digits: int) -> bool:
     """Return whether cells with fewer decimals have exactly the digits of the others, so that no zero was dropped.
 
     Most numbers below 1 have the same decimals in a column of significant digits too; a longer cell would be a fixed column's.
     """
     nonzero = [cell for cell in numbers if cell.value]
-    if not nonzero or not _same_digits(nonzero):
-        return False
-    usual = Counter(cell.digits for cell in nonzero).most_common(1)[0][0]
     shorter = [cell for cell in nonzero if -cell.place < most]
-    longer = sum(cell.digits > usual for cell in nonzero)
-    return longer == 0 and sum(cell.digits == usual for cell in shorter) >= _SIGNIFICANT * len(shorter) > 0
+    longer = any(cell.digits > digits and not _fits(cell, digits) for cell in nonzero)
+    return not longer and sum(_fits(cell, digits) for cell in shorter) >= _SIGNIFICANT * len(shorter) > 0

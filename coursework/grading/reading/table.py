@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import pairwise
 from typing import Any
 
 from coursework.grading.contents import Reading, Table, TableColumn
@@ -59,12 +61,12 @@ def _table(sheet: Sheet, layout: Layout, origin: Origin, grid: Grid) -> Table:
     uncomputed = sum(cell.flag == "formula" for cell in standing)
     if uncomputed > _UNCOMPUTED * len(standing):
         raise unreadable("formulas", cells=uncomputed)
-    places = find_columns(layout, grid.names)
+    places = find_columns(layout, grid.names, grid.step)
     rows = place_rows(layout, places, grid)
     if not any(row is not None for row in rows.of_grid):
         raise unreadable("no_rows", step=grid.step, rows=grid.rows)
     read = [_column(column, places.places[column.name], layout, rows) for column in grid.columns if column.name in places.places]
-    read.sort(key=lambda column: column.at)
+    read = sorted(map(partial(_like_others, read), read), key=lambda column: column.at)
     units: dict[str, dict[str, Any]] = {column.name: {"at": column.at, "by": column.by, "unit": column.unit} for column in read}
     if TIME in places.places:
         time = places.places[TIME]
@@ -91,6 +93,26 @@ def _column(column: GridColumn, place: Place, layout: Layout, rows: Rows) -> Tab
         tuple(step * factor for step in steps),
         tuple(cell.text for cell in cells), tuple(cell.flag for cell in cells), decimals, turns,
     )  # fmt: skip
+
+
+def _like_others(columns: list[TableColumn], column: TableColumn) -> TableColumn:
+    """Return a column in exactly equal steps (a steady drive, whose zeros were dropped) with the decimals of those beside it."""
+    fixed = [other for other in columns if len(set(other.last_place)) == 1]
+    alike = [other.decimals for other in fixed if other.unit == column.unit and other is not column]
+    decimals = max(alike or [other.decimals for other in fixed], default=0)
+    if len(fixed) < len(columns) or decimals <= column.decimals or not _is_steady(column.values, column.decimals):
+        return column
+    finer = 10.0 ** (column.decimals - decimals)
+    return replace(column, decimals=decimals, last_place=tuple(step * finer for step in column.last_place))
+
+
+def _is_steady(values: Sequence[float], decimals: int) -> bool:
+    """Return whether numbers are one whole number, or exactly in equal steps, which no rounding leaves them."""
+    known = [value for value in values if math.isfinite(value)]
+    steps = [later - earlier for earlier, later in pairwise(known)]
+    if len(known) < len(values) or len(steps) < 2 or max(steps) - min(steps) > 1e-9 * max(1.0, abs(known[0]), abs(known[-1])):
+        return False
+    return decimals == 0 or abs(steps[0]) > 1e-9
 
 
 def _notes(layout: Layout, places: Places, rows: Rows, read: list[TableColumn], grid: Grid) -> list[Note]:
