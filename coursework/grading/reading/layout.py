@@ -115,7 +115,7 @@ def _block(rows: _Rows, head: int, columns: Sequence[tuple[str, str]], transpose
     if len(body) < 2 or width < 2:
         return None
     texts = _joined(texts, width)
-    heads = [read_head(text, columns) for text in texts]
+    heads = [read_head(text, columns) for text in texts[:width]]
     heads += [Head("", (), "")] * (width - len(heads))
     merged = [
         Head(read.text, read.candidates, read.unit or (units[place] if place < len(units) else ""))
