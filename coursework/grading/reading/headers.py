@@ -91,7 +91,10 @@ def read_head(text: str, columns: Iterable[tuple[str, str]]) -> Head:
     Head(text='ω1z, 1/с', candidates=('w1',), unit='1/s')
     """
     known = tuple(columns)
-    body, unit = _without_unit(fold(text.strip())[:200])
+    whole = fold(text.strip())[:200]
+    body, unit = _without_unit(whole)
+    if (name := _PUNCTUATION.sub("", whole)) in aliases(known):  # "Winkel c" has an index, no unit
+        body, unit = name, ""
     key = _PUNCTUATION.sub("", body)
     found = aliases(known).get(key, ())
     if not found and "?" in key:  # a Greek letter that the encoding could not hold

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import re
+from functools import lru_cache
 from typing import NamedTuple
 
 from coursework.grading.contents import Flag
@@ -49,6 +50,9 @@ def _pattern(mark: str, other: str) -> re.Pattern[str]:
 _NUMBER = {".": _pattern(r"\.", ","), ",": _pattern(",", r"\.")}
 
 
+_STORED_DIGITS = 15
+
+
 class Printed(NamedTuple):
     """A cell: its text, its number (NaN if `flag`), the decimal place of its last digit, its significant digits."""
 
@@ -80,10 +84,17 @@ def plain_text(text: str) -> str:
     return _UNIT.sub("", bare) if bare and not bare[-1].isdigit() else bare
 
 
+@lru_cache(maxsize=8192)
+def _matched(text: str) -> tuple[str, re.Match[str] | None, re.Match[str] | None]:
+    """Return a cell's plain text and how it reads with a decimal comma and with a point; a cell is asked about several times."""
+    plain = plain_text(text)
+    return plain, _NUMBER[","].fullmatch(plain), _NUMBER["."].fullmatch(plain)
+
+
 def looks_numeric(text: str) -> bool:
     """Return whether a cell is a number with either decimal mark."""
-    plain = plain_text(text)
-    return bool(plain) and (_NUMBER["."].fullmatch(plain) or _NUMBER[","].fullmatch(plain)) is not None
+    _, by_comma, by_point = _matched(text)
+    return by_comma is not None or by_point is not None
 
 
 def marks(texts: list[str]) -> tuple[int, int, int, int]:
@@ -92,8 +103,7 @@ def marks(texts: list[str]) -> tuple[int, int, int, int]:
     for text in texts:
         if "," not in text and "." not in text and "，" not in text and "．" not in text:
             continue
-        plain = plain_text(text)
-        by_comma, by_point = _NUMBER[","].fullmatch(plain), _NUMBER["."].fullmatch(plain)
+        plain, by_comma, by_point = _matched(text)
         if by_comma and not by_point:
             comma += 1
         elif by_point and not by_comma:
@@ -113,13 +123,12 @@ def printed(text: str, mark: str, strict: bool = False) -> Printed:
     >>> printed("1 234,50", ",")
     Printed(text='1 234,50', value=1234.5, place=-2, digits=6, flag='')
     """
-    plain = plain_text(text)
+    plain, by_comma, by_point = _matched(text)
     if not plain or plain in {"-", "--", "---", "—", "…", ".", "*"}:
         return Printed(text, math.nan, 0, 0, "missing")
     other = "," if mark == "." else "."
-    match = _NUMBER[mark].fullmatch(plain)
+    match, second = (by_comma, by_point) if mark == "," else (by_point, by_comma)
     if not match or (strict and other in plain and mark not in plain):
-        second = _NUMBER[other].fullmatch(plain)
         if match and second:
             return Printed(text, math.nan, 0, 0, "text")
         match = match or second
@@ -131,10 +140,11 @@ def printed(text: str, mark: str, strict: bool = False) -> Printed:
 
 
 def _read(text: str, match: re.Match[str]) -> Printed:
-    whole = re.sub("[^0-9]", "", match["whole"] or "0")
-    part = match["bare"] or match["part"] or ""
-    power = int(match["power"] or 0)
-    value = float(f"{match['sign']}{whole}.{part or '0'}e{power}")
+    sign, digits, group, behind, bare, exponent = match.groups()
+    whole = digits.replace(group, "") if group else digits or "0"
+    part = bare or behind or ""
+    power = int(exponent) if exponent else 0
+    value = float(f"{sign}{whole}.{part or '0'}e{power}")
     figures = (whole + part).lstrip("0")
     if not math.isfinite(value) or (value == 0 and figures):
         return Printed(text, math.nan, 0, 0, "error")
@@ -147,7 +157,7 @@ def stored(text: str) -> Printed:
     if not match:
         return Printed(text, math.nan, 0, 0, "error")
     read = _read(text, match)
-    if read.flag:
+    if read.flag or read.digits <= _STORED_DIGITS:
         return read
     short = _NUMBER["."].fullmatch(f"{read.value:.15g}")
     return read if short is None else _read(f"{read.value:.15g}", short)._replace(value=read.value)

@@ -43,6 +43,8 @@ def split(text: str, most_rows: int, most_columns: int) -> Split | None:
         return Split(NAMES.get(hint[1], hint[1]), _cells(lines[1:], hint[1], most_columns))
     best: tuple[tuple[float, ...], str, bool] | None = None
     for place, sign in enumerate((";", "\t", ",", " ")):
+        if sign != " " and not any(sign in line for line in lines[:_SAMPLE]):
+            continue
         rows = _cells(lines[:_SAMPLE], sign, most_columns)
         judged = _judged(rows, sign)
         if judged and (best is None or (*judged[0], -place) > best[0]):

@@ -42,12 +42,14 @@ def stream(chunks: Iterable[bytes], handler: Handler) -> None:
         depth += 1
         if depth > _MOST_NESTED:
             raise unreadable("damaged")
-        handler.begin(name.rpartition(":")[2], {key.rpartition(":")[2]: value for key, value in attributes.items()})
+        if any(":" in key for key in attributes):
+            attributes = {key.rpartition(":")[2]: value for key, value in attributes.items()}
+        handler.begin(name.rpartition(":")[2] if ":" in name else name, attributes)
 
     def end(name: str) -> None:
         nonlocal depth
         depth -= 1
-        handler.end(name.rpartition(":")[2])
+        handler.end(name.rpartition(":")[2] if ":" in name else name)
 
     def doctype(*_: object) -> None:
         raise unreadable("doctype")
