@@ -7,9 +7,9 @@ Raises `CannotAssemble` (groups) with the row at which a group cannot be put tog
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 import numpy as np
-import sympy as sp
 from numpy.typing import NDArray
 
 from coursework import groups
@@ -22,6 +22,9 @@ from coursework.groups.kind import Known
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import Symbols
 from coursework.variant.record import Group, Variant
+
+if TYPE_CHECKING:
+    import sympy as sp
 
 Array = NDArray[np.float64]
 

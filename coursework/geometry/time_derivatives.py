@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from coursework.codegen.names import acceleration, private
 from coursework.codegen.programs import Assign, compile_function
-from coursework.reduction.equations import VelocityEquations
+from coursework.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.reduction.symbolic import TIME, local, symbol
 from coursework.reduction.system import scene_program
 
@@ -61,6 +61,13 @@ def second_rate(equations: VelocityEquations, rate: sp.Expr) -> sp.Expr:
         if symbol(name) not in symbols.definitions:
             total += sp.diff(rate, symbol(name)) * derivative(name)
     return total
+
+
+def acceleration_rest(equations: VelocityEquations, equation: VelocityEquation) -> sp.Expr:
+    """Return db/dt - dA/dt u of one velocity equation A u = b: what its coefficients times the accelerations are equal to."""
+    moving = sp.Add(*[slope * symbol(name) for name, slope in equation.coefficients.items()], -equation.right_side)
+    still = {derivative(name): sp.S.Zero for name in equations.unknowns}
+    return -second_rate(equations, moving).xreplace(still)
 
 
 def jets(equations: VelocityEquations, wanted: Sequence[sp.Expr], order: int) -> list[Callable[..., Array]]:

@@ -8,10 +8,9 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import sympy as sp
 from numpy.typing import NDArray
 
 from coursework.codegen.names import private
@@ -21,6 +20,9 @@ from coursework.reduction.blocks import Block, Reduction
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import local, symbol
 from coursework.reduction.system import scene_program
+
+if TYPE_CHECKING:
+    import sympy as sp
 
 Array = NDArray[np.float64]
 # Part of its time by which a step ends before a break of the drive: its last slope must still see the old formula.

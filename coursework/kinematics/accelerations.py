@@ -6,10 +6,9 @@ Enters: equations and a motion.  Leaves: d of every velocity (n, k).  Computed o
 from __future__ import annotations
 
 import numpy as np
-import sympy as sp
 from numpy.typing import NDArray
 
-from coursework.geometry.time_derivatives import compile_rows, derivative, second_rate
+from coursework.geometry.time_derivatives import acceleration_rest, compile_rows
 from coursework.integration.motion import Motion
 from coursework.reduction.blocks import Reduction
 from coursework.reduction.equations import VelocityEquations
@@ -23,11 +22,7 @@ def accelerations(equations: VelocityEquations, reduction: Reduction, motion: Mo
     """Return the derivatives (n, k) of `motion.velocities`, rad/s² or m/s² (zero rows where the motion has none)."""
     variant = equations.variant
     used = [equation for equation in equations.equations if equation.name in reduction.used]
-    rest = []
-    for equation in used:
-        moving = sp.Add(*[slope * symbol(name) for name, slope in equation.coefficients.items()], -equation.right_side)
-        still = {derivative(name): sp.S.Zero for name in equations.unknowns}
-        rest.append(-second_rate(equations, moving).xreplace(still))
+    rest = [acceleration_rest(equations, equation) for equation in used]
     sought: Array = np.zeros((len(motion.t), len(used)))
     if sought.size:
         right = compile_rows(equations, rest, 1)(motion.t, motion.coordinates, motion.velocities)

@@ -9,10 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import sympy as sp
 from numpy.typing import ArrayLike, NDArray
 
 from coursework.codegen.names import private
@@ -28,6 +27,9 @@ from coursework.reduction.symbolic import constants, local, symbol
 from coursework.reduction.system import scene_program
 from coursework.variant.changes import follow_from
 from coursework.variant.record import Variant
+
+if TYPE_CHECKING:
+    import sympy as sp
 
 Array = NDArray[np.float64]
 Columns = list[Any]

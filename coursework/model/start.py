@@ -7,10 +7,9 @@ Used by `sets.py`.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import sympy as sp
 from numpy.typing import NDArray
 
 from coursework.geometry.chain import dyad
@@ -21,6 +20,9 @@ from coursework.model.data import Data
 from coursework.model.model import Columns, Model
 from coursework.reduction.symbolic import symbol
 from coursework.variant.record import Group
+
+if TYPE_CHECKING:
+    import sympy as sp
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
