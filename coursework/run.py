@@ -172,8 +172,9 @@ class Run:
 
     @property
     def partials(self) -> dict[str, tuple[str, str]]:
-        """Return the names given to derivatives of drives and functions: name -> (what, by what)."""
-        return self.scene.equations.symbols.partials
+        """Return the derivatives of drives and functions that the solutions name: name -> (of what, by what)."""
+        shown = dict.fromkeys(name for solution in self.solutions for _, formula in solution for name in formula.names())
+        return self.scene.equations.symbols.derivatives_among(shown)
 
     @property
     def solutions(self) -> tuple[Solution, ...]:

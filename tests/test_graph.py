@@ -16,6 +16,7 @@ import coursework
 from coursework.graph import Computed, Ledger, computed, make_plan, needs_of
 from coursework.motion_results import MotionResults
 from coursework.quantities import POINT_ACCELERATIONS, QUANTITIES, all_needs, quantities_for
+from coursework.reduction.symbolic import symbol
 from coursework.run import gather
 from coursework.scene import Scene
 
@@ -298,3 +299,16 @@ def test_arguments_that_are_no_numbers_are_refused_in_a_sentence(options, told):
 
 def test_one_quantity_may_be_named_without_a_list():
     assert coursework.solve("31", quantities="table").asked == ("table",)
+
+
+def test_asking_for_more_changes_nothing_behind_the_back():
+    """What a page says of a run does not depend on what was asked of it before."""
+    plain, asked = (coursework.solve("variable-crank", quantities=["table", "checks", "accelerations"]) for _ in range(2))
+    asked.columns()
+    assert asked.checks
+    for run in (plain, asked):
+        assert set(run.scene.equations.symbols.definitions) == {
+            symbol(law.name) for law in (*run.variant.drive, *run.variant.functions)
+        }
+    assert plain.partials == asked.partials
+    assert plain.solutions == asked.solutions

@@ -6,7 +6,7 @@ Enters: a `Reduction`.  Leaves: `Rates`.  Used by `integrate.py`, `exact_motion.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -123,7 +123,7 @@ def _closure(equations: VelocityEquations, reduction: Reduction, wanted: Sequenc
         coordinates |= needed
 
 
-def _behind(symbols: set[sp.Symbol], definitions: dict[sp.Symbol, sp.Expr]) -> set[sp.Symbol]:
+def _behind(symbols: set[sp.Symbol], definitions: Mapping[sp.Symbol, sp.Expr]) -> set[sp.Symbol]:
     """Return some symbols and all that their definitions need."""
     found: set[sp.Symbol] = set()
     todo = list(symbols)

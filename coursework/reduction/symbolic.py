@@ -7,7 +7,7 @@ Used by `equations.py`, `geometry` and `integration`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from fractions import Fraction
 from math import comb
@@ -88,21 +88,47 @@ def _terms(expr: sp.Expr) -> int:
     return max(map(_terms, expr.args), default=1) if expr.args else 1
 
 
+class Definitions(Mapping[sp.Symbol, sp.Expr]):
+    """What symbols stand for: the drives and functions, and their derivatives by the symbols that `Symbols.partial` gives.
+
+    To go through it is to go through the drives and functions; a derivative is found by whoever holds its symbol, so nobody
+    who asks for one changes what another sees.
+    """
+
+    def __init__(self, laws: Mapping[sp.Symbol, sp.Expr], derived: Mapping[sp.Symbol, sp.Expr]) -> None:
+        self._laws, self._derived = laws, derived
+
+    def __getitem__(self, name: sp.Symbol) -> sp.Expr:
+        return self._laws[name] if name in self._laws else self._derived[name]
+
+    def __iter__(self) -> Iterator[sp.Symbol]:
+        return iter(self._laws)
+
+    def __len__(self) -> int:
+        return len(self._laws)
+
+    def without(self, names: set[sp.Symbol]) -> Definitions:
+        """Return the definitions of all other symbols: those left out are given as numbers."""
+        return Definitions(*({n: v for n, v in part.items() if n not in names} for part in (self._laws, self._derived)))
+
+
 class Symbols:
     """The symbols of one mechanism, what they stand for, and how they change."""
 
     def __init__(self, mechanism: Mechanism) -> None:
         variant = mechanism.variant
         self.rates = {symbol(c.name): symbol(c.rate) for c in variant.coordinates}
-        self.definitions: dict[sp.Symbol, sp.Expr] = {}
+        defined: dict[sp.Symbol, sp.Expr] = {}
+        self._derived: dict[sp.Symbol, sp.Expr] = {}
+        self.definitions = Definitions(defined, self._derived)
         self.vectors: dict[str, Vector] = {}
-        self.partials: dict[str, tuple[str, str]] = {}
         self._declared = variant.names
+        self._parts: dict[str, tuple[str, str]] = {}
         self._derivatives: dict[tuple[sp.Symbol, sp.Symbol], sp.Expr] = {}
         for section, laws in (("drive", variant.drive), ("functions", variant.functions)):
             for law in laws:
                 with placed(variant, f"{section}.{law.name}", variant.line_of(section, law.name)):
-                    self.definitions[symbol(law.name)] = self._law(law)
+                    defined[symbol(law.name)] = self._law(law)
         for name, formula in mechanism.points:
             with placed(variant, f"points.{name}", variant.line_of("points", name)):
                 self.vectors[name] = self.vector(formula)
@@ -171,8 +197,8 @@ class Symbols:
     def partial(self, expr: sp.Expr, by: sp.Symbol) -> sp.Expr:
         """Return d expr / d by, through the definitions of drives and functions."""
         total = sp.diff(expr, by)
-        names = expr.free_symbols & self.definitions.keys()
-        for name in sorted(names, key=lambda symbol: symbol.name) if names else ():
+        names = [name for name in expr.free_symbols if name in self.definitions]
+        for name in sorted(names, key=lambda symbol: symbol.name):
             inner = self._derivative(name, by)
             if inner != 0:
                 total += sp.diff(expr, name) * inner
@@ -190,12 +216,16 @@ class Symbols:
                 value = self.partial(definition, by)
             if value.free_symbols:
                 derived = local(derivative(name.name, by.name, self._declared))
-                self.definitions[derived] = value
+                self._derived[derived] = value
                 law, below, told = (public(n, self._declared) for n in (name.name, by.name, derived.name))
-                self.partials[told] = (law, below)
+                self._parts[told] = (law, below)
                 value = derived
             self._derivatives[name, by] = value
         return self._derivatives[name, by]
+
+    def derivatives_among(self, names: Iterable[str]) -> dict[str, tuple[str, str]]:
+        """Return those of some shown names that are derivatives: name -> (of what, by what)."""
+        return {name: self._parts[name] for name in names if name in self._parts}
 
     def rate(self, expr: sp.Expr) -> sp.Expr:
         """Return d expr / d t along the motion: sum of partials times rates."""

@@ -57,8 +57,7 @@ def scene_program(
 
     The data are numbers in it, or, not `folded`, arguments too: the names of `constants`, in their order.
     """
-    kept = set(given)
-    definitions = {name: value for name, value in equations.symbols.definitions.items() if name not in kept}
+    definitions = equations.symbols.definitions.without(set(given))
     return program(statements, definitions, constants(equations.variant) if folded else {}, equations.tables)
 
 
