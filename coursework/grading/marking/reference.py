@@ -10,6 +10,7 @@ from collections import OrderedDict
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +19,7 @@ from coursework.api import solve
 from coursework.errors import CourseworkError
 from coursework.formula.tree import Formula, number
 from coursework.grading.marking.key import Key
+from coursework.many import Solutions, solve_many
 from coursework.model.model import Model, build_model
 from coursework.schemes import DEFAULT_SCHEME
 from coursework.variant.record import Law, Time, Variant
@@ -30,8 +32,9 @@ _DEGREE = Formula("/", (Formula("name", name="pi"), number(180)))
 
 def key_of(variant: Variant) -> Key:
     """Return the key of a variant.  Raises `InputError` where it cannot be solved at all."""
-    run = solve(variant, DEFAULT_SCHEME.name, quantities=["table"])
     model = template_model(variant)
+    solved = _solved(model, [variant])
+    rows, stop = _complete(solved.values[0]), solved.stops[0]
     given = variant.values
     assigned = model.data(given)
 
@@ -48,27 +51,54 @@ def key_of(variant: Variant) -> Key:
         return model.block_velocities(block, t, q, earlier, assigned)
 
     return Key(
-        variant, run.motion.step, run.motion.rows, lambda: run.exact.rows, tuple(block.unknowns for block in model.blocks),
-        velocities_at, sets_at, block_at, lambda code: _rewritten(variant, code), str(run.stop.sentence) if run.stop else "",
+        variant, variant.time.step, rows, lambda: _exact(variant), tuple(block.unknowns for block in model.blocks),
+        velocities_at, sets_at, block_at, lambda code: _rewritten(variant, code), str(stop.sentence) if stop else "",
         lambda: _branches(variant),
     )  # fmt: skip
 
 
 def class_tables(variants: Mapping[str, Variant]) -> dict[str, Array]:
-    """Return Euler's tables of variants by name, without those whose motion cannot be computed."""
-    found = {}
+    """Return Euler's tables of variants by name, those of one template together; without any that cannot be computed."""
+    alike: dict[tuple[Variant, float, float], dict[str, Variant]] = {}
     for name, variant in variants.items():
+        alike.setdefault((_structure(variant), variant.time.step, variant.time.end), {})[name] = variant
+    found: dict[str, Array] = {}
+    for group in alike.values():
         with suppress(CourseworkError):
-            found[name] = solve(variant, DEFAULT_SCHEME.name, quantities=["table"]).motion.rows
-    return found
+            model = template_model(next(iter(group.values())))
+            tables = _solved(model, list(group.values())).values
+            found |= {name: _complete(rows) for name, rows in zip(group, tables, strict=True)}
+    return {name: found[name] for name in variants if name in found}
+
+
+def _solved(model: Model, variants: Sequence[Variant]) -> Solutions:
+    """Return Euler's tables of variants of one template with one step and end."""
+    columns: dict[str, Any] = {name: [variant.values[name] for variant in variants] for name in model.variant.values}
+    for place, coordinate in enumerate(model.variant.coordinates):
+        starts = [variant.coordinates[place].start for variant in variants]
+        if None not in starts:
+            columns[coordinate.name] = starts
+    time = variants[0].time
+    return solve_many(model, columns, DEFAULT_SCHEME.name, time.step, time.end)
+
+
+def _complete(rows: Array) -> Array:
+    """Return the rows before a motion stopped."""
+    return np.asarray(rows[~np.isnan(rows).any(axis=1)])
+
+
+def _exact(variant: Variant) -> Array:
+    return np.asarray(solve(variant, DEFAULT_SCHEME.name, quantities=["table"]).exact.rows)
 
 
 def _structure(variant: Variant) -> Variant:
     """Return a variant without its data: what two variants of one template have in common."""
     return replace(
-        variant, name="", path=None, title="", source="", teaches="", remarks=(), ask=(),
+        variant, name="", path=None, title="", source="", teaches="", remarks=(), plausibility=(), ask=(),
         given=tuple(replace(given, value=1.0, text="", unit="") for given in variant.given),
-        coordinates=tuple(replace(c, start=None, text="", written="") for c in variant.coordinates),
+        coordinates=tuple(
+            replace(c, start=None, near=None, text="", written="", said=True, bare=False) for c in variant.coordinates
+        ),
         time=Time(1.0, 1.0, None, None), lines={},
     )  # fmt: skip
 
