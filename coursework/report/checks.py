@@ -6,11 +6,12 @@ Enters: a `PageContext`.  Leaves: the summary, and one part for each group of ch
 from __future__ import annotations
 
 from coursework.checks.result import GROUPS, VERDICTS, Finding
+from coursework.page_text import clean
 from coursework.report.numbers import unit_text, with_unit
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Cell, Checks, Judged, Paragraph, Part, Runs
 from coursework.report.tables import thinned
-from coursework.report.text_runs import clean, numeral, runs
+from coursework.report.text_runs import numeral, runs
 
 MOST_LINES = 30  # further lines of one check; more are thinned
 SHORT_UNIT = 12  # letters of a unit that stands behind its number; a longer one stands below

@@ -6,13 +6,14 @@ Enters: a `PageContext`.  Leaves: displayed equations with the words around them
 from __future__ import annotations
 
 from coursework.formula.tree import Formula
+from coursework.page_text import clean
 from coursework.reduction.blocks import Block
 from coursework.reduction.solution import Solution
 from coursework.report import equations
 from coursework.report.display import math_equation
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Bullets, Display, Equations, Paragraph, Part, Runs
-from coursework.report.text_runs import clean, runs
+from coursework.report.text_runs import runs
 from coursework.sentences import say
 from coursework.variant.record import Law
 

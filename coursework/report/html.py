@@ -6,30 +6,13 @@ Enters: a `ReportModel`.  Leaves: HTML that fetches nothing and prints on A4.  W
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from coursework.data import folder
 from coursework.errors import OutputError
+from coursework.page_text import template
 from coursework.report.formulas import Drawn, draw
 from coursework.report.model import ReportModel
-
-if TYPE_CHECKING:
-    from jinja2 import Template
-
-
-@lru_cache
-def template(name: str) -> Template:
-    """Return a template of `reports/`; what is filled in is escaped, and a gap that nothing fills is an error."""
-    from jinja2 import Environment, FileSystemLoader, StrictUndefined
-
-    looks = Environment(
-        loader=FileSystemLoader(folder("reports"), encoding="utf-8"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    return looks.get_template(name)
 
 
 @lru_cache(maxsize=1)

@@ -9,10 +9,11 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
+from coursework.page_text import clean
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Figure, Part, Section, Table
 from coursework.report.sections import all_sections
-from coursework.report.text_runs import LONGEST_NAME, clean
+from coursework.report.text_runs import LONGEST_NAME
 from coursework.report.words import Words, load_words
 from coursework.run import Run
 

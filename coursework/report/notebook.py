@@ -9,10 +9,10 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+from coursework.page_text import template
 from coursework.quantities import CHECKS, GRAPH_CHECK, Quantity
 from coursework.report.checks import checks
 from coursework.report.figures import true_to_scale
-from coursework.report.html import template
 from coursework.report.model import heading_of
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Part

@@ -9,11 +9,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from coursework.integration.motion import Motion
+from coursework.page_text import LONGEST, clean
 from coursework.quantities import PLOTS
 from coursework.report.numbers import Numbers, with_unit
 from coursework.report.parts import Runs
 from coursework.report.symbols import Symbol, symbol
-from coursework.report.text_runs import LONGEST, clean, derivative, printed, runs
+from coursework.report.text_runs import derivative, printed, runs
 from coursework.report.words import Words
 from coursework.run import Run
 

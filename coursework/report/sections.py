@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
+from coursework.page_text import clean
 from coursework.quantities import ACCURACY, CHECKS, GRAPH_CHECK, PLOTS, TABLE, Quantity
 from coursework.report import lecture
 from coursework.report.accuracy import accuracy
@@ -33,7 +34,7 @@ from coursework.report.parts import (
 )
 from coursework.report.plots import plots
 from coursework.report.tables import extra_parts, motion_parts, row_at
-from coursework.report.text_runs import LONGEST_NAME, clean, numeral, runs
+from coursework.report.text_runs import LONGEST_NAME, numeral, runs
 
 STOP_DIGITS = 8  # a dead point is located to 1e-8 s
 MOST_REMARKS = 12  # on the first page, on which the results begin

@@ -1,35 +1,19 @@
-"""Text on its way to a page: cleaned of what would spoil it, split into runs that are set like a book.
+"""Text on its way to a page, split into runs that are set like a book.
 
-Enters: text of a student or a variant file (`clean`), sentences of the tool (`runs`).  Leaves: plain strings and runs.
+Enters: sentences of the tool.  Leaves: plain strings and runs.
 """
 
 from __future__ import annotations
 
 import re
-import unicodedata
 from collections.abc import Iterable
 
 from coursework.report.numbers import superscript
 from coursework.report.symbols import GREEK, symbol
 
-LONGEST = 2000  # characters of one text: a word of 1 MB would take Typst half a minute
 LONGEST_NAME = 200  # characters of a name or title
-_UNBROKEN = re.compile(r"(\S{12})(?=\S{12})")
-_INVISIBLE = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
 
 Run = dict[str, str]
-
-
-def clean(text: str, longest: int = LONGEST) -> str:
-    """Return text without control, direction and unassigned characters, NFC, at most `longest` characters.
-
-    Words beyond 24 letters get places to break (U+200B), so that none runs off the page.
-    """
-    spaced = re.sub(r"[^\S\u00a0\u202f]+", " ", unicodedata.normalize("NFC", text[: 4 * longest]))
-    plain = "".join(letter for letter in spaced if unicodedata.category(letter) not in _INVISIBLE).strip()
-    if len(plain) > longest:
-        plain = plain[: longest - 1].rstrip() + "…"
-    return _UNBROKEN.sub("\\1\u200b", plain)
 
 
 _RUN = re.compile(

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from coursework.page_text import LONGEST, clean
 from coursework.report.symbols import symbol
-from coursework.report.text_runs import LONGEST, clean, derivative, printed, runs
+from coursework.report.text_runs import derivative, printed, runs
 
 
 @pytest.mark.parametrize(

@@ -11,8 +11,7 @@ from collections.abc import Sequence
 from coursework.grading.pages.bars import bars
 from coursework.grading.pages.class_facts import ClassFacts
 from coursework.grading.pages.feedback import misconception_sentence, shown_points
-from coursework.report.html import template
-from coursework.report.text_runs import clean
+from coursework.page_text import clean, template
 from coursework.sentences import ENGLISH, say
 
 PARTS = 10  # of the distribution

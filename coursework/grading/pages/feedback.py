@@ -13,8 +13,7 @@ import numpy as np
 from coursework.grading.marking.cells import GIVEN, KEY, MISSING, WRONG
 from coursework.grading.marking.grade import Grade, TableMarks
 from coursework.grading.pages.curves import panel
-from coursework.report.html import template
-from coursework.report.text_runs import clean
+from coursework.page_text import clean, template
 from coursework.sentences import ENGLISH, Sentence, load_phrases, say
 
 # Longer tables show their first rows and those with wrong cells: the page stays one that a person reads.

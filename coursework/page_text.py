@@ -1,0 +1,48 @@
+"""What every page starts from: the templates of `reports/`, and text cleaned of what would spoil a page.
+
+Enters: the name of a template; text of a student or a file.  Leaves: a template that escapes; plain text.
+Used by the report and by the pages of grading.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+from coursework.data import folder
+
+if TYPE_CHECKING:
+    from jinja2 import Template
+
+LONGEST = 2000  # characters of one text: a word of 1 MB would take Typst half a minute
+_UNBROKEN = re.compile(r"(\S{12})(?=\S{12})")
+_INVISIBLE = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
+
+
+@lru_cache
+def template(name: str) -> Template:
+    """Return a template of `reports/`; what is filled in is escaped, and a gap that nothing fills is an error."""
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+    looks = Environment(
+        loader=FileSystemLoader(folder("reports"), encoding="utf-8"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    return looks.get_template(name)
+
+
+def clean(text: str, longest: int = LONGEST) -> str:
+    """Return text without control, direction and unassigned characters, NFC, at most `longest` characters.
+
+    Words beyond 24 letters get places to break (U+200B), so that none runs off the page.
+    """
+    spaced = re.sub(r"[^\S\u00a0\u202f]+", " ", unicodedata.normalize("NFC", text[: 4 * longest]))
+    plain = "".join(letter for letter in spaced if unicodedata.category(letter) not in _INVISIBLE).strip()
+    if len(plain) > longest:
+        plain = plain[: longest - 1].rstrip() + "…"
+    return _UNBROKEN.sub("\\1\u200b", plain)
