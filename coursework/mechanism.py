@@ -1,45 +1,41 @@
 """Variant -> Mechanism: points in the order they can be computed, chains of groups written as closures, mobility.
 
 Enters: a `Variant`.  Leaves: a frozen `Mechanism`, still in formulas.  Raises `InputError`.
-Used by `equations.py` (differentiation), `geometry` (positions) and the drawing.
+Used by `scene.py`, `model/model.py` and `reduction/equations.py`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from graphlib import CycleError, TopologicalSorter
 
 from coursework.errors import Fault, InputError, listing
 from coursework.formula.tree import Formula
+from coursework.joints import Linkage, Mobility, linkage
 from coursework.sentences import say
-from coursework.variant.record import Constraint, Group, Link, Variant
+from coursework.variant.record import Constraint, Group, Variant
 
 # A point built from points built from points grows like a power of two; beyond this no mechanism is meant.
 MAX_EXPANDED = 20_000
 
 
 @dataclass(frozen=True, slots=True)
-class Mobility:
-    """W = 3 n - 2 p5 - p4 of the links as listed (n moving links)."""
-
-    links: int
-    lower_pairs: int
-    higher_pairs: int
-
-    @property
-    def degrees(self) -> int:
-        """Return W."""
-        return 3 * self.links - 2 * self.lower_pairs - self.higher_pairs
-
-
-@dataclass(frozen=True, slots=True)
 class Mechanism:
-    """`points` in an order in which each needs only earlier ones; `constraints` written and from the chain."""
+    """`points` in an order in which each needs only earlier ones; `constraints` written and from the chain.
+
+    `linkage` holds bodies and joints, None where the file does not show them.
+    """
 
     variant: Variant
     points: tuple[tuple[str, Formula], ...]
     constraints: tuple[Constraint, ...]
-    mobility: Mobility | None
+    linkage: Linkage | None
+
+    @property
+    def mobility(self) -> Mobility | None:
+        """Return how many freedoms the joints leave the links."""
+        return self.linkage.mobility if self.linkage is not None else None
 
 
 def build(variant: Variant) -> Mechanism:
@@ -66,7 +62,7 @@ def build(variant: Variant) -> Mechanism:
     for what, line, formula in shown:
         if _expanded(formula, sizes) > MAX_EXPANDED:
             raise _fault(variant, _too_many(what), line)
-    return Mechanism(variant, points, tuple(constraints), _mobility(variant))
+    return Mechanism(variant, points, tuple(constraints), linkage(variant, dict(points)))
 
 
 def _fault(variant: Variant, message: str, line: int = 0) -> InputError:
@@ -132,57 +128,25 @@ def _too_many(what: str) -> str:
 
 
 def _in_order(written: dict[str, Formula], variant: Variant) -> tuple[tuple[tuple[str, Formula], ...], dict[str, int]]:
-    """Return the points, each after those it needs, and how many parts each has when written out."""
-    order: dict[str, Formula] = {}
+    """Return the points in the order of the file, but each after those it needs, and how many parts each has written out."""
+    sorter = TopologicalSorter({name: [n for n in formula.names() if n in written] for name, formula in written.items()})
+    try:
+        sorter.prepare()
+    except CycleError as error:
+        circle = error.args[1][::-1]
+        advice = "Begin with a point that needs no other." if len(circle) > 2 else "A point cannot need itself."
+        message = f"points are defined in a circle: {' needs '.join(circle)}. {advice}"
+        raise _fault(variant, message, variant.line_of("points", circle[0])) from None
+    places = {name: place for place, name in enumerate(written)}
+    order: list[str] = []
     sizes: dict[str, int] = {}
-
-    def visit(name: str, path: tuple[str, ...]) -> None:
-        if name in order:
-            return
-        if name in path:
-            circle = (*path[path.index(name) :], name)
-            advice = "Begin with a point that needs no other." if len(circle) > 2 else "A point cannot need itself."
-            message = f"points are defined in a circle: {' needs '.join(circle)}. {advice}"
-            raise _fault(variant, message, variant.line_of("points", name))
-        for needed in written[name].names():
-            if needed in written:
-                visit(needed, (*path, name))
+    ready: list[str] = []
+    while sorter.is_active():
+        ready = sorted([*ready, *sorter.get_ready()], key=places.__getitem__)
+        name = ready.pop(0)
+        sorter.done(name)
+        order.append(name)
         sizes[name] = _expanded(written[name], sizes)
         if sizes[name] > MAX_EXPANDED:
             raise _fault(variant, _too_many(f"the point {name}"), variant.line_of("points", name))
-        order[name] = written[name]
-
-    for name in written:
-        visit(name, ())
-    return tuple(order.items()), sizes
-
-
-def _mobility(variant: Variant) -> Mobility | None:
-    """Count links and pairs from [links] and [frame], or from a chain of groups; None where neither stands."""
-    if variant.groups and not variant.links:
-        dyads = sum(not group.kind.driven for group in variant.groups)
-        in_groups = {name for group in variant.groups for name in group.coordinates}
-        beside = [c for c in variant.coordinates if c.name not in in_groups]
-        if any(c.rate not in variant.known_rates for c in beside):
-            return None  # what moves it is written as an equation, so its pairs are not known
-        # A driven coordinate is a link of its own with one pair, whether a crank or a formula carries it.
-        driven = len(variant.groups) - dyads + len(beside)
-        return Mobility(driven + 2 * dyads, driven + 3 * dyads, 0)
-    if not variant.links:
-        return None
-    members: dict[str, int] = {}
-    for link in variant.links:
-        for point in _joints(link):
-            members[point] = members.get(point, 0) + 1
-    hinges = set(variant.frame.hinges)
-    lower = sum(count - 1 + (point in hinges) for point, count in members.items())
-    rails = {f.name for f, _ in variant.frame.rails if f.op == "name"}
-    rolling = [link for link in variant.links if link.contact]
-    sliders = [point for point in members if point in rails and point not in {link.contact for link in rolling}]
-    sleeves = {frozenset((link.name, link.slides)) for link in variant.links if link.slides}
-    # Rolling without slip takes two freedoms like a lower pair; a pin in a guide takes one.
-    return Mobility(len(variant.links), lower + len(rolling) + len(sleeves), len(sliders))
-
-
-def _joints(link: Link) -> tuple[str, ...]:
-    return tuple(dict.fromkeys((*link.points, *((link.wheel,) if link.wheel else ()))))
+    return tuple((name, written[name]) for name in order), sizes

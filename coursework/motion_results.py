@@ -1,7 +1,7 @@
 """What follows from one motion of a scene: the rows of a scheme, the exact ones, or a student's own table, by the same code.
 
 Enters: a `Scene` and any `Motion` of its mechanism.  Leaves: `MotionResults`, each property computed when looked at, once.
-Made by `Scene.over`; read by `quantities.py` and `run.py`.
+Used by `scene.py`, which makes it, `quantities.py` and `run.py`.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """What a group of a chain is: one record holds all that the house knows of its kind.
 
 Enters: a group as a file writes it, in formulas, or its known side in numbers.  Leaves: `GroupKind`.
-Used by every file of a kind, the reader of variants, `mechanism.py`, `joints.py`, `geometry/chain.py`, `reduction/meaning.py`.
+Used by the files of the kinds, `joints.py` and `geometry/chain.py`; others meet it as the kind of a group.
 """
 
 from __future__ import annotations

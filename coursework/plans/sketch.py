@@ -1,8 +1,8 @@
 """One row of a motion -> what stands on the paper before anything is constructed.
 
 Enters: velocity equations (for the formulas of points, rails and drives) and a row.  Leaves: `Sketch`.
-Used by the graph-analytical check only.  What slides or rolls where is read from names in [links] and [frame]; a point that
-merely happens to lie on a rail slides on nothing.
+Used by `graph_check.py`.  What slides or rolls where is told by the joints, which go by names: a point that merely happens
+to lie on a rail slides on nothing.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from typing import Any
 
 from coursework.geometry.time_derivatives import compile_rows
 from coursework.integration.motion import Motion
+from coursework.joints import FRAME, PIN_IN_GUIDE, ROLLING, linkage
 from coursework.plans.instant_centres import Body, Pose, cross
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import symbol
@@ -121,7 +122,10 @@ class _Reader:
         self.bodies = [_body(link) for link in variant.links]
         self.near = INCIDENT * Pose(self.start, tuple(self.bodies), frozenset(), {}, {}, {}).size
         self.wheels = {link.name: (link.wheel, link.contact) for link in variant.links if link.wheel and link.contact}
-        self.contacts = {contact for _, contact in self.wheels.values()}
+        joints = linkage(variant, {})
+        self.hinges = joints.points("R", FRAME) if joints else ()
+        self.contacts = set(joints.points(ROLLING)) if joints else set()
+        self.sliding = set(joints.points(PIN_IN_GUIDE, FRAME)) if joints else set()
         self.notes: list[str] = []
 
     def sketch(self) -> Sketch:
@@ -129,25 +133,24 @@ class _Reader:
         guided = {rail.point: rail.along for rail in rails if rail.point and not rail.rolls}
         tracks = self.tracks()
         resting = {r.point for r in rails if r.rolls} | {t.point for t in tracks} | self.on_plain_rails(rails)
-        resting -= {contact for centre, contact in self.wheels.values() if centre in self.variant.frame.hinges}
+        resting -= {contact for centre, contact in self.wheels.values() if centre in self.hinges}
         bodies = [replace(b, guide=guided[b.points[0]]) if _is_slider(b, guided) else b for b in self.bodies]
         racks = self.racks(bodies, resting)
         bodies = [replace(b, points=(*b.points, racks[b.name])) if b.name in racks else b for b in bodies]
-        hinges = tuple(dict.fromkeys(self.variant.frame.hinges))
-        fixed = frozenset({*hinges, *resting})
+        fixed = frozenset({*self.hinges, *resting})
         drive = {law.name: self.here.scalar(f"drive {law.name}") for law in self.variant.drive}
         driven = {name: v for name in self.names if (v := _driven(name, drive, guided)) is not None and name not in fixed}
         rates = {rate: drive[rate] for rate in self.variant.known_rates}
         positions = {name: self.here.vector(name) for name in self.names}
         moving = dict.fromkeys(name for body in self.bodies for name in body.points if name not in fixed | self.contacts)
         return Sketch(
-            Pose(positions, tuple(bodies), fixed, guided, driven, rates), rails, tracks, hinges, self.variant.links,
+            Pose(positions, tuple(bodies), fixed, guided, driven, rates), rails, tracks, self.hinges, self.variant.links,
             self.start, self.wheels, racks, tuple(moving), tuple(self.notes),
         )  # fmt: skip
 
     def rails(self) -> tuple[Rail, ...]:
         """Return the rails; what slides or rolls on one is the point it goes `through`."""
-        known = {name for body in self.bodies for name in body.points}
+        known = self.sliding | self.contacts
         found = []
         for index, (through, _) in enumerate(self.variant.frame.rails):
             along = cmath.rect(1.0, self.here.scalar(f"angle {index}"))

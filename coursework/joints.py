@@ -1,0 +1,131 @@
+"""The joints of a mechanism, made once: from [links] and [frame] where a file has them, else from its chain of groups.
+
+Enters: a `Variant` and its points as formulas.  Leaves: `Linkage`, the moving bodies and every `Joint` between them.
+Used by `mechanism.py` (mobility) and `plans/sketch.py` (instantaneous centres and their drawing).
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from coursework.formula.tree import Formula
+from coursework.groups.kind import Joint
+from coursework.variant.record import Group, Variant
+
+FRAME = "0"
+PIN_IN_GUIDE, ROLLING = "pin in guide", "rolling"
+
+
+@dataclass(frozen=True, slots=True)
+class Mobility:
+    """W = 3 n - 2 p5 - p4 of the links as listed (n moving links)."""
+
+    links: int
+    lower_pairs: int
+    higher_pairs: int
+
+    @property
+    def degrees(self) -> int:
+        """Return W."""
+        return 3 * self.links - 2 * self.lower_pairs - self.higher_pairs
+
+
+@dataclass(frozen=True, slots=True)
+class Linkage:
+    """The moving `bodies` by name and the `joints` between them and with the frame "0"."""
+
+    bodies: tuple[str, ...]
+    joints: tuple[Joint, ...]
+
+    @property
+    def mobility(self) -> Mobility:
+        """Return the count of links and pairs; a pin in a guide takes one freedom, any other joint two."""
+        higher = sum(joint.kind == PIN_IN_GUIDE for joint in self.joints)
+        return Mobility(len(self.bodies), len(self.joints) - higher, higher)
+
+    def points(self, kind: str, body: str = "") -> tuple[str, ...]:
+        """Return the named points of the joints of a kind, each once; only those that hold `body` where one is named."""
+        joints = (joint for joint in self.joints if joint.kind == kind and (not body or body in joint.bodies))
+        return tuple(dict.fromkeys(joint.where.name for joint in joints if joint.where is not None and joint.where.op == "name"))
+
+
+def linkage(variant: Variant, points: Mapping[str, Formula]) -> Linkage | None:
+    """Return bodies and joints; None where a file names neither links nor groups, or equations move what they do not show.
+
+    >>> from coursework.api import load
+    >>> variant = load("example-2")
+    >>> [(joint.kind, joint.bodies) for joint in linkage(variant, dict(variant.points)).joints]
+    [('R', ('1', '0')), ('R', ('1', '2')), ('pin in guide', ('2', '0'))]
+    """
+    if variant.links:
+        return Linkage(tuple(link.name for link in variant.links), tuple(_of_links(variant)))
+    if not variant.groups:
+        return None
+    in_groups = {name for group in variant.groups for name in group.coordinates}
+    beside = [c for c in variant.coordinates if c.name not in in_groups]
+    if any(c.rate not in variant.known_rates for c in beside):
+        return None
+    return _of_groups(variant, points)
+
+
+def _of_links(variant: Variant) -> Iterator[Joint]:
+    holds: dict[str, list[str]] = {}
+    for link in variant.links:
+        for name in dict.fromkeys((*link.points, *((link.wheel,) if link.wheel else ()))):
+            holds.setdefault(name, []).append(link.name)
+    for name, bodies in holds.items():
+        if name in variant.frame.hinges:
+            yield Joint("R", (bodies[0], FRAME), Formula("name", name=name))
+        for pair in itertools.pairwise(bodies):
+            yield Joint("R", pair, Formula("name", name=name))
+    contacts = {link.contact for link in variant.links}
+    for through, angle in variant.frame.rails:
+        if through.op == "name" and through.name in holds and through.name not in contacts:
+            yield Joint(PIN_IN_GUIDE, (holds[through.name][0], FRAME), through, angle)
+    for link in variant.links:
+        if link.contact:
+            touched = next((body for body in holds.get(link.contact, ()) if body != link.name), FRAME)
+            yield Joint(ROLLING, (link.name, touched), Formula("name", name=link.contact))
+    sleeves = {frozenset((link.name, link.slides)): (link.name, link.slides) for link in variant.links if link.slides}
+    for sleeve, bar in sleeves.values():
+        own = next((name for name, bodies in holds.items() if sleeve in bodies), "")
+        yield Joint("P", (sleeve, bar), Formula("name", name=own) if own else None)
+
+
+def _of_groups(variant: Variant, points: Mapping[str, Formula]) -> Linkage:
+    """Name the bodies 1, 2, … in the order of the chain; a driven coordinate beside the groups is a body of its own."""
+    numbers = map(str, itertools.count(1))
+    carried: dict[str, str] = {}
+    joints: list[Joint] = []
+    in_groups = {name for group in variant.groups for name in group.coordinates}
+    for coordinate in variant.coordinates:
+        if coordinate.name not in in_groups:
+            carried[coordinate.name] = next(numbers)
+            joints.append(Joint("R" if coordinate.unit == "rad" else "P", (carried[coordinate.name], FRAME), None))
+    for group in variant.groups:
+        own = [next(numbers) for _ in group.coordinates]
+        outer = [_carrier(formula, carried, points) for formula in group.start_points]
+        joints += group.kind.joints(group, outer, [_guide(group, i, carried, points) for i in range(len(group.guides))], own)
+        for coordinate_name, index in reversed([*zip(group.coordinates, group.kind.carries, strict=True)]):
+            carried[coordinate_name] = own[index]
+    return Linkage(tuple(carried.values()), tuple(joints))
+
+
+def _guide(group: Group, index: int, carried: Mapping[str, str], points: Mapping[str, Formula]) -> str:
+    """Return the body that carries a guide: the one it turns with, else the one it goes through."""
+    guide = group.guides[index]
+    turning = _carrier(guide.angle, carried, points)
+    return turning if turning != FRAME else _carrier(guide.through, carried, points)
+
+
+def _carrier(formula: Formula, carried: Mapping[str, str], points: Mapping[str, Formula]) -> str:
+    """Return the body that a formula moves with: that of the latest coordinate in it, its points written out."""
+    names, waiting = set(), [*formula.names()]
+    while waiting:
+        name = waiting.pop()
+        if name not in names:
+            names.add(name)
+            waiting += points[name].names() if name in points else ()
+    return next((body for coordinate, body in reversed([*carried.items()]) if coordinate in names), FRAME)
