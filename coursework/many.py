@@ -60,13 +60,13 @@ class Solutions:
 
 
 def solve_many(
-    variant: Variant | Model | str | Path, data: Any, scheme: str = DEFAULT_SCHEME.name, step: float | None = None,
+    variant: Variant | Model | str | Path, data: Any, scheme: str | None = None, step: float | None = None,
     end: float | None = None,
 ) -> Solutions:  # fmt: skip
     """Return the tables of many sets of data; each is what `solve(variant.with_data(…))` gives, to 1e-12.
 
     `data`: a mapping or a frame; keys are given names and coordinates (their start), values numbers in SI, texts with a unit,
-    or one for all sets.  `step` and `end` in s, the same for all sets; those of the file where None.
+    or one for all sets.  `scheme` as in `solve`; `step` and `end` in s, the same for all sets; those of the file where None.
     Raises `InputError` for data that do not fit, and for a set that `solve` refuses, by its number.
 
     >>> import coursework
@@ -76,7 +76,7 @@ def solve_many(
     """
     model = _model(variant)
     template = timed(model.variant, step, end)
-    Settings(scheme).checked(template.time.step)
+    chosen = Settings(scheme or DEFAULT_SCHEME.name).checked(template.time.step).scheme
     sets = model.data(data)
     _refuse_own_times(model, sets, step, end)
     steps, h = template.time.steps, template.time.step
@@ -87,15 +87,15 @@ def solve_many(
     for part, chunk in _chunks(sets):
         prepared = prepare(model, chunk, template.time.end)
         doubtful = ~prepared.sure | (prepared.frequency * h >= np.pi * (1 - 1e-12))
-        if scheme in SCHEMES:
-            found, good = rows_of(model, prepared, SCHEMES[scheme], times)
+        if chosen in SCHEMES:
+            found, good = rows_of(model, prepared, SCHEMES[chosen], times)
             values[part] = found
             doubtful |= ~good
         else:
             doubtful[:] = True
         for place in np.flatnonzero(doubtful).tolist():
             index = part.start + place
-            motion = _alone(template, sets, index, scheme)
+            motion = _alone(template, sets, index, chosen)
             values[index] = np.nan
             values[index, : len(motion.t)] = motion.rows
             stops[index] = motion.stop

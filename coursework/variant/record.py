@@ -281,4 +281,5 @@ class Variant:
         follow = follow_from(self, new)
         pairs = zip(self.coordinates, fresh.coordinates, strict=True)
         moved = (replace(now, start=None, near=old.guess) if now.name in follow else now for old, now in pairs)
-        return replace(fresh, coordinates=tuple(moved), changes=changes)
+        own = self.time.own_step if step is None else None
+        return replace(fresh, coordinates=tuple(moved), time=replace(fresh.time, own_step=own), changes=changes)

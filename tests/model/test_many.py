@@ -26,7 +26,7 @@ def spread(name, part, count, seed=0):
 
 def alone(name, data, index, **options):
     variant = model(name).variant
-    times = {"step": variant.time.step, "end": variant.time.end, **options}
+    times = {"step": variant.time.step, "end": variant.time.end, "scheme": "euler", **options}
     given = {key: float(column if np.ndim(column) == 0 else column[index]) for key, column in data.items()}
     start = {key: given.pop(key) for key in model(name).coordinates if key in given}
     return coursework.solve(variant.with_data(given, start), quantities=["table"], **times)
@@ -35,7 +35,7 @@ def alone(name, data, index, **options):
 def same(name, data, **options):
     """Raise where sets together are not the sets alone; return the solutions."""
     time = model(name).variant.time
-    solved = coursework.solve_many(model(name), data, **{"step": time.step, "end": time.end, **options})
+    solved = coursework.solve_many(model(name), data, **{"step": time.step, "end": time.end, "scheme": "euler", **options})
     for index, stop in enumerate(solved.stops):
         motion = alone(name, data, index, **options).motion
         scale = 1.0 + np.max(np.abs(motion.rows), initial=0.0)

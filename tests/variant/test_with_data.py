@@ -106,7 +106,7 @@ def test_data_that_cannot_close_are_told():
 def test_changes_add_up_and_survive_a_pickle():
     once = pickle.loads(pickle.dumps(coursework.load("31").timed(step=0.01).with_data(given={"p": 10})))
     twice = once.with_data(given={"r1": 0.94})
-    assert (twice.values["p"], twice.values["r1"], twice.time.step) == (10.0, 0.94, 0.01)
+    assert (twice.values["p"], twice.values["r1"], twice.time.step, twice.time.own_step) == (10.0, 0.94, 0.01, 0.02)
 
 
 @pytest.mark.parametrize(
