@@ -13,6 +13,8 @@ from dataclasses import dataclass, field
 from graphlib import TopologicalSorter
 from typing import Any, Generic, Protocol, TypeVar, overload
 
+import numpy as np
+
 from coursework.errors import listing
 
 T = TypeVar("T")
@@ -43,7 +45,8 @@ class Ledger:
         self._within.append(0.0)
         begun = time.perf_counter()
         try:
-            with under_way(name):
+            # What is not finite is told with its place by whoever writes it; NumPy's warnings name a line of ours.
+            with under_way(name), np.errstate(all="ignore"):
                 value = compute(owner)
         finally:
             spent = time.perf_counter() - begun

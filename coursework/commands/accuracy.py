@@ -32,8 +32,10 @@ def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...] | Non
         return 1
     study = timed_study(run)
     folder = out or Path(f"coursework-{read.name}")
+    results = StudyResults(replace(run, timed=study))
+    results.compute(pages=True)
     with working_folder(folder) as hidden:
-        written = write_set(StudyResults(replace(run, timed=study)), wanted, folder, hidden)
+        written = write_set(results, wanted, folder, hidden)
     click.echo(f"{run.variant.title}  ({run.variant.name}): error against cost")
     for sentence in study.sentences:
         click.echo(f"  {sentence}")

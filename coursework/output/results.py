@@ -9,6 +9,8 @@ from collections.abc import Iterable
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+from coursework.graph import under_way
+from coursework.output.gate import pass_gate
 from coursework.output.record import record, stamp_of, study_record
 from coursework.output.tables import run_tables, study_csv
 from coursework.run import Run
@@ -28,14 +30,11 @@ class Results:
         self.language = language
 
     def compute(self, pages: bool) -> None:
-        """Compute what is asked for, so that a fault in it comes before the first file."""
-        run = self.run
-        run.columns()
-        _ = run.own_tables
-        if "checks" in run.asked:
-            _ = run.checks
+        """Compute what is asked for and look at every number, so that a fault comes before the first file."""
         if pages:
-            _ = run.extra_tables, run.graph
+            _ = self.run.extra_tables, self.run.graph
+        with under_way("gate"):
+            pass_gate(self.run, pages)
 
     @cached_property
     def stamp(self) -> str:
@@ -47,7 +46,8 @@ class Results:
         """Return what a page says, its figures drawn."""
         from coursework.report import build_model
 
-        return build_model(self.run, self.language, self.stamp)
+        with under_way("pages"):
+            return build_model(self.run, self.language, self.stamp)
 
     def tables(self) -> Iterable[tuple[str, str]]:
         """Return the CSV texts by name."""

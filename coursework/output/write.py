@@ -28,6 +28,7 @@ def write_report(run: Run, *paths: Path | str, language: str = "en") -> None:
     targets = [Path(path) for path in paths]
     formats = [_page_format(target) for target in targets]
     results = Results(run, language)
+    results.compute(pages=True)
     pages = [next(each.write(results))[1] for each in formats]
     for target, page in zip(targets, pages, strict=True):
         write_bytes(target, page)

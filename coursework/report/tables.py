@@ -16,7 +16,7 @@ from coursework.report.page_context import PageContext
 from coursework.report.parts import Cell, Column, Paragraph, Part, Table
 from coursework.report.text_runs import numeral, runs
 
-MOST_ROWS = 200  # rows printed; a longer table is thinned, table.csv holds it whole
+MOST_ROWS = 400  # rows printed; a longer table is thinned, table.csv holds it whole
 MOST_COLUMNS = 10  # columns beside row and time that fit 170 mm at a readable size
 ONE_PAGE = 32  # rows of a table that fits on one page whatever stands around it
 RULE = 5  # rows from one thin line to the next

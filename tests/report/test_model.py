@@ -286,7 +286,7 @@ def test_every_word_of_a_page_can_be_said(stand_in: ModuleType, monkeypatch: pyt
 # Sections of the words file that the rooms below the report speak: tests/report/test_language.py.
 FINDINGS = {
     "join", "amount", "unit", "check", "event", "phase", "determinant", "equation", "exact", "scheme", "study", "drawing",
-    "extra", "reading", "remark", "advice", "summary", "ended",
+    "extra", "reading", "remark", "advice", "summary", "ended", "gate",
 }  # fmt: skip
 
 
