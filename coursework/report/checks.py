@@ -44,6 +44,7 @@ def _judged(context: PageContext, check: Finding) -> Judged:
     numbers = context.numbers
     unit = context.told(check.unit)
     is_short = len(unit) <= SHORT_UNIT
+    is_count = check.value is not None and check.value >= 1 and check.value.is_integer()
     behind = unit if is_short else ""
     heads, lines = _lines(context, check)
     return Judged(
@@ -52,7 +53,7 @@ def _judged(context: PageContext, check: Finding) -> Judged:
         code=clean(check.code),
         title=context.rich(check.title),
         sentence=context.rich(check.sentence),
-        value=numeral(with_unit(numbers.scalar(check.value), behind)),
+        value=numeral(with_unit(numbers.limit(check.value) if is_count else numbers.scalar(check.value), behind)),
         limit=numeral(with_unit(numbers.limit(check.limit), behind)),
         unit="" if is_short or check.value is None else unit_text(unit),
         heads=heads,
