@@ -27,11 +27,10 @@ from coursework.integration.motion import Motion, Stop, rows_before
 from coursework.integration.rates import Rates, compile_rates
 from coursework.mechanism import Mechanism, build
 from coursework.motion_results import MotionResults
-from coursework.reduction.blocks import Reduction, reduce
+from coursework.reduction.blocks import Reduction, angles_in_determinants, reduce
 from coursework.reduction.equations import VelocityEquations, differentiate
 from coursework.reduction.solution import Solution
 from coursework.reduction.solution import solutions as solve_blocks
-from coursework.reduction.symbolic import symbol
 from coursework.sentences import say
 from coursework.settings import Settings
 from coursework.singular.explain import explain
@@ -139,7 +138,8 @@ class Scene:
 
     def march(self, step: float, scheme: str) -> Motion:
         """Return rows of a scheme with a step (s), corrected as the settings say, up to the stop of the true motion."""
-        rates, angles = self.rates, self._angles_in_determinants()
+        rates = self.rates
+        angles = angles_in_determinants([self.reduction.blocks[index] for index in rates.blocks], self.variant)
         guarded = [index for index, name in enumerate(rates.coordinates) if name in angles]
         rows = march(rates, scheme, self.begin, step, self.variant.time.end, self.correction, self.stop, guarded)
         scaled = rows.determinants / np.array([self.flow.largest[index] for index in rates.blocks])
@@ -170,13 +170,6 @@ class Scene:
         """The start of the coordinates that are integrated."""
         names = (coordinate.name for coordinate in self.variant.coordinates)
         return [value for name, value in zip(names, self.start, strict=True) if name in self.rates.coordinates]
-
-    def _angles_in_determinants(self) -> set[str]:
-        blocks = (self.reduction.blocks[index] for index in self.rates.blocks)
-        inside = {s for block in blocks for row in block.matrix for entry in row for s in entry.free_symbols}
-        known = self.variant.known_rates
-        free = (c for c in self.variant.coordinates if c.rate not in known and c.unit == "rad")
-        return {c.name for c in free if symbol(c.name) in inside}
 
     @computed("stop", "equations", "closure", "rates", "reduction", "start", "flow")
     def motion(self) -> Motion:

@@ -21,7 +21,7 @@ from coursework.geometry.start import start_values
 from coursework.integration.rates import block_statements
 from coursework.mechanism import build
 from coursework.model.data import Data, read_data
-from coursework.reduction.blocks import Block, Reduction, reduce
+from coursework.reduction.blocks import Block, Reduction, angles_in_determinants, reduce
 from coursework.reduction.equations import VelocityEquations, differentiate
 from coursework.reduction.symbolic import constants, local, symbol
 from coursework.reduction.system import scene_program
@@ -78,10 +78,8 @@ class Model:
     @cached_property
     def angles_in_determinants(self) -> list[int]:
         """Return the places of the angles that are not driven and stand in a determinant."""
-        inside = {s for block in self.blocks for row in block.matrix for entry in row for s in entry.free_symbols}
-        variant = self.variant
-        free = [c.rate not in variant.known_rates and c.unit == "rad" and symbol(c.name) in inside for c in variant.coordinates]
-        return [place for place, is_free in enumerate(free) if is_free]
+        angles = angles_in_determinants(self.blocks, self.variant)
+        return [place for place, name in enumerate(self.coordinates) if name in angles]
 
     @cached_property
     def lengths(self) -> tuple[sp.Expr, ...]:
