@@ -24,7 +24,8 @@ _LABEL = re.compile(
     r"|(?:equation|eq|gleichung|gl|уравнение|ур|рівняння|рівн|ф-ла|формула|方程)?[\s.№]*\(?\d{1,3}\)?\s*:(?!=))\s*",
     re.IGNORECASE,
 )
-_TAIL = re.compile(r"(?:\s*\(\d{1,3}\))?[\s.,;]*$")
+_NUMBER_AT_END = re.compile(r"\s\(\d{1,3}\)$")
+_TAIL = " \t\r.,;"
 _DECIMAL_COMMA = re.compile(r"(?<![\w.,])(\d+),(\d+)(?![\d,])")
 _SUBSCRIPT = re.compile(r"(?<!\w)[^\W\d]\w*\[|[)\]]\[")  # a name before a bracket may be a product or a list: not guessed
 _WORDS = {"ф": "phi", "Ф": "phi", "щ": "w", "∅": "phi", "Ø": "phi", "ø": "phi"}
@@ -51,7 +52,9 @@ def mended(text: str, spellings: Spellings) -> str:
     """
     if _SUBSCRIPT.search(text):
         return text
-    plain = _TAIL.sub("", re.sub(r"_\{(\w+)\}", r"_\1", text).translate(_SIGNS))
+    plain = re.sub(r"_\{(\w+)\}", r"_\1", text).translate(_SIGNS).rstrip(_TAIL)
+    if number := _NUMBER_AT_END.search(plain):
+        plain = plain[: number.start()].rstrip(_TAIL)
     plain = _LABEL.sub("", plain, count=1) if _LABEL.match(plain) else plain
     plain = plain.replace(":=", "=").replace("==", "=").replace("\\", " ").replace("²", "^2 ").replace("³", "^3 ").strip()
     if "atan2" not in plain:

@@ -161,17 +161,19 @@ def _read_lines(text: str, name: str, expected: Expected) -> tuple[list[Equation
     most = most_lines(expected)
     equations: list[EquationLine] = []
     answers: list[AnswerLine] = []
+    tried = 0
     for number, line in enumerate(text.split("\n"), start=1):
         bare = line.partition("#")[0].strip()
         if not bare:
             continue
+        tried += 1
         answer = read_answer(bare[:500], name, number, expected.answers) if expected.answers else None
         if answer is not None:
             if answer.name not in {known.name for known in answers}:
                 answers.append(answer)
         elif "=" in bare or is_equation_without_sign(bare, spellings):
             equations.append(read_line(bare, name, number, spellings))
-        if len(equations) > most or number > 20 * most + 2000:
+        if len(equations) > most or tried > 10 * most:
             break
     return equations, answers
 

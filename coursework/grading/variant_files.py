@@ -24,7 +24,7 @@ from coursework.variant.record import Variant
 from coursework.variant.schema import VariantFile as Schema
 from coursework.variant.source import MAX_BYTES, read_source
 
-_FORMAT = re.compile(r"^\s*format\s*=", re.MULTILINE)
+_FORMAT = re.compile(r"^[ \t]*format[ \t]*=", re.MULTILINE)
 _SAME = 1e-9
 
 

@@ -35,6 +35,17 @@ TOKENS = [
 ]  # fmt: skip
 
 
+# What costs a careless reader the square of a file's size when it is repeated up to the size allowed.
+REPEATED = [
+    b"\n", b" ", b";", b",", b"\t", b"<", b"</p>", b"<p>", b"(", b"=", b"1;", b"1 ", b'"', b'";\n', b"a=b\n", b". . . -\n", b"#\n",
+    b"-" + b" ." * 990 + b"x\n", b"1,234;1,234\n", b"0\t0\t0\n", b"w1+", b"w1+w1+w1\n", b"[", b"format = 1\n", b"x = [\n", b"\0",
+    b"\xff", b"\xd0\xb0", b"\xd0\xb0;", (b"a " * 90 + b";") * 39 + b"\n", (b"," * 199 + b";") * 39 + b"\n", b"<script>",
+    (b"/" * 199 + b";") * 39 + b"\n", b"1" * 499 + b";\n", b"wAB=", b"wAB = \n", b"sin^2(", b"2l1 " * 400 + b"=0\n",
+    b"r3w3" * 15 + b"+1\n", b"phi" * 19 + b"-w1\n", b"1.5;1.5;1.5;2,5\n", b"t;phi1;phi2\n1;2;3\n", b"<td>1</td>", b"1 234 567;",
+    b"1e5;" * 30 + b"\n", b"t;" * 39 + b"\n",
+]  # fmt: skip
+
+
 def seeds() -> list[bytes]:
     """Return good files of every kind."""
     scene = expected("31", ("wAB",))
@@ -144,8 +155,23 @@ def run(cases: int, seed: int = 0) -> Counter[str]:
     return counts
 
 
+def run_repeated(size: int) -> Counter[str]:
+    """Read files of one piece repeated up to `size` bytes, alone and behind a good table."""
+    scene = expected("31", ("wAB",))
+    counts: Counter[str] = Counter()
+    for piece in REPEATED:
+        for start in (b"", b"t;phi1;w1\n0;1;2\n0.02;1;2\n0.04;1;2\n"):
+            content = (start + piece * (size // len(piece) + 1))[:size]
+            began = time.process_time()
+            counts[outcome(understand(Submission("x", None, (submitted_file("table.csv", content),)), scene))] += 1
+            spent = time.process_time() - began
+            assert spent < SLOWEST, f"{piece[:20]!r} took {spent:.1f} s"
+    return counts
+
+
 if __name__ == "__main__":
     before = set(Path.cwd().iterdir())
+    run_repeated(4 * 2**20)
     for what, number in sorted(run(int(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 0).items()):
         sys.stdout.write(f"{number:8} {what}\n")
     assert set(Path.cwd().iterdir()) == before

@@ -289,6 +289,16 @@ def test_entities_and_damage() -> None:
     assert refused(secret, "t.ods").code == "password"
 
 
+def test_gaps_between_blanks_are_told_by_where_the_numbers_stand() -> None:
+    aligned = ["".join(f"{text:>12}" for text in row) for row in [HEAD, *cells(r11c6="", r12c2="")]]
+    table = read("\n".join(aligned).encode())
+    assert [name for name in GRID.names if math.isnan(column(table, name)[10])] == ["w2"]
+    assert [name for name in GRID.names if math.isnan(column(table, name)[11])] == ["phi1"]
+    assert column(table, "w4") == column(read(csv(ROWS)), "w4")
+    loose = read("\n".join(" ".join(text for text in row if text) for row in [HEAD, *cells(r11c6="", r12c2="")]).encode())
+    assert [k for k, present in enumerate(loose.rows_present, start=1) if not present] == [11, 12]
+
+
 def test_long_lines_blank_rows_and_nul_bytes() -> None:
     assert refused(b"t;phi1\n" + b"1" * 20_001 + b";2\n").code == "long_line"
     assert isinstance(read_table(csv(ROWS) + b"\n" + b"x" * 20_000, "t.csv", GRID), Table)

@@ -35,6 +35,7 @@ PRINTED: dict[str, dict[str, float]] = {
     "m/s": {"m/s": 1.0, "mm/s": 0.001, "cm/s": 0.01},
     "s": {"s": 1.0, "ms": 0.001},
 }
+_LONGEST = 80  # characters of a head that are looked at
 _TIMES = ["t", "time", "время", "час", "zeit", "时间", "時間", "τ", "tau", "т", "t0", "ti", "tk"]
 _INDICES = [
     "№", "no", "n", "nr", "i", "k", "j", "#", "строка", "рядок", "шаг", "крок", "step", "row", "zeile", "schritt", "номер", "num",
@@ -91,7 +92,7 @@ def read_head(text: str, columns: Iterable[tuple[str, str]]) -> Head:
     Head(text='ω1z, 1/с', candidates=('w1',), unit='1/s')
     """
     known = tuple(columns)
-    whole = fold(text.strip())[:200]
+    whole = fold(" ".join(text[:_LONGEST].split()))
     body, unit = _without_unit(whole)
     if (name := _PUNCTUATION.sub("", whole)) in aliases(known):  # "Winkel c" has an index, no unit
         body, unit = name, ""

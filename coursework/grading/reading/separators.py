@@ -9,6 +9,7 @@ from __future__ import annotations
 import csv
 import itertools
 import re
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
@@ -20,6 +21,7 @@ from coursework.grading.reading.numbers import looks_numeric, marks, plain_text
 NAMES = {"\t": "tab", " ": "blanks"}
 _SAMPLE = 80  # rows on which the separator is chosen
 _HINT = re.compile(r'"?sep=(.)"?', re.IGNORECASE)
+_TOKEN = re.compile(r'"[^"]*"|[^ \t"]+')
 _LISTS = "[](){},;|"  # what programs put around and behind the numbers of a list
 
 
@@ -74,7 +76,7 @@ def _lines(text: str, most: int) -> Iterator[str]:
 
 def _cells(lines: list[str], sign: str, most: int) -> tuple[tuple[str, ...], ...]:
     if sign == " ":
-        return tuple(tuple(_token(part) for part in itertools.islice(_tokens(line), most)) for line in lines)
+        return _between_blanks(lines, most)
     # Quotation marks may enclose separators and ends of lines; the reader of the standard library is given bounded lines.
     reader = csv.reader((line + "\n" for line in lines), delimiter=sign, quotechar='"', skipinitialspace=True)
     try:
@@ -83,15 +85,39 @@ def _cells(lines: list[str], sign: str, most: int) -> tuple[tuple[str, ...], ...
         return tuple(tuple(cell.strip()[:CELL_CHARACTERS] for cell in line.split(sign)[:most]) for line in lines)
 
 
-def _tokens(line: str) -> Iterator[str]:
-    return (match[0] for match in re.finditer(r'"[^"]*"|[^ \t"]+', line))
+def _between_blanks(lines: list[str], most: int) -> tuple[tuple[str, ...], ...]:
+    """Return the tokens of lines; where a row of numbers has fewer than the others, each goes below what it stands under."""
+    found = [list(itertools.islice(_TOKEN.finditer(line), most)) for line in lines]
+    rows = [tuple(_token(match[0]) for match in matches) for matches in found]
+    numeric = [bool(row) and all(map(looks_numeric, row)) for row in rows]
+    widths = Counter(len(row) for row, is_numeric in zip(rows, numeric, strict=True) if is_numeric)
+    usual = max(widths, key=lambda width: (widths[width], width), default=0)
+    if len(widths) < 2 or usual < 3:
+        return tuple(rows)
+    whole = [matches for matches, row, is_numeric in zip(found, rows, numeric, strict=True) if is_numeric and len(row) == usual]
+    spans = [(min(m[at].start() for m in whole), max(m[at].end() for m in whole)) for at in range(usual)]
+    return tuple(
+        _below(matches, row, spans) if is_numeric and 1 < len(row) < usual else row
+        for matches, row, is_numeric in zip(found, rows, numeric, strict=True)
+    )
+
+
+def _below(matches: list[re.Match[str]], row: tuple[str, ...], spans: list[tuple[int, int]]) -> tuple[str, ...]:
+    """Return a row with gaps where nothing stands under a column; no cell where it cannot be told which is missing."""
+    cells = [""] * len(spans)
+    for match, text in zip(matches, row, strict=True):
+        under = [at for at, (start, end) in enumerate(spans) if match.start() < end and start < match.end()]
+        if len(under) != 1 or cells[under[0]]:
+            return ()
+        cells[under[0]] = text
+    return tuple(cells)
 
 
 def _token(text: str) -> str:
     """Return a token without the brackets and commas of a list, where a number is left."""
-    bare = text.strip('"')
+    bare = text.strip('"')[:CELL_CHARACTERS]
     stripped = bare.strip(_LISTS)
-    return (stripped if stripped != bare and looks_numeric(stripped) else bare)[:CELL_CHARACTERS]
+    return stripped if stripped != bare and looks_numeric(stripped) else bare
 
 
 def _judged(rows: tuple[tuple[str, ...], ...], sign: str) -> tuple[tuple[float, ...], bool] | None:
