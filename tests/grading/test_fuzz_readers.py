@@ -9,7 +9,7 @@ def test_two_thousand_broken_files() -> None:
     counts = run(2000)
     assert counts.total() == 2000
     assert counts["table"] > 500
-    assert len(counts) > 10
+    assert len(counts) >= 8
 
 
 def test_files_of_one_piece_repeated() -> None:
