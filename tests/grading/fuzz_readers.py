@@ -38,7 +38,8 @@ TOKENS = [
 # What costs a careless reader the square of a file's size when it is repeated up to the size allowed.
 REPEATED = [
     b"\n", b" ", b";", b",", b"\t", b"<", b"</p>", b"<p>", b"(", b"=", b"1;", b"1 ", b'"', b'";\n', b"a=b\n", b". . . -\n",
-    b"#\n",    b"-" + b" ." * 990 + b"x\n", b"1,234;1,234\n", b"0\t0\t0\n", b"w1+", b"w1+w1+w1\n", b"[", b"format = 1\n", b"x = [\n", b"\0",
+    b"#\n",    b"-" + b" ." * 990 + b"x\n", b"1,234;1,234\n", b"0\t0\t0\n", b"w1+",
+    b"w1+w1+w1\n", b"[", b"format = 1\n", b"x = [\n", b"\0",
     b"\xff", b"\xd0\xb0", b"\xd0\xb0;", (b"a " * 90 + b";") * 39 + b"\n", (b"," * 199 + b";") * 39 + b"\n", b"<script>",
     (b"/" * 199 + b";") * 39 + b"\n", b"1" * 499 + b";\n", b"wAB=", b"wAB = \n", b"sin^2(", b"2l1 " * 400 + b"=0\n",
     b"r3w3" * 15 + b"+1\n", b"phi" * 19 + b"-w1\n", b"1.5;1.5;1.5;2,5\n", b"t;phi1;phi2\n1;2;3\n", b"<td>1</td>", b"1 234 567;",
