@@ -7,13 +7,14 @@ Raises `InputError` where the search or the run would take minutes, and says how
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from coursework.accuracy.step_rules import StepRules
 from coursework.accuracy.timing import seconds
 from coursework.errors import InputError
 from coursework.integration.loops import Loop, generate_loop
@@ -22,6 +23,8 @@ from coursework.schemes import PRECISE, SCHEMES
 from coursework.variant.record import MAX_ROWS
 
 Array = NDArray[np.float64]
+# Where a number of steps does not do, so much of itself more is tried.
+_FINER = 10
 # As many as a table has rows.
 MOST_STEPS = MAX_ROWS
 # Trials of a search, and the steps of the one from which the time of all is foretold.
@@ -34,12 +37,16 @@ LEAST_ERROR = 1e-10
 
 @dataclass(frozen=True, slots=True)
 class Need:
-    """What one scheme needs: `steps` of h = end/steps, `evaluations`, the `error` reached."""
+    """What one scheme needs: `steps` of h = end/steps, `evaluations`, the `error` reached.
+
+    `ruled`: fewer steps would have done for the wish, but not for the rules of a table.
+    """
 
     title: str
     steps: int
     evaluations: int
     error: float
+    ruled: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,6 +65,11 @@ class StepChoice:
             f"{own.title} needs {own.steps} steps of {self.step:.6g} s for an error of {own.error:.3g}: "
             f"{own.evaluations} evaluations."
         ]
+        if own.ruled:
+            told.append(
+                "Fewer would do for this error, but not for the table: 20 rows a period and a turn, at most 1 rad a step, and a "
+                "row at each break of the drive."
+            )
         told += [
             f"{other.title} needs {other.steps} steps ({other.evaluations} evaluations, "
             f"{own.evaluations / other.evaluations:.2g} times fewer)."
@@ -67,19 +79,26 @@ class StepChoice:
         return tuple(told)
 
 
-def choose_step(rates: Rates, scheme: str, start: Sequence[float], step: float, end: float, wish: float) -> StepChoice:
-    """Return the largest step end/N whose error over its N + 1 rows stays under `wish`."""
+def choose_step(
+    rates: Rates, scheme: str, start: Sequence[float], step: float, end: float, wish: float,
+    rules: StepRules | None = None, runs: Callable[[str, float], bool] = lambda scheme, step: True,
+) -> StepChoice:  # fmt: skip
+    """Return the largest step end/N whose error over its N + 1 rows stays under `wish`, and that keeps the `rules`.
+
+    `runs(scheme, step)` tries a run of the table with a step: what does not reach its end is not advised.
+    """
     if not (np.isfinite(wish) and wish >= LEAST_ERROR):
         raise InputError(f"an error of {wish:g} cannot be asked for: from {LEAST_ERROR:g} down round-off decides. Ask for more.")
+    trial = _Trial(rules or StepRules(), runs)
     # Only a scheme of the same or a higher order can be cheaper; those are asked first, because they take no time.
     rivals = [name for name, rival in SCHEMES.items() if name != scheme and rival.order >= SCHEMES[scheme].order]
     others = []
     for name in rivals:
         with suppress(TooLong):
-            others.append(_need(name, rates, start, step, end, wish))
+            others.append(_need(name, rates, start, step, end, wish, trial))
     others.sort(key=lambda need: need.evaluations)
     try:
-        own = _need(scheme, rates, start, step, end, wish)
+        own = _need(scheme, rates, start, step, end, wish, trial)
     except TooLong as refused:
         cheaper = [f"{other.title} needs {other.steps} steps" for other in others]
         advice = f" {'; '.join(cheaper)}: take --scheme with one of these." if cheaper else " Ask for a larger error."
@@ -87,11 +106,19 @@ def choose_step(rates: Rates, scheme: str, start: Sequence[float], step: float, 
     return StepChoice(end / own.steps, own, tuple(others))
 
 
+@dataclass(frozen=True, slots=True)
+class _Trial:
+    """What a number of steps must keep besides the wish."""
+
+    rules: StepRules
+    runs: Callable[[str, float], bool]
+
+
 class TooLong(Exception):
     """What was wished for would take minutes; the sentence says how long."""
 
 
-def _need(name: str, rates: Rates, start: Sequence[float], step: float, end: float, wish: float) -> Need:
+def _need(name: str, rates: Rates, start: Sequence[float], step: float, end: float, wish: float, trial: _Trial) -> Need:
     scheme = SCHEMES[name]
     loop, reference = generate_loop(scheme, rates), generate_loop(PRECISE, rates)
 
@@ -127,9 +154,15 @@ def _need(name: str, rates: Rates, start: Sequence[float], step: float, end: flo
                     raise too_long(guess)
                 guess = min(_COARSE * 2 * first, MOST_STEPS)  # coarse steps foretell little: look once more
             steps = max(low + 1, min(high - 1, math.ceil(guess)))
-    if high > MOST_STEPS:
-        raise too_long(high)
-    return Need(scheme.title, high, high * scheme.slopes, found[high])
+    steps = trial.rules.kept(high)
+    while steps <= MOST_STEPS:
+        found[steps] = found[steps] if steps in found else error(steps)
+        if found[steps] <= wish and trial.runs(name, end / steps):
+            break
+        steps = trial.rules.kept(steps + math.ceil(steps / _FINER))
+    else:
+        raise too_long(steps)
+    return Need(scheme.title, steps, steps * scheme.slopes, found[steps], ruled=steps > high)
 
 
 def _rows(loop: Loop, rates: Rates, start: Sequence[float], end: float, steps: int, inner: int) -> Array:

@@ -34,7 +34,7 @@ def run_variant(
     h = step_of(step, read)
     if step == "auto":
         found = solve(read, scheme, end=end, quantities=("table",))
-        if found.stop is not None:
+        if found.scene.stop is not None:
             return tell_stop(found, "no step makes this motion possible")
         h = auto_step(found, error)
     run = make_run(read, step=h, end=end, scheme=scheme, **options)
@@ -80,9 +80,14 @@ def auto_step(run: Run, error: float | None) -> float:
     """Return the step for `--step auto --error WISH`, and say what it costs."""
     if error is None:
         raise InputError("--step auto needs the wish: --error 0.001 (rad or m, the largest error over the rows).")
+    from coursework.accuracy.step_rules import step_rules
     from coursework.accuracy.step_search import choose_step
 
-    choice = choose_step(run.scene.rates, run.scheme, run.scene.start, run.step, run.end, error)
+    scene = run.scene
+    choice = choose_step(
+        scene.rates, run.scheme, scene.begin, run.step, run.end, error,
+        step_rules(scene.equations, scene.search), lambda scheme, step: scene.rerun(scheme, step) is not None,
+    )  # fmt: skip
     for sentence in choice.sentences:
         click.echo(sentence)
     return choice.step

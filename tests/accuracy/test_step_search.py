@@ -6,9 +6,12 @@ import pytest
 import coursework
 from coursework.accuracy import step_search
 from coursework.accuracy.round_off import RoundOffRow, round_off_curve
+from coursework.accuracy.step_rules import StepRules, step_rules
 from coursework.accuracy.step_search import choose_step
+from coursework.data import folder
 from coursework.errors import InputError
 from coursework.integration.extended_precision import march_in
+from coursework.schemes import SCHEMES
 
 
 @pytest.fixture(scope="module")
@@ -86,3 +89,59 @@ def test_single_precision_has_a_best_step(scene):
     best = min(range(len(curve)), key=lambda place: curve[place].single)
     assert 0 < best < len(curve) - 1
     assert curve[-1].double < curve[best].double
+
+
+def test_the_rules_of_a_table_are_kept(scene):
+    """A large wish: without rules a few steps do, with them 20 rows a period stand; every scheme advised is tried."""
+    rules = step_rules(scene.equations, scene.search)
+    assert rules == StepRules(20, 1)
+    tried = []
+    runs = lambda scheme, step: tried.append((scheme, step)) or scene.rerun(scheme, step) is not None  # noqa: E731
+    bare = choose_step(scene.rates, "rk4", scene.start, 0.02, 0.48, 0.5)
+    ruled = choose_step(scene.rates, "rk4", scene.start, 0.02, 0.48, 0.5, rules, runs)
+    assert bare.need.steps < 20
+    assert (ruled.need.steps, ruled.need.ruled) == (20, True)
+    assert "but not for the table" in " ".join(ruled.sentences)
+    assert {(name, 0.48 / 20) for name in ("rk4",)} <= set(tried)
+    euler = choose_step(scene.rates, "euler", scene.start, 0.02, 0.48, 0.01, rules, runs)
+    assert not euler.need.ruled and "but not for the table" not in " ".join(euler.sentences)
+    assert all(other.steps >= 20 for other in euler.others)
+
+
+def test_what_does_not_run_is_not_advised(scene):
+    """A scheme whose table stops is taken with more steps; one that never runs is not advised at all."""
+    runs = lambda scheme, step: scheme != "heun" and (scheme != "rk4" or step < 0.48 / 30)  # noqa: E731
+    choice = choose_step(scene.rates, "euler", scene.start, 0.02, 0.48, 0.01, StepRules(20), runs)
+    assert {SCHEMES[name].title for name in ("rk4", "midpoint")} <= {other.title for other in choice.others}
+    assert SCHEMES["heun"].title not in {other.title for other in choice.others}
+    assert next(other.steps for other in choice.others if other.title == SCHEMES["rk4"].title) > 30
+
+
+@pytest.mark.parametrize("name", ["31", "robot-arm", "example-1", "jansen", "engine-start", "stephenson"])
+def test_what_auto_advises_passes_step_and_peak(name):
+    """Run with the step advised, STEP and PEAK pass, and the motion reaches its end."""
+    found = coursework.solve(name, "rk4", quantities=["table"])
+    scene = found.scene
+    choice = choose_step(
+        scene.rates, "rk4", scene.begin, found.step, found.end, 1.0, step_rules(scene.equations, scene.search),
+        lambda scheme, step: scene.rerun(scheme, step) is not None,
+    )  # fmt: skip
+    run = coursework.solve(name, "rk4", choice.step, quantities=["table", "checks"])
+    assert run.stop is None
+    verdicts = {check.code: check.verdict for check in run.checks}
+    assert {verdicts["STEP"], verdicts["PEAK"]} <= {"PASS", "SKIP"}
+
+
+def test_a_step_of_the_file_that_is_too_large_does_not_keep_auto_from_a_smaller_one(tmp_path, monkeypatch):
+    from tests.test_cli import call
+
+    monkeypatch.chdir(tmp_path)
+    text = (folder("variants") / "31.toml").read_text(encoding="utf-8").replace('step      = "0.02 s"', 'step = "0.23 s"')
+    text = text.replace("check_row = 4", "check_row = 1")
+    (tmp_path / "wide.toml").write_text(text, encoding="utf-8")
+    assert coursework.solve("wide").stop is not None
+    result = call(
+        "run", "wide", "--scheme", "rk4", "--step", "auto", "--error", "0.01", "--format", "csv", "--quantities", "table"
+    )
+    assert result.exit_code == 0, result.output
+    assert "Runge-Kutta 4 needs 20 steps" in result.stdout
