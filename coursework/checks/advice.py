@@ -124,7 +124,9 @@ def _tried(evidence: Evidence, scheme: str, parts: int) -> Evidence | None:
     if (motion := evidence.rerun(scheme, step)) is None:
         return None
     exact = finer(evidence.exact, evidence.rates, parts, len(motion.t)) if parts > 1 else evidence.exact
-    return None if exact is None else replace(evidence, motion=motion, exact=exact, wide=None, replay=None, rerun=None)
+    return (
+        None if exact is None else replace(evidence, motion=motion, exact=exact, extended_precision=None, replay=None, rerun=None)
+    )
 
 
 def _spelled(evidence: Evidence, parts: int) -> tuple[str, float]:

@@ -1,6 +1,6 @@
 """Every kind of check as one record, in the order of the page.
 
-Enters: `Evidence` about any motion.  Leaves: a `Finding` of each kind.  Used by `quantities.py`; page, run.json and command
+Enters: `Evidence` about any motion.  Leaves: a `Finding` of each kind.  Used by `motion_results.py`; page, run.json and command
 line show whatever is found.  To add one: write its judging function, put a `Check` here, and its words under
 [check.CODE] in the words file: `title` and the sentences.
 """

@@ -1,7 +1,7 @@
 """What the checks may look at: any motion of a scene, beside the exact one.
 
 Enters: a motion (of a scheme, exact, or somebody else's rows) and its scene.  Leaves: `Evidence`, which measures what
-several checks need, once.  Used by the rooms of `checks/` and made by `quantities.py`.
+several checks need, once.  Used by the rooms of `checks/` and made by `motion_results.py`.
 """
 
 from __future__ import annotations
@@ -40,11 +40,11 @@ LIMIT = 0.05
 class Evidence:
     """`motion` judged against `exact`, on the same rows as far as both go; `exact` None where it cannot be had.
 
-    `stop`: where the true motion ends; `wide`: the coordinates in extended numbers (n, m) where known; `used`: the equations
-    solved for the velocities; `drive_frequency` rad/s of the fastest sine in the drive; `fastest`: per coordinate (largest
-    rate of the true motion, when).  `replay` makes each row anew from the row before, None for rows that no scheme of ours
-    has made; `rerun(scheme, step)` gives the same run made otherwise, None where that cannot be.  `facts` about the exact
-    motion alone are found once and shared by every table of the scene.
+    `stop`: where the true motion ends; `extended_precision`: the coordinates in extended numbers (n, m) where known; `used`:
+    the equations solved for the velocities; `drive_frequency` rad/s of the fastest sine in the drive; `fastest`: per
+    coordinate (largest rate of the true motion, when).  `replay` makes each row anew from the row before, None for rows that
+    no scheme of ours has made; `rerun(scheme, step)` gives the same run made otherwise, None where that cannot be.  `facts`
+    about the exact motion alone are found once and shared by every table of the scene.
     """
 
     variant: Variant
@@ -52,7 +52,7 @@ class Evidence:
     rates: Rates
     motion: Motion
     exact: Motion | None
-    wide: Array | None
+    extended_precision: Array | None
     closure: Closure | None
     stop: Stop | None
     used: tuple[str, ...]

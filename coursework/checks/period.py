@@ -53,9 +53,9 @@ def mismatch(evidence: Evidence) -> tuple[Split, ...] | None:
     true = np.array([exact.column(name)[row] - exact.column(name)[0] for name in motion.names])
     period = true - np.where(angles, turns(true), 0.0)
     roundoff = np.zeros(len(last))
-    if evidence.wide is not None:
+    if evidence.extended_precision is not None:
         count = len(motion.coordinate_names)
-        roundoff[:count] = (rows[row, :count] - evidence.wide[row, :count]).astype(float)
+        roundoff[:count] = (rows[row, :count] - evidence.extended_precision[row, :count]).astype(float)
     total = last - rows[0]
     scheme = total - period - roundoff
     columns = zip(

@@ -1,7 +1,7 @@
 """A template compiled once: its velocities as functions of time, position and data, over arrays of any shape.
 
 Enters: a `Variant`.  Leaves: `Model`, whose programs take the data as arguments.
-Used by `closing.py`, `watch.py`, `many.py`, and by who judges tables with data of their own.
+Used by `start.py`, `watch.py`, `many.py`, and by who judges tables with data of their own.
 """
 
 from __future__ import annotations

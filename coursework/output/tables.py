@@ -1,6 +1,6 @@
 """What a run computed -> CSV text: every digit, the same bytes on every run.
 
-Enters: a `Run`.  Leaves: text by file name.  Used by `formats.py`; needs no pandas, no matplotlib, no typst.
+Enters: a `Run`.  Leaves: text by file name.  Used by `results.py`; needs no pandas, no matplotlib, no typst.
 """
 
 from __future__ import annotations

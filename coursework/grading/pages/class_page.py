@@ -1,6 +1,6 @@
 """The page of a whole class: what to look at first, then how it went, in pictures where these say more.
 
-Enters: `ClassFacts`, changes since the last run.  Leaves: HTML without script.  Used by `gradebook.py`.
+Enters: `ClassFacts`, changes since the last run.  Leaves: HTML without script.  Used by `written.py`.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """How many digits a column was printed with: the unit of the last place of each of its cells.
 
 Enters: the cells of a column.  Leaves: decimals and one unit a cell, both in the unit of the file.
-Used by `columns.py`.
+Used by `table.py`.
 """
 
 from __future__ import annotations

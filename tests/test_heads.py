@@ -1,0 +1,45 @@
+"""The head of a module tells who uses it, and that is true: each file named imports it."""
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+
+PACKAGE = Path(__file__).parent.parent / "coursework"
+TREES = {path.relative_to(PACKAGE): ast.parse(path.read_text(encoding="utf-8")) for path in sorted(PACKAGE.rglob("*.py"))}
+USED = re.compile(r"\b(?:[Uu]sed|[Rr]ead|[Mm]ade)(?: only)? by (.*?)(?:\.(?:\s|$)|;)", re.S)
+
+
+def dotted(path: Path) -> str:
+    parts = ("coursework", *path.with_suffix("").parts)
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+def imported(tree: ast.Module) -> set[str]:
+    nodes = [node for node in ast.walk(tree) if isinstance(node, ast.ImportFrom) and node.module]
+    return {node.module for node in nodes} | {f"{node.module}.{alias.name}" for node in nodes for alias in node.names}
+
+
+IMPORTS = {path: imported(tree) for path, tree in TREES.items()}
+NAMED = [
+    (path, named)
+    for path, tree in TREES.items()
+    for told in USED.findall(ast.get_docstring(tree) or "")
+    for named in re.findall(r"`([\w/]+(?:\.py|/))`", told)
+]
+
+
+@pytest.mark.parametrize(("path", "named"), NAMED, ids=lambda part: str(part))
+def test_who_is_said_to_use_a_module_imports_it(path, named):
+    users = [user for user, names in IMPORTS.items() if dotted(path) in names]
+    hit = [
+        user
+        for user in users
+        if named.strip("/") in {user.as_posix(), user.name, *map(str, user.parent.parts), user.parent.as_posix()}
+    ]
+    assert hit, f"{path} is used by {sorted(map(str, users))}, not by {named}"
+
+
+def test_many_heads_are_looked_at():
+    assert len(NAMED) > 100
