@@ -28,6 +28,8 @@ Array = NDArray[np.float64]
 USUAL_SUBSTEPS = (1, 2, 4, 8, 16, 64)
 FIRST_ORDER_SUBSTEPS = (*USUAL_SUBSTEPS, 256, 1024, 4096)
 MOST_SUBSTEPS = 4096
+# A method takes finer steps only as long as they are at most so many in all: a long table shows its order in fewer of them.
+MOST_STEPS = 100_000
 # A page made beside a run takes the rows that are cheap; the rest continues the same straight line.
 CHEAP_SUBSTEPS = 256
 # A step with Newton corrections costs as much as this many generated steps.
@@ -75,15 +77,19 @@ def projected_title(newton: int) -> str:
 
 
 def trials(problem: Problem, most: int = MOST_SUBSTEPS) -> Iterator[Trial]:
-    """Yield every trial with at most `most` steps a row, method after method."""
+    """Yield every trial with at most `most` steps a row (and `MOST_STEPS` in all beyond one a row), method after method."""
+
+    def is_affordable(substeps: int) -> bool:
+        return substeps == 1 or (substeps <= most and substeps * problem.rows <= MOST_STEPS)
+
     for scheme in SCHEMES.values():
         loop = generate_loop(scheme, problem.rates)
-        for substeps in (n for n in (FIRST_ORDER_SUBSTEPS if scheme.order == 1 else USUAL_SUBSTEPS) if n <= most):
+        for substeps in (n for n in (FIRST_ORDER_SUBSTEPS if scheme.order == 1 else USUAL_SUBSTEPS) if is_affordable(n)):
             count = problem.rows * substeps
             yield Trial(title_of(scheme), f"{count}", 1, partial(_by_loop, problem, loop, substeps, count * scheme.slopes))
     if problem.closure is not None and problem.closure.complete:
         for newton in (1, 2):
-            for substeps in (n for n in PROJECTED_SUBSTEPS if n * PROJECTED_COST <= most):
+            for substeps in (n for n in PROJECTED_SUBSTEPS if n * PROJECTED_COST <= most and is_affordable(n)):
                 setting = f"{problem.rows * substeps}"
                 yield Trial(projected_title(newton), setting, substeps, partial(_projected, problem, newton, substeps))
     for tolerance in TOLERANCES:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.accuracy.methods import Problem, trials
+from coursework.accuracy.methods import MOST_STEPS, Problem, trials
 from coursework.accuracy.study import make_study
 from coursework.accuracy.trace import errors, trace
 from coursework.integration.following import follow_closure
@@ -136,3 +136,10 @@ def test_a_table_is_measured_against_the_motion_its_schemes_solve():
     closed = next(row for row in study.rows if row.method == "position closure (Newton)")
     assert 1e-8 < closed.max_error < 1e-6
     assert "belong to another motion than the positions" in study.reference_label
+
+
+def test_a_long_table_is_studied_with_finer_steps_only_while_they_are_few():
+    run = coursework.solve("31", step=0.48 / 1600, quantities=["accuracy"])
+    steps = [int(row.steps_or_tolerance) for row in run.accuracy.rows if row.steps_or_tolerance.isdecimal()]
+    assert min(steps) == 1600
+    assert 64 * 1600 > MOST_STEPS >= max(steps) == 16 * 1600
