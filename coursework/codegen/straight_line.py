@@ -193,11 +193,13 @@ class StraightLine:
         return self._number(name, *values)
 
     def _pieces(self, pieces: Sequence[tuple[sp.Expr, sp.Basic]]) -> int:
-        value, condition = pieces[0]
-        if condition is sp.true or len(pieces) == 1:
-            return self._value(value)
+        """Return the piece that holds.  The times at which pieces end grow, so it is found by halving."""
+        if len(pieces) == 1:
+            return self._value(pieces[0][0])
+        half = len(pieces) // 2
+        condition = pieces[half - 1][1]
         sides = [self._value(side) for side in condition.args]
-        return self._number(f"if {condition.rel_op}", *sides, self._value(value), self._pieces(pieces[1:]))
+        return self._number(f"if {condition.rel_op}", *sides, self._pieces(pieces[:half]), self._pieces(pieces[half:]))
 
     def _text(self, value: int, level: int, *, inline: bool = False) -> str:
         """Return a value as it stands inside a sum, a product or alone; `inline` without naming anything new."""

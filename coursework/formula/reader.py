@@ -138,7 +138,7 @@ class _Reader:
         values = [self.numbers[id(arg)][1] for arg in args if id(arg) in self.numbers]
         if op == "number" or (op == "name" and name == "pi"):
             self.numbers[id(tree)] = tree, pi if op == "name" else float(name)
-        elif args and len(values) == len(args) and op not in {"@", "pair"}:
+        elif args and len(values) == len(args) and op not in {"@", "pair", "part"}:
             self.numbers[id(tree)] = tree, bounded(tree, values)
         return tree
 
