@@ -64,6 +64,9 @@ class Owner(Protocol):
     @property
     def ledger(self) -> Ledger: ...
 
+    def charged(self, error: Exception) -> Exception | None:
+        """Return what a user is told about an arithmetic error, None where the tool itself is at fault."""
+
 
 class Computed(Generic[T]):
     """A property computed when somebody looks at it for the first time; `needs` names those that it looks at itself."""
@@ -83,7 +86,12 @@ class Computed(Generic[T]):
         """Return the value for its owner, who keeps it."""
         kept: dict[str, T] = vars(owner)
         if self.name not in kept:
-            kept[self.name] = owner.ledger.call(self.name, self.compute, owner)
+            try:
+                kept[self.name] = owner.ledger.call(self.name, self.compute, owner)
+            except (ArithmeticError, ValueError) as error:
+                if (told := owner.charged(error)) is None:
+                    raise
+                raise told from error
         return kept[self.name]
 
 

@@ -36,6 +36,10 @@ class MotionResults:
     motion: Motion
     ledger: Ledger
 
+    def charged(self, error: Exception) -> Exception | None:
+        """Return the fault of the formula that has no value somewhere on the way, None where every one has."""
+        return self.scene.charged(error)
+
     @computed("motion", "equations", "reduction")
     def accelerations(self) -> Array:
         """The accelerations (n, k) of every row, from the differentiated equations (rad/s², m/s²)."""

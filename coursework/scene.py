@@ -6,21 +6,23 @@ Used by `quantities.py`, `run.py`, `api.py`, and by readers who want more than a
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from coursework.codegen.straight_line import FormulaRefused
 from coursework.codegen.tabulated import OutsideTable
-from coursework.errors import InputError
+from coursework.errors import Fault, InputError
 from coursework.geometry.agreement import require_agreement
 from coursework.geometry.chain import chain_positions, is_chain
 from coursework.geometry.closure import Closure, compile_closure, require_start
 from coursework.geometry.drive import breaks, refuse_aliasing, refuse_endless, refuse_short_tables
 from coursework.geometry.start import start_values
 from coursework.graph import Ledger, computed
-from coursework.integration.exact_motion import exact_motion
+from coursework.integration.exact_motion import NoVelocities, exact_motion
 from coursework.integration.following import NotReached
 from coursework.integration.integrate import Correction, march
 from coursework.integration.motion import Motion, Stop, rows_before
@@ -36,11 +38,13 @@ from coursework.settings import Settings
 from coursework.singular.explain import explain
 from coursework.singular.scaled_flow import Flow, compile_flow
 from coursework.singular.search import Event, NotFollowed, Search, search_event
+from coursework.variant.no_value import law_without_value, without_value
 from coursework.variant.record import Variant, whole_steps
 
 Array = NDArray[np.float64]
 # A periodic motion that lasts for many periods is looked at for dead points over the first two.
 PERIODS_LOOKED_AT = 2.2
+MOST_LOOKED_AT = 4096  # times at which a formula without a value is looked for
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -108,7 +112,9 @@ class Scene:
             return search_event(self.flow, start, horizon, breaks=breaks(self.variant))
         except NotFollowed as error:
             refuse_endless(self.equations, error.time)
-            raise
+            line = self.variant.nearest_line("time", "end")
+            fault = Fault(str(error), str(self.variant.path or self.variant.name), line)
+            raise self.charged(error) or InputError([fault]) from None
 
     @property
     def event(self) -> Event | None:
@@ -176,7 +182,12 @@ class Scene:
         """The rows of the coursework."""
         _ = self.stop  # a start that does not close is told before a step that is too coarse
         refuse_aliasing(self.equations, self.variant.time.step)
-        return self.march(self.variant.time.step, self.settings.scheme)
+        motion = self.march(self.variant.time.step, self.settings.scheme)
+        if motion.stop is not None and motion.stop.kind == "not finite":
+            last = motion.coordinates[-1].tolist() if len(motion.t) else self.begin
+            if told := self.charged(NoVelocities((motion.stop.time, motion.stop.time), last)):
+                raise told
+        return motion
 
     @computed("stop", "equations", "reduction", "rates", "closure", "start")
     def exact(self) -> Motion:
@@ -195,6 +206,28 @@ class Scene:
             return exact_motion(equations, every, self.closure, self.start, times, count, positions)
         except NotReached:
             return exact_motion(equations, every, None, self.start, times, count)
+
+    def charged(self, error: Exception) -> InputError | None:
+        """Return the fault of the formula that has no value somewhere on the way, None where every one has."""
+        variant, last = self.variant, self.variant.time.end
+        if isinstance(error, FormulaRefused):
+            return InputError([Fault(str(error), str(variant.path or variant.name), 1)])
+        near = error.times if isinstance(error, NoVelocities) else ()
+        rows = (place * variant.time.step for place in range(min(variant.time.steps, MOST_LOOKED_AT) + 1))
+        between = (place * last / MOST_LOOKED_AT for place in range(MOST_LOOKED_AT + 1))
+        fault = law_without_value(variant, (*near, *rows, *between))
+        kept: Motion | None = vars(self).get("motion")
+        positions: list[tuple[float, Sequence[float]]] = [(0.0, self.start)] if "start" in vars(self) else []
+        if isinstance(error, NoVelocities):
+            positions.append((error.times[0], error.position))
+        if isinstance(error, NotFollowed):
+            positions += [(t, position) for *position, t in error.ahead]
+        if kept is not None and kept.coordinates.shape[1] == len(variant.coordinates):
+            positions += zip(kept.t.tolist(), kept.coordinates.tolist(), strict=True)
+        names = [coordinate.name for coordinate in variant.coordinates]
+        for t, position in () if fault else positions:
+            fault = fault or without_value(variant, t, dict(zip(names, position, strict=False)))
+        return InputError([fault]) if fault else None
 
     def over(self, motion: Motion) -> MotionResults:
         """Return what follows from a motion, any motion of this scene's mechanism, with a ledger of its own."""

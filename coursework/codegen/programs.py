@@ -120,8 +120,19 @@ def build(source: str, name: str, body: Program, *, numpy: bool = False, outside
     namespace["__builtins__"] = {}
     builtins.exec(compile(source, f"<generated {name}>", "exec"), namespace)
     function: Callable[..., Any] = namespace[name]
+    function = _quiet(function) if numpy else function
     function.__doc__ = source
     return function
+
+
+def _quiet(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a function over arrays that gives nan where there is no value, without a word; whoever reads it looks for nan."""
+
+    def call(*values: Any) -> Any:
+        with np.errstate(all="ignore"):
+            return function(*values)
+
+    return call
 
 
 def _beyond(law: TableLaw, order: int) -> Callable[[Any], Any]:

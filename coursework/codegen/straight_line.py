@@ -22,6 +22,11 @@ _SPELT = {"Abs": "abs"}
 _INVERSE = {"cot": "tan", "sec": "cos", "csc": "sin"}  # SymPy writes tan(pi/2 - x) as cot(x)
 _MOST_FACTORS = 16  # powers up to this one are products
 _SUM, _PRODUCT, _ATOM = 1, 2, 3
+MOST_OPERATIONS = 20_000  # different ones in one program; the largest of the catalogue has some hundreds
+
+
+class FormulaRefused(InputError, ValueError):
+    """What the formulas of a variant lead to cannot be computed; whoever knows the variant says its file."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,7 +110,7 @@ class StraightLine:
             return self._function(type(expr).__name__, [self._value(arg) for arg in expr.args])
         if isinstance(expr, (sp.Float, sp.NumberSymbol)):
             return self._constant(float(expr))
-        raise InputError(f"a formula of the variant leads to {str(expr)[:60]}, which is no real number.")
+        raise FormulaRefused(f"a formula of the variant leads to {str(expr)[:60]}, which is no real number.")
 
     def _symbol(self, name: sp.Symbol) -> int:
         if name.name in self.constants:
@@ -119,6 +124,8 @@ class StraightLine:
         found = self._numbers.get(form)
         if found is None:
             found = self._numbers[form] = len(self._forms)
+            if found > MOST_OPERATIONS:
+                raise FormulaRefused(f"the formulas of the file lead to more than {MOST_OPERATIONS} operations. Shorten them.")
             self._forms.append(form)
             self._uses.append(0)
             for value in form[1:]:
@@ -185,7 +192,7 @@ class StraightLine:
         if name in _INVERSE:
             return self._quotient(self._constant(1.0), self._function(_INVERSE[name], values))
         if name not in _CALLS and not name.startswith("_table_"):
-            raise InputError(f"a formula of the variant leads to the function {name}, which has no real value everywhere.")
+            raise FormulaRefused(f"a formula of the variant leads to the function {name}, which has no real value everywhere.")
         known: Callable[..., float] | None = getattr(math, name, None)
         if known and all(abs(value) in self._folded for value in values):
             with suppress(ArithmeticError, ValueError):  # without a value it stays a call, and is told when it is made

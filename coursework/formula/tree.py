@@ -6,11 +6,13 @@ depends on the motion becomes numbers only by way of `codegen`.
 
 from __future__ import annotations
 
+import cmath
 import math
 import operator
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from typing import Any
 
 # A part of a formula made of numbers only lies between 1/LARGEST and LARGEST, or is 0: exp(exp(99)) or ((9^8)^8)^8 would
 # keep exact arithmetic busy for ever.
@@ -117,25 +119,38 @@ def evaluate(tree: Formula, values: Mapping[str, float]) -> float:
     Used for data such as the period "2*pi/p"; everything that depends on the motion goes through `codegen`.
     Raises `FormulaFault` where the value is not a finite number.
     """
-    value = float(_evaluate(tree, {"pi": math.pi, **values}))
-    if not math.isfinite(value):
+    return evaluate_any(tree, {"pi": math.pi, **values}).real
+
+
+def evaluate_any(tree: Formula, values: Mapping[str, complex]) -> complex:
+    """Return the value of a formula, of a vector x + iy; names of points stand in `values` as such.
+
+    Raises `FormulaFault` where the value is not finite.
+    """
+    value: complex = _evaluate(tree, values)
+    if not cmath.isfinite(value):
         raise FormulaFault(tree.column or 1, "it is not a finite number")
     return value
 
 
-def _evaluate(tree: Formula, values: Mapping[str, float]) -> float:
+def _evaluate(tree: Formula, values: Mapping[str, Any]) -> Any:
     if tree.op in {"number", "name"}:
         return float(tree.name) if tree.op == "number" else values[tree.name]
     return _applied(tree, [_evaluate(arg, values) for arg in tree.args])
 
 
-def _applied(tree: Formula, args: Sequence[float]) -> float:
+def _applied(tree: Formula, args: Sequence[Any]) -> Any:
     if tree.op == "neg":
         return -args[0]
+    if tree.op == "part":
+        return args[0].real if tree.name == "x" else args[0].imag
     try:
         if tree.op == "call":
             return float(abs(args[0]) if tree.name == "abs" else getattr(math, tree.name)(*args))
-        return float(_ARITHMETIC[tree.op](*args))
+        value = _ARITHMETIC[tree.op](*args)
+        if tree.op == "^" and isinstance(value, complex):
+            raise ValueError  # a negative number to a fractional power
+        return value
     except OverflowError:
         return math.inf
     except (ArithmeticError, ValueError, TypeError) as error:
@@ -148,13 +163,14 @@ def bounded(tree: Formula, args: Sequence[float]) -> float:
 
     Raises `FormulaFault` where it is no number, or too large or too small to be worked with exactly.
     """
-    value = _applied(tree, args)
+    value: float = _applied(tree, args)
     vanished = tree.op in {"^", "*", "/"} and all(args) and abs(value) < 1 / LARGEST
     if vanished or not abs(value) <= LARGEST:
         raise FormulaFault(tree.column or 1, f'the value of "{spelled(tree)[:60]}" is beyond any number that can be meant')
     return value
 
 
-_ARITHMETIC: dict[str, Callable[[float, float], float]] = {
-    "+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv, "^": operator.pow,
+_ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
+    "+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv, "^": operator.pow, "pair": complex,
+    "@": cmath.rect,
 }  # fmt: skip

@@ -62,7 +62,7 @@ def require_agreement(equations: VelocityEquations, closure: Closure | None) -> 
             "the written equations contradict the geometry of [points] and [closure] in more than one place. "
             "Derive them again; until both agree, take [closure] out."
         )
-        raise InputError([Fault(text, file)])
+        raise InputError([Fault(text, file, equations.equations[0].line)])
     found = [both[index] for index in sorted(suspects)]
     names = listing([e.name if len(found) == 1 else f"{e.name} (line {e.line})" for e in found], "or")
     line = found[0].line

@@ -165,7 +165,7 @@ def compile_closure(equations: VelocityEquations, start: Sequence[float]) -> Clo
             f"the position equation of {listing(_without_value(equations, wanted, start), 'or')} has no value at t = 0, or its "
             f"derivative has none ({error}). Check lengths and start values."
         )
-        raise InputError([Fault(text, str(variant.path or variant.name))]) from error
+        raise InputError([Fault(text, str(variant.path or variant.name), variant.nearest_line("closure"))]) from error
     origin = np.where([position.kept == "zero" for position in positions], 0.0, values)
     kept = tuple("" if position.kept in {"zero", "start"} else position.kept for position in positions)
     combination, blocks = _blocks([position.expression for position in positions], names, equations)

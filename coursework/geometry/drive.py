@@ -120,7 +120,7 @@ def refuse_endless(equations: VelocityEquations, time: float) -> None:
     angles = {coordinate.rate for coordinate in variant.coordinates if coordinate.unit == "rad"}
     for name, before, now in zip(names, usual, there, strict=True):
         text = ""
-        if not now < _BEYOND * before:
+        if not now <= _BEYOND * before:  # also where it is nan; a drive that stands still is 0 here and there
             text = f"the drive {name} has no finite value about t = {time:.6g} s. Correct its formula, or end the table before."
         elif name in angles and now * variant.time.step > 2 * np.pi:
             turned, most = now * variant.time.step, 0.1 / now

@@ -28,6 +28,14 @@ _GAIN = 2**PRECISE.order - 1
 _MOST_HALVINGS = 30
 
 
+class NoVelocities(ArithmeticError):
+    """There are no velocities between two `times` (s), from a `position` (rad, m) on."""
+
+    def __init__(self, times: tuple[float, float], position: Sequence[float]) -> None:
+        super().__init__(f"the velocities cannot be computed between t = {times[0]:.9g} s and {times[1]:.9g} s")
+        self.times, self.position = times, position
+
+
 def refine(rates: Rates, start: Sequence[float], times: Array) -> tuple[Array, float, int]:
     """Return positions (n, m) by the precise scheme, the sum of the differences that are left, and the steps taken.
 
@@ -59,7 +67,7 @@ def _halved(
         gap = np.inf
     if gap < AGREEMENT or depth >= _MOST_HALVINGS:
         if not np.isfinite(gap):
-            raise ZeroDivisionError(f"the velocities cannot be computed between t = {begin:.9g} s and {end:.9g} s")
+            raise NoVelocities((begin, end), q.tolist())
         return fine + (fine - coarse) / _GAIN, gap, 24
     middle = (begin + end) / 2
     q, left, steps = _halved(loop, begin, middle, q, depth + 1)

@@ -115,7 +115,7 @@ def reduce(equations: VelocityEquations, start: Sequence[float]) -> Reduction:
             choose(equations, start, numbers=True)
         if block is None:
             text = f"the determinant of equations {listing([e.name for e in members])} is zero in every position."
-            raise InputError([Fault(text, str(equations.variant.path or equations.variant.name))])
+            raise InputError([Fault(text, str(equations.variant.path or equations.variant.name), members[0].line)])
         found.append(block)
     unused = tuple(e.name for i, e in enumerate(equations.equations) if i not in choice.used)
     return Reduction(tuple(found), tuple(equation.name for equation in used), unused, choice.notes)

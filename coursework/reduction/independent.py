@@ -135,7 +135,7 @@ def _fault(
         )
     file = str(equations.variant.path or equations.variant.name)
     lines = {equation.name: equation.line for equation in equations.equations}
-    line = lines[conflicts[0][0]] if len(conflicts) == 1 else 0
+    line = lines[conflicts[0][0]] if len(conflicts) == 1 else equations.variant.nearest_line("coordinates")
     return Fault(" ".join(part for part in sentences if part), file, line)
 
 

@@ -80,11 +80,14 @@ class Search:
 
 
 class NotFollowed(InputError):
-    """The motion could not be followed beyond `time` (s), and not because of the mechanism."""
+    """The motion could not be followed beyond `time` (s), and not because of the mechanism.
 
-    def __init__(self, message: str, time: float) -> None:
+    `ahead`: places (position in rad and m, then time in s) a little further on, where a formula may have no value.
+    """
+
+    def __init__(self, message: str, time: float, ahead: Sequence[Sequence[float]] = ()) -> None:
         super().__init__(message)
-        self.time = time
+        self.time, self.ahead = time, ahead
 
 
 def search_event(
@@ -169,7 +172,8 @@ class _Walk:
         sizes[-1] = self.end
         while True:
             try:
-                step = dormand_prince_8(rule, 0.0, self.state, slope, self.length)
+                with np.errstate(all="ignore"):
+                    step = dormand_prince_8(rule, 0.0, self.state, slope, self.length)
             except (OutsideTable, ArithmeticError, ValueError) as error:
                 # A law need not exist beyond the end of the run: come closer to the end in shorter steps.
                 self.length /= 4
@@ -178,7 +182,8 @@ class _Walk:
                 if self.end - t < 100 * AT_END * self.end:
                     return None
                 why = str(error) if isinstance(error, OutsideTable) else "a formula has no value there."
-                raise NotFollowed(f"the motion cannot be followed beyond t = {t:.6g} s: {why}", t) from error
+                ahead = [(self.state + slope * self.length * 4.0**further).tolist() for further in range(1, 12)]
+                raise NotFollowed(f"the motion cannot be followed beyond t = {t:.6g} s: {why}", t, ahead) from error
             ratio = float(np.max(np.abs(step.error) / (self.tolerance * sizes)))
             if ratio <= 1.0:
                 self.peaks.see(Piece(self.state, slope, rule, self.length))

@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from coursework.errors import Fault
 from coursework.formula.alphabet import spell
 from coursework.formula.tree import Formula, FormulaFault, evaluate
+from coursework.variant.no_value import in_order
 from coursework.variant.record import Law, Variant
 from coursework.variant.source import Source
 
@@ -32,7 +33,7 @@ def faults_at_start(variant: Variant, source: Source) -> list[Fault]:
     # Any velocities do: an equation is linear in them, and says so itself where it is not.
     values |= {name: 1.0 + 0.1 * place for place, name in enumerate(variant.sought)}
     faults: list[Fault] = []
-    for name in _in_order(laws):
+    for name in [law.name for _, law in in_order(variant)]:
         pieces = laws[name].pieces
         formula = laws[name].formula or (pieces[0][1] if pieces else None)
         path = (*places[name], "pieces", 0, 1) if pieces else places[name]
@@ -73,17 +74,3 @@ def _circle(name: str, laws: Mapping[str, Law]) -> tuple[str, ...]:
                 seen.add(needed)
                 ways.append((*way, needed))
     return ()
-
-
-def _in_order(laws: Mapping[str, Law]) -> list[str]:
-    """Return the laws, each after those it needs; there is no circle."""
-    order: dict[str, None] = {}
-
-    def visit(name: str) -> None:
-        for needed in (n for formula in laws[name].formulas for n in formula.names() if n in laws and n not in order):
-            visit(needed)
-        order[name] = None
-
-    for name in laws:
-        visit(name)
-    return list(order)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import itertools
 import math
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from functools import partial
@@ -24,7 +25,21 @@ from coursework.variant.dimension_check import check_dimensions
 from coursework.variant.names import Names
 from coursework.variant.parts import Parts
 from coursework.variant.plausibility import remarks_on
-from coursework.variant.record import MAX_ROWS, Constraint, Coordinate, Frame, Given, Group, Guide, Law, Link, Time, Variant
+from coursework.variant.record import (
+    MAX_NUMBERS,
+    MAX_ROWS,
+    MOST_PERIODS,
+    Constraint,
+    Coordinate,
+    Frame,
+    Given,
+    Group,
+    Guide,
+    Law,
+    Link,
+    Time,
+    Variant,
+)
 from coursework.variant.record import whole_steps as _whole_steps
 from coursework.variant.shape import read_shape
 from coursework.variant.source import Source, read_bytes, read_source
@@ -34,7 +49,12 @@ from coursework.variant.zero_lengths import faults_of_zero_lengths
 
 def read_variant(path: Path) -> Variant:
     """Return the variant in a file.  Raises `InputError` with all faults."""
-    return _build(read_source(read_bytes(path), str(path), path.parent), path.stem, path)
+    return _build(read_source(read_bytes(path), str(path), path.parent), _named_after(path), path)
+
+
+def _named_after(path: Path) -> str:
+    """Return the name of a file without its suffix; bytes that are no text are written as %FF."""
+    return re.sub("[\\udc80-\\udcff]", lambda byte: f"%{ord(byte[0]) - 0xDC00:02X}", path.stem)
 
 
 def parse_variant(content: str | bytes, file: str = "variant", tables: Mapping[str, bytes] | None = None) -> Variant:
@@ -159,7 +179,7 @@ def _constraint(index: int, entry: schema.Constraint, parts: Parts) -> Constrain
         parts.say(("constraint", index), f"a constraint has exactly one of `equation` and `closure`, found {both}.")
         text = "0 = 0"
     left, right = parts.equation(path, text, closure=entry.closure is not None)
-    name = str(entry.name) or str(index + 1)
+    name = str(entry.name)[:40] or str(index + 1)
     return Constraint(name, entry.because, left, right, entry.closure is not None, parts.source.positions.find(path)[0])
 
 
@@ -238,6 +258,12 @@ def _time(entry: schema.Time, parts: Parts) -> Time:
         parts.say(("time", "check_row"), f"row {entry.check_row} is beyond the last row, {_whole_steps(step, end) + 1}.")
     if period is not None and period <= 0:
         parts.say(("time", "period"), f"the period must be greater than 0, found {period:g} s.")
+    elif period is not None and step > 0:
+        if period < step * (1 - 1e-9):
+            parts.say(("time", "period"), f"the period ({period:g} s) must be at least one step ({step:g} s).")
+        elif end / period > MOST_PERIODS * (1 + 1e-9):
+            text = f"the run lasts for {end / period:.3g} periods; at most {MOST_PERIODS} are computed. Take an earlier end."
+            parts.say(("time", "end"), text)
     return Time(step, end, period, entry.check_row)
 
 
@@ -297,6 +323,10 @@ def _rules(variant: Variant, source: Source) -> list[Fault]:
     faults = []
     if variant.sought and not (variant.constraints or variant.groups or variant.driven or variant.holds):
         faults.append(source.fault((), "no constraint is given: write [[constraint]] or [[group]] sections."))
+    rows, columns = _whole_steps(variant.time.step, variant.time.end) + 1, len(variant.columns)
+    if rows * columns > MAX_NUMBERS:
+        text = f"{rows} rows of {columns} columns are asked for; a table has at most {MAX_NUMBERS} numbers. Take a larger step."
+        faults.append(source.fault(("time", "step"), text))
     in_groups = {name for group in variant.groups for name in group.coordinates}
     for coordinate in variant.coordinates:
         if coordinate.start is None and coordinate.name not in in_groups:

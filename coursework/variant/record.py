@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 # More rows than this nobody reads; a step much smaller than the coursework needs is a slip of the pen.
 MAX_ROWS = 200_000
+MAX_NUMBERS = 4_000_000  # of a table: rows times columns
+MOST_PERIODS = 10_000  # of one run
 
 
 @dataclass(frozen=True, slots=True)
@@ -238,6 +240,12 @@ class Variant:
     def line_of(self, *path: str | int) -> int:
         """Return the line of the file that a key stands in, 0 where that is not known."""
         return self.lines.get(path, 0)
+
+    def nearest_line(self, *path: str | int) -> int:
+        """Return the line of a key, or of what it stands in; 1 where the file has neither."""
+        while path and path not in self.lines:
+            path = path[:-1]
+        return self.lines.get(path, 1)
 
     def unit_of(self, column: str) -> str:
         """Return the SI unit of a column of the table (angles "rad", rates "rad/s")."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 import copy
 import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -22,6 +22,7 @@ MAX_BYTES = 64 * 1024
 # A dotted key of 100 000 parts keeps the TOML reader busy for half a minute; a variant needs three.
 _MAX_KEY_PARTS = 8
 _MAX_NESTING = 20
+_MOST_BITS = 2048
 # Texts and remarks; an open text reaches to the end of its line or of the file, so that each letter is read once.
 _NOT_STRUCTURE = re.compile(
     r'''"""(?:\\.|[^\\])*?(?:"""|\\?\Z)|"(?:\\.|[^"\\\n])*(?:"|\\?(?=\n|\Z))'''
@@ -58,7 +59,8 @@ class Source:
             place = f"constraint {self._name_of(path[1])}"
             place += "".join(f", {key}" for key in path[2:] if key not in {"equation", "closure"})
         where = start + column if column else start
-        return Fault(message, self.file, line, where if line else 0, place + (f", column {column}" if column else ""))
+        # What is missing has no line of its own; the file begins at its first.
+        return Fault(message, self.file, line or 1, where if line else 0, place + (f", column {column}" if column else ""))
 
     def path_of(self, path: tuple[str | int, ...]) -> tuple[str | int, ...]:
         """Return a path with names in the tool's own spelling as the file spells it; one `guide` is the first of `guides`."""
@@ -79,6 +81,8 @@ class Source:
     def _name_of(self, index: int) -> str:
         entry = self.data["constraint"][index] if isinstance(self.data["constraint"], list) else {}
         name = entry.get("name") if isinstance(entry, dict) else None
+        if isinstance(name, int) and name.bit_length() > _MOST_BITS:
+            name = ""
         return str(name) if isinstance(name, (str, int)) and name not in {"", True, False} else str(index + 1)
 
 
@@ -95,7 +99,8 @@ def read_bytes(path: Path) -> bytes:
         if path.exists() and not path.is_file():
             kind = "this is a folder. Name the file in it" if path.is_dir() else "this is not a file with text in it"
             raise InputError([Fault(f"the file cannot be read: {kind}.", str(path))])
-        return path.read_bytes()
+        with path.open("rb") as file:
+            return file.read(MAX_BYTES + 1)
     except (OSError, ValueError) as error:
         reason = "there is no such file. Check the name and the folder"
         if not isinstance(error, FileNotFoundError):
@@ -131,7 +136,21 @@ def read_source(content: bytes, file: str, folder: Path | Mapping[str, bytes]) -
         data = tomllib.loads(text)
     except (ValueError, RecursionError) as error:
         raise InputError([explained(str(error), text, file)]) from error
-    return Source(file, folder, data, locate(text))
+    source = Source(file, folder, data, locate(text))
+    # Hexadecimal digits make numbers of any size, which Python neither prints nor turns into a float.
+    if huge := [*_huge(data, ())]:
+        message = "a number of at most 1e12 was expected, found a whole number of {} digits."
+        raise InputError([source.fault(path, message.format(int(bits * 0.30103) + 1)) for path, bits in huge])
+    return source
+
+
+def _huge(data: Any, path: tuple[str | int, ...]) -> Iterator[tuple[tuple[str | int, ...], int]]:
+    """Yield path and bits of every whole number that is beyond any meaning."""
+    if isinstance(data, int) and data.bit_length() > _MOST_BITS:
+        yield path, data.bit_length()
+    entries = data.items() if isinstance(data, dict) else enumerate(data) if isinstance(data, list) else ()
+    for key, value in entries:
+        yield from _huge(value, (*path, key))
 
 
 def _too_deep(text: str) -> int:

@@ -15,6 +15,7 @@ from coursework.errors import Fault
 from coursework.variant.source import Source
 
 MAX_TABLE_BYTES = 256 * 1024
+MOST_NODES = 20_000
 _FEWEST_NODES = 5  # the five-point formulas need five
 # A node off its even place by a part of the step falsifies the slopes about it by the same part.  Nodes as a program computed
 # them lie within the first, and those of a print whose arguments have digits enough within the second.
@@ -37,6 +38,8 @@ def read_table(name: str, source: Source, path: tuple[str | int, ...], faults: l
 
 
 def _text(name: str, source: Source) -> str:
+    if not name.lower().endswith(".csv"):
+        raise TableFault('a table is a CSV file: "NAME.csv" beside the variant file was expected.')
     try:
         raw = _on_disk(name, source.folder) if isinstance(source.folder, Path) else _in_memory(name, source.folder)
         return raw.decode("utf-8-sig")
@@ -63,7 +66,10 @@ def _on_disk(name: str, folder: Path) -> bytes:
     if not file.is_file():
         raise TableFault(f'there is no file "{name}" in the folder of the variant.')
     _require_size(name, file.stat().st_size)
-    return file.read_bytes()
+    with file.open("rb") as opened:
+        content = opened.read(MAX_TABLE_BYTES + 1)
+    _require_size(name, len(content))
+    return content
 
 
 def _require_size(name: str, size: int) -> None:
@@ -82,12 +88,14 @@ def _rows(name: str, text: str) -> Rows:
             continue
         if len(cells) != 2 or not all(map(_NUMBER.fullmatch, cells)):
             message = "two numbers with a comma between were expected, decimals with a point"
-            raise TableFault(f'{name}:{number}: {message}, found "{line.strip()[:60]}".')
+            raise TableFault(f"{name}:{number}: {message}.")
         rows.append((float(cells[0]), float(cells[1])))
         lines.append(number)
         units.append(_last_place(cells[0]))
         if not all(map(math.isfinite, rows[-1])):
-            raise TableFault(f'{name}:{number}: a finite number was expected, found "{line.strip()[:60]}".')
+            raise TableFault(f"{name}:{number}: finite numbers were expected.")
+    if len(rows) > MOST_NODES:
+        raise TableFault(f"{name}: {len(rows)} nodes; at most {MOST_NODES} are read.")
     if len(rows) < _FEWEST_NODES:
         raise TableFault(f"{name}: at least {_FEWEST_NODES} nodes were expected (the five-point formulas), found {len(rows)}.")
     steps = [later[0] - earlier[0] for earlier, later in itertools.pairwise(rows)]

@@ -1,11 +1,16 @@
 """Files made to harm: too large, too deep, too many, of other letters.  Each is refused in one sentence, in bounded time."""
 
+import json
+import os
+import re
+import sys
 import time
 
 import pytest
 
 import coursework
 from coursework.errors import MOST_SHOWN
+from coursework.output.record import record
 from coursework.variant.reader import parse_variant
 from coursework.variant.source import MAX_BYTES
 
@@ -147,7 +152,7 @@ def test_thousands_of_unknown_names_do_not_take_minutes():
         ),
         (PLAIN.encode("utf-16"), "f.toml:1:1  this letter is not UTF-8 text (found byte 0xff)."),
         (PLAIN.encode() + b"\0", "f.toml:14:1  the file is not TOML here: a line is a [section]"),
-        (b"", "f.toml  the section [coordinates] is missing."),
+        (b"", "f.toml:1  the section [coordinates] is missing."),
         (b"\x89PNG\r\n\x1a\n", "f.toml:1:1  this letter is not UTF-8 text (found byte 0x89)."),
     ],
     ids=["cp1251", "UTF-16", "NUL", "empty", "picture"],
@@ -160,3 +165,88 @@ def test_letters_that_do_not_print_are_shown_as_codes():
     said = refused(PLAIN.replace("r*w", "r\\u202e\\u001b[2J*w"))
     assert "\\u202e" in said
     assert said.isprintable()
+
+
+HEX = "0x" + "f" * 4_000
+RICH = (
+    PLAIN
+    + """[functions]
+k = "1"
+[points]
+A = "(0, 0)"
+[links]
+1 = { points = ["A"] }
+2 = { points = ["A"], slides = 1 }
+[frame]
+hinges = ["A"]
+rails = [{ through = "A", angle = 0 }]
+[ask]
+quantities = ["table"]
+"""
+)
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ('r = "1 m"', f"r = {HEX}"), ('w = "1"', f"w = {HEX}"), ('w = "1"', f'w = {{ pieces = [[{HEX}, "1"]] }}'),
+        ('w = "1"', f"w = {{ pieces = [[0, {HEX}]] }}"), ('start = "0 rad"', f"start = {HEX}"), ('rate = "w"', f"rate = {HEX}"),
+        ('u = "m/s"', f"u = {HEX}"), ('step = "0.1 s"', f"step = {HEX}"), ('end = "1 s"', f"end = {HEX}"),
+        ('end = "1 s"', f'end = "1 s"\ncheck_row = {HEX}'), ('end = "1 s"', f'end = "1 s"\nperiod = {HEX}'),
+        ("[[constraint]]", f"[[constraint]]\nname = {HEX}"), ('k = "1"', f"k = {HEX}"), ('A = "(0, 0)"', f"A = {HEX}"),
+        ("slides = 1", f"slides = {HEX}"), ('hinges = ["A"]', f"hinges = [{HEX}]"), ("angle = 0", f"angle = {HEX}"),
+        ('quantities = ["table"]', f"quantities = [{HEX}]"), ("[given]", f"format = {HEX}\n[given]"),
+        ("[given]", f"title = {HEX}\n[given]"), ("[given]", f"nothing = {HEX}\n[given]"),
+    ],
+)  # fmt: skip
+def test_hexadecimal_numbers_of_any_size_wherever_a_number_may_stand(before, after):
+    assert before in RICH
+    said = refused(RICH.replace(before, after, 1))
+    assert said.endswith("a number of at most 1e12 was expected, found a whole number of 4817 digits.")
+    assert re.match(r"f\.toml:\d+:\d+  ", said)
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "sentence"),
+    [
+        ('end = "1 s"', 'end = "1000 s"\nperiod = "0.0999 s"', "the period (0.0999 s) must be at least one step (0.1 s)."),
+        ('end = "1 s"', 'end = "1000.2 s"\nperiod = "0.1 s"',
+         "time.end: the run lasts for 1e+04 periods; at most 10000 are computed. Take an earlier end."),
+        ('end = "1 s"', 'end = "20000.1 s"', "2e+05 rows are asked for; at most 200000 are computed."),
+    ],
+)  # fmt: skip
+def test_what_a_run_may_cost(before, after, sentence):
+    assert sentence in refused(PLAIN.replace(before, after))
+
+
+@pytest.mark.parametrize("after", ['end = "1000 s"\nperiod = "0.1 s"', 'end = "20000 s"'])
+def test_what_it_may_just_cost(after):
+    assert parse_variant(PLAIN.replace('end = "1 s"', after)).time.steps > 9_000
+
+
+@pytest.mark.parametrize(("count", "fits"), [(38, True), (39, False)])
+def test_rows_times_columns(count, fits):
+    """100 001 rows of 40 columns are 40 numbers beyond four millions; of 39 columns they fit."""
+    more = "".join(f'v{i} = "m/s"\n' for i in range(count - 2))
+    text = (
+        PLAIN.replace('end = "1 s"', 'end = "10000 s"')
+        .replace("[time]", f"{more}[time]")
+        .replace("= u", "= u" + "".join(f"+v{i}" for i in range(count - 2)))
+    )
+    text += "".join(f'[[constraint]]\nequation = "v{i} = u"\n' for i in range(count - 2))
+    if fits:
+        assert len(parse_variant(text).columns) == count + 1
+    else:
+        assert refused(text).endswith(
+            "time.step: 100001 rows of 40 columns are asked for; a table has at most 4000000 numbers. Take a larger step."
+        )
+
+
+@pytest.mark.skipif(sys.platform in {"win32", "darwin"}, reason="names of files are text there")
+def test_a_name_of_a_file_that_is_no_text(tmp_path):
+    path = tmp_path / os.fsdecode(b"v\xff\xe9.toml")
+    path.write_text(PLAIN, encoding="utf-8")
+    variant = coursework.load(path)
+    assert variant.name == "v%FF%E9"
+    run = coursework.solve(variant, quantities=["table"])
+    assert json.loads(json.dumps(record(run), ensure_ascii=False).encode("utf-8"))["variant"] == "v%FF%E9"
