@@ -38,6 +38,7 @@ from coursework.settings import Settings
 from coursework.singular.explain import explain
 from coursework.singular.scaled_flow import Flow, compile_flow
 from coursework.singular.search import Event, NotFollowed, Search, search_event
+from coursework.variant.bounds import refuse_unbounded
 from coursework.variant.no_value import law_without_value, without_value
 from coursework.variant.record import Variant, whole_steps
 
@@ -182,6 +183,7 @@ class Scene:
         """The rows of the coursework."""
         _ = self.stop  # a start that does not close is told before a step that is too coarse
         refuse_aliasing(self.equations, self.variant.time.step)
+        refuse_unbounded(self.variant)
         motion = self.march(self.variant.time.step, self.settings.scheme)
         if motion.stop is not None and motion.stop.kind == "not finite":
             last = motion.coordinates[-1].tolist() if len(motion.t) else self.begin

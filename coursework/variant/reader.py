@@ -18,25 +18,21 @@ from coursework.errors import Fault, InputError, closest
 from coursework.formula.alphabet import spell
 from coursework.formula.tree import Formula
 from coursework.formula.units import KINDS, is_quantity
-from coursework.groups import group_kind
 from coursework.variant import schema
 from coursework.variant.at_start import faults_at_start
+from coursework.variant.bodies import read_frame, read_group, read_link
+from coursework.variant.bounds import exceeded
 from coursework.variant.dimension_check import check_dimensions
 from coursework.variant.names import Names
 from coursework.variant.parts import Parts
 from coursework.variant.plausibility import remarks_on
 from coursework.variant.record import (
-    MAX_NUMBERS,
     MAX_ROWS,
-    MOST_PERIODS,
     Constraint,
     Coordinate,
-    Frame,
     Given,
     Group,
-    Guide,
     Law,
-    Link,
     Time,
     Variant,
 )
@@ -77,7 +73,7 @@ def _build(source: Source, name: str, path: Path | None) -> Variant:
     parts.faults += shape.faults + doubtful
     slip = None if doubtful else dimensions.fault  # a name with two meanings has two dimensions
     if not parts.faults:
-        parts.faults += _rules(variant, source)
+        parts.faults += _rules(variant, source, parts.times)
         # A datum with a wrong unit spoils values at t = 0; what is wrong in the line of the slip itself says more than it.
         parts.faults += [f for f in faults_at_start(variant, source) if slip is None or f.line == slip.line]
     if slip and slip.line not in {fault.line for fault in parts.faults}:
@@ -99,7 +95,7 @@ def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | No
     laws = tuple(_law("drive", key, value, parts) for key, value in file.drive.items())
     functions = tuple(_law("functions", key, value, parts) for key, value in file.functions.items())
     constraints = _named([_constraint(i, entry, parts) for i, entry in enumerate(file.constraint)])
-    groups = tuple(_group(i, entry, parts) for i, entry in enumerate(file.group))
+    groups = tuple(read_group(i, entry, parts) for i, entry in enumerate(file.group))
     points = tuple(
         (parts.names.canonical(key), parts.formula(("points", key), text, "vector")) for key, text in file.points.items()
     )
@@ -111,7 +107,7 @@ def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | No
         tuple(_coordinate(key, entry, parts, angles) for key, entry in file.coordinates.items()),
         tuple((parts.names.canonical(key), parts.unit(("unknowns", key), unit)) for key, unit in file.unknowns.items()),
         functions, _time(file.time, parts), constraints, groups, points,
-        tuple(_link(key, entry, list(file.links), parts) for key, entry in file.links.items()), _frame(file.frame, parts),
+        tuple(read_link(key, entry, list(file.links), parts) for key, entry in file.links.items()), read_frame(file.frame, parts),
         _driven(file.closure.driven, parts), holds,
         tuple(file.ask.quantities), tuple(file.remarks), (), _lines(parts.source),
     )  # fmt: skip
@@ -194,38 +190,6 @@ def _named(constraints: list[Constraint]) -> tuple[Constraint, ...]:
     return tuple(named.values())
 
 
-def _group(index: int, entry: schema.Group, parts: Parts) -> Group:
-    path = ("group", index)
-
-    listed: list[tuple[tuple[str | int, ...], schema.Guide]] = [((*path, "guide"), entry.guide)] if entry.guide else []
-    listed += [((*path, "guides", i), guide) for i, guide in enumerate(entry.guides)]
-    guides = tuple(
-        Guide(
-            parts.formula((*at, "through"), g.through, "vector"),
-            parts.scalar((*at, "angle"), g.angle, wanted="rad"),
-            parts.scalar((*at, "offset"), g.offset, wanted="m"),
-        )
-        for at, g in listed
-    )
-    for place, coordinate in enumerate(entry.coordinates):
-        if parts.names.kinds.get(parts.names.canonical(coordinate)) != "coordinate":
-            known = [name for name, kind in parts.names.kinds.items() if kind == "coordinate"]
-            text = f'"{coordinate}" is not in [coordinates].{closest(coordinate, known)}'
-            parts.undeclared((*path, "coordinates", place), text)
-    return Group(
-        group_kind(entry.kind),
-        tuple(parts.formula((*path, "from", i), text, "vector") for i, text in enumerate(entry.start_points)),
-        parts.names.canonical(entry.meets) if entry.meets else None,
-        tuple(parts.scalar((*path, "lengths", i), value, wanted="m") for i, value in enumerate(entry.lengths)),
-        tuple(parts.names.canonical(coordinate) for coordinate in entry.coordinates),
-        int(entry.mode or 0),
-        guides,
-        parts.scalar((*path, "offset"), entry.offset if entry.offset is not None else 0, wanted="m"),
-        parts.scalar((*path, "angle"), entry.angle, wanted="rad") if entry.angle is not None else None,
-        parts.source.positions.find(path)[0],
-    )
-
-
 def _coordinate(key: str, entry: schema.Coordinate, parts: Parts, angles: set[str]) -> Coordinate:
     name = parts.names.canonical(key)
     path = ("coordinates", key, "start")
@@ -258,51 +222,7 @@ def _time(entry: schema.Time, parts: Parts) -> Time:
         parts.say(("time", "check_row"), f"row {entry.check_row} is beyond the last row, {_whole_steps(step, end) + 1}.")
     if period is not None and period <= 0:
         parts.say(("time", "period"), f"the period must be greater than 0, found {period:g} s.")
-    elif period is not None and step > 0:
-        if period < step * (1 - 1e-9):
-            parts.say(("time", "period"), f"the period ({period:g} s) must be at least one step ({step:g} s).")
-        elif end / period > MOST_PERIODS * (1 + 1e-9):
-            text = f"the run lasts for {end / period:.3g} periods; at most {MOST_PERIODS} are computed. Take an earlier end."
-            parts.say(("time", "end"), text)
     return Time(step, end, period, entry.check_row)
-
-
-def _link(key: str, entry: schema.Link, links: list[str], parts: Parts) -> Link:
-    for place, point in enumerate(entry.points):
-        parts.known_point(("links", key, "points", place), point)
-    for role, name in (("wheel", entry.wheel), ("contact", entry.contact)):
-        if name:
-            parts.known_point(("links", key, role), name)
-    if entry.rate and parts.names.canonical(entry.rate) not in parts.names.velocities:
-        text = f'"{entry.rate}" is no velocity of this file.{closest(entry.rate, parts.names.velocities)}'
-        parts.undeclared(("links", key, "rate"), text)
-    slides = None if entry.slides is None else str(entry.slides)
-    if slides is not None and (slides == key or slides not in links):
-        others = [link for link in links if link != key]
-        parts.say(("links", key, "slides"), f'"{slides}" is no other link of this file.{closest(slides, others)}')
-    rate = parts.names.canonical(entry.rate) if entry.rate else None
-    wheel, contact = (parts.names.canonical(point) if point else None for point in (entry.wheel, entry.contact))
-    return Link(key, tuple(map(parts.names.canonical, entry.points)), rate, wheel, contact, slides)
-
-
-def _frame(entry: schema.Frame, parts: Parts) -> Frame:
-    for place, point in enumerate(entry.hinges):
-        parts.known_point(("frame", "hinges", place), point)
-    rails = tuple(
-        (
-            parts.formula(("frame", "rails", i, "through"), rail.through, "vector"),
-            parts.scalar(("frame", "rails", i, "angle"), rail.angle, wanted="rad"),
-        )
-        for i, rail in enumerate(entry.rails)
-    )
-    circles = tuple(
-        (
-            parts.formula(("frame", "circles", i, "center"), circle.center, "vector"),
-            parts.scalar(("frame", "circles", i, "radius"), circle.radius, wanted="m"),
-        )
-        for i, circle in enumerate(entry.circles)
-    )
-    return Frame(tuple(map(parts.names.canonical, entry.hinges)), rails, circles)
 
 
 def _angle_names(formulas: Iterable[Formula], groups: tuple[Group, ...]) -> set[str]:
@@ -318,15 +238,14 @@ def _angle_names(formulas: Iterable[Formula], groups: tuple[Group, ...]) -> set[
     return angles
 
 
-def _rules(variant: Variant, source: Source) -> list[Fault]:
+def _rules(variant: Variant, source: Source, times: Iterable[tuple[str | int, ...]]) -> list[Fault]:
     """What only the whole file can show."""
     faults = []
     if variant.sought and not (variant.constraints or variant.groups or variant.driven or variant.holds):
         faults.append(source.fault((), "no constraint is given: write [[constraint]] or [[group]] sections."))
-    rows, columns = _whole_steps(variant.time.step, variant.time.end) + 1, len(variant.columns)
-    if rows * columns > MAX_NUMBERS:
-        text = f"{rows} rows of {columns} columns are asked for; a table has at most {MAX_NUMBERS} numbers. Take a larger step."
-        faults.append(source.fault(("time", "step"), text))
+    # A period that follows from the drive is judged where the drive is: how fast that turns says more.
+    derived = {"period"} & {str(path[-1]) for path in times}
+    faults += [source.fault(("time", key), text) for key, text in exceeded(variant) if key not in derived]
     in_groups = {name for group in variant.groups for name in group.coordinates}
     for coordinate in variant.coordinates:
         if coordinate.start is None and coordinate.name not in in_groups:
