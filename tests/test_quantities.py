@@ -122,4 +122,5 @@ BY_RECORD = [
 def test_no_other_file_names_a_quantity(name):
     package = Path(coursework.__file__).parent
     naming = {path.relative_to(package).as_posix() for path in package.rglob("*.py") if name in strings(path)}
-    assert naming <= {"quantities.py", "motion_results.py"}
+    # The noise of a printed table matters only to what is asked for; checks stand below the records and go by the file's words.
+    assert naming <= {"quantities.py", "motion_results.py", "checks/digits.py"}
