@@ -13,12 +13,13 @@ import numpy as np
 
 from coursework.catalogue import find
 from coursework.errors import Fault, InputError, closest, listing
+from coursework.exact_scene import ExactScene
 from coursework.model.model import Model, build_model
 from coursework.quantities import TABLE, known_quantities
 from coursework.run import Run, gather
 from coursework.scene import Scene
-from coursework.schemes import DEFAULT_SCHEME
-from coursework.settings import Settings
+from coursework.schemes import EXACT
+from coursework.settings import Settings, scheme_for
 from coursework.variant.reader import read_variant
 from coursework.variant.record import MAX_ROWS, Variant
 
@@ -43,7 +44,7 @@ def compile_model(variant: Variant | str | Path) -> Model:
 
 def solve(
     variant: Variant | str | Path,
-    scheme: str = DEFAULT_SCHEME.name,
+    scheme: str | None = None,
     step: float | None = None,
     end: float | None = None,
     *,
@@ -56,15 +57,17 @@ def solve(
 ) -> Run:
     """Return a run of a variant.
 
-    `scheme` one of `SCHEMES`; `step` and `end` in s (those of the file where None); `quantities` asked for (those of the
-    file where None; names of columns restrict the table to them); `project` Newton corrections a step; `gain` of
+    `scheme` one of `SCHEMES` or "exact", the motion without a scheme's error (where None that of the file, else "exact" for a
+    chain of groups and "euler" for all others); `step` and `end` in s (those of the file where None); `quantities` asked for
+    (those of the file where None; names of columns restrict the table to them); `project` Newton corrections a step; `gain` of
     Baumgarte's correction in 1/s.  Raises `InputError`.
     """
     chosen = load(variant) if isinstance(variant, (str, Path)) else variant
     chosen = timed(chosen, step, end)
     asked, columns = _sorted(chosen, quantities)
-    settings = Settings(scheme, project, gain, columns).checked(chosen.time.step)
-    return Run(Scene(chosen, settings), asked, student, group, date)
+    settings = Settings(scheme_for(chosen, scheme), project, gain, columns).checked(chosen.time.step)
+    kind = ExactScene if settings.scheme == EXACT else Scene
+    return Run(kind(chosen, settings), asked, student, group, date)
 
 
 def exact(

@@ -2,7 +2,7 @@
 
 Exit status: 0 all passed; 1 a check failed or the motion stopped; 2 the input is wrong or the output cannot be written;
 3 a fault of the tool; 130 interrupted.
-Only click and the tableaux are imported at start; everything else inside the command that needs it.
+Only click is imported at start; everything else inside the command that needs it.
 """
 
 from __future__ import annotations
@@ -16,7 +16,6 @@ import click
 
 from coursework.errors import CourseworkError
 from coursework.output.formats import formats_for
-from coursework.schemes import DEFAULT_SCHEME, SCHEMES
 from coursework.standard_streams import patient_streams
 
 PASSED, FAILED, WRONG_INPUT, OUR_FAULT, INTERRUPTED = 0, 1, 2, 3, 130
@@ -105,6 +104,16 @@ def _offered(name: str) -> Callable[[click.Context, click.Parameter, str], list[
     return complete
 
 
+class _Scheme(click.Option):
+    """An option whose help lists the schemes; they are looked up when somebody asks for help."""
+
+    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
+        from coursework.schemes import scheme_names
+
+        self.help = f"{', '.join(scheme_names())} (default: that of the file)."
+        return super().get_help_record(ctx)
+
+
 _VARIANT = click.argument("variant", shell_complete=_offered("variants"))
 
 
@@ -128,9 +137,7 @@ def _limited(command: Callable[..., int]) -> Callable[..., int]:
     help="Folder for the results (default: coursework-NAME; for several coursework-runs).",
 )
 @click.option("--format", "formats", type=Formats("run"), help="Files to write (default: all of these).")
-@click.option(
-    "--scheme", default=DEFAULT_SCHEME.name, show_default=True, shell_complete=_offered("schemes"), help=f"{', '.join(SCHEMES)}."
-)
+@click.option("--scheme", cls=_Scheme, shell_complete=_offered("schemes"))
 @click.option("--step", help='Step in s, such as 0.02; "h/4": a part of the file\'s step; "auto" with --error.')
 @click.option("--error", type=float, help="With --step auto: largest error wanted over the rows, rad or m.")
 @click.option("--end", type=float, help="End of the run in s.")

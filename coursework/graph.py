@@ -101,8 +101,9 @@ def computed(*needs: str) -> Callable[[Callable[[Any], T]], Computed[T]]:
 
 
 def needs_of(kind: type) -> dict[str, tuple[str, ...]]:
-    """Return what every computed property of a class needs."""
-    return {name: found.needs for name, found in vars(kind).items() if isinstance(found, Computed)}
+    """Return what every computed property of a class needs, those of the classes it extends first."""
+    found = {name: one for base in reversed(kind.__mro__) for name, one in vars(base).items()}
+    return {name: one.needs for name, one in found.items() if isinstance(one, Computed)}
 
 
 @dataclass(frozen=True, slots=True)

@@ -25,8 +25,8 @@ from coursework.model.model import Model
 from coursework.model.rows import rows_of
 from coursework.model.sets import prepare
 from coursework.scene import Scene
-from coursework.schemes import DEFAULT_SCHEME, SCHEMES
-from coursework.settings import Settings
+from coursework.schemes import SCHEMES
+from coursework.settings import Settings, scheme_for
 from coursework.variant.record import Variant
 
 if TYPE_CHECKING:
@@ -76,7 +76,7 @@ def solve_many(
     """
     model = _model(variant)
     template = timed(model.variant, step, end)
-    chosen = Settings(scheme or DEFAULT_SCHEME.name).checked(template.time.step).scheme
+    chosen = Settings(scheme_for(template, scheme)).checked(template.time.step).scheme
     sets = model.data(data)
     _refuse_own_times(model, sets, step, end)
     steps, h = template.time.steps, template.time.step

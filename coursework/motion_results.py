@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from coursework.graph import Ledger, computed
 from coursework.integration.motion import Motion
-from coursework.schemes import SCHEMES
+from coursework.schemes import SCHEMES, scheme_names
 
 if TYPE_CHECKING:
     from coursework.checks.evidence import Evidence
@@ -91,9 +91,10 @@ class MotionResults:
 
         scene, motion = self.scene, self.motion
         replay, rerun = None, None
+        if motion.scheme in scheme_names():
+            rerun = scene.rerun
         if motion.scheme in SCHEMES:
             replay = Replay(scene.rates, SCHEMES[motion.scheme], scene.begin, scene.correction)
-            rerun = scene.rerun
         turning = [place for place, coordinate in enumerate(scene.variant.coordinates) if coordinate.unit == "rad"]
         return Evidence(
             scene.variant, scene.equations, scene.rates, motion, scene.exact, self.extended_precision, scene.closure,

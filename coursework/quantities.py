@@ -131,7 +131,7 @@ def graph_check(results: MotionResults) -> GraphCheck | None:
     return check_graph(results.scene.equations, results.motion, results.scene.exact)
 
 
-@computed("stop", "rates", "start", "exact", "closure", "mismatch")
+@computed("stop", "rates", "start", "exact", "closure", "mismatch", "motion")
 def accuracy(results: MotionResults) -> AccuracyStudy | None:
     """What accuracy costs in evaluations: every scheme, projections, an adaptive pair, the exact closure (not timed)."""
     from coursework.accuracy.methods import Problem
@@ -142,7 +142,8 @@ def accuracy(results: MotionResults) -> AccuracyStudy | None:
         return None
     units = tuple(coordinate.unit for coordinate in scene.variant.coordinates)
     problem = Problem(scene.rates, scene.start, scene.variant.time.step, len(scene.exact.t) - 1, scene.closure, units)
-    return make_study(problem, scene.exact, results.mismatch, scene.settings.scheme)
+    results = scene.by_scheme
+    return make_study(problem, scene.exact, results.mismatch, results.motion.scheme)
 
 
 def _acceleration_columns(results: MotionResults, rows: Any) -> ExtraTable:
@@ -216,10 +217,10 @@ def quantities_for(asked: tuple[str, ...]) -> dict[str, Quantity[Any]]:
     return {one.name: next((other for name, other in one.beside.items() if name in asked), one) for one in chosen}
 
 
-def all_needs() -> dict[str, tuple[str, ...]]:
-    """Return what every quantity needs: steps on the way first, then what can be asked for."""
+def all_needs(scene: type[Scene] = Scene) -> dict[str, tuple[str, ...]]:
+    """Return what every quantity of a kind of scene needs: steps on the way first, then what can be asked for."""
     return {
-        **needs_of(Scene),
+        **needs_of(scene),
         **needs_of(MotionResults),
         **{name: quantity.needs for name, quantity in known_quantities().items()},
     }

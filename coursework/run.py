@@ -34,7 +34,7 @@ from coursework.reduction.blocks import Reduction
 from coursework.reduction.solution import Solution
 from coursework.scene import Scene
 from coursework.schemes import SCHEMES, Scheme
-from coursework.sentences import title_of
+from coursework.sentences import say, title_of
 from coursework.settings import Settings
 from coursework.variant.record import Variant
 
@@ -42,6 +42,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
     from coursework.accuracy.record import AccuracyStudy
+    from coursework.checks.closeness import Lesson
     from coursework.checks.result import Finding
     from coursework.kinematics.extra import ExtraTable
     from coursework.plans.graph_check import GraphCheck
@@ -189,12 +190,19 @@ class Run:
     @property
     def scheme_title(self) -> str:
         """Return the scheme's name in words."""
-        return title_of(self.tableau)
+        return title_of(self.tableau) if self.tableau else say("exact.title")
 
     @property
-    def tableau(self) -> Scheme:
-        """Return the scheme itself."""
-        return SCHEMES[self.settings.scheme]
+    def tableau(self) -> Scheme | None:
+        """Return the scheme itself, None where the table is the exact motion."""
+        return SCHEMES.get(self.settings.scheme)
+
+    @property
+    def lesson(self) -> Lesson | None:
+        """Return how far the coursework's scheme is from a table that is exact, None where a scheme has made the table."""
+        from coursework.checks.closeness import lesson
+
+        return lesson(self.scene.by_scheme.evidence) if self.scene.lesson is not None else None
 
     @property
     def step(self) -> float:
@@ -255,7 +263,9 @@ class Run:
 
     def plan_with(self, *more: str) -> Plan:
         """Return the plan where the pages show `more` besides what was asked for."""
-        plan = make_plan(all_needs(), [*(quantity.name for quantity in quantities_for(self.asked).values()), *more])
+        plan = make_plan(
+            all_needs(type(self.scene)), [*(quantity.name for quantity in quantities_for(self.asked).values()), *more]
+        )
         return replace(plan, needed_by={**plan.needed_by, **dict.fromkeys(more, "the pages")})
 
     def blocks_evaluated(self) -> tuple[tuple[str, ...], tuple[str, ...]]:

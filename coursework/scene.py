@@ -33,6 +33,7 @@ from coursework.reduction.blocks import Reduction, angles_in_determinants, reduc
 from coursework.reduction.equations import VelocityEquations, differentiate
 from coursework.reduction.solution import Solution
 from coursework.reduction.solution import solutions as solve_blocks
+from coursework.schemes import EXACT
 from coursework.sentences import say
 from coursework.settings import Settings
 from coursework.singular.explain import explain
@@ -240,6 +241,16 @@ class Scene:
         """What follows from the rows of the coursework."""
         return MotionResults(self, self.motion, self.ledger)
 
+    @cached_property
+    def by_scheme(self) -> MotionResults:
+        """What follows from rows that a scheme has made: here those of the coursework."""
+        return self.results
+
+    @property
+    def lesson(self) -> Motion | None:
+        """The rows of a scheme beside a table that is exact; none beside a table that a scheme has made."""
+        return None
+
     @computed("exact")
     def exact_accelerations(self) -> Array:
         """The accelerations of the exact rows."""
@@ -250,5 +261,5 @@ def _no_rows(every: Rates) -> Motion:
     empty = np.zeros((0, 0))
     return Motion(
         np.zeros(0), np.zeros((0, len(every.coordinates))), np.zeros((0, len(every.velocities))), empty, empty.copy(),
-        every.coordinates, every.velocities, "exact", 0.0, 0, label=say("exact.nothing"),
+        every.coordinates, every.velocities, EXACT, 0.0, 0, label=say("exact.nothing"),
     )  # fmt: skip

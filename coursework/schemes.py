@@ -187,7 +187,14 @@ RK4 = Scheme(
 """Four slopes, order 4, the classical scheme.  Common mistake: k3 computed from k1, or the sum divided by 4."""
 
 SCHEMES: dict[str, Scheme] = {scheme.name: scheme for scheme in (EULER, MIDPOINT, HEUN, RALSTON, RK4)}
+# What may stand for a scheme: the motion of the mechanism itself, which no tableau makes.
+EXACT = "exact"
 # What a table is made with where nothing else is said: the scheme of the coursework.
 DEFAULT_SCHEME = EULER
 # What finds a motion to round-off by halving its steps, and what the accuracy study calls the better scheme.
 PRECISE = RK4
+
+
+def scheme_names() -> tuple[str, ...]:
+    """Return every name that `--scheme` and a variant file may give: the schemes, and the exact motion."""
+    return (*SCHEMES, EXACT)

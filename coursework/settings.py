@@ -8,10 +8,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from coursework.errors import InputError, closest
+from coursework.geometry.chain import is_chain
 from coursework.integration.integrate import refuse_gain
-from coursework.schemes import DEFAULT_SCHEME, SCHEMES
+from coursework.schemes import DEFAULT_SCHEME, EXACT, PRECISE, scheme_names
+from coursework.sentences import say
+from coursework.variant.record import Variant
 
 MOST_CORRECTIONS = 20  # Newton's method has settled long before
+
+
+def scheme_for(variant: Variant, scheme: str | None = None) -> str:
+    """Return the scheme of a run: the one asked for, else that of the file, else the exact motion where a chain gives it."""
+    return scheme or variant.time.scheme or (EXACT if is_chain(variant) else DEFAULT_SCHEME.name)
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,11 +34,13 @@ class Settings:
 
     def checked(self, step: float) -> Settings:
         """Return the settings.  Raises `InputError` for a scheme that does not exist and gains that grow the error."""
-        if self.scheme not in SCHEMES:
-            known = ", ".join(SCHEMES)
-            raise InputError(f'there is no scheme "{self.scheme}".{closest(self.scheme, list(SCHEMES))} Schemes: {known}.')
+        if self.scheme not in scheme_names():
+            known = ", ".join(scheme_names())
+            raise InputError(f'there is no scheme "{self.scheme}".{closest(self.scheme, scheme_names())} Schemes: {known}.')
         if not (isinstance(self.project, int) and 0 <= self.project <= MOST_CORRECTIONS):
             raise InputError(f"the projection makes 0 to {MOST_CORRECTIONS} Newton corrections a step, found {self.project!r}.")
+        if self.scheme == EXACT and (self.project or self.gain):
+            raise InputError(say("fault.exact_corrected", scheme=PRECISE.name))
         if self.gain:
             refuse_gain(self.gain, step)
         if self.gain and self.project:

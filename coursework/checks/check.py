@@ -21,6 +21,7 @@ from coursework.checks import (
     equations,
     long_run,
     period,
+    quotes,
     rows,
     sinusoid,
 )
@@ -47,6 +48,7 @@ CHECKS: tuple[Check, ...] = (
     Check("RESIDUAL", "computation", equations.every_row, (ROW, WHOLE)),
     Check("CONDITION", "computation", conditioning.condition, (ROW, WHOLE)),
     Check("AGREEMENT", "computation", equations.agreement, ()),
+    Check("QUOTE", "computation", quotes.quote),
     Check("TABLE-DIGITS", "computation", digits.table_digits),
     Check("ACCURACY", "motion", closeness.accuracy, (ROW, EXACT)),
     Check("PERIOD-POSITION", "motion", period.position, (ROW, EXACT)),

@@ -5,6 +5,8 @@ Enters: `Evidence`.  Leaves: a `Finding`.  Used by `check.py`.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -43,6 +45,27 @@ def accuracy(evidence: Evidence) -> Finding:
         return Finding("FAIL", sentence, value, LIMIT, unit, where, at + 1, rows=lines)
     sentence = say("check.ACCURACY.pass" if value <= LIMIT else "check.ACCURACY.coarse", found=found)
     return Finding("PASS" if value <= LIMIT else "COARSE", sentence, value, LIMIT, unit, name, row + 1, rows=lines)
+
+
+@dataclass(frozen=True, slots=True)
+class Lesson:
+    """How far the rows of a scheme are from the motion: `share` of the scale of `column`, at worst in `row` (from 1)."""
+
+    scheme: str
+    share: float
+    column: str
+    row: int
+    sentence: str
+
+
+def lesson(evidence: Evidence) -> Lesson | None:
+    """Return how far rows are from the exact motion, None where there is no row or no column to compare."""
+    if not evidence.names or not evidence.compared:
+        return None
+    row, place = worst(evidence.errors)
+    share, column = float(abs(evidence.errors[row, place])), evidence.names[place]
+    sentence = say("exact.lesson", share=percent(share), name=column, row=row + 1)
+    return Lesson(evidence.motion.scheme, share, column, row + 1, sentence)
 
 
 def _spoilt(evidence: Evidence) -> tuple[int, str, float] | None:

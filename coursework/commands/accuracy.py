@@ -64,8 +64,9 @@ def timed_study(run: Run) -> AccuracyStudy:
             sum(scene.ledger.seconds[name] for name in ("equations", "reduction", "rates")),
         ),
     )
+    made = scene.by_scheme
     with click.progressbar(length=45, label="Measuring", file=sys.stderr) as bar:
         return make_study(
-            problem, run.exact, run.results.mismatch, run.settings.scheme,
+            problem, run.exact, made.mismatch, made.motion.scheme,
             timed=True, overhead=overhead, progress=lambda _label: bar.update(1),
         )  # fmt: skip

@@ -12,7 +12,8 @@ from click.shell_completion import CompletionItem
 
 from coursework.catalogue import entries
 from coursework.data import folder
-from coursework.schemes import SCHEMES
+from coursework.schemes import EXACT, SCHEMES
+from coursework.sentences import say
 
 
 def variants(_context: Context, _parameter: Parameter, typed: str) -> list[CompletionItem]:
@@ -24,7 +25,8 @@ def variants(_context: Context, _parameter: Parameter, typed: str) -> list[Compl
 
 def schemes(_context: Context, _parameter: Parameter, typed: str) -> list[CompletionItem]:
     """Return the schemes with their titles."""
-    return [CompletionItem(name, help=scheme.title) for name, scheme in SCHEMES.items() if name.startswith(typed)]
+    titles = {**{name: scheme.title for name, scheme in SCHEMES.items()}, EXACT: say("exact.title")}
+    return [CompletionItem(name, help=title) for name, title in titles.items() if name.startswith(typed)]
 
 
 def languages(_context: Context, _parameter: Parameter, typed: str) -> list[CompletionItem]:

@@ -16,23 +16,25 @@ from coursework.output.formats import FORMATS, PAGES, Format, chosen
 from coursework.output.results import Results
 from coursework.output.write import write_set
 from coursework.run import Run
+from coursework.schemes import DEFAULT_SCHEME, EXACT, PRECISE, SCHEMES
 from coursework.sentences import load_phrases, say
 from coursework.variant.record import Variant
 
 
 def run_variant(
     variant: str, *, out: Path | None, formats: tuple[str, ...] | None, step: str | None, error: float | None, end: float | None,
-    scheme: str, precision: str, strict: bool, plan: bool, profile: bool, language: str, **options: Any,
+    scheme: str | None, precision: str, strict: bool, plan: bool, profile: bool, language: str, **options: Any,
 ) -> int:  # fmt: skip
     """Return the exit status of one run."""
     wanted = chosen(formats, "run")
     read = load(variant)
     if precision == "single":
-        return tell_round_off(solve(read, scheme, step_of(step, read), end, quantities=("table",)))
+        return tell_round_off(solve(read, _stepping(read, scheme), step_of(step, read), end, quantities=("table",)))
     if error is not None and step != "auto":
         raise InputError("--error is a wish for --step auto; a fixed step has the error it has.")
     h = step_of(step, read)
     if step == "auto":
+        scheme = _stepping(read, scheme)
         found = solve(read, scheme, end=end, quantities=("table",))
         if found.scene.stop is not None:
             return tell_stop(found, "no step makes this motion possible")
@@ -42,7 +44,8 @@ def run_variant(
         on_pages = ("solutions",) if any(PAGES in each.serves for each in wanted) else ()
         click.echo("\n".join(run.plan_with(*on_pages).lines()))
         used, left = run.blocks_evaluated()
-        click.echo(f"Scheme: {run.scheme_title}, {run.tableau.slopes} evaluations a step.")
+        cost = f", {run.tableau.slopes} evaluations a step" if run.tableau else ""
+        click.echo(f"Scheme: {run.scheme_title}{cost}.")
         click.echo(f"In each row: the velocities {listing(used)}; left out: {listing(left) or 'nothing'}.")
         return 0
     folder = out or Path(f"coursework-{read.name}")
@@ -59,14 +62,21 @@ def run_variant(
 
 
 def make_run(
-    read: Variant, *, step: float | None, end: float | None, scheme: str, quantities: tuple[str, ...], project: bool, gain: float,
-    student: str | None, group: str | None, date: str | None,
+    read: Variant, *, step: float | None, end: float | None, scheme: str | None, quantities: tuple[str, ...], project: bool,
+    gain: float, student: str | None, group: str | None, date: str | None,
 ) -> Run:  # fmt: skip
     """Return the run that the options of the command line ask for."""
     return solve(
         read, scheme, step, end, quantities=quantities or None, project=int(project), gain=gain,
         student=student, group=group, date=date,
     )  # fmt: skip
+
+
+def _stepping(variant: Variant, scheme: str | None) -> str:
+    """Return the scheme whose step or precision is asked about.  Raises `InputError` for the exact motion, which has neither."""
+    if scheme == EXACT:
+        raise InputError(say("fault.exact_steps", scheme=PRECISE.name))
+    return scheme or (variant.time.scheme if variant.time.scheme in SCHEMES else DEFAULT_SCHEME.name)
 
 
 def tell_stop(run: Run, consequence: str) -> int:
@@ -169,6 +179,8 @@ def tell(run: Run, folder: Path, written: list[str]) -> None:
         click.echo(run.summary)
     click.echo(f"{run.variant.title}  ({run.variant.name})")
     click.echo(f"{run.scheme_title}, h = {motion.step:g} s, {len(motion.t)} rows")
+    if run.lesson is not None:
+        click.echo(run.lesson.sentence)
     if gain := run.settings.gain:
         share = gain * motion.step
         told = f"gain·step = {share:.3g}, a position error becomes {1 - share:.3g} of itself a step"

@@ -17,7 +17,7 @@ from coursework.integration.loops import generate_loop
 from coursework.integration.motion import Motion
 from coursework.integration.rates import Rates
 from coursework.reduction.equations import VelocityEquations
-from coursework.schemes import PRECISE
+from coursework.schemes import EXACT, PRECISE
 from coursework.sentences import say, title_of
 
 Array = NDArray[np.float64]
@@ -95,6 +95,6 @@ def exact_motion(
     velocities, determinants = rates.table(times, positions)
     return Motion(
         times, positions, velocities, determinants, np.zeros((len(times), 0)),
-        rates.coordinates, rates.velocities, "exact", float(times[1] - times[0]) if len(times) > 1 else 0.0, evaluations,
+        rates.coordinates, rates.velocities, EXACT, float(times[1] - times[0]) if len(times) > 1 else 0.0, evaluations,
         label=label,
     )  # fmt: skip

@@ -9,7 +9,7 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-from dataclasses import replace
+from dataclasses import asdict, replace
 from typing import TYPE_CHECKING, Any
 
 from coursework.run import Run
@@ -46,6 +46,7 @@ def record(run: Run) -> dict[str, Any]:
             {"code": remark.code, "line": remark.line, "sentence": str(remark.sentence)} for remark in run.variant.plausibility
         ],
         "summary": run.summary,
+        "lesson": asdict(run.lesson) if run.lesson is not None else None,
         "checks": [_finding(check) for check in checks],
     }
 

@@ -21,8 +21,11 @@ STUDY_HEAD = (
 
 
 def run_tables(run: Run) -> Iterator[tuple[str, str]]:
-    """Yield `table.csv` and, where asked for, `analogs.csv` and `invariants.csv`, whose rows are others."""
+    """Yield `table.csv`, beside an exact one the rows of the coursework's scheme, and the tables asked for with other rows."""
     yield "table.csv", table_csv(run)
+    if (lesson := run.scene.lesson) is not None:
+        rows = ([t, *row] for t, row in zip(lesson.t.tolist(), lesson.rows.tolist(), strict=True))
+        yield f"table-{lesson.scheme}.csv", _csv(["t", *lesson.names], rows)
     for name, table in run.own_tables.items():
         yield f"{name}.csv", _csv(table.names, table.rows.tolist())
 

@@ -11,12 +11,14 @@ from coursework.report.figures import HEIGHT, WIDTH, Curve, time_plot
 from coursework.report.numbers import unit_text
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Figure, Part
+from coursework.schemes import DEFAULT_SCHEME
+from coursework.sentences import title_of
 
 MOST_CURVES = 7  # curves in one figure; as many as there are line styles
 
 
 def plots(context: PageContext) -> list[Part]:
-    """Velocities first, then coordinates: the march as marked lines, the exact motion thin behind."""
+    """Velocities first, then coordinates: the rows as marked lines, what they are compared with thin behind."""
     motion, variant = context.run.motion, context.run.variant
     if not len(motion.t):
         return []
@@ -30,10 +32,10 @@ def plots(context: PageContext) -> list[Part]:
 
 
 def _curve(context: PageContext, name: str) -> Curve:
-    motion, exact = context.run.motion, context.exact
-    if exact is None or name not in exact.names:
+    motion, beside = context.run.motion, context.beside
+    if beside is None or name not in beside.names:
         return Curve(context.symbol(name), motion.t, motion.column(name))
-    return Curve(context.symbol(name), motion.t, motion.column(name), exact.t, exact.column(name))
+    return Curve(context.symbol(name), motion.t, motion.column(name), beside.t, beside.column(name))
 
 
 def _figure(context: PageContext, names: Sequence[str], unit: str, number: int) -> Figure:
@@ -46,14 +48,18 @@ def _figure(context: PageContext, names: Sequence[str], unit: str, number: int) 
         curves,
         x_label=say("plots.time"),
         y_label=say(f"plots.axis.{known}", unit=unit_text(unit)),
-        thin_label=say("plots.exact_legend"),
+        thin_label=say("plots.exact_legend") if run.tableau else context.told(title_of(DEFAULT_SCHEME)),
         stop=stop,
         stop_label=context.event(run.stop.kind) if run.stop else "",
     )
     what, symbols = say(f"plots.what.{known}"), context.symbol_list(names)
     step = context.quantity(run.step, "s")
     caption = say("plots.caption", what=what, symbols=symbols, scheme=context.told(run.scheme_title), step=step)
-    if context.exact is not None and any(curve.thin.size for curve in curves):
+    if run.lesson is not None:
+        caption += " " + say(
+            "plots.lesson", scheme=context.told(title_of(DEFAULT_SCHEME)), sentence=context.told(run.lesson.sentence)
+        )
+    elif context.exact is not None and any(curve.thin.size for curve in curves):
         label = context.told(context.exact.label) or say("plots.exact_label")
         caption += " " + say("plots.exact", label=label.rstrip("."))
     if run.stop is not None:

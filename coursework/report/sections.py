@@ -57,6 +57,7 @@ def title(context: PageContext) -> list[Part]:
     result = [
         *(context.rich(run.summary) if run.summary else []),
         *runs(f" {_result(context)}" if run.summary else _result(context)),
+        *runs("".join(f" {told}" for told in _lesson(context))),
     ]
     facts += [(say("title.method"), runs(method_line(context))), (say("title.result"), result)]
     plausibility = run.variant.plausibility
@@ -196,6 +197,10 @@ def method(context: PageContext) -> list[Part]:
     run, say = context.run, context.words
     coordinates = run.motion.coordinate_names
     rates = [c.rate for c in run.variant.coordinates if c.name in coordinates]
+    if run.tableau is None:
+        label = clean(context.words.written(run.motion.label)).rstrip(".")
+        told = [say("method.rows_exact", step=context.quantity(run.step, "s"), label=label)]
+        return [Paragraph(context.lettered(" ".join([*told, *_lesson(context)]))), *_versions(context)]
     intro = context.say("method.intro", title=context.told(run.scheme_title), order=run.tableau.order)
     formula = Equations([Display(math, text) for math, text in lecture.lines(run.tableau)])
     parts: list[Part] = [Paragraph(intro), formula]
@@ -214,8 +219,18 @@ def method(context: PageContext) -> list[Part]:
     parts.append(Paragraph(context.lettered(" ".join(sentences))))
     if run.motion.notes:
         parts.append(Bullets([context.rich(note) for note in run.motion.notes]))
-    versions = ", ".join(f"{clean(name)} {clean(version)}" for name, version in run.versions.items())
-    return [*parts, Paragraph(runs(say("method.versions", versions=versions)), "note")] if versions else parts
+    return [*parts, *_versions(context)]
+
+
+def _lesson(context: PageContext) -> list[str]:
+    """Return how far the coursework's scheme is from an exact table."""
+    lesson = context.run.lesson
+    return [] if lesson is None else [context.told(lesson.sentence)]
+
+
+def _versions(context: PageContext) -> list[Part]:
+    versions = ", ".join(f"{clean(name)} {clean(version)}" for name, version in context.run.versions.items())
+    return [Paragraph(runs(context.words("method.versions", versions=versions)), "note")] if versions else []
 
 
 # Each writer with the quantity that must be asked for; None: always there.

@@ -18,6 +18,7 @@ from coursework.errors import Fault, InputError, closest
 from coursework.formula.alphabet import spell
 from coursework.formula.tree import Formula
 from coursework.formula.units import KINDS, is_quantity
+from coursework.schemes import scheme_names
 from coursework.variant import schema
 from coursework.variant.at_start import faults_at_start
 from coursework.variant.bodies import read_frame, read_group, read_link
@@ -33,6 +34,7 @@ from coursework.variant.record import (
     Given,
     Group,
     Law,
+    Quote,
     Time,
     Variant,
 )
@@ -102,14 +104,17 @@ def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | No
     holds = tuple(parts.formula(("closure", "holds", i), text, "scalar") for i, text in enumerate(file.closure.holds))
     used = [f for c in constraints for f in (c.left, c.right)] + [f for _, f in points] + list(holds)
     angles = _angle_names(used, groups)
+    coordinates = tuple(_coordinate(key, entry, parts, angles) for key, entry in file.coordinates.items())
+    unknowns = tuple((parts.names.canonical(key), parts.unit(("unknowns", key), unit)) for key, unit in file.unknowns.items())
+    time = _time(file.time, parts)
+    columns = [name for c in coordinates for name in (c.name, c.rate)] + [name for name, _ in unknowns]
     return Variant(
         name, path, file.title or name, file.source, file.teaches, given, laws,
-        tuple(_coordinate(key, entry, parts, angles) for key, entry in file.coordinates.items()),
-        tuple((parts.names.canonical(key), parts.unit(("unknowns", key), unit)) for key, unit in file.unknowns.items()),
-        functions, _time(file.time, parts), constraints, groups, points,
+        coordinates, unknowns, functions, time, constraints, groups, points,
         tuple(read_link(key, entry, list(file.links), parts) for key, entry in file.links.items()), read_frame(file.frame, parts),
         _driven(file.closure.driven, parts), holds,
-        tuple(file.ask.quantities), tuple(file.remarks), (), _lines(parts.source),
+        tuple(file.ask.quantities), tuple(file.remarks),
+        tuple(_quote(i, entry, columns, time, parts) for i, entry in enumerate(file.quote)), (), _lines(parts.source),
     )  # fmt: skip
 
 
@@ -222,7 +227,24 @@ def _time(entry: schema.Time, parts: Parts) -> Time:
         parts.say(("time", "check_row"), f"row {entry.check_row} is beyond the last row, {_whole_steps(step, end) + 1}.")
     if period is not None and period <= 0:
         parts.say(("time", "period"), f"the period must be greater than 0, found {period:g} s.")
-    return Time(step, end, period, entry.check_row)
+    return Time(step, end, period, entry.check_row, scheme=_scheme(entry.scheme, ("time", "scheme"), parts))
+
+
+def _scheme(name: str | None, path: tuple[str | int, ...], parts: Parts) -> str:
+    """Return the name of a scheme, "" for none."""
+    if name is not None and name not in scheme_names():
+        known = ", ".join(scheme_names())
+        parts.say(path, f'there is no scheme "{name}".{closest(name, scheme_names())} Schemes: {known}.')
+    return name or ""
+
+
+def _quote(place: int, entry: schema.Quote, columns: list[str], time: Time, parts: Parts) -> Quote:
+    if time.step > 0 and math.isfinite(time.end / time.step) and entry.row > time.steps + 1:
+        parts.say(("quote", place, "row"), f"row {entry.row} is beyond the last row, {time.steps + 1}.")
+    column = parts.names.canonical(entry.column)
+    if column not in columns:
+        parts.undeclared(("quote", place, "column"), f'"{column}" is no column of the table.{closest(column, columns)}')
+    return Quote(entry.row, column, entry.value.replace("−", "-"), _scheme(entry.scheme, ("quote", place, "scheme"), parts))
 
 
 def _angle_names(formulas: Iterable[Formula], groups: tuple[Group, ...]) -> set[str]:

@@ -79,13 +79,17 @@ class Coordinate:
 
 @dataclass(frozen=True, slots=True)
 class Time:
-    """Step h, end and period in s; `check_row` counts from 1; `own_step` that of the file where `step` is another."""
+    """Step h, end and period in s; `check_row` counts from 1; `own_step` that of the file where `step` is another.
+
+    `scheme` is the name of the scheme that the file asks for, "" where it leaves it open.
+    """
 
     step: float
     end: float
     period: float | None
     check_row: int | None
     own_step: float | None = None
+    scheme: str = ""
 
     @property
     def steps(self) -> int:
@@ -175,6 +179,16 @@ class Remark:
 
 
 @dataclass(frozen=True, slots=True)
+class Quote:
+    """A number that a remark quotes: `value` as printed, of `column` in `row` (from 1); `scheme` "" for that of the file."""
+
+    row: int
+    column: str
+    value: str
+    scheme: str = ""
+
+
+@dataclass(frozen=True, slots=True)
 class Variant:
     """One variant of the coursework, complete."""
 
@@ -198,6 +212,7 @@ class Variant:
     holds: tuple[Formula, ...]
     ask: tuple[str, ...]
     remarks: tuple[str, ...] = ()
+    quotes: tuple[Quote, ...] = ()
     plausibility: tuple[Remark, ...] = ()
     lines: Mapping[tuple[str | int, ...], int] = field(default_factory=dict, repr=False, compare=False)
     times: Mapping[Path, Formula] = field(default_factory=dict, repr=False, compare=False)  # what is computed from data

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from pydantic import BaseModel, ConfigDict, Field, StringConstraints
 
 from coursework.groups import GROUPS
+from coursework.schemes import scheme_names
 
 Text = Annotated[str, StringConstraints(max_length=2000)]
 Short = Annotated[str, StringConstraints(max_length=300)]
@@ -59,6 +60,16 @@ class Time(_Section):
     end: Value
     period: Value | None = None
     check_row: Annotated[int, Field(ge=1)] | None = None
+    scheme: Annotated[Name, Field(json_schema_extra={"enum": list(scheme_names())})] | None = None
+
+
+class Quote(_Section):
+    """A number that the remarks quote from the table: which row (from 1) of which column, with the digits as printed."""
+
+    row: Annotated[int, Field(ge=1)]
+    column: Name
+    value: Annotated[str, StringConstraints(max_length=30, pattern=r"^[-−+]?\d+(\.\d+)?$")]
+    scheme: Annotated[Name, Field(json_schema_extra={"enum": list(scheme_names())})] | None = None
 
 
 class Constraint(_Section):
@@ -146,6 +157,7 @@ class VariantFile(_Section):
     source: Short = ""
     teaches: Short = ""
     remarks: Annotated[list[Text], Field(max_length=20, description="paragraphs printed on the page of this variant")] = []
+    quote: Annotated[list[Quote], Field(max_length=100)] = []
     given: dict[Name, Value] = {}
     drive: dict[Name, Value | Pieces | Table] = {}
     coordinates: Annotated[dict[Name, Coordinate], Field(min_length=1, max_length=200)]

@@ -60,7 +60,9 @@ def _takes_names(path: Path) -> bool:
     return coordinate or path[0] == "group" or path[-1] == "[key]"
 
 
-_WITHOUT_NAMES = {"format", "title", "source", "teaches", "remarks", "time", "constraint", "links", "frame", "closure", "ask"}
+_WITHOUT_NAMES = {
+    "format", "title", "source", "teaches", "remarks", "quote", "time", "constraint", "links", "frame", "closure", "ask",
+}  # fmt: skip
 
 
 def _entries(errors: Iterable[Any], data: dict[str, Any]) -> dict[Path, Entry]:

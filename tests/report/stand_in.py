@@ -112,6 +112,7 @@ class Run:
     scheme: str = "euler"
     scheme_title: str = "explicit Euler"
     tableau: Scheme = DEFAULT_SCHEME
+    lesson: None = None
     step: float = H
     end: float = 0.48
     exact: Motion | None = None

@@ -1,0 +1,59 @@
+"""A scene whose table is the motion of the mechanism itself, without a scheme's error, and a scheme's rows beside it.
+
+Enters: a `Variant` and `Settings` with the scheme "exact".  Leaves: `ExactScene`.
+Used by `api.py`; everything that reads a `Scene` reads it too.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from coursework.errors import Fault, InputError
+from coursework.geometry.chain import is_chain
+from coursework.geometry.drive import refuse_aliasing
+from coursework.graph import computed
+from coursework.integration.motion import Motion
+from coursework.motion_results import MotionResults
+from coursework.scene import Scene
+from coursework.schemes import DEFAULT_SCHEME, PRECISE
+from coursework.sentences import say
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ExactScene(Scene):
+    """A scene whose rows come from closed positions; it needs a chain of groups, or a closure of all coordinates."""
+
+    @computed("stop", "equations", "closure", "exact", "rates", "flow")
+    def motion(self) -> Motion:
+        """The rows of the exact motion, for the columns asked for.  Raises `InputError` where positions are not closed."""
+        variant, stop, rates = self.variant, self.stop, self.rates
+        if not is_chain(variant) and (self.closure is None or not self.closure.complete):
+            line = variant.line_of("time", "scheme") if variant.time.scheme else 0
+            raise InputError([Fault(say("fault.exact_open", scheme=PRECISE.name), str(variant.path or variant.name), line)])
+        refuse_aliasing(self.equations, variant.time.step)
+        exact = self.exact
+        if self.settings.columns and len(exact.t):
+            places = [exact.coordinate_names.index(name) for name in rates.coordinates]
+            coordinates = exact.coordinates[:, places]
+            velocities, determinants = rates.table(exact.t, coordinates)
+            exact = replace(
+                exact, coordinates=coordinates, velocities=velocities, determinants=determinants,
+                coordinate_names=rates.coordinates, velocity_names=rates.velocities,
+            )  # fmt: skip
+        if len(exact.t):
+            largest = np.array([self.flow.largest[index] for index in rates.blocks])
+            exact = replace(exact, scaled=exact.determinants / largest)
+        return replace(exact, step=variant.time.step, stop=stop)
+
+    @computed("equations", "closure", "start", "rates", "reduction", "stop", "flow")
+    def lesson(self) -> Motion:
+        """The rows of the coursework's scheme with the same step: what the exact table is compared with."""
+        return self.march(self.variant.time.step, DEFAULT_SCHEME.name)
+
+    @cached_property
+    def by_scheme(self) -> MotionResults:
+        """What follows from the rows that a scheme has made."""
+        return self.over(self.lesson)

@@ -1,0 +1,202 @@
+"""The exact motion as a scheme: who has it by default, who must ask, who cannot; Euler beside it as the lesson."""
+
+import csv
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import coursework
+from coursework.catalogue import entries
+from coursework.checks.evidence import worst
+from coursework.cli import main
+from coursework.report import build_model
+from coursework.schemes import EXACT
+from coursework.variant.reader import parse_variant
+from tests.report.test_model import text_of
+
+ROOT = Path(__file__).parents[1]
+PAGE = (ROOT / "tests" / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
+OPEN = PAGE[: PAGE.index("# --- geometry")]
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def call(*arguments):
+    return CliRunner().invoke(main, [str(argument) for argument in arguments])
+
+
+def rows_of(path):
+    with path.open(encoding="utf-8") as lines:
+        head, *rows = csv.reader(lines)
+    return head, np.array(rows, dtype=float)
+
+
+# ---- who gets it
+
+
+def test_files_whose_motion_is_a_chain_of_groups_have_it_by_default():
+    schemes = {entry.name: coursework.solve(entry.name, quantities=["table"]).scheme for entry in entries()}
+    exact = {name for name, scheme in schemes.items() if scheme == "exact"}
+    assert len(exact) == 21
+    assert exact >= {"example-1", "example-3", "example-6", "homework", "prp"}
+    assert {scheme for name, scheme in schemes.items() if name not in exact} == {"euler"}
+    assert schemes["31"] == "euler"
+
+
+def test_a_file_may_ask_for_a_scheme_and_the_command_line_for_another():
+    text = PAGE.replace("[time]\n", '[time]\nscheme = "heun"\n')
+    assert "heun" in text
+    assert coursework.solve(parse_variant(text)).scheme == "heun"
+    assert coursework.solve(parse_variant(text), "rk4").scheme == "rk4"
+    assert coursework.solve(parse_variant(text.replace("heun", "exact"))).scheme == EXACT
+    assert coursework.solve("example-3", "euler", quantities=["table"]).motion.scheme == "euler"
+    with pytest.raises(coursework.InputError, match=r'faulty:\d+.*no scheme "huen"\. Did you mean "heun"\?'):
+        parse_variant(text.replace("heun", "huen"), "faulty")
+
+
+def test_without_closed_positions_it_is_refused():
+    Path("open.toml").write_text(OPEN, encoding="utf-8")
+    done = call("run", "open.toml", "--scheme", "exact", "--format", "csv")
+    assert done.exit_code == 2
+    assert "add [closure], or take --scheme rk4" in done.stderr
+    Path("asked.toml").write_text(OPEN.replace("[time]\n", '[time]\nscheme = "exact"\n'), encoding="utf-8")
+    done = call("run", "asked.toml", "--format", "csv")
+    line = next(i for i, text in enumerate(Path("asked.toml").read_text(encoding="utf-8").splitlines(), 1) if "exact" in text)
+    assert done.exit_code == 2
+    assert f"asked.toml:{line}" in done.stderr
+    assert call("run", "asked.toml", "--scheme", "rk4", "--format", "csv").exit_code == 0
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (["--project"], "no error to correct"),
+        (["--gain", "5"], "no error to correct"),
+        (["--step", "auto", "--error", "0.01"], "no error that a step"),
+        (["--precision", "single"], "no error that a step"),
+    ],
+)
+def test_what_makes_no_sense_of_an_exact_motion_is_refused(options, said):
+    done = call("run", "31", "--scheme", "exact", "--format", "csv", *options)
+    assert done.exit_code == 2
+    assert said in done.stderr
+    assert "--scheme rk4" in done.stderr
+
+
+def test_a_step_for_a_wish_and_single_precision_speak_of_a_scheme_where_the_file_has_none():
+    done = call("run", "example-1", "--step", "auto", "--error", "0.1", "--format", "csv")
+    assert "explicit Euler needs" in done.stdout
+    assert json.loads(Path("coursework-example-1/run.json").read_text(encoding="utf-8"))["scheme"] == "euler"
+    assert "single, t += h" in call("run", "example-1", "--precision", "single").stdout
+
+
+# ---- what it is
+
+
+@pytest.mark.parametrize("name", ["31", "v107", "example-3", "example-6", "homework"])
+def test_everything_comes_from_the_exact_motion(name):
+    run = coursework.solve(name, "exact", quantities=["table", "plots", "accelerations", "points", "checks"])
+    assert np.array_equal(run.motion.rows, run.exact.rows)
+    assert np.array_equal(run.results.accelerations, run.scene.exact_accelerations)
+    table, exact = run.table, coursework.exact(name, quantities=["table", "accelerations", "points"])
+    assert list(table.columns) == list(exact.columns)
+    assert np.array_equal(table.to_numpy(), exact.to_numpy())
+    verdicts = {check.code: check.verdict for check in run.checks}
+    assert verdicts["ACCURACY"] == "PASS"
+    assert not {"FAIL", "ERROR"} & set(verdicts.values())
+    assert run.motion.scaled.shape == run.motion.determinants.shape
+
+
+def test_some_columns_alone_are_those_of_the_whole_table():
+    whole, part = (coursework.solve("31", "exact", quantities=[asked]) for asked in ("table", "phi3"))
+    assert part.motion.names == ("phi3", "w3")
+    assert np.max(np.abs(part.motion.rows - whole.motion.rows[:, [2, 5]])) < 1e-13
+
+
+def test_it_ends_at_a_dead_point_as_every_scheme_does():
+    run = coursework.solve(parse_variant(PAGE.replace('"4.35 rad"', '"0.02 rad"')), "exact")
+    assert run.stop.kind == "dead point"
+    assert len(run.motion.t) == 6
+    assert run.status() == 1
+
+
+def test_the_plan_of_an_exact_run_says_what_is_computed():
+    plan = coursework.solve("31", "exact", quantities=["table"]).plan
+    assert "exact" in plan.order
+    assert "exact" not in coursework.solve("31", "euler", quantities=["table"]).plan.order
+
+
+def test_the_slider_of_the_homework_stays_on_its_guide():
+    """The deck's homework: E slides along the horizontal guide through A, to round-off in every row; with Euler it leaves it."""
+    table = coursework.solve("homework", quantities=["table", "points"]).table
+    assert np.max(np.abs(table["E.y"])) < 1e-12
+    assert np.ptp(table["E.x"]) > 0.4
+    assert np.max(np.abs(coursework.solve("homework", "euler", quantities=["table", "points"]).table["E.y"])) > 0.05
+
+
+# ---- Euler beside it
+
+
+def test_the_lesson_is_told_on_screen_in_the_record_and_in_a_table():
+    done = call("run", "example-3", "--format", "csv")
+    assert done.exit_code == 0
+    assert "exact motion, h = 0.0174533 s, 37 rows" in done.stdout
+    assert "Euler at this step: 58 % off in theta5, row 37." in done.stdout
+    out = Path("coursework-example-3")
+    record = json.loads((out / "run.json").read_text(encoding="utf-8"))
+    assert record["scheme"] == "exact"
+    assert (record["lesson"]["scheme"], record["lesson"]["column"], record["lesson"]["row"]) == ("euler", "theta5", 37)
+    head, euler = rows_of(out / "table-euler.csv")
+    wanted = coursework.solve("example-3", "euler", quantities=["table"]).motion
+    assert head == ["t", *wanted.names]
+    assert np.array_equal(euler[:, 1:], wanted.rows)
+    assert "table-euler.csv" in record["files"]
+    exact = rows_of(out / "table.csv")[1]
+    gap = np.abs(euler - exact[:, : euler.shape[1]])[:, 1 + wanted.names.index("theta5")]
+    assert int(np.argmax(gap)) == 36
+
+
+def test_the_share_of_the_lesson_is_that_of_the_accuracy_check_of_the_scheme():
+    lesson = coursework.solve("example-6", quantities=["table"]).lesson
+    run = coursework.solve("example-6", "euler", quantities=["checks"])
+    found = next(check for check in run.checks if check.code == "ACCURACY")
+    assert (lesson.share, lesson.column, lesson.row) == (found.value, found.column, found.row)
+    assert worst(run.results.evidence.errors)[0] + 1 == lesson.row
+
+
+def test_a_table_of_a_scheme_has_no_lesson():
+    assert call("run", "31", "--format", "csv", "--quantities", "table").exit_code == 0
+    assert not Path("coursework-31/table-euler.csv").exists()
+    assert json.loads(Path("coursework-31/run.json").read_text(encoding="utf-8"))["lesson"] is None
+
+
+def test_both_motions_are_in_the_plots_and_the_page_says_so():
+    run = coursework.solve("example-1", quantities=["table", "plots"])
+    sections = {section["name"]: section for section in build_model(run).plain()["sections"]}
+    told = {name: text_of(section) for name, section in sections.items()}
+    assert "Euler at this step" in told["plots"]
+    assert "explicit Euler with the same step" in told["plots"]
+    assert "Euler at this step" in told["title"]
+    assert "closed form of the groups" in told["method"]
+    assert "q_{i+1}" not in told["method"]
+    both, alone = (
+        text.count("<path") for text in (sections["plots"]["parts"][0]["svg"], _plot(coursework.solve("example-1", "euler")))
+    )
+    assert both == alone
+
+
+def _plot(run):
+    return next(s for s in build_model(run).plain()["sections"] if s["name"] == "plots")["parts"][0]["svg"]
+
+
+def test_the_cost_of_accuracy_beside_an_exact_table_is_that_of_euler():
+    study = coursework.solve("example-1", quantities=["table", "accuracy"]).accuracy
+    assert study.own[0] == "explicit Euler"
+    assert study.own[2] > 0.01
