@@ -19,6 +19,7 @@ TABLE_DIGITS = 5  # significant digits of the largest entry of a column: what a 
 SMALLEST_DECIMAL = 1e-3  # below this a fixed number shows mostly zeros, so powers of ten take over
 LARGEST_DECIMAL = 1e5
 MOST_DECIMALS = 8
+ROUND_OFF = 1e-14  # of the largest entry of a column: what is left of a zero after some operations with sixteen digits
 _SUPERSCRIPTS = str.maketrans("0123456789-−", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁻")
 
 
@@ -82,8 +83,10 @@ class Numbers:
         return self._dress(text)
 
     def column(self, values: Iterable[float]) -> list[str]:
-        """Return a column of a table, all entries with the same decimals (see `TABLE_DIGITS`)."""
+        """Return a column of a table, all entries with the same decimals (see `TABLE_DIGITS`); round-off of zero is "0"."""
         entries = [float(value) for value in values]
+        noise = ROUND_OFF * max((abs(value) for value in entries if math.isfinite(value)), default=0.0)
+        entries = [0.0 if abs(value) < noise else value for value in entries]
         decimals = deserved_decimals(entries)
         return [self.fixed(value, decimals) for value in entries]
 
