@@ -81,10 +81,12 @@ class _Reader:
     def _add_row(self) -> None:
         while self.row and not self.row[-1].text and self.row[-1].kind == "text":
             self.row.pop()
+        between = self.blank.seen  # blank rows count only where a row follows them
         self.is_full = self.blank.too_many(not self.row, self.repeats)
-        times = min(self.repeats, self.most_rows - len(self.rows))
-        self.rows += [tuple(self.row)] * times
-        self.is_full |= len(self.rows) >= self.most_rows
+        if self.row:
+            rows = [()] * between + [tuple(self.row)] * min(self.repeats, self.most_rows)
+            self.rows += rows[: self.most_rows - len(self.rows)]
+            self.is_full = len(self.rows) >= self.most_rows
 
     def _cell(self) -> Cell:
         text = "".join(self.text_of_cell)[:CELL_CHARACTERS].strip()
