@@ -1,7 +1,7 @@
 """Bytes -> text, whatever alphabet a spreadsheet saved it in.
 
 Enters: the bytes of a text file.  Leaves: `Decoded`; never raises, looks at no number.
-Used by the readers of this room.
+Used by whatever reads a file of a student or of a platform.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """The head of a column -> which column of the task it may be, and its unit.
 
 Enters: a head's text and the columns of the task.  Leaves: `Head`.  Aliases are made from the names of the columns.
-Used by the readers of this room.
+Used by whatever reads a file of a student or of a platform.
 """
 
 from __future__ import annotations

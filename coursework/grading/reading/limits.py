@@ -1,6 +1,6 @@
 """How much of a submission is looked at, and how a reader gives up.
 
-Enters: nothing.  Leaves: the sizes of everything that is read; `Refused`.  Used by the readers of this room.
+Enters: nothing.  Leaves: the sizes of everything that is read; `Refused`.  Used by whatever reads or collects files.
 """
 
 from __future__ import annotations

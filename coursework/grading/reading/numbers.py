@@ -1,7 +1,7 @@
 """The text of one cell -> a number, how it was printed, or why it has none.
 
 Enters: a cell's text and the file's decimal mark.  Leaves: `Printed`.  Numbers by our own pattern, never by `float()` alone.
-Used by the readers of this room.
+Used by whatever reads a file of a student or of a platform.
 """
 
 from __future__ import annotations
