@@ -10,7 +10,7 @@ from coursework.grading.expected import Expected, Grid, grid_of
 
 @cache
 def expected(name: str = "31", answers: tuple[str, ...] = ()) -> Expected:
-    run = coursework.solve(name, quantities=["table"])
+    run = coursework.solve(name, "euler", quantities=["table"])
     names, rows = run.columns()
     grid = grid_of(run.variant, dict(zip(names, (tuple(row) for row in rows.T.tolist()), strict=True)))
     return Expected(grid, run.variant, answers)

@@ -20,7 +20,7 @@ def test_a_submission_survives_json() -> None:
 
 
 def test_the_grid_has_the_columns_and_units_of_the_variant() -> None:
-    run = coursework.solve("v107", quantities=["table"])
+    run = coursework.solve("v107", "euler", quantities=["table"])
     names, rows = run.columns()
     grid = grid_of(run.variant, dict(zip(names, (tuple(row) for row in rows.T.tolist()), strict=True)))
     assert grid.rows == 25
