@@ -1,0 +1,22 @@
+"""An option of the command line that a page quotes can be read off the paper: two hyphens, not a dash."""
+
+import itertools
+from pathlib import Path
+
+import pymupdf
+
+import coursework
+
+
+def test_two_hyphens_are_two_on_paper(tmp_path: Path) -> None:
+    run = coursework.solve("31", quantities=["table", "checks"])
+    assert any("--step h/" in check.sentence for check in run.checks)
+    coursework.write_report(run, tmp_path / "report.pdf")
+    seen = 0
+    for page in pymupdf.open(tmp_path / "report.pdf"):
+        for span in page.get_texttrace():
+            for one, two in itertools.pairwise(span["chars"]):
+                if chr(one[0]) == chr(two[0]) == "-":
+                    seen += 1
+                    assert one[1] == two[1] > 0, "two letters, and one glyph for both"
+    assert seen
