@@ -245,8 +245,9 @@ class _Reader:
             raise FormulaFault(token.column, f'"{token.text}(…)" is not allowed; the functions are {known}; a product needs *')
         arguments = self.arguments()
         if name in _COTANGENT and len(arguments) == 1:
-            above, below = (self.node("call", arguments, token.column, part) for part in ("cos", "sin"))
-            return self.node("/", (above, below), token.column)
+            # Not cos/sin: with the argument twice, one inside the other, sixty letters would make a formula without end.
+            one = self.node("number", (), token.column, "1")
+            return self.node("/", (one, self.node("call", arguments, token.column, "tan")), token.column)
         wanted = FUNCTIONS.get(name, 1)
         if len(arguments) != wanted:
             plural = "s" if wanted > 1 else ""

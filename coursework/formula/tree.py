@@ -94,22 +94,33 @@ _LEVELS = {"+": 1, "-": 1, "neg": 2, "*": 3, "/": 3, "@": 3, "^": 5}
 
 def spelled(tree: Formula) -> str:
     """Return the formula as text that `parse` reads back to the same meaning."""
+    text = _spelled(tree, spare=False)
+    # Parentheses for the eye, and spaces, are spared where the reader's bounds on depth and length are near.
+    return text if len(text) < _READABLE and text.count("(") < _CLEAR else _spelled(tree, spare=True)
+
+
+_READABLE, _CLEAR = 1500, 25
+
+
+def _spelled(tree: Formula, *, spare: bool) -> str:
     if tree.op in {"number", "name"}:
         return tree.name
     if tree.op == "part":
-        return f"{_enclosed(tree.args[0], 6)}.{tree.name}"
+        return f"{_enclosed(tree.args[0], 6, spare)}.{tree.name}"
     if tree.op in {"call", "pair"}:
-        return f"{tree.name}({', '.join(map(spelled, tree.args))})"
+        return f"{tree.name}({(',' if spare else ', ').join(_spelled(arg, spare=spare) for arg in tree.args)})"
     level = _LEVELS[tree.op]
     if tree.op == "neg":
-        return f"-{_enclosed(tree.args[0], level + 1)}"
+        return f"-{_enclosed(tree.args[0], level + (not spare), spare)}"
     first, second = tree.args
-    sign = f" {tree.op} " if level == 1 or tree.op == "@" else tree.op
-    return f"{_enclosed(first, level + (tree.op == '^'))}{sign}{_enclosed(second, level + 1)}"
+    sign = f" {tree.op} " if (level == 1 or tree.op == "@") and not spare else tree.op
+    # A minus in front of a product binds to its first factor, with or without parentheses.
+    before = level - spare if level == 3 else level + (tree.op == "^")
+    return f"{_enclosed(first, before, spare)}{sign}{_enclosed(second, level + 1, spare)}"
 
 
-def _enclosed(tree: Formula, least: int) -> str:
-    text = spelled(tree)
+def _enclosed(tree: Formula, least: int, spare: bool) -> str:
+    text = _spelled(tree, spare=spare)
     return f"({text})" if _LEVELS.get(tree.op, 9) < least else text
 
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.errors import InputError
+from coursework.errors import Fault, InputError
 from coursework.integration.motion import Motion
 from coursework.kinematics.analogs import acceleration_analog, velocity_analog
 from coursework.kinematics.invariants import from_true
@@ -37,7 +37,7 @@ def analog_table(variant: Variant, motion: Motion, second: Array) -> ExtraTable:
     Raises `InputError` where the mechanism has not exactly one driven coordinate, or the crank stands still.
     """
     crank = _crank(variant)
-    omega, epsilon = _crank_motion(crank, motion, second)
+    omega, epsilon = _crank_motion(variant, crank, motion, second)
     names, units, columns = [crank.name], ["rad"], [motion.column(crank.name)]
     for coordinate in variant.coordinates:
         if coordinate.name == crank.name:
@@ -58,14 +58,17 @@ def invariant_table(variant: Variant, motion: Motion, second: Array) -> ExtraTab
     crank = _crank(variant)
     sliders = [c for c in variant.coordinates if c.unit == "m" and c.rate not in variant.known_rates]
     if not sliders:
-        raise InputError("invariants need a coordinate that is a length (a slider); this variant has none.")
+        raise _refused(variant, "invariants need a coordinate that is a length (a slider); this variant has none.")
     slider = sliders[-1]
     rows = _longest_way(motion.column(slider.name))
     s, phi = motion.column(slider.name)[rows], motion.column(crank.name)[rows]
-    omega, epsilon = (part[rows] for part in _crank_motion(crank, motion, second))
+    omega, epsilon = (part[rows] for part in _crank_motion(variant, crank, motion, second))
     place = motion.velocity_names.index(slider.rate)
     way, turn = float(s[-1] - s[0]), float(phi[-1] - phi[0])
-    sign = np.sign(way) or 1.0
+    if not (abs(way) > 0 and abs(turn) > 0):
+        still = slider.name if abs(way) == 0 else crank.name
+        raise _refused(variant, f"{still} stands still, so there is no stroke; invariants mean nothing there.")
+    sign = np.sign(way)
     found = from_true(
         sign * (s - s[0]), sign * motion.velocities[rows, place], sign * second[rows, place],
         stroke=abs(way), angle=abs(turn), omega_1=omega, epsilon_1=epsilon,
@@ -79,20 +82,26 @@ def invariant_table(variant: Variant, motion: Motion, second: Array) -> ExtraTab
 def _crank(variant: Variant) -> Coordinate:
     driven = [c for c in variant.coordinates if c.rate in variant.known_rates]
     if len(driven) != 1:
-        raise InputError(
+        raise _refused(
+            variant,
             f"analogs and invariants need one driven crank (its rate in [drive]); this variant has {len(driven)}. "
-            'Take "analogs" and "invariants" out of [ask] or --quantities.'
+            'Take "analogs" and "invariants" out of [ask] or --quantities.',
         )
     return driven[0]
 
 
-def _crank_motion(crank: Coordinate, motion: Motion, second: Array) -> tuple[Array, Array]:
+def _crank_motion(variant: Variant, crank: Coordinate, motion: Motion, second: Array) -> tuple[Array, Array]:
     place = motion.velocity_names.index(crank.rate)
     omega = motion.velocities[:, place]
     if not np.all(omega):
         row = int(np.argmin(np.abs(omega)))
-        raise InputError(f"the crank stands still in row {row + 1} (t = {motion.t[row]:.6g} s); analogs mean nothing there.")
+        text = f"the crank stands still in row {row + 1} (t = {motion.t[row]:.6g} s); analogs mean nothing there."
+        raise _refused(variant, text)
     return omega, second[:, place]
+
+
+def _refused(variant: Variant, text: str) -> InputError:
+    return InputError([Fault(text, str(variant.path or variant.name), variant.nearest_line("ask", "quantities"))])
 
 
 def _longest_way(values: Array) -> slice:

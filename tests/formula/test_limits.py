@@ -1,11 +1,12 @@
 """What a formula may not be: a program, or larger than anything a person writes; the bounds themselves, on both sides."""
 
 import builtins
+import math
 
 import pytest
 
 from coursework.formula.reader import MAX_CHARACTERS, MAX_DEPTH, MAX_EXPONENT, MAX_NODES, parse, parse_equation
-from coursework.formula.tree import FormulaFault, evaluate
+from coursework.formula.tree import FormulaFault, evaluate, spelled
 
 HOSTILE = [
     "__import__('os').system('x')", '__import__("os").system("x")', "().__class__.__base__.__subclasses__()",
@@ -108,3 +109,19 @@ def test_values_that_are_no_numbers_are_told(text):
     with pytest.raises(FormulaFault) as caught:
         evaluate(parse(text), {"a": 0.9})
     assert caught.value.message.split()[-1] in {"zero", "number"}
+
+
+def test_a_cotangent_of_a_cotangent_does_not_double_the_formula():
+    """Read as cos/sin the argument stood twice: sixty letters made a formula of 2^55 parts."""
+    tree = parse("ctg(" * 55 + "x" + ")" * 55)
+    assert sum(1 for _ in tree.walk()) == 3 * 55 + 1
+    assert parse(spelled(tree)) == tree
+    assert evaluate(parse("ctg(x)"), {"x": 0.7}) == pytest.approx(math.cos(0.7) / math.sin(0.7), rel=1e-15)
+
+
+@pytest.mark.parametrize("text", ["-" * 58 + "x", "-(" * 29 + "x" + ")*r" * 29, "(" * 58 + "x" + ")" * 58, "-2*r*(-x)/(-y)"])
+def test_what_is_nested_as_deeply_as_may_be_is_read_back(text):
+    tree = parse(text)
+    again = parse(spelled(tree))
+    values = {"x": 1.25, "r": 1.5, "y": 0.75}
+    assert evaluate(again, values) == evaluate(tree, values)

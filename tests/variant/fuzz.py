@@ -27,7 +27,7 @@ import coursework
 from coursework.catalogue import names
 from coursework.data import folder
 from coursework.errors import CourseworkError
-from coursework.output import record
+from coursework.output.record import record
 from coursework.variant.reader import read_variant
 from coursework.variant.record import Variant
 

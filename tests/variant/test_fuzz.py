@@ -1,58 +1,49 @@
-"""Files spoilt at random: whatever is wrong with them is a fault of the file with a sentence, never a crash of the tool."""
+"""Files spoilt at random: whatever is wrong with them is a fault of the file with a sentence, never a crash of the tool.
 
-import re
+The same files every time; a new crash is looked for by hand, `python -m tests.variant.fuzz 100000`.
+"""
 
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
+import pytest
 
-import coursework
-from coursework.catalogue import names
-from coursework.data import folder
-from coursework.variant.reader import parse_variant
-
-TEXTS = {name: (folder("variants") / f"{name}.toml").read_text(encoding="utf-8") for name in names() if "-table" not in name}
-PIECES = [
-    "0", "1", "-1", "1e9", "nan", "inf", "true", '""', '"0"', '"1 m"', "[", "{", "[]", "{}", "phi1", "w1", "w4", "r1", "t",
-    "pi", "sin(", "cos(", ")", "(", "*", "/", "^", "+", "-", " = ", "=", "@", ".x", ".y", '"', "'", "\n", "[drive]",
-    "[[constraint]]", "[points]", "D", "A", "M", "VMx", "9**9", "exp(", "sqrt(", "abs(", "log(", "asin(", "atan2(", "1/0",
-    ",", "#", "φ1", "deg", "rate", "start", "closure", "driven", "kind", '"RRR"', "mode", "1000000", "1e-30", "0 @ phi1",
-    "", "\ufeff", "\x00", "с",
-]  # fmt: skip
-WORD = re.compile(r"[^\W\d]\w*|[\d.]+|[^\s\w]")
+from tests.variant.fuzz import TooLong, limited, spoilt, tried
 
 
-@st.composite
-def spoilt_files(draw):
-    """Return a file of the catalogue with up to three words or lines exchanged, taken out or put in."""
-    text = TEXTS[draw(st.sampled_from(sorted(TEXTS)))]
-    for _ in range(draw(st.integers(1, 3))):
-        kind = draw(st.integers(0, 3))
-        words, lines = list(WORD.finditer(text)), text.split("\n")
-        word = words[draw(st.integers(0, len(words) - 1))]
-        if kind == 0:
-            text = text[: word.start()] + draw(st.sampled_from(PIECES)) + text[word.end() :]
-        elif kind == 1:
-            other = words[draw(st.integers(0, len(words) - 1))]
-            text = text[: word.start()] + other[0] + text[word.end() :]
-        elif kind == 2:
-            del lines[draw(st.integers(0, len(lines) - 1))]
-            text = "\n".join(lines)
-        else:
-            text = text[: word.start()] + draw(st.sampled_from(PIECES)) + text[word.start() :]
-    return text
+@pytest.mark.parametrize("first", [0, 10_000])
+def test_a_spoilt_file_is_computed_or_told(tmp_path, first):
+    *_, tally = tried(range(first, first + 150), 25, 1, tmp_path)
+    assert tally.failures == []
+    assert tally.counts["read: done"] + tally.counts["read: refused"] == 150
+    assert tally.counts["computed"] == 25
+    assert tally.counts["pages: done"] == 1
+    assert tally.memory < 1024
 
 
-# The same files every time: a new crash is looked for by raising the number, not by every run of the tests.
-@settings(
-    max_examples=120, derandomize=True, deadline=None, suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large]
-)
-@given(spoilt_files())
-def test_a_spoilt_file_is_computed_or_told(text):
-    try:
-        run = coursework.solve(parse_variant(text, "spoilt.toml"), quantities=["table", "checks"])
-        names, rows = run.columns()
-        assert rows.shape == (len(run.motion.t), len(names))
-        assert run.stop is not None or len(run.checks) > 3
-    except coursework.CourseworkError as error:
-        assert str(error)
-        assert str(error).replace("\n", "").isprintable()
+def test_the_fuzz_finds_what_fails(tmp_path, monkeypatch):
+    """A reader that crashes on some files, and one that never ends, are both told with their seeds."""
+    calls = []
+
+    def broken(path):
+        calls.append(path)
+        if len(calls) == 2:
+            raise ZeroDivisionError("as planned")
+        raise TooLong
+
+    monkeypatch.setattr("tests.variant.fuzz.read_variant", broken)
+    *_, tally = tried(range(3), 0, 0, tmp_path)
+    assert [(seed, stage) for seed, stage, _ in tally.failures] == [(0, "read"), (1, "read"), (2, "read")]
+    assert "ZeroDivisionError: as planned" in tally.failures[1][2]
+    assert "took more than" in tally.failures[0][2]
+
+
+def test_a_seed_makes_the_same_file_again():
+    from random import Random
+
+    text = 'a = "1 m"\nb = 2\n'
+    assert [spoilt(text, Random(seed)) for seed in range(50)] == [spoilt(text, Random(seed)) for seed in range(50)]
+    assert len({spoilt(text, Random(seed)) for seed in range(50)}) > 40
+
+
+def test_work_that_never_ends_is_ended():
+    with pytest.raises(TooLong), limited(0.2):
+        while True:
+            pass
