@@ -23,6 +23,7 @@ MAX_NEWTON = 12
 _CLOSE = 1e-13  # rad or m; Newton's last correction
 _NUDGE = 1e-6  # rad or m of the differences in Newton's matrix
 _STEP = 1e-5  # s along the motion; central difference, error about 1e-10
+_SAME = 1e-6  # rad/s or m/s between two motions that are one
 _FLAT = 1e-6  # a coefficient of the quadratic below this part of the largest is zero
 # Two-point Gauss rule: the closure error between two positions, right to the fourth order of their distance.
 _GAUSS = (0.5 - 3**-0.5 / 2, 0.5 + 3**-0.5 / 2)
@@ -135,4 +136,17 @@ def branches_at(flow: Flow, block: int, time: float, position: Sequence[float]) 
     for x in roots:
         every = flow.velocities(time, start.tolist(), block, (particular + x * v).tolist())
         found.append({n: float(value) for n, value in zip(flow.system.unknowns, every, strict=True) if value is not None})
-    return tuple(found)
+    return distinct(found)
+
+
+def distinct(found: Sequence[dict[str, float]]) -> tuple[dict[str, float], ...]:
+    """Return the motions that differ: two whose velocities are the same to 1e-6 are one, and there is nothing to choose.
+
+    >>> distinct([{"w": 1.0}, {"w": 1.0 + 5e-7}])
+    ({'w': 1.0},)
+    """
+    kept: list[dict[str, float]] = []
+    for branch in found:
+        if all(any(abs(value - other.get(name, np.inf)) > _SAME for name, value in branch.items()) for other in kept):
+            kept.append(branch)
+    return tuple(kept)

@@ -8,6 +8,7 @@ import pytest
 
 from coursework import groups
 from coursework.groups import CannotAssemble, Pair
+from coursework.singular.change_point import distinct
 from tests.hard.scenes import check, expected, four_bar, scene, solve
 
 LOCATED = 1e-8
@@ -239,3 +240,11 @@ def test_a_flat_parallelogram_with_rounded_start_is_no_silent_passage():
     run = solve(four_bar(1, 2, 1, 2, (0.3, -0.5513649171, -0.8513649171), end=4.0))
     assert run.stop.kind == "change point"
     assert abs(run.stop.time - (math.pi - 0.3)) < LOCATED
+
+
+@pytest.mark.parametrize(("apart", "count"), [(0.9e-6, 1), (1.1e-6, 2)])
+def test_two_motions_differ_from_a_millionth_on(apart, count):
+    first = {"w": 2.0, "u": -1.0}
+    for second in ({"w": 2.0 + apart, "u": -1.0}, {"w": 2.0, "u": -1.0 - apart}):
+        assert len(distinct([first, second])) == count
+    assert distinct([]) == ()
