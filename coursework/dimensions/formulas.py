@@ -63,7 +63,6 @@ class Measurer:
         self.factors: list[Factor] = []
         self.times_as_angles: list[Formula] = []
         self.lenient = False
-        self.nodes = 1
         self._fresh = itertools.count()
 
     def measure(self, tree: Formula) -> Term:
@@ -86,7 +85,6 @@ class Measurer:
     def _measure(self, tree: Formula) -> tuple[Dimension | None, bool]:
         """Return the dimension, and whether a datum with a unit stands in it (arguments of sin and the like apart)."""
         op = tree.op
-        self.nodes += 1
         if op == "name":
             return self._name(tree.name), tree.name in self.measured
         if op == "number":

@@ -18,8 +18,8 @@ from coursework.variant.places import Path, Place, measures, places
 from coursework.variant.record import Variant
 from coursework.variant.source import Source
 
-# Parts of formulas measured while a culprit is looked for: half a second; a file of coursework has some hundreds.
-_MOST_NODES = 300_000
+# Names and parts of formulas gone through while a culprit is looked for: half a second; a file of coursework has some hundreds.
+_MOST_PARTS = 300_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,7 +105,9 @@ def _fault(
 ) -> Fault:
     told = contrast(place, clash, outcome.solved)
     at = source.path_of(place.path)
-    passes = max(1, _MOST_NODES // outcome.measurer.nodes)
+    names = outcome.measurer.names
+    parts = sum(1 for one in places(variant, names, times) for formula in one.formulas for _ in formula.walk())
+    passes = max(1, _MOST_PARTS // (len(names) + parts))
     data = [*_data(variant)]
     tried = data if len(data) <= passes else []
     candidates = [(datum, freed) for datum in tried if (freed := _pass(variant, times, datum.path)).clash is None]
