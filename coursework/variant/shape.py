@@ -126,7 +126,7 @@ def _fault(path: Path, entry: Entry, source: Source) -> Fault:
         return source.fault(path, f'the key "{key}" is not known here.{advice}', at_key=True)
     if problem == "missing":
         what, example = (f"the section [{key}]", f"[{key}]") if len(path) == 1 else (f'the key "{key}"', key)
-        return source.fault(path[:-1], f"{what} is missing. Write {_EXAMPLES[example]}.", at_key=True)
+        return source.fault(path[:-1], f"{what} is missing. Write {_EXAMPLES.get(example, f'{key} = …')}.", at_key=True)
     if key == "[key]":
         name = str(path[-2]) if len(path) > 1 else ""
         return source.fault(path[:-2], f'"{name[:50]}" cannot be a name: 1 to 40 letters and digits were expected.', at_key=True)
@@ -139,6 +139,7 @@ _EXAMPLES = {
     "rate": 'rate = "w1", the name of the velocity', "step": 'step = "0.02 s"', "end": 'end = "0.48 s"',
     "pieces": 'pieces = [["0 s", "0"], ["0.1 s", "V"]]', "table": 'table = "r.csv"', "of": 'of = "phi1"',
     "kind": f'kind = "{GROUPS[-1].name}"', "coordinates": 'coordinates = ["phi2", "phi3"]', "through": 'through = "P"',
+    "row": "row = 7", "column": 'column = "w5"', "value": 'value = "-3.18045"',
     "angle": 'angle = "0 rad"', "center": 'center = "O"', "radius": 'radius = "R"',
 }  # fmt: skip
 _KINDS = {
