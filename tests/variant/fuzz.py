@@ -27,6 +27,7 @@ import coursework
 from coursework.catalogue import names
 from coursework.data import folder
 from coursework.errors import CourseworkError
+from coursework.output.gate import pass_gate
 from coursework.output.record import record
 from coursework.variant.reader import read_variant
 from coursework.variant.record import Variant
@@ -157,6 +158,7 @@ def _attempt(seed: int, stage: str, tally: Tally, work: Callable[[], object]) ->
 
 def _computed(variant: Variant) -> coursework.Run:
     run = coursework.solve(variant)
+    pass_gate(run, pages=False)
     _, rows = run.columns()
     if not all(map(math.isfinite, rows.ravel().tolist())):
         raise ArithmeticError("a table holds what is no number")
