@@ -16,10 +16,10 @@ from coursework.variant.reader import parse_variant
 V31 = (Path(__file__).parents[2] / "variants" / "31.toml").read_text(encoding="utf-8")
 
 
-def solve(text_or_name: str, *options: Any, **named: Any) -> Any:
-    """Return a run with its checks, of a name of the catalogue or the text of a file."""
+def solve(text_or_name: str, scheme: str = "euler", **named: Any) -> Any:
+    """Return a run with its checks, of a name of the catalogue or the text of a file; Euler's, also of a chain."""
     variant = parse_variant(text_or_name) if "\n" in text_or_name else coursework.load(text_or_name)
-    return coursework.solve(variant, *options, quantities=["table", "checks"], **named)
+    return coursework.solve(variant, scheme, quantities=["table", "checks"], **named)
 
 
 def evidence_of(run: Any, **changes: Any) -> Evidence:
