@@ -56,7 +56,7 @@ def test_a_column_alone():
 
 def test_analogs_and_invariants_have_files_of_their_own():
     result = call("run", "example-2", "--quantities", "table,analogs,invariants", "--format", "csv")
-    assert result.stdout.endswith("table.csv, analogs.csv, invariants.csv, run.json\n")
+    assert result.stdout.endswith("table.csv, table-euler.csv, analogs.csv, invariants.csv, run.json\n")
     assert Path("coursework-example-2/invariants.csv").read_text(encoding="utf-8").startswith("k,a_k,b_k,c_k\n")
     assert len(Path("coursework-example-2/analogs.csv").read_text(encoding="utf-8").splitlines()) == 38
 

@@ -9,12 +9,13 @@ from types import ModuleType
 
 import pytest
 
+import coursework
 from coursework import write_report
 from coursework.errors import OutputError
 
 
-def test_suffix_decides(stand_in: ModuleType, tmp_path: Path) -> None:
-    run = stand_in.run(asked=("table",))
+def test_suffix_decides(tmp_path: Path) -> None:
+    run = coursework.solve("31", quantities=["table"])
     write_report(run, tmp_path / "a.html", tmp_path / "deep" / "b.PDF")
     assert (tmp_path / "a.html").read_bytes().startswith(b"<!DOCTYPE html>")
     assert (tmp_path / "deep" / "b.PDF").read_bytes().startswith(b"%PDF-")
@@ -27,9 +28,7 @@ def test_another_suffix_is_refused_before_anything_is_written(stand_in: ModuleTy
     assert not list(tmp_path.iterdir())
 
 
-def test_a_full_disk_leaves_the_old_file_and_nothing_else(
-    stand_in: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_full_disk_leaves_the_old_file_and_nothing_else(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     target = tmp_path / "a.html"
     target.write_text("before")
 
@@ -38,12 +37,12 @@ def test_a_full_disk_leaves_the_old_file_and_nothing_else(
 
     monkeypatch.setattr(os, "fsync", full)
     with pytest.raises(OutputError, match=r"the disk is full\. Free some space"):
-        write_report(stand_in.run(asked=("table",)), target)
+        write_report(coursework.solve("31", quantities=["table"]), target)
     assert [path.name for path in tmp_path.iterdir()] == ["a.html"]
     assert target.read_text() == "before"
 
 
-def test_a_folder_that_is_a_file(stand_in: ModuleType, tmp_path: Path) -> None:
+def test_a_folder_that_is_a_file(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("x")
     with pytest.raises(OutputError, match="is a file, not a folder"):
-        write_report(stand_in.run(asked=("table",)), tmp_path / "file" / "a.html")
+        write_report(coursework.solve("31", quantities=["table"]), tmp_path / "file" / "a.html")
