@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import coursework
 from coursework.errors import InputError
 from coursework.formula.reader import parse
 from coursework.integration.motion import Motion, Stop
@@ -203,6 +204,7 @@ def unusual(stand_in: ModuleType) -> list[Any]:
         wide.of_lengths(), wide.of_groups(), stand_in.run(partials={"r3": ("r", "phi1")}),
         stand_in.run(reduction=wide.large), stand_in.run(equations=wide.equations),
         stand_in.stopped(), replace(stand_in.stopped(), phases="1.59 < alpha < 4.69"), wide.at_a_row(),
+        coursework.solve("example-1", quantities=["table", "plots"]),
     ]  # fmt: skip
 
 
@@ -287,7 +289,8 @@ def test_every_word_of_a_page_can_be_said(stand_in: ModuleType, monkeypatch: pyt
 # Sections of the words file that the rooms below the report speak: tests/report/test_language.py.
 FINDINGS = {
     "join", "amount", "unit", "check", "event", "phase", "determinant", "equation", "exact", "scheme", "study", "drawing",
-    "extra", "reading", "remark", "advice", "summary", "ended", "gate", "platform", "marking", "feedback", "grading", "class",
+    "extra", "reading", "remark", "advice", "summary", "ended", "gate",
+    "platform", "marking", "feedback", "grading", "class", "fault",
 }  # fmt: skip
 
 
