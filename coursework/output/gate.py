@@ -55,7 +55,7 @@ def _blocks(run: Run, pages: bool) -> Iterator[Block]:
         yield Block(run.exact.names, np.asarray(run.exact.rows), say("gate.exact"))
     for name, table in run.own_tables.items():
         yield Block(table.names, np.asarray(table.rows), name)
-    study = run.accuracy
+    study = run.accuracy if pages or run.timed is not None else None
     if study is not None:
         rows = np.array([[row.max_error, row.end_error] for row in study.rows if not row.failed]).reshape(-1, 2)
         yield Block(("max_error", "end_error"), rows, "accuracy")

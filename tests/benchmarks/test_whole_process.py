@@ -51,9 +51,10 @@ def against(arguments, yardstick, limit, folder) -> float:
     return ours / bare
 
 
+# A run judges its table against the exact motion and runs the step it advises before it tells it: that is in its time.
 CASES = [
-    (["run", "31", "--format", "csv"], "numpy, pandas, sympy", 1.5),
-    (["run", "31"], "numpy, pandas, sympy, matplotlib.figure, jinja2, typst", 2.0),
+    (["run", "31", "--format", "csv"], "numpy, pandas, sympy", 1.8),
+    (["run", "31"], "numpy, pandas, sympy, matplotlib.figure, jinja2, typst", 2.3),
     (["--help"], "click", 1.5),
 ]
 
