@@ -30,7 +30,6 @@ from coursework.sentences import Sentence
 
 Array = NDArray[np.float64]
 GRADED = ("graded", "graded-with-notes")
-STATES = (*GRADED, "needs-review", "unreadable", "missing", "timeout", "crashed-grader")
 
 
 @dataclass(frozen=True)

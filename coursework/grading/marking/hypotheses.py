@@ -13,7 +13,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.grading.marking.cells import HALF, LEAST, SLACK, Student
+from coursework.grading.marking.cells import HALF, LEAST, SLACK, Student, velocity_tolerance
 from coursework.grading.marking.key import Key, sensitivity
 
 Array = NDArray[np.float64]
@@ -100,8 +100,7 @@ class Printed:
 
     def velocities(self, found: Array, spread: Array) -> tuple[Array, Array]:
         """Return velocities (n, r) and their tolerance."""
-        size = np.maximum(np.abs(found), LEAST * self.key.ranges[self.m :])
-        return found, HALF * self.w_units + HALF * spread + SLACK * size
+        return found, velocity_tolerance(self.key, self.w_units, found, spread)
 
     def slopes(self, data: Mapping[str, float] | None = None, t: Array | None = None) -> Callable[[Array], Array]:
         """Return f(t, q) with other data; the rows' own times where `t` is None."""

@@ -113,11 +113,6 @@ class Key:
         driven = [place for place in range(m, m + len(self.velocities)) if place not in placed]
         return (*range(m), *placed, *driven)
 
-    @cached_property
-    def block_of(self) -> dict[str, int]:
-        """Return in which block each unknown velocity is solved."""
-        return {name: index for index, block in enumerate(self.blocks) for name in block}
-
 
 def sensitivity(function: Callable[[Array], Array], at: Array, units: Array) -> Array:
     """Return sum over j of |d function / d x_j| u_j, (n, k), for rows `at` (n, m) with digits `units` (n, m), all at once."""
