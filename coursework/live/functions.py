@@ -1,0 +1,80 @@
+"""The velocities, the drawn places and the closed start of a mechanism as JavaScript functions of time, position and data.
+
+Enters: a `Scene`.  Leaves: `Functions`, text and the numbers behind its data argument.
+Used by the live page and by the test that runs every variant of the catalogue in a browser.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from coursework.codegen.javascript import javascript_function, javascript_tables
+from coursework.codegen.names import private
+from coursework.codegen.programs import Assign, Program, Statement
+from coursework.integration.rates import block_statements
+from coursework.reduction.symbolic import constants, local, symbol
+from coursework.reduction.system import scene_program
+from coursework.scene import Scene
+from coursework.variant.changes import follow_from
+
+
+@dataclass(frozen=True, slots=True)
+class Functions:
+    """`text` of the functions; `numbers` the data d they take, the given ones first; `tables` the laws they call.
+
+    rates(t, q, d, out): velocities, then the determinant of each block; places(t, q, d, out): the expressions asked for;
+    closing(t, q, d, out): what is zero at the start and its derivatives by the `moved` coordinates, whose start follows from
+    the data `followed`.
+    """
+
+    text: str
+    numbers: tuple[float, ...]
+    tables: dict[str, dict[str, Any]]
+    moved: tuple[int, ...]
+    followed: tuple[str, ...]
+
+
+def live_functions(scene: Scene, places: Sequence[Any]) -> Functions:
+    """Return the functions of a scene; `places` are the expressions (SymPy, m or rad) that are drawn."""
+    variant, equations = scene.variant, scene.equations
+    blocks = scene.reduction.blocks
+    velocities = (*variant.rates, *(name for name, _ in variant.unknowns))
+    statements = [one for index, block in enumerate(blocks) for one in block_statements(block, index)]
+    followed = {given.name: follow_from(variant, [("given", given.name)]) for given in variant.given}
+    names = {name for follow in followed.values() for name in follow}
+    moved = tuple(place for place, c in enumerate(variant.coordinates) if c.name in names)
+    zero = [position.expression for position in equations.positions if position.kept == "zero"]
+    slopes = [
+        equations.symbols.partial(expression, symbol(variant.coordinates[place].name)) for expression in zero for place in moved
+    ]
+    bodies: tuple[tuple[str, Sequence[Statement], Sequence[Any]], ...] = (
+        ("rates", statements, [*map(symbol, velocities), *(local(f"_det{index}") for index in range(len(blocks)))]),
+        ("places", [], places),
+        ("closing", [], [*zero, *slopes] if moved else []),
+    )
+    programs = [(name, _program(scene, before, wanted), len(wanted)) for name, before, wanted in bodies]
+    numbers = constants(variant)
+    arrays = {"t": (), "q": [private(c.name) for c in variant.coordinates], "d": [*numbers]}
+    functions = [
+        javascript_function(name, arrays, body, [f"_out{place}" for place in range(count)]) for name, body, count in programs
+    ]
+    laws = sorted({line for _, body, _ in programs for line in javascript_tables(body)})
+    return Functions(
+        "\n".join((*laws, *functions)), tuple(numbers.values()), _tables(scene), moved,
+        tuple(name for name, follow in followed.items() if follow),
+    )  # fmt: skip
+
+
+def _program(scene: Scene, before: Sequence[Statement], wanted: Sequence[Any]) -> Program:
+    outs = [Assign(local(f"_out{place}"), value) for place, value in enumerate(wanted)]
+    return scene_program(scene.equations, [*before, *outs], folded=False)
+
+
+def _tables(scene: Scene) -> dict[str, dict[str, Any]]:
+    """Return of every tabulated law where its table begins, its step, and the coefficients of value and derivatives."""
+    return {
+        name: {"first": law.first, "step": law.step, "pieces": [level.tolist() for level in law.pieces]}
+        for name, law in scene.equations.tables.items()
+    }

@@ -1,0 +1,48 @@
+"""The one script of a page: the runtime of `reports/live` around the generated functions, and the hash that admits it.
+
+Enters: JavaScript of the generated functions; data for JSON.  Leaves: text, the same bytes on every run.
+Used by the live page and by the test that runs every variant of the catalogue in a browser.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import json
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
+from typing import Any
+
+from coursework.data import folder
+
+
+def script_of(functions: str, pieces: Sequence[str]) -> str:
+    """Return the script: `data` read from the page, the named pieces of the runtime, the functions after the first.
+
+    Everything stands inside one function, so that no name is left behind on the page.
+    """
+    first, *others = map(_piece, pieces)
+    reading = 'const data = JSON.parse(document.getElementById("coursework").textContent);'
+    return "\n".join(("(() => {", '"use strict";', reading, first, functions, *others, "})();"))
+
+
+def embedded(data: Mapping[str, Any]) -> str:
+    r"""Return data as JSON that may stand inside a script element: keys in order, shortest numbers, no end tag.
+
+    >>> embedded({"b": 0.1, "a": "</script>"})
+    '{"a":"<\\/script>","b":0.1}'
+    """
+    text = json.dumps(data, sort_keys=True, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    return text.replace("</", "<\\/").replace("<!--", "<\\u0021--")
+
+
+def hash_of(script: str) -> str:
+    """Return how a content security policy names a script: the hash of exactly its bytes."""
+    return "sha256-" + base64.b64encode(hashlib.sha256(script.encode("utf-8")).digest()).decode("ascii")
+
+
+@lru_cache
+def _piece(name: str) -> str:
+    """Return a file of the runtime without its comment lines and margins, which only its reader needs."""
+    lines = map(str.strip, (folder("reports") / "live" / f"{name}.js").read_text(encoding="utf-8").splitlines())
+    return "\n".join(line for line in lines if line and not line.startswith("//"))
