@@ -110,8 +110,12 @@ def test_an_interrupt_ends_with_130_and_one_sentence(at, folder):
 
 @pytest.mark.skipif(os.name == "nt", reason="an interrupt sent to another process is a POSIX signal")
 def test_an_interrupt_from_outside(folder):
-    process = started("accuracy", "31", stdout=subprocess.PIPE, start_new_session=True)
-    time.sleep(2.0)
+    code = "from coursework.cli import main; print('begun', flush=True); main(['accuracy', '31'])"
+    process = subprocess.Popen(
+        [sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True
+    )
+    process.stdout.readline()  # before this line the interpreter itself is interrupted, not the command
+    time.sleep(1.0)
     os.killpg(process.pid, signal.SIGINT)
     _, said = process.communicate()
     if process.returncode == 0:
