@@ -13,12 +13,10 @@ import numpy as np
 
 from coursework.catalogue import find
 from coursework.errors import Fault, InputError, closest, listing
-from coursework.exact_scene import ExactScene
-from coursework.model.model import Model, build_model
+from coursework.exact_scene import scene_of
+from coursework.model.model import Model, model_of
 from coursework.quantities import TABLE, known_quantities
 from coursework.run import Run, gather
-from coursework.scene import Scene
-from coursework.schemes import EXACT
 from coursework.settings import Settings, scheme_for
 from coursework.variant.reader import read_variant
 from coursework.variant.record import MAX_ROWS, Variant
@@ -39,7 +37,7 @@ def compile_model(variant: Variant | str | Path) -> Model:
     >>> coursework.compile_model("31").velocities
     ('w1', 'w2', 'w3', 'w4')
     """
-    return build_model(load(variant) if isinstance(variant, (str, Path)) else variant)
+    return model_of(load(variant) if isinstance(variant, (str, Path)) else variant)
 
 
 def solve(
@@ -66,8 +64,7 @@ def solve(
     chosen = timed(chosen, step, end)
     asked, columns = _sorted(chosen, quantities)
     settings = Settings(scheme_for(chosen, scheme), project, gain, columns).checked(chosen.time.step)
-    kind = ExactScene if settings.scheme == EXACT else Scene
-    return Run(kind(chosen, settings), asked, student, group, date)
+    return Run(scene_of(chosen, settings), asked, student, group, date)
 
 
 def exact(

@@ -1,7 +1,7 @@
 """A scene whose table is the motion of the mechanism itself, without a scheme's error, and a scheme's rows beside it.
 
-Enters: a `Variant` and `Settings` with the scheme "exact".  Leaves: `ExactScene`.
-Used by `api.py`; everything that reads a `Scene` reads it too.
+Enters: a `Variant` and `Settings` with the scheme "exact".  Leaves: `ExactScene`; `scene_of` gives whichever is asked for.
+Used by `api.py` and `model/model.py`; everything that reads a `Scene` reads it too.
 """
 
 from __future__ import annotations
@@ -18,8 +18,15 @@ from coursework.graph import computed
 from coursework.integration.motion import Motion
 from coursework.motion_results import MotionResults
 from coursework.scene import Scene
-from coursework.schemes import DEFAULT_SCHEME, PRECISE
+from coursework.schemes import DEFAULT_SCHEME, EXACT, PRECISE
 from coursework.sentences import say
+from coursework.settings import Settings
+from coursework.variant.record import Variant
+
+
+def scene_of(variant: Variant, settings: Settings) -> Scene:
+    """Return the scene of a variant: with rows of a scheme, or with the motion itself for its table."""
+    return (ExactScene if settings.scheme == EXACT else Scene)(variant, settings)
 
 
 @dataclass(frozen=True, eq=False, repr=False)

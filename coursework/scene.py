@@ -27,12 +27,13 @@ from coursework.integration.following import NotReached
 from coursework.integration.integrate import Correction, march
 from coursework.integration.motion import Motion, Stop, rows_before
 from coursework.integration.rates import Rates, compile_rates
-from coursework.mechanism import Mechanism, build
+from coursework.mechanism import Mechanism
 from coursework.motion_results import MotionResults
 from coursework.reduction.blocks import Reduction, angles_in_determinants, reduce
-from coursework.reduction.equations import VelocityEquations, differentiate
+from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.solution import Solution
 from coursework.reduction.solution import solutions as solve_blocks
+from coursework.reduction.structure import Structure, structure_of
 from coursework.schemes import EXACT
 from coursework.sentences import say
 from coursework.settings import Settings
@@ -57,15 +58,20 @@ class Scene:
     settings: Settings
     ledger: Ledger = field(default_factory=Ledger)
 
+    @cached_property
+    def structure(self) -> Structure:
+        """What the variant has in common with all that differ in their data only."""
+        return structure_of(self.variant)
+
     @computed()
     def mechanism(self) -> Mechanism:
         """Points in order, chains written out, mobility."""
-        return build(self.variant)
+        return self.structure.mechanism(self.variant)
 
     @computed("mechanism")
     def equations(self) -> VelocityEquations:
         """The velocity equations A(q, t) u = b(q, t)."""
-        return differentiate(self.mechanism)
+        return self.structure.equations(self.mechanism)
 
     @computed("equations")
     def start(self) -> list[float]:

@@ -11,17 +11,20 @@ from __future__ import annotations
 import builtins
 import math
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
+from types import CodeType
 from typing import Any
 
 import numpy as np
 import sympy as sp
 
-from coursework.codegen.straight_line import Line, StraightLine
+from coursework.codegen.straight_line import CALLS, Line, StraightLine
 from coursework.codegen.tabulated import TableLaw
 
 SYMPY_VERSION: str = sp.__version__
+_NUMBER = re.compile(r"-?[\d.]+(?:e[+-]?\d+)?")
 _NAME = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
 
 
@@ -47,10 +50,55 @@ Statement = Assign | Solve
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """Lines in an order in which each needs only earlier ones and the arguments; the tabulated laws they call."""
+    """Lines in an order in which each needs only earlier ones, the arguments and `reads`; the tabulated laws they call.
+
+    `known` are the lines of what the data alone give, `data` the names of data that any line reads.
+    """
+
+    known: tuple[Line, ...]
+    lines: tuple[Line, ...]
+    reads: tuple[str, ...]
+    data: tuple[str, ...]
+    tables: Mapping[str, TableLaw]
+
+    def bind(self, constants: Mapping[str, float]) -> Bound:
+        """Return the program with its data; what they give is worked out now, or where it has no value in every call."""
+        numbers = {name: constants[name] for name in self.data}
+        try:
+            numbers |= self._settled(numbers)
+        except (ArithmeticError, ValueError):
+            return Bound((*self.known, *self.lines), numbers, self.tables)
+        return Bound(self.lines, {name: numbers[name] for name in self.reads}, self.tables)
+
+    def free(self) -> Bound:
+        """Return the program whose data are arguments of every call."""
+        return Bound((*self.known, *self.lines), {}, self.tables)
+
+    def _settled(self, numbers: Mapping[str, float]) -> dict[str, float]:
+        if not self.known:
+            return {}
+        names = [name for line in self.known for name in line.targets]
+        source = _source("settled", self.data, self.known, names)
+        values = build(source, "settled", Bound((), {}, {}))(*numbers.values())
+        return dict(zip(names, values, strict=True))
+
+
+@dataclass(frozen=True, slots=True)
+class Bound:
+    """The `lines` of a program with the `numbers`, by name, that they read beside their arguments."""
 
     lines: tuple[Line, ...]
+    numbers: Mapping[str, float]
     tables: Mapping[str, TableLaw]
+
+    @property
+    def constant(self) -> set[str]:
+        """Return the names that a line sets to one of the numbers or to a number written out."""
+        return {line.targets[0] for line in self.lines if len(line.targets) == 1 and _is_number(line.text, self.numbers)}
+
+    def arguments(self, *own: str) -> str:
+        """Return the arguments of a function over these lines: its own, then the numbers, which nobody passes."""
+        return ", ".join([*own, *(f"{name}={name}" for name in self.numbers)])
 
     def renamed(self, rename: Mapping[str, str]) -> list[Line]:
         """Return the lines with other identifiers."""
@@ -60,18 +108,20 @@ class Program:
 def program(
     wanted: Sequence[Statement],
     definitions: Mapping[sp.Symbol, sp.Expr],
-    constants: Mapping[str, float],
+    data: Collection[str],
     tables: Mapping[str, TableLaw],
 ) -> Program:
-    """Return a program for `wanted`, with the definitions it needs."""
+    """Return a program for `wanted`, with the definitions it needs; `data` are the names of what is a number in every run."""
     written = {target for statement in wanted for target in _targets(statement)}
-    collected = StraightLine(constants, definitions, written)
+    collected = StraightLine(data, definitions, written)
     for statement in wanted:
         if isinstance(statement, Assign):
             collected.add([statement.target], [statement.value])
         else:
             collected.add(_targets(statement), statement.entries, "_solve")
-    return Program(tuple(collected.lines()), dict(tables))
+    lines = tuple(collected.lines())
+    read = tuple(name for name in data if name in collected.reads or name in collected.known_reads)
+    return Program(tuple(collected.known), lines, tuple(collected.reads), read, dict(tables))
 
 
 def _targets(statement: Statement) -> tuple[sp.Symbol, ...]:
@@ -79,18 +129,27 @@ def _targets(statement: Statement) -> tuple[sp.Symbol, ...]:
 
 
 def compile_function(
-    name: str, arguments: Sequence[str], body: Program, results: Sequence[str], *, numpy: bool = False, outside: bool = False
+    name: str, arguments: Sequence[str], body: Bound, results: Sequence[str], *, numpy: bool = False, outside: bool = False
 ) -> Callable[..., Any]:
     """Return `name(*arguments) -> (results…)`; with `numpy` every argument may be an array (n,).
 
     With `outside` too a tabulated law gives nan beyond its table instead of raising `OutsideTable`.
     """
-    lines = [f"def {name}({', '.join(arguments)}):", *(f"    {line.text}" for line in body.lines)]
-    lines.append(f"    return ({', '.join(results)}{',' if len(results) == 1 else ''})")
-    return build("\n".join(lines), name, body, numpy=numpy, outside=outside)
+    source = _source(name, [body.arguments(*arguments)], body.lines, results)
+    return build(source, name, body, numpy=numpy, outside=outside)
 
 
-def compile_later(name: str, arguments: Sequence[str], body: Program, results: Sequence[str]) -> Callable[..., Any]:
+def _source(name: str, arguments: Iterable[str], lines: Iterable[Line], results: Sequence[str]) -> str:
+    written = [f"def {name}({', '.join(arguments)}):", *(f"    {line.text}" for line in lines)]
+    return "\n".join([*written, f"    return ({', '.join(results)}{',' if len(results) == 1 else ''})"])
+
+
+def _is_number(text: str, numbers: Mapping[str, float]) -> bool:
+    value = text.partition(" = ")[2]
+    return value.removeprefix("-") in numbers or _NUMBER.fullmatch(value) is not None
+
+
+def compile_later(name: str, arguments: Sequence[str], body: Bound, results: Sequence[str]) -> Callable[..., Any]:
     """Return the function over arrays, compiled when it is first called: many scenes never ask for it."""
     compiled: list[Callable[..., Any]] = []
 
@@ -102,23 +161,29 @@ def compile_later(name: str, arguments: Sequence[str], body: Program, results: S
     return call
 
 
-_MATH: dict[str, Any] = {**vars(math), "_choose": lambda holds, yes, no: yes() if holds else no()}
+_MATH: dict[str, Any] = {name: vars(math)[name] for name in CALLS if hasattr(math, name)}
+_MATH["_choose"] = lambda holds, yes, no: yes() if holds else no()
+_ARRAYS: dict[str, Any] = {name: vars(np)[name] for name in CALLS if hasattr(np, name)}
 # The names of `math` for what NumPy calls otherwise.
-_ARRAYS: dict[str, Any] = {
-    **vars(np), "asin": np.arcsin, "acos": np.arccos, "atan": np.arctan, "atan2": np.arctan2, "pow": np.power,
-    "_choose": lambda holds, yes, no: np.where(holds, yes(), no()),
-}  # fmt: skip
+_ARRAYS |= {"asin": np.arcsin, "acos": np.arccos, "atan": np.arctan, "atan2": np.arctan2, "pow": np.power}
+_ARRAYS["_choose"] = lambda holds, yes, no: np.where(holds, yes(), no())
 
 
-def build(source: str, name: str, body: Program, *, numpy: bool = False, outside: bool = False) -> Callable[..., Any]:
+@lru_cache(maxsize=1024)
+def _code(source: str, name: str) -> CodeType:
+    """Return a source compiled; variants that differ in their data have the same one."""
+    return compile(source, f"<generated {name}>", "exec")
+
+
+def build(source: str, name: str, body: Bound, *, numpy: bool = False, outside: bool = False) -> Callable[..., Any]:
     """Return the function `name` of a source that this program printed itself."""
-    namespace = dict(_ARRAYS if numpy else _MATH)
+    namespace = {**(_ARRAYS if numpy else _MATH), **body.numbers}
     namespace |= {"abs": abs, "sign": np.sign, "_solve": _solve_rows if numpy else _solve, "range": range}
     for key, law in body.tables.items():
         for order in range(3):
             namespace[f"_table_{key}_{order}"] = _beyond(law, order) if outside else law.function(order)
     namespace["__builtins__"] = {}
-    builtins.exec(compile(source, f"<generated {name}>", "exec"), namespace)
+    builtins.exec(_code(source, name), namespace)
     function: Callable[..., Any] = namespace[name]
     function = _quiet(function) if numpy else function
     function.__doc__ = source

@@ -1,4 +1,4 @@
-"""SymPy expressions -> lines of Python in which every value is computed once.
+"""SymPy expressions -> lines of Python in which every value is computed once, and what the data alone give once for all.
 
 Enters: statements made by this program.  Leaves: text that means the same over `math` and over NumPy.
 Used by `programs.py` only.
@@ -9,7 +9,7 @@ that is read more than once gets a name.  SymPy's own `cse` and printers do it t
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 
@@ -17,11 +17,13 @@ import sympy as sp
 
 from coursework.errors import InputError
 
-_CALLS = {"sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "abs", "sign", "sqrt", "pow"}
+CALLS = {"sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "abs", "sign", "sqrt", "pow"}
 _SPELT = {"Abs": "abs"}
 _INVERSE = {"cot": "tan", "sec": "cos", "csc": "sin"}  # SymPy writes tan(pi/2 - x) as cot(x)
 _MOST_FACTORS = 16  # powers up to this one are products
 _SUM, _PRODUCT, _ATOM = 1, 2, 3
+# Operations that may be done once for all where their operands are known: no table, whose range is told row by row, no choice.
+_SETTLING = {"+", "*", "/", *CALLS}
 MOST_OPERATIONS = 20_000  # different ones in one program; the largest of the catalogue has some hundreds
 
 
@@ -41,18 +43,23 @@ class Line:
 class StraightLine:
     """Collects statements, then gives their lines.
 
-    `constants`, by private name, become numbers; a name of `definitions` that no statement of `written` sets is defined
-    where it is first read.
+    `data` are private names of numbers that do not change while the lines are run: what they alone give is computed in lines of
+    its own, `known`; `reads` are the names of data and of known values in all other lines, `known_reads` the data behind those.
+    A name of `definitions` that no statement of `written` sets is defined where it is first read.
     A value is an integer: its number, negative for the negative of it.  A form is an operation and the values it takes.
     """
 
-    constants: Mapping[str, float]
+    data: Collection[str]
     definitions: Mapping[sp.Symbol, sp.Expr]
     written: set[sp.Symbol]
     _forms: list[tuple[str | int, ...]] = field(default_factory=lambda: [("",)])
     _numbers: dict[tuple[str | int, ...], int] = field(default_factory=dict)
     _uses: list[int] = field(default_factory=lambda: [0])
+    known: list[Line] = field(default_factory=list)
+    reads: dict[str, None] = field(default_factory=dict)
+    known_reads: dict[str, None] = field(default_factory=dict)
     _folded: dict[int, float] = field(default_factory=dict)
+    _settled: set[int] = field(default_factory=set)
     _seen: dict[sp.Expr, int] = field(default_factory=dict)
     _statements: list[tuple[tuple[str, ...], tuple[int, ...], str]] = field(default_factory=list)
     _names: dict[int, str] = field(default_factory=dict)
@@ -74,7 +81,7 @@ class StraightLine:
                 text = f"{', '.join(targets)} = {call}(({entries}))"
             else:
                 (value,), (target,) = values, targets
-                fresh = value > 0 and value not in self._names and len(self._forms[value]) > 1
+                fresh = value > 0 and value not in self._names and len(self._forms[value]) > 1 and value not in self._settled
                 text = f"{target} = {self._body(value)[0] if fresh else self._text(value, _SUM)}"
                 if fresh:
                     self._names[value] = target
@@ -113,8 +120,6 @@ class StraightLine:
         raise FormulaRefused(f"a formula of the variant leads to {str(expr)[:60]}, which is no real number.")
 
     def _symbol(self, name: sp.Symbol) -> int:
-        if name.name in self.constants:
-            return self._constant(self.constants[name.name])
         if name in self.definitions and name not in self.written:
             self.written.add(name)
             self.add([name], [self.definitions[name]])
@@ -128,9 +133,17 @@ class StraightLine:
                 raise FormulaRefused(f"the formulas of the file lead to more than {MOST_OPERATIONS} operations. Shorten them.")
             self._forms.append(form)
             self._uses.append(0)
-            for value in form[1:]:
-                self._uses[abs(int(value))] += 1
+            operands = [abs(int(value)) for value in form[1:]]
+            for value in operands:
+                self._uses[value] += 1
+            operation = str(form[0])
+            if operation in self.data or (operands and operation in _SETTLING and all(map(self._is_settled, operands))):
+                self._settled.add(found)
         return found
+
+    def _is_settled(self, value: int) -> bool:
+        """Return whether a value follows from numbers and data alone."""
+        return abs(value) in self._settled or abs(value) in self._folded
 
     def _constant(self, size: float) -> int:
         if math.copysign(1.0, size) < 0:
@@ -139,29 +152,31 @@ class StraightLine:
         self._folded[found] = size
         return found
 
-    def _apart(self, values: Sequence[int]) -> tuple[list[float], list[int]]:
-        """Return the constants among some values, and the others in order."""
+    def _apart(self, values: Sequence[int]) -> tuple[list[float], list[int], list[int]]:
+        """Return the constants among some values, those that follow from the data, and the others, in order."""
         constants = [math.copysign(self._folded[abs(v)], v) for v in values if abs(v) in self._folded]
-        return constants, sorted((v for v in values if abs(v) not in self._folded), key=abs)
+        others = sorted((v for v in values if abs(v) not in self._folded), key=abs)
+        return constants, [v for v in others if abs(v) in self._settled], [v for v in others if abs(v) not in self._settled]
 
     def _sum(self, values: Sequence[int]) -> int:
-        constants, terms = self._apart(values)
-        if sum(constants) or not terms:
-            terms.append(self._constant(sum(constants)))
+        constants, settled, terms = self._apart(values)
+        if sum(constants) or not (settled or terms):
+            settled.append(self._constant(sum(constants)))
+        return self._added([*terms, *([self._added(settled)] if settled else [])])
+
+    def _added(self, terms: list[int]) -> int:
         if len(terms) == 1:
             return terms[0]
         sign = 1 if terms[0] > 0 else -1  # so that a - b and b - a are one value
         return sign * self._number("+", *[sign * term for term in terms])
 
     def _product(self, values: Sequence[int]) -> int:
-        constants, factors = self._apart(values)
+        constants, settled, moving = self._apart(values)
+        factors = [*settled, *moving]
         size = math.prod(constants)
-        sign = -1 if sum(factor < 0 for factor in factors) % 2 else 1
-        total = self._constant(size) if abs(size) != 1.0 or not factors else 0
-        if not total and size < 0:
-            sign = -sign
-        if total < 0:
-            total, sign = -total, -sign
+        negative = sum(factor < 0 for factor in factors) + (math.copysign(1.0, size) < 0)
+        sign = -1 if negative % 2 else 1
+        total = self._constant(abs(size)) if abs(size) != 1.0 or not factors else 0
         for factor in map(abs, factors):
             total = self._number("*", total, factor) if total else factor
         return sign * total
@@ -169,6 +184,8 @@ class StraightLine:
     def _quotient(self, above: int, below: int) -> int:
         if abs(below) in self._folded and self._folded[abs(below)]:
             return self._product([above, self._constant(1 / math.copysign(self._folded[abs(below)], below))])
+        if self._is_settled(below) and not self._is_settled(above):
+            return self._product([above, self._quotient(self._constant(1.0), below)])
         sign = 1 if (above > 0) == (below > 0) else -1
         return sign * self._number("/", abs(above), abs(below))
 
@@ -191,7 +208,7 @@ class StraightLine:
         name = _SPELT.get(name, name)
         if name in _INVERSE:
             return self._quotient(self._constant(1.0), self._function(_INVERSE[name], values))
-        if name not in _CALLS and not name.startswith("_table_"):
+        if name not in CALLS and not name.startswith("_table_"):
             raise FormulaRefused(f"a formula of the variant leads to the function {name}, which has no real value everywhere.")
         known: Callable[..., float] | None = getattr(math, name, None)
         if known and all(abs(value) in self._folded for value in values):
@@ -208,21 +225,35 @@ class StraightLine:
         sides = [self._value(side) for side in condition.args]
         return self._number(f"if {condition.rel_op}", *sides, self._pieces(pieces[:half]), self._pieces(pieces[half:]))
 
-    def _text(self, value: int, level: int, *, inline: bool = False) -> str:
-        """Return a value as it stands inside a sum, a product or alone; `inline` without naming anything new."""
+    def _text(self, value: int, level: int, *, inline: bool = False, known: bool = False) -> str:
+        """Return a value as it stands inside a sum, a product or alone; `inline` without naming anything new.
+
+        `known` says that it stands in a line of the data alone.
+        """
         number = abs(value)
-        if number not in self._names and len(self._forms[number]) > 1 and self._uses[number] > 1 and not inline:
-            body = self._body(number)[0]
-            name = f"k{self._helpers}"
-            self._helpers += 1
-            self._lines.append(Line((name,), f"{name} = {body}"))
-            self._names[number] = name
-        text, own = (self._names[number], _ATOM) if number in self._names else self._body(number, inline=inline)
+        settled = number in self._settled
+        if number not in self._names and len(self._forms[number]) > 1 and not inline:
+            if settled and (not known or self._uses[number] > 1):
+                self._name(number, "c", self.known, known=True)
+            elif not settled and self._uses[number] > 1:
+                self._name(number, "k", self._lines)
+        if settled and (number in self._names or len(self._forms[number]) == 1):
+            name = self._names.get(number, str(self._forms[number][0]))
+            (self.known_reads if known else self.reads)[name] = None
+        text, own = (self._names[number], _ATOM) if number in self._names else self._body(number, inline=inline, known=known)
         if value < 0:
             text, own = (f"-({text})" if own == _SUM else f"-{text}"), _SUM
         return text if own >= level else f"({text})"
 
-    def _body(self, number: int, *, inline: bool = False) -> tuple[str, int]:
+    def _name(self, number: int, letter: str, lines: list[Line], *, known: bool = False) -> None:
+        """Give a value a name, by a line of its own behind those it needs."""
+        body = self._body(number, known=known)[0]
+        name = f"{letter}{self._helpers}"
+        self._helpers += 1
+        lines.append(Line((name,), f"{name} = {body}"))
+        self._names[number] = name
+
+    def _body(self, number: int, *, inline: bool = False, known: bool = False) -> tuple[str, int]:
         """Return the text of a value and what it is."""
         operation, *rest = self._forms[number]
         values = [int(value) for value in rest]
@@ -230,13 +261,13 @@ class StraightLine:
             return str(operation), _ATOM
         if operation == "+":
             first, *others = values
-            terms = [f" {'+' if v > 0 else '-'} {self._text(abs(v), _PRODUCT, inline=inline)}" for v in others]
-            return self._text(first, _SUM, inline=inline) + "".join(terms), _SUM
+            terms = [f" {'+' if v > 0 else '-'} {self._text(abs(v), _PRODUCT, inline=inline, known=known)}" for v in others]
+            return self._text(first, _SUM, inline=inline, known=known) + "".join(terms), _SUM
         if operation in {"*", "/"}:
-            left = self._text(values[0], _PRODUCT, inline=inline)
-            return f"{left}{operation}{self._text(values[1], _ATOM, inline=inline)}", _PRODUCT
+            left = self._text(values[0], _PRODUCT, inline=inline, known=known)
+            return f"{left}{operation}{self._text(values[1], _ATOM, inline=inline, known=known)}", _PRODUCT
         if str(operation).startswith("if "):
             left, right, yes, no = (self._text(value, _SUM, inline=True) for value in values)
             # Only the piece that holds may be computed: another one need not have a value there.
             return f"_choose({left} {str(operation)[3:]} {right}, lambda: {yes}, lambda: {no})", _ATOM
-        return f"{operation}({', '.join(self._text(value, _SUM, inline=inline) for value in values)})", _ATOM
+        return f"{operation}({', '.join(self._text(value, _SUM, inline=inline, known=known) for value in values)})", _ATOM

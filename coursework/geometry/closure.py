@@ -168,7 +168,7 @@ def compile_closure(equations: VelocityEquations, start: Sequence[float]) -> Clo
         raise InputError([Fault(text, str(variant.path or variant.name), variant.nearest_line("closure"))]) from error
     origin = np.where([position.kept == "zero" for position in positions], 0.0, values)
     kept = tuple("" if position.kept in {"zero", "start"} else position.kept for position in positions)
-    combination, blocks = _blocks([position.expression for position in positions], names, equations)
+    combination, blocks = equations.once("closure blocks", lambda: _blocks([p.expression for p in positions], names, equations))
     return Closure(
         tuple(p.name for p in positions), free, driven, kept, origin, np.array(start, dtype=float), function, rows, equations,
         combination, blocks,

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from coursework.codegen.names import acceleration, private
 from coursework.codegen.programs import Assign, compile_function
 from coursework.reduction.equations import VelocityEquation, VelocityEquations
-from coursework.reduction.symbolic import TIME, local, symbol
+from coursework.reduction.symbolic import TIME, constants, local, symbol
 from coursework.reduction.system import scene_program
 
 Array = NDArray[np.float64]
@@ -40,7 +40,8 @@ def compile_rows(equations: VelocityEquations, wanted: Sequence[sp.Expr], order:
         arguments += map(acceleration, velocities)
     results = [f"_out{place}" for place in range(len(wanted))]
     statements = [Assign(local(result), value) for result, value in zip(results, wanted, strict=True)]
-    body = scene_program(equations, statements, [symbol(name) for name in velocities] if order >= 1 else ())
+    known = [symbol(name) for name in velocities] if order >= 1 else ()
+    body = scene_program(equations, statements, known).bind(constants(variant))
     function: RowFunction = compile_function("rows", arguments, body, results, numpy=True)
 
     def rows(t: Array, q: Array, u: Array | None = None, du: Array | None = None) -> Array:

@@ -61,7 +61,7 @@ class Joint:
 Joints = Callable[["Group", Sequence[str], Sequence[str], Sequence[str]], tuple[Joint, ...]]
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@dataclass(frozen=True, slots=True, repr=False, eq=False)
 class GroupKind:
     """A kind of group.
 

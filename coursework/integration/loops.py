@@ -8,7 +8,6 @@ Names of the loops' own begin with _ and none with _s: those of a file never beg
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
@@ -19,7 +18,6 @@ from coursework.schemes import Scheme, Sum
 
 Loop = Callable[..., tuple[float, ...]]
 RowLoop = Callable[..., None]
-_CONSTANT = re.compile(r"(\w+) = -?[\d.]+(?:e[+-]?\d+)?")
 
 
 def generate_loop(scheme: Scheme, rates: Rates) -> Loop:
@@ -30,7 +28,7 @@ def generate_loop(scheme: Scheme, rates: Rates) -> Loop:
     moved = [stages.moved(scheme.outer, place) for place in range(len(position))]
     state = ", ".join(position)
     source = [
-        f"def loop(_begin, _steps, _h, {state}):",
+        f"def loop({rates.body.arguments('_begin', '_steps', '_h', *position)}):",
         *(f"    {line}" for line in stages.shares()),
         "    for _i in range(_steps):",
         *(f"        {line}" for line in (*lines, f"{state}, = {', '.join(moved)},")),
@@ -51,7 +49,7 @@ def generate_rows(scheme: Scheme, rates: Rates, guarded: Sequence[int], widest: 
     own = stages.lines(0)
     determinants = [stages.name(0, f"_det{index}") for index in rates.blocks]
     row = [*position, *(stages.name(0, private(name)) for name in rates.velocities), *determinants]
-    constant = {found[1] for line in own if (found := _CONSTANT.fullmatch(line))}
+    constant = {stages.name(0, name) for name in rates.body.constant}
     watched = [name for name in determinants if name not in constant]
     old = [f"_old{place}" for place in range(len(watched))]
     crossed = " or ".join(f"{a}*{b} <= 0.0 and {b} != 0.0" for a, b in zip(watched, old, strict=True))
@@ -73,7 +71,7 @@ def generate_rows(scheme: Scheme, rates: Rates, guarded: Sequence[int], widest: 
         f"{', '.join(position)}, = {', '.join(moved)},",
     ]
     source = [
-        f"def rows(_first, _last, _h, _latest, _keep, {', '.join(position)}):",
+        f"def rows({rates.body.arguments('_first', '_last', '_h', '_latest', '_keep', *position)}):",
         *(f"    {line}" for line in (*stages.shares(), *(f"{name} = 0.0" for name in old))),
         "    for _i in range(_first, _last + 1):",
         *(f"        {line}" for line in body),

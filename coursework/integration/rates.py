@@ -14,11 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.codegen.names import private
-from coursework.codegen.programs import Assign, Program, Solve, Statement, compile_function, compile_later
+from coursework.codegen.programs import Assign, Bound, Program, Solve, Statement, compile_function, compile_later
 from coursework.geometry.drive import breaks
 from coursework.reduction.blocks import Block, Reduction
 from coursework.reduction.equations import VelocityEquations
-from coursework.reduction.symbolic import local, symbol
+from coursework.reduction.symbolic import constants, local, symbol
 from coursework.reduction.system import scene_program
 
 if TYPE_CHECKING:
@@ -43,13 +43,8 @@ class Rates:
     blocks: tuple[int, ...]
     evaluate: Callable[..., tuple[float, ...]]
     rows: Callable[..., Any]
-    body: Program
+    body: Bound
     breaks: tuple[float, ...] = ()
-
-    @property
-    def source(self) -> str:
-        """Return the generated Python, readable and without symbols."""
-        return self.evaluate.__doc__ or ""
 
     def latest(self, end: float) -> float:
         """Return how far (s) a step that ends at `end` may look: up to a break of the drive that lies there, else any time."""
@@ -72,6 +67,30 @@ def compile_rates(equations: VelocityEquations, reduction: Reduction, wanted: Se
 
     The coordinates integrated are those wanted and those their velocities depend on.
     """
+    blocks = tuple((block.equations, block.unknowns) for block in reduction.blocks)
+    key = ("rates", tuple(wanted or ()), blocks)
+    parts = equations.once(key, lambda: _parts(equations, reduction, wanted))
+    body = parts.program.bind(constants(equations.variant))
+    arguments = [private(name) for name in ("t", *parts.coordinates)]
+    return Rates(
+        parts.coordinates, parts.velocities, parts.blocks,
+        compile_function("rates", arguments, body, parts.results),
+        compile_later("rates", arguments, body, parts.results), body, breaks(equations.variant),
+    )  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class _Parts:
+    """`Rates` as far as no datum changes them."""
+
+    coordinates: tuple[str, ...]
+    velocities: tuple[str, ...]
+    blocks: tuple[int, ...]
+    results: tuple[str, ...]
+    program: Program
+
+
+def _parts(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[str] | None) -> _Parts:
     variant = equations.variant
     every = (*variant.rates, *(name for name, _ in variant.unknowns))
     coordinates, velocities = _closure(equations, reduction, wanted) if wanted else (None, every)
@@ -81,14 +100,8 @@ def compile_rates(equations: VelocityEquations, reduction: Reduction, wanted: Se
     blocks = reduction.needed(listed)
     statements = [statement for index in blocks for statement in block_statements(reduction.blocks[index], index)]
     statements += [Assign(local(_result(name)), symbol(name)) for name in listed]
-    body = scene_program(equations, statements)
-    arguments = [private(name) for name in ("t", *kept)]
-    results = [*map(_result, listed), *(f"_det{index}" for index in blocks)]
-    return Rates(
-        kept, listed, blocks,
-        compile_function("rates", arguments, body, results),
-        compile_later("rates", arguments, body, results), body, breaks(variant),
-    )  # fmt: skip
+    results = (*map(_result, listed), *(f"_det{index}" for index in blocks))
+    return _Parts(kept, listed, blocks, results, scene_program(equations, statements))
 
 
 def block_statements(block: Block, index: int) -> list[Statement]:

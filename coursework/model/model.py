@@ -1,13 +1,13 @@
 """A template compiled once: its velocities as functions of time, position and data, over arrays of any shape.
 
 Enters: a `Variant`.  Leaves: `Model`, whose programs take the data as arguments.
-Used by `start.py`, `watch.py`, `many.py`, and by who judges tables with data of their own.
+Used by `start.py`, `watch.py`, `many.py`, `api.py`, and by who judges tables with data of their own.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -16,15 +16,18 @@ from numpy.typing import ArrayLike, NDArray
 
 from coursework.codegen.names import private
 from coursework.codegen.programs import Assign, Statement, compile_function
+from coursework.exact_scene import scene_of
 from coursework.geometry.drive import breaks
 from coursework.geometry.start import start_values
 from coursework.integration.rates import block_statements
-from coursework.mechanism import build
 from coursework.model.data import Data, read_data
 from coursework.reduction.blocks import Block, Reduction, angles_in_determinants, reduce
-from coursework.reduction.equations import VelocityEquations, differentiate
+from coursework.reduction.equations import VelocityEquations
+from coursework.reduction.structure import structure_of
 from coursework.reduction.symbolic import constants, local, symbol
 from coursework.reduction.system import scene_program
+from coursework.scene import Scene
+from coursework.settings import Settings
 from coursework.variant.changes import follow_from
 from coursework.variant.record import Variant
 
@@ -49,6 +52,19 @@ class Model:
     reduction: Reduction = field(repr=False)
     _blocks: dict[int, Callable[..., Any]] = field(default_factory=dict, repr=False)
     _compiled: dict[Any, Callable[..., Any]] = field(default_factory=dict, repr=False)
+
+    def bind(self, data: Any = None, settings: Settings | None = None) -> Scene:
+        """Return the scene of one set of data (those of the file where None), with nothing of the template made again.
+
+        Raises `InputError` for data that do not fit.
+
+        >>> import coursework
+        >>> model = coursework.compile_model("31")
+        >>> [round(float(model.bind({"r3": length}).exact.velocities[0, 2]), 4) for length in ("457 mm", "450 mm")]
+        [5.5518, 5.6381]
+        """
+        given, start = self.data(data).of(0, self.variant)
+        return scene_of(self.variant.with_data(given, start) if given or start else self.variant, settings or Settings())
 
     @property
     def coordinates(self) -> tuple[str, ...]:
@@ -130,12 +146,14 @@ class Model:
         read = np.asarray(earlier, dtype=float)
         return self._at(self._blocks[block], t, q, data, [read[..., place] for place in places])
 
-    @cached_property
+    @property
     def program(self) -> Callable[..., Any]:
         """Return the function (t, *q, *numbers) -> velocities then determinants, numbers or arrays that fit together."""
-        statements = [one for index, block in enumerate(self.blocks) for one in block_statements(block, index)]
-        results = [symbol(name) for name in self.velocities] + [local(f"_det{index}") for index in range(len(self.blocks))]
-        return self.compile(statements, results)
+        if "program" not in self._compiled:
+            statements = [one for index, block in enumerate(self.blocks) for one in block_statements(block, index)]
+            results = [symbol(name) for name in self.velocities] + [local(f"_det{index}") for index in range(len(self.blocks))]
+            self._compiled["program"] = self.compile(statements, results)
+        return self._compiled["program"]
 
     def compile(
         self, statements: Sequence[Statement], results: Sequence[sp.Symbol], velocities: Iterable[str] = ()
@@ -143,7 +161,7 @@ class Model:
         """Return the function (t, *q, *velocities, *numbers) of some statements; a result that is a known law is its value."""
         known = tuple(velocities)
         outs = [Assign(local(f"_out{place}"), result) for place, result in enumerate(results)]
-        body = scene_program(self.equations, [*statements, *outs], map(symbol, known), folded=False)
+        body = scene_program(self.equations, [*statements, *outs], map(symbol, known)).free()
         arguments = [*map(private, ("t", *self.coordinates, *known)), *constants(self.variant)]
         names = [f"_out{place}" for place in range(len(results))]
         return compile_function("values", arguments, body, names, numpy=True, outside=True)
@@ -183,7 +201,12 @@ class Model:
         return values
 
 
-def build_model(variant: Variant) -> Model:
-    """Return the model of a template.  Raises `InputError` where its equations do not determine the velocities."""
-    equations = differentiate(build(variant))
-    return Model(variant, equations, reduce(equations, start_values(equations)))
+def model_of(variant: Variant) -> Model:
+    """Return the model of a variant, with what another variant of its template has compiled before.
+
+    Raises `InputError` where the equations do not determine the velocities.
+    """
+    structure = structure_of(variant)
+    equations = structure.equations(structure.mechanism(variant))
+    first = equations.once("model", lambda: Model(variant, equations, reduce(equations, start_values(equations))))
+    return replace(first, variant=variant, equations=equations)

@@ -6,8 +6,8 @@ Never SymPy's solvers or simplifiers: they take minutes on a six-bar where this 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
@@ -110,7 +110,7 @@ def reduce(equations: VelocityEquations, start: Sequence[float]) -> Reduction:
     for columns in block_order(rows, owner):
         # Equations of a block in the author's order, unknowns in the order of the file.
         members = [used[row] for row in sorted(owner[column] for column in columns)]
-        block = _block(members, [names[column] for column in columns], equations)
+        block = _block(tuple(members), tuple(names[column] for column in columns), equations)
         if block is None or block.size > 2:
             choose(equations, start, numbers=True)
         if block is None:
@@ -121,23 +121,29 @@ def reduce(equations: VelocityEquations, start: Sequence[float]) -> Reduction:
     return Reduction(tuple(found), tuple(equation.name for equation in used), unused, choice.notes)
 
 
-def _block(members: list[VelocityEquation], unknowns: list[str], equations: VelocityEquations) -> Block | None:
+def _block(members: tuple[VelocityEquation, ...], unknowns: tuple[str, ...], equations: VelocityEquations) -> Block | None:
     """Return the block of some equations, None where its determinant is zero in every position."""
+    bare = equations.once(("block", members, unknowns), lambda: _bare(members, unknowns, equations))
+    if bare is None or bare.determinant is None:
+        return bare
+    variant = equations.variant
+    return replace(bare, meaning=meaning(bare.determinant, variant, bare.equations), largest=largest(bare.determinant, variant))
+
+
+def _bare(members: tuple[VelocityEquation, ...], unknowns: tuple[str, ...], equations: VelocityEquations) -> Block | None:
+    """Return a block as far as no datum changes it."""
     matrix = tuple(tuple(equation.coefficients.get(name, sp.S.Zero) for name in unknowns) for equation in members)
     right_side = tuple(_moved(equation, unknowns) for equation in members)
     names = tuple(equation.name for equation in members)
     if len(unknowns) > 2:
         text = say("determinant.large", count=len(unknowns), names=", ".join(names))
-        return Block(tuple(unknowns), names, matrix, right_side, None, text)
-    bare = Block(tuple(unknowns), names, matrix, right_side, None, "")
+        return Block(unknowns, names, matrix, right_side, None, text)
+    bare = Block(unknowns, names, matrix, right_side, None, "")
     determinant = as_formula(bare.symbolic_determinant, equations.order)
-    if determinant == number(0):
-        return None
-    about = meaning(determinant, equations.variant, names), largest(determinant, equations.variant)
-    return Block(tuple(unknowns), names, matrix, right_side, determinant, *about)
+    return None if determinant == number(0) else replace(bare, determinant=determinant)
 
 
-def _moved(equation: VelocityEquation, unknowns: list[str]) -> sp.Expr:
+def _moved(equation: VelocityEquation, unknowns: Collection[str]) -> sp.Expr:
     """Return the right side with the terms of earlier velocities moved over."""
     earlier = [slope * symbol(name) for name, slope in equation.coefficients.items() if name not in unknowns]
     return sp.Add(equation.right_side, *[-term for term in earlier])

@@ -6,8 +6,9 @@ Raises `InputError` naming the term that is not linear in the unknown velocities
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Hashable, Mapping
+from dataclasses import dataclass, field
+from typing import TypeVar, cast
 
 import sympy as sp
 
@@ -20,10 +21,11 @@ from coursework.reduction.tidy import Order, as_sum
 from coursework.sentences import say
 from coursework.variant.record import Constraint, Variant
 
+Fact = TypeVar("Fact")
 Linear = tuple[dict[str, sp.Expr], sp.Expr]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class VelocityEquation:
     """`sum coefficients[u] u = right_side`; `written` are both sides as the file has them, None if derived from positions."""
 
@@ -50,9 +52,12 @@ class Position:
     unit: str = "m"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class VelocityEquations:
-    """All velocity equations of a mechanism, those of its [closure] beside them, its symbols and tabulated laws."""
+    """All velocity equations of a mechanism, those of its [closure] beside them, its symbols and tabulated laws.
+
+    All but the `variant` is the same for variants that differ in their data only; so are the `facts` found `once`.
+    """
 
     variant: Variant
     symbols: Symbols
@@ -62,6 +67,13 @@ class VelocityEquations:
     from_closure: tuple[VelocityEquation, ...]
     positions: tuple[Position, ...]
     tables: Mapping[str, TableLaw]
+    facts: dict[Hashable, object] = field(default_factory=dict, repr=False)
+
+    def once(self, key: Hashable, find: Callable[[], Fact]) -> Fact:
+        """Return a fact that no datum changes, found when it is first asked for."""
+        if key not in self.facts:
+            self.facts[key] = find()
+        return cast("Fact", self.facts[key])
 
 
 def differentiate(mechanism: Mechanism) -> VelocityEquations:

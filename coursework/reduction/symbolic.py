@@ -124,6 +124,7 @@ class Symbols:
         self.vectors: dict[str, Vector] = {}
         self._declared = variant.names
         self._parts: dict[str, tuple[str, str]] = {}
+        self._partials: dict[tuple[sp.Expr, sp.Symbol], sp.Expr] = {}
         self._derivatives: dict[tuple[sp.Symbol, sp.Symbol], sp.Expr] = {}
         for section, laws in (("drive", variant.drive), ("functions", variant.functions)):
             for law in laws:
@@ -196,6 +197,11 @@ class Symbols:
 
     def partial(self, expr: sp.Expr, by: sp.Symbol) -> sp.Expr:
         """Return d expr / d by, through the definitions of drives and functions."""
+        if (expr, by) not in self._partials:
+            self._partials[expr, by] = self._partial(expr, by)
+        return self._partials[expr, by]
+
+    def _partial(self, expr: sp.Expr, by: sp.Symbol) -> sp.Expr:
         total = sp.diff(expr, by)
         names = [name for name in expr.free_symbols if name in self.definitions]
         for name in sorted(names, key=lambda symbol: symbol.name):

@@ -50,38 +50,30 @@ class LinearSystem:
         return matrix, values[..., count : count + m], values[..., count + m :]
 
 
-def scene_program(
-    equations: VelocityEquations, statements: Sequence[Statement], given: Iterable[sp.Symbol] = (), *, folded: bool = True
-) -> Program:
-    """Return the program of some statements; `given` symbols are arguments even where laws define them.
-
-    The data are numbers in it, or, not `folded`, arguments too: the names of `constants`, in their order.
-    """
+def scene_program(equations: VelocityEquations, statements: Sequence[Statement], given: Iterable[sp.Symbol] = ()) -> Program:
+    """Return the program of some statements; `given` symbols are arguments even where laws define them."""
     definitions = equations.symbols.definitions.without(set(given))
-    return program(statements, definitions, constants(equations.variant) if folded else {}, equations.tables)
+    return program(statements, definitions, constants(equations.variant), equations.tables)
 
 
 def compile_system(equations: VelocityEquations, rows: Sequence[VelocityEquation]) -> LinearSystem:
     """Return the linear system of some velocity equations."""
-    variant = equations.variant
-    wanted: list[sp.Expr] = []
-    places = []
-    for index, equation in enumerate(rows):
-        for name, coefficient in equation.coefficients.items():
-            places.append((index, equations.unknowns.index(name)))
-            wanted.append(coefficient)
-    wanted += [equation.right_side for equation in rows] + [symbol(rate) for rate in variant.known_rates]
-    functions = compile_values(equations, wanted)
-    return LinearSystem(
-        tuple(equation.name for equation in rows), equations.unknowns, variant.known_rates, tuple(places), *functions
-    )
+    known = equations.variant.known_rates
+    places = tuple((row, equations.unknowns.index(name)) for row, equation in enumerate(rows) for name in equation.coefficients)
+    wanted = [slope for equation in rows for slope in equation.coefficients.values()]
+    wanted += [*(equation.right_side for equation in rows), *map(symbol, known)]
+    names = tuple(equation.name for equation in rows)
+    return LinearSystem(names, equations.unknowns, known, places, *compile_values(equations, wanted))
 
 
 def compile_values(equations: VelocityEquations, wanted: Sequence[sp.Expr]) -> tuple[Callable[..., Any], Callable[..., Any]]:
     """Return (scalar, rows) functions of (t, *coordinates) that give the values of `wanted`."""
     results = [f"_out{place}" for place in range(len(wanted))]
-    statements = [Assign(local(result), value) for result, value in zip(results, wanted, strict=True)]
-    body = scene_program(equations, statements)
+
+    def written() -> Program:
+        return scene_program(equations, [Assign(local(name), value) for name, value in zip(results, wanted, strict=True)])
+
+    body = equations.once(("values", *wanted), written).bind(constants(equations.variant))
     arguments = [private(name) for name in ("t", *(c.name for c in equations.variant.coordinates))]
     return (
         compile_function("values", arguments, body, results),

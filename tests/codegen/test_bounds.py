@@ -9,7 +9,7 @@ from coursework.codegen.straight_line import MOST_OPERATIONS, FormulaRefused, St
 def chain(count: int) -> StraightLine:
     """Return the lines of x + 1, (x + 1)*x, … : as many different operations as asked for."""
     x = sp.Symbol("v_x", real=True)
-    lines = StraightLine({}, {}, set())
+    lines = StraightLine((), {}, set())
     lines.add([sp.Symbol(f"v_y{0}")], [x])
     made = len(lines._forms)
     for number in range(count - made + 1):

@@ -33,7 +33,7 @@ def compiled(*wanted, arrays=False, definitions=None):
     """Return the function of x and y for some expressions."""
     results = [f"_out{place}" for place in range(len(wanted))]
     statements = [Assign(sp.Symbol(name, real=True), expr) for name, expr in zip(results, wanted, strict=True)]
-    body = program(statements, definitions or {}, CONSTANTS, {})
+    body = program(statements, definitions or {}, list(CONSTANTS), {}).bind(CONSTANTS)
     return compile_function("values", ["x", "y"], body, results, numpy=arrays)
 
 
@@ -112,7 +112,7 @@ def test_what_has_no_real_value_is_refused(expr):
 def test_large_blocks_are_solved_by_their_entries():
     names = [sp.Symbol(name, real=True) for name in ("u", "v", "w", "det")]
     entries = (x, 1, 0, 0, y, 1, 1, 0, 2, 1, 2, 3)
-    body = program([Solve(tuple(names[:3]), names[3], tuple(map(sp.sympify, entries)))], {}, {}, {})
+    body = program([Solve(tuple(names[:3]), names[3], tuple(map(sp.sympify, entries)))], {}, (), {}).free()
     one = compile_function("values", ["x", "y"], body, ["u", "v", "w", "det"])
     many = compile_function("values", ["x", "y"], body, ["u", "v", "w", "det"], numpy=True)
     matrix = np.array([[3.0, 1, 0], [0, 4.0, 1], [1, 0, 2]])

@@ -6,7 +6,6 @@ Variants that differ in their data only share one compiled model.
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -18,21 +17,22 @@ from numpy.typing import NDArray
 from coursework.api import solve
 from coursework.errors import CourseworkError
 from coursework.formula.tree import Formula, number
+from coursework.geometry.drive import breaks
 from coursework.grading.marking.key import Key
 from coursework.many import Solutions, solve_many
-from coursework.model.model import Model, build_model
+from coursework.model.model import Model, model_of
+from coursework.reduction.structure import without_data
 from coursework.schemes import DEFAULT_SCHEME
-from coursework.variant.record import Law, Time, Variant
+from coursework.variant.record import Law, Variant
 
 Array = NDArray[np.float64]
-TEMPLATES = 32  # structures kept at once; a class has one or a few
 _TURNING = ("sin", "cos", "tan")
 _DEGREE = Formula("/", (Formula("name", name="pi"), number(180)))
 
 
 def key_of(variant: Variant) -> Key:
     """Return the key of a variant.  Raises `InputError` where it cannot be solved at all."""
-    model = template_model(variant)
+    model = model_of(variant)
     solved = _solved(model, [variant])
     rows, stop = _complete(solved.values[0]), solved.stops[0]
     given = variant.values
@@ -59,13 +59,14 @@ def key_of(variant: Variant) -> Key:
 
 def class_tables(variants: Mapping[str, Variant]) -> dict[str, Array]:
     """Return Euler's tables of variants by name, those of one template together; without any that cannot be computed."""
-    alike: dict[tuple[Variant, float, float], dict[str, Variant]] = {}
+    alike: dict[tuple[object, ...], dict[str, Variant]] = {}
     for name, variant in variants.items():
-        alike.setdefault((_structure(variant), variant.time.step, variant.time.end), {})[name] = variant
+        key = (without_data(variant), breaks(variant), variant.time.step, variant.time.end)
+        alike.setdefault(key, {})[name] = variant
     found: dict[str, Array] = {}
     for group in alike.values():
         with suppress(CourseworkError):
-            model = template_model(next(iter(group.values())))
+            model = model_of(next(iter(group.values())))
             tables = _solved(model, list(group.values())).values
             found |= {name: _complete(rows) for name, rows in zip(group, tables, strict=True)}
     return {name: found[name] for name in variants if name in found}
@@ -91,39 +92,13 @@ def _exact(variant: Variant) -> Array:
     return np.asarray(solve(variant, DEFAULT_SCHEME.name, quantities=["table"]).exact.rows)
 
 
-def _structure(variant: Variant) -> Variant:
-    """Return a variant without its data: what two variants of one template have in common."""
-    return replace(
-        variant, name="", path=None, title="", source="", teaches="", remarks=(), plausibility=(), ask=(),
-        given=tuple(replace(given, value=1.0, text="", unit="") for given in variant.given),
-        coordinates=tuple(
-            replace(c, start=None, near=None, text="", written="", said=True, bare=False) for c in variant.coordinates
-        ),
-        time=Time(1.0, 1.0, None, None), lines={},
-    )  # fmt: skip
-
-
-_kept: OrderedDict[Variant, Model] = OrderedDict()
-
-
-def template_model(variant: Variant) -> Model:
-    """Return the model of a variant's template, compiled the first time a variant of it is seen."""
-    structure = _structure(variant)
-    if structure not in _kept:
-        _kept[structure] = build_model(variant)
-    _kept.move_to_end(structure)
-    while len(_kept) > TEMPLATES:
-        _kept.popitem(last=False)
-    return _kept[structure]
-
-
 def _rewritten(variant: Variant, code: str) -> Callable[[Array, Array], Array] | None:
     """Return the velocities of the variant with one misconception written into its formulas, None where that cannot be."""
     if code == "degree_mode" and variant.groups:
         return None  # a group's closed form has its sines inside
     changed = _in_degrees(variant) if code == "degree_mode" else _with_drive_turned(variant)
     try:
-        model = template_model(changed)
+        model = model_of(changed)
     except CourseworkError:
         return None
     assigned = model.data(variant.values)

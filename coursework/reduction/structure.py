@@ -1,0 +1,68 @@
+"""Variants of one template -> what they share: mechanism and velocity equations, made once for all of them.
+
+Enters: a `Variant`.  Leaves: its `Mechanism` and `VelocityEquations`, which keep all that is found out about the structure.
+Used by `scene.py` and `model/model.py`: a class of five hundred differs in its data only.
+"""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from dataclasses import dataclass, replace
+
+from coursework.mechanism import Mechanism, build
+from coursework.reduction.equations import VelocityEquations, differentiate
+from coursework.variant.record import Coordinate, Given, Law, Time, Variant
+
+MOST_KEPT = 32  # structures kept at once; a class has one or a few
+
+
+@dataclass(slots=True)
+class Structure:
+    """What variants that differ in their data have in common; what is refused is not kept, so each is told by its own lines."""
+
+    _mechanism: Mechanism | None = None
+    _equations: VelocityEquations | None = None
+
+    def mechanism(self, variant: Variant) -> Mechanism:
+        """Return the mechanism of one of the variants.  Raises `InputError` as `build` does."""
+        self._mechanism = self._mechanism or build(variant)
+        return replace(self._mechanism, variant=variant)
+
+    def equations(self, mechanism: Mechanism) -> VelocityEquations:
+        """Return the velocity equations of one of the variants.  Raises `InputError` as `differentiate` does."""
+        self._equations = self._equations or differentiate(mechanism)
+        return replace(self._equations, variant=mechanism.variant)
+
+
+_kept: OrderedDict[Variant, Structure] = OrderedDict()
+
+
+def structure_of(variant: Variant) -> Structure:
+    """Return the structure of a variant: the same one for each that differs in its data only."""
+    key = without_data(variant)
+    structure = _kept.setdefault(key, Structure())
+    _kept.move_to_end(key)
+    while len(_kept) > MOST_KEPT:
+        _kept.popitem(last=False)
+    return structure
+
+
+def forget_structures() -> None:
+    """Forget every structure: the next variant is a first one, as in a process of its own."""
+    _kept.clear()
+
+
+def without_data(variant: Variant) -> Variant:
+    """Return a variant without its data: what all variants of one template have in common, lines of the file included."""
+    return replace(
+        variant, name="", path=None, title="", source="", teaches="", remarks=(), quotes=(), plausibility=(), ask=(),
+        given=tuple(Given(given.name, 1.0, given.si, "", "") for given in variant.given),
+        coordinates=tuple(Coordinate(c.name, c.rate, None, c.unit) for c in variant.coordinates),
+        drive=tuple(map(_without_times, variant.drive)), functions=tuple(map(_without_times, variant.functions)),
+        time=Time(1.0, 1.0, None, None), lines={},
+    )  # fmt: skip
+
+
+def _without_times(law: Law) -> Law:
+    """Return a law without the times at which its pieces begin: they are numbers of each run, as the data are."""
+    return replace(law, pieces=tuple((float(place), piece) for place, (_, piece) in enumerate(law.pieces)))
