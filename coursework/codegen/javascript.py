@@ -1,6 +1,6 @@
 """The second back end of the door: a straight-line program as a JavaScript function.
 
-Enters: a `Program`.  Leaves: JavaScript text that means the same over `Math` and the runtime in `reports/live`.
+Enters: a `Bound`.  Leaves: JavaScript text that means the same over `Math` and the runtime in `reports/live`.
 Used by `live`, whose page may evaluate no text: what moves there stands in its script.
 """
 
@@ -9,22 +9,22 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 
-from coursework.codegen.programs import Program
+from coursework.codegen.programs import Bound
 from coursework.codegen.straight_line import Line
 
 _SOLVED = re.compile(r"_solve\(\((.*)\)\)")
 _NAME = re.compile(r"[A-Za-z_]\w*")
 
 
-def javascript_function(name: str, arguments: Mapping[str, Sequence[str]], body: Program, results: Sequence[str]) -> str:
+def javascript_function(name: str, arguments: Mapping[str, Sequence[str]], body: Bound, results: Sequence[str]) -> str:
     """Return `const name = (t, q, …, out) => {…}`, which writes its results into `out` in order and returns it.
 
     `arguments`: the name of each array that is handed over, with the private names of what lies in it; an empty sequence
     is a number that bears its own name.
 
-    >>> from coursework.codegen.programs import Program
+    >>> from coursework.codegen.programs import Bound
     >>> line = Line(("v_w",), "v_w = v_p*cos(t)")
-    >>> print(javascript_function("rate", {"t": (), "d": ("v_r", "v_p")}, Program((line,), {}), ["v_w"]))
+    >>> print(javascript_function("rate", {"t": (), "d": ("v_r", "v_p")}, Bound((line,), {}, {}), ["v_w"]))
     const rate = (t, d, out) => {
     const v_p = d[1];
     const v_w = v_p*cos(t);
@@ -44,7 +44,7 @@ def javascript_function(name: str, arguments: Mapping[str, Sequence[str]], body:
     return "\n".join((head, *handed, *map(_statement, body.lines), *kept, "return out;", "};"))
 
 
-def javascript_tables(body: Program) -> list[str]:
+def javascript_tables(body: Bound) -> list[str]:
     """Return the lines that name the tabulated laws a program calls, value and derivatives; `law` is the runtime's."""
     called = {word for line in body.lines for word in _NAME.findall(line.text)}
     keys = ((f"_table_{key}_{order}", key, order) for key in sorted(body.tables) for order in range(3))

@@ -12,7 +12,7 @@ from typing import Any
 
 from coursework.codegen.javascript import javascript_function, javascript_tables
 from coursework.codegen.names import private
-from coursework.codegen.programs import Assign, Program, Statement
+from coursework.codegen.programs import Assign, Bound, Statement
 from coursework.integration.rates import block_statements
 from coursework.reduction.symbolic import constants, local, symbol
 from coursework.reduction.system import scene_program
@@ -67,9 +67,9 @@ def live_functions(scene: Scene, places: Sequence[Any]) -> Functions:
     )  # fmt: skip
 
 
-def _program(scene: Scene, before: Sequence[Statement], wanted: Sequence[Any]) -> Program:
+def _program(scene: Scene, before: Sequence[Statement], wanted: Sequence[Any]) -> Bound:
     outs = [Assign(local(f"_out{place}"), value) for place, value in enumerate(wanted)]
-    return scene_program(scene.equations, [*before, *outs], folded=False)
+    return scene_program(scene.equations, [*before, *outs]).free()
 
 
 def _tables(scene: Scene) -> dict[str, dict[str, Any]]:
