@@ -134,7 +134,7 @@ def graph_check(results: MotionResults) -> GraphCheck | None:
 @computed("stop", "rates", "start", "exact", "closure", "mismatch", "motion")
 def accuracy(results: MotionResults) -> AccuracyStudy | None:
     """What accuracy costs in evaluations: every scheme, projections, an adaptive pair, the exact closure (not timed)."""
-    from coursework.accuracy.methods import Problem
+    from coursework.accuracy.problem import Problem
     from coursework.accuracy.study import make_study
 
     scene = results.scene

@@ -5,7 +5,7 @@ Enters: a problem.  Leaves: trials to run.  To add one, add a function here and 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
@@ -13,55 +13,33 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from coursework.accuracy.problem import TIMED, Bounds, Problem
 from coursework.accuracy.trace import trace
-from coursework.geometry.closure import Closure
 from coursework.integration.adaptive import integrate_adaptive
 from coursework.integration.following import follow_closure
 from coursework.integration.integrate import Correction, march
 from coursework.integration.loops import Loop, generate_loop
-from coursework.integration.rates import Rates
 from coursework.schemes import DEFAULT_SCHEME, SCHEMES
 from coursework.sentences import say, say_count, title_of
 
 Array = NDArray[np.float64]
-# Steps a row: with the first order up to 4096 (98 304 steps for 24 rows), where the error has fallen by three orders.
+# Steps a row; the first order needs more of them to show itself.
 USUAL_SUBSTEPS = (1, 2, 4, 8, 16, 64)
 FIRST_ORDER_SUBSTEPS = (*USUAL_SUBSTEPS, 256, 1024, 4096)
-MOST_SUBSTEPS = 4096
-# A method takes finer steps only as long as they are at most so many in all: a long table shows its order in fewer of them.
-MOST_STEPS = 100_000
-# A page made beside a run takes the rows that are cheap; the rest continues the same straight line.
-CHEAP_SUBSTEPS = 256
-# A step with Newton corrections costs as much as this many generated steps.
-PROJECTED_COST = 128
+# A step with Newton corrections costs as much as this many generated steps, and so many operations.
+PROJECTED_COST, _CORRECTION = 128, 2500
 PROJECTED_SUBSTEPS = (1, 2, 4, 8)
+NEWTONS = (1, 2)
 # A step of the pair ends at each row, so that a coarser tolerance changes nothing.
 TOLERANCES = (1e-5, 1e-7, 1e-9, 1e-11)
 
 
 @dataclass(frozen=True, slots=True)
-class Problem:
-    """What a trial needs: rates, start, row distance h (s), number of rows, closure if known; `units` of the coordinates."""
-
-    rates: Rates
-    start: Sequence[float]
-    step: float
-    rows: int
-    closure: Closure | None
-    units: tuple[str, ...]
-
-    @property
-    def times(self) -> Array:
-        """Return the times of the rows (s)."""
-        return np.arange(self.rows + 1).astype(np.float64) * self.step
-
-
-@dataclass(frozen=True, slots=True)
 class Trial:
-    """One method at one setting; `run` returns the rows (rows*fine + 1, m) and the evaluations of the right-hand side.
+    """One method at one setting; `run` returns rows (n, m) and the evaluations of the right-hand side.
 
-    A Newton correction counts as one evaluation (residual and Jacobian).  `closed`: the method is the one by which the exact
-    motion itself is found.
+    The rows are those looked at; with `fine` every row of a table with so many steps a row.  A Newton correction counts as
+    one evaluation (residual and Jacobian).  `closed`: the method is the one by which the exact motion itself is found.
     """
 
     method: str
@@ -76,30 +54,43 @@ def projected_title(newton: int) -> str:
     return say_count("study.projected", newton)
 
 
-def trials(problem: Problem, most: int = MOST_SUBSTEPS) -> Iterator[Trial]:
-    """Yield every trial with at most `most` steps a row (and `MOST_STEPS` in all beyond one a row), method after method."""
-
-    def is_affordable(substeps: int) -> bool:
-        return substeps == 1 or (substeps <= most and substeps * problem.rows <= MOST_STEPS)
-
+def trials(problem: Problem, bounds: Bounds = TIMED) -> Iterator[Trial]:
+    """Yield every trial inside the bounds, method after method; that with the table's own step for each scheme."""
+    rows = problem.rows
     for scheme in SCHEMES.values():
         loop = generate_loop(scheme, problem.rates)
-        for substeps in (n for n in (FIRST_ORDER_SUBSTEPS if scheme.order == 1 else USUAL_SUBSTEPS) if is_affordable(n)):
-            count = problem.rows * substeps
-            yield Trial(title_of(scheme), f"{count}", 1, partial(_by_loop, problem, loop, substeps, count * scheme.slopes))
-    if problem.closure is not None and problem.closure.complete:
-        for newton in (1, 2):
-            for substeps in (n for n in PROJECTED_SUBSTEPS if n * PROJECTED_COST <= most and is_affordable(n)):
-                setting = f"{problem.rows * substeps}"
+        for substeps in FIRST_ORDER_SUBSTEPS if scheme.order == 1 else USUAL_SUBSTEPS:
+            count, cost = rows * substeps, scheme.slopes * problem.operations
+            if substeps == 1 or (substeps <= bounds.substeps and problem.is_affordable(count, cost, bounds)):
+                yield Trial(title_of(scheme), f"{count}", 0, partial(_by_loop, problem, loop, substeps, count * scheme.slopes))
+    is_closed = problem.closure is not None and problem.closure.complete
+    for newton in NEWTONS if is_closed else ():
+        for substeps in (n for n in PROJECTED_SUBSTEPS if n * PROJECTED_COST <= bounds.substeps):
+            if problem.is_affordable(rows * substeps, newton * _CORRECTION, bounds):
+                setting = f"{rows * substeps}"
                 yield Trial(projected_title(newton), setting, substeps, partial(_projected, problem, newton, substeps))
     for tolerance in TOLERANCES:
-        yield Trial(say("study.adaptive"), say("study.tolerance", value=tolerance), 1, partial(_adaptive, problem, tolerance))
-    if problem.closure is not None and problem.closure.complete:
-        yield Trial(say("study.closed"), f"{problem.rows}", 1, partial(_closed, problem), closed=True)
+        yield Trial(say("study.adaptive"), say("study.tolerance", value=tolerance), 0, partial(_adaptive, problem, tolerance))
+    if is_closed:
+        yield Trial(say("study.closed"), f"{rows}", 0, partial(_closed, problem), closed=True)
+
+
+def left_out(problem: Problem, bounds: Bounds) -> list[str]:
+    """Say what a long table leaves no work for, nothing for a usual one."""
+    told: list[str] = []
+    if problem.pace > 1:
+        told.append(say("study.thinned", rows=problem.rows + 1, pace=problem.pace, marks=len(problem.marks)))
+    counts = [int(trial.setting) for trial in trials(problem, bounds) if not trial.fine and trial.setting.isdecimal()]
+    if max(counts) <= problem.rows:
+        told.append(say("study.no_finer", steps=problem.rows))
+    is_closed = problem.closure is not None and problem.closure.complete
+    if is_closed and not problem.is_affordable(problem.rows, max(NEWTONS) * _CORRECTION, bounds):
+        told.append(say("study.no_projection", steps=problem.rows))
+    return told
 
 
 def _by_loop(problem: Problem, loop: Loop, substeps: int, cost: int) -> tuple[Array, int]:
-    return trace(loop, problem.start, problem.step, problem.rows, substeps, problem.rates.latest), cost
+    return trace(loop, problem.start, problem.step, problem.marks, substeps, problem.rates.latest), cost
 
 
 def _projected(problem: Problem, newton: int, substeps: int) -> tuple[Array, int]:
@@ -133,5 +124,6 @@ def _closed(problem: Problem) -> tuple[Array, int]:
 
     closure = replace(problem.closure, function=counted(problem.closure.function), rows=counted(problem.closure.rows))
     rates = replace(problem.rates, evaluate=counted(problem.rates.evaluate), rows=counted(problem.rates.rows))
-    positions = follow_closure(closure, rates, problem.times, counts.append)
-    return positions, sum(counts)
+    every = np.arange(problem.rows + 1).astype(np.float64) * problem.step
+    positions = follow_closure(closure, rates, every, counts.append)
+    return positions[list(problem.marks)], sum(counts)

@@ -28,7 +28,8 @@ class StudyRow:
 class AccuracyStudy:
     """`rows`; measured `orders` by method (`end_orders` from the last row alone); the coursework's `own` point
     (method, evaluations, error, seconds); round-off `floor`; `reference_label`; `budget` of the last row per coordinate
-    (name, unit, total, scheme, period, round-off); `sentences`; `overhead` (what, seconds); `machine` where it was timed.
+    (name, unit, total, scheme, period, round-off); `sentences`; `overhead` (what, seconds); `machine` where it was timed;
+    `left_out`: what a long table leaves no work for.
     """
 
     rows: tuple[StudyRow, ...]
@@ -42,3 +43,4 @@ class AccuracyStudy:
     overhead: Sequence[tuple[str, float]]
     seconds_shown: bool
     machine: Mapping[str, str] = field(default_factory=dict)
+    left_out: Sequence[str] = ()

@@ -15,7 +15,8 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.accuracy.methods import CHEAP_SUBSTEPS, MOST_SUBSTEPS, Problem, trials
+from coursework.accuracy.methods import left_out, trials
+from coursework.accuracy.problem import MOST_WORK, PAGE, TIMED, Problem
 from coursework.accuracy.record import AccuracyStudy, StudyRow
 from coursework.accuracy.sentences import sentences_of
 from coursework.accuracy.timing import seconds
@@ -36,7 +37,10 @@ def make_study(
     *, timed: bool = False, overhead: Sequence[tuple[str, float]] = (), progress: Callable[[str], None] | None = None,
 ) -> AccuracyStudy:  # fmt: skip
     """Return the study; with `timed` every trial is also timed (some 0.4 s each)."""
-    reference = exact.coordinates
+    if problem.work > MOST_WORK:
+        return _without_runs(problem, exact, budget, timed)
+    bounds = TIMED if timed else PAGE
+    reference = exact.coordinates[list(problem.marks)]
     other, gap, _ = refine(problem.rates, problem.start, problem.times)
     agreement = float(np.max(np.abs(other - reference)))
     # Derivatives of a table are not those of a curve through it: there every scheme comes to rest at its own motion.
@@ -44,9 +48,9 @@ def make_study(
     if not is_same:
         reference = other
     floor = 64 * float(np.finfo(float).eps) * max(1.0, float(np.max(np.abs(reference))))
-    fine = {1: reference}
+    fine = {0: reference} | ({1: reference} if problem.pace == 1 else {})
     rows = []
-    for trial in trials(problem, MOST_SUBSTEPS if timed else CHEAP_SUBSTEPS):
+    for trial in trials(problem, bounds):
         if progress:
             progress(f"{trial.method}, {trial.setting}")
         try:
@@ -73,7 +77,28 @@ def make_study(
         label = say(key, label=label, gap=gap, agreement=agreement)
     told = sentences_of(rows, orders, end_orders, own_row)
     where = machine() if timed else {}
-    return AccuracyStudy(tuple(rows), orders, end_orders, own, floor, label, tuple(budget), told, tuple(overhead), timed, where)
+    return AccuracyStudy(
+        tuple(rows),
+        orders,
+        end_orders,
+        own,
+        floor,
+        label,
+        tuple(budget),
+        told,
+        tuple(overhead),
+        timed,
+        where,
+        left_out(problem, bounds),
+    )
+
+
+def _without_runs(
+    problem: Problem, exact: Motion, budget: Sequence[tuple[str, str, float, float, float, float]], timed: bool
+) -> AccuracyStudy:
+    """Return the study of a table too long for any run: what the last row's difference is made of, and why no more."""
+    told = (say("study.no_runs", rows=problem.rows + 1, work=problem.work, most=MOST_WORK),)
+    return AccuracyStudy((), {}, {}, None, 0.0, exact.label, tuple(budget), (), (), timed, {}, told)
 
 
 def _finer(problem: Problem, fine: int, *, closed: bool) -> Array:

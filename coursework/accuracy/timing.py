@@ -10,20 +10,21 @@ import time
 from collections.abc import Callable
 
 REPEATS = 7
+LONGEST = 2.0  # s of all repeats; a run that is long is timed well by fewer of them
 SHORTEST_REPEAT = 0.05  # s; a shorter repeat measures the clock and the scheduler
 
 
 def seconds(work: Callable[[], object], repeats: int = REPEATS, shortest: float = SHORTEST_REPEAT) -> float:
-    """Return the least time of one call (s): best of `repeats`, each at least `shortest` long, warm-up not counted."""
+    """Return the least time of one call (s): best of at most `repeats`, each at least `shortest` long, warm-up not counted."""
     work()
     begun = time.perf_counter()
     work()
-    inner = max(1, int(shortest / max(time.perf_counter() - begun, 1e-9)))
-    best = float("inf")
+    best = time.perf_counter() - begun
+    inner = max(1, int(shortest / max(best, 1e-9)))
     enabled = gc.isenabled()
     gc.disable()
     try:
-        for _ in range(repeats):
+        for _ in range(min(repeats, int(LONGEST / max(best, 1e-9)))):
             begun = time.perf_counter()
             for _ in range(inner):
                 work()

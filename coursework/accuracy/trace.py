@@ -1,10 +1,12 @@
 """Rows of a scheme on the coursework's grid with many steps between them, and their error.
 
-Enters: a generated loop, the grid, a reference.  Leaves: positions (rows, m), errors.  Used by the study and by --step auto.
+Enters: a generated loop, the rows looked at, a reference.  Leaves: positions (n, m), errors.  Used by `methods.py`
+and `study.py`.
 """
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -27,17 +29,19 @@ class Errors:
 
 
 def trace(
-    loop: Loop, start: Sequence[float], step: float, rows: int, substeps: int, latest: Callable[[float], float] | None = None
-) -> Array:
-    """Return the positions at t = 0, step, … (rows + 1, m) with `substeps` steps a row.
+    loop: Loop, start: Sequence[float], step: float, marks: Sequence[int], substeps: int,
+    latest: Callable[[float], float] | None = None,
+) -> Array:  # fmt: skip
+    """Return the positions (n, m) in the rows `marks`, which begin with 0 and are `step` apart, with `substeps` steps a row.
 
-    `latest(t)`: how far the steps before the row at t may look (`Rates.latest`).
+    `latest(t)`: how far the steps before the row at t may look (`Rates.latest`); a row there is a mark.
     """
     q = tuple(start)
     found = [q]
-    for row in range(rows):
-        length = min(step, latest((row + 1) * step) - row * step) if latest else step
-        q = loop(row * step, substeps, length / substeps, *q)
+    for row, following in itertools.pairwise(marks):
+        rows = following - row
+        length = min(step, (latest(following * step) - row * step) / rows) if latest else step
+        q = loop(row * step, rows * substeps, length / substeps, *q)
         found.append(q)
     return np.array(found)
 

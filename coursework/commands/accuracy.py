@@ -9,7 +9,7 @@ from pathlib import Path
 
 import click
 
-from coursework.accuracy.methods import Problem
+from coursework.accuracy.problem import Problem
 from coursework.accuracy.record import AccuracyStudy
 from coursework.accuracy.study import make_study, time_of
 from coursework.api import load, solve
@@ -37,7 +37,7 @@ def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...] | Non
     with working_folder(folder) as hidden:
         written = write_set(results, wanted, folder, hidden)
     click.echo(f"{run.variant.title}  ({run.variant.name}): error against cost")
-    for sentence in study.sentences:
+    for sentence in (*study.sentences, *study.left_out):
         click.echo(f"  {sentence}")
     for name, order in study.orders.items():
         click.echo(f"  measured order of {name}: {order:.2f}")

@@ -25,7 +25,9 @@ def accuracy(context: PageContext) -> list[Part]:
     if study is None:
         return []
     parts: list[Part] = [Bullets([context.rich(sentence) for sentence in study.sentences])] if study.sentences else []
-    parts += [_figure(context, study), _table(context, study)]
+    parts += [Paragraph(context.rich(sentence), "note") for sentence in study.left_out]
+    if study.rows:
+        parts += [_figure(context, study), _table(context, study)]
     parts += _failures(context, study)
     parts += _budget(context, study)
     return [*parts, *_overhead(context, study)]

@@ -75,7 +75,7 @@ def computed(source, *asked):
     run = coursework.solve(parse_variant(source, "names"), quantities=["points", *asked])
     scene = run.scene
     loop = generate_loop(SCHEMES["rk4"], scene.rates)
-    return np.hstack([run.columns()[1].ravel(), trace(loop, scene.start, run.step, 3, 2).ravel()])
+    return np.hstack([run.columns()[1].ravel(), trace(loop, scene.start, run.step, range(4), 2).ravel()])
 
 
 MEANT = {asked: computed(PLAIN, *asked) for asked in ((), ("accelerations",))}

@@ -1,0 +1,91 @@
+"""What the study works on, and how much work it may make of a long table.
+
+Enters: the right-hand side, start and rows of a run.  Leaves: `Problem`, the rows looked at, the bounds `PAGE` and `TIMED`.
+Used by `methods.py`, `study.py`, and by those who ask for a study.
+
+Work is counted in operations of the generated program (some 60 ns each in Python), so that the same file is bounded alike on
+every machine.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.geometry.closure import Closure
+from coursework.integration.rates import Rates
+from coursework.schemes import SCHEMES
+
+Array = NDArray[np.float64]
+_OPERATION = re.compile(r"[-+*/(]")
+# Every scheme once with the step of the table may take so much; a table that takes more is not studied.
+MOST_WORK = 250e6
+# Rows at which errors are looked for: each costs the refined and the adaptive runs some hundred evaluations.
+MOST_MARKS, FEWEST_MARKS = 2000, 100
+_MARKS_WORK, _EVALUATIONS_A_MARK = 25e6, 126
+
+
+@dataclass(frozen=True, slots=True)
+class Bounds:
+    """The finest `substeps` a row, and the `work` of one run that is finer than the table or corrected step by step."""
+
+    substeps: int
+    work: float
+
+
+# A page made beside a run takes the runs that are cheap; the rest continues the same straight line.
+PAGE = Bounds(256, 2.5e6)
+# With the first order up to 4096 steps a row (98 304 steps for 24 rows), where the error has fallen by three orders.
+TIMED = Bounds(4096, 12e6)
+
+
+@dataclass(frozen=True)
+class Problem:
+    """What a trial needs: rates, start, row distance h (s), number of rows, closure if known; `units` of the coordinates."""
+
+    rates: Rates
+    start: Sequence[float]
+    step: float
+    rows: int
+    closure: Closure | None
+    units: tuple[str, ...]
+
+    @cached_property
+    def operations(self) -> int:
+        """Return the operations of one evaluation of the right-hand side."""
+        return max(1, sum(len(_OPERATION.findall(line.text)) for line in self.rates.body.lines))
+
+    @property
+    def work(self) -> float:
+        """Return the operations that every scheme together takes with the step of the table."""
+        return float(self.rows * self.operations * sum(scheme.slopes for scheme in SCHEMES.values()))
+
+    @property
+    def pace(self) -> int:
+        """Return n where errors are looked for in every n-th row."""
+        most = _MARKS_WORK / (_EVALUATIONS_A_MARK * self.operations)
+        return math.ceil(self.rows / min(MOST_MARKS, max(FEWEST_MARKS, most)))
+
+    @cached_property
+    def marks(self) -> tuple[int, ...]:
+        """Return the rows (from 0) looked at: every n-th, those at a break of the drive, the last."""
+        at_breaks = {row for time in self.rates.breaks if (row := round(time / self.step)) < self.rows and self._ends_at(row)}
+        return tuple(sorted({*range(0, self.rows, self.pace), *at_breaks, self.rows}))
+
+    def _ends_at(self, row: int) -> bool:
+        return math.isfinite(self.rates.latest(row * self.step))
+
+    @property
+    def times(self) -> Array:
+        """Return the times of the rows looked at (s)."""
+        return np.array(self.marks).astype(np.float64) * self.step
+
+    def is_affordable(self, steps: int, cost: float, bounds: Bounds) -> bool:
+        """Return whether a run of so many steps, each of `cost` operations, stays inside the bounds."""
+        return steps * cost <= bounds.work
