@@ -1,14 +1,14 @@
 """The joints of a mechanism, made once: from [links] and [frame] where a file has them, else from its chain of groups.
 
 Enters: a `Variant` and its points as formulas.  Leaves: `Linkage`, the moving bodies and every `Joint` between them.
-Used by `mechanism.py` (mobility) and `plans/sketch.py` (instantaneous centres and their drawing).
+Used by `mechanism.py` (mobility), `drawing/outline.py` and `plans/sketch.py` (instantaneous centres).
 """
 
 from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from coursework.formula.tree import Formula
 from coursework.groups.kind import Joint
@@ -34,10 +34,15 @@ class Mobility:
 
 @dataclass(frozen=True, slots=True)
 class Linkage:
-    """The moving `bodies` by name and the `joints` between them and with the frame "0"."""
+    """The moving `bodies` by name and the `joints` between them and with the frame "0".
+
+    In a chain of groups each body goes with one coordinate (`coordinates`) and `holds` named points; links say both themselves.
+    """
 
     bodies: tuple[str, ...]
     joints: tuple[Joint, ...]
+    coordinates: Mapping[str, str] = field(default_factory=dict)
+    holds: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     @property
     def mobility(self) -> Mobility:
@@ -67,7 +72,7 @@ def linkage(variant: Variant, points: Mapping[str, Formula]) -> Linkage | None:
     beside = [c for c in variant.coordinates if c.name not in in_groups]
     if any(c.rate not in variant.known_rates for c in beside):
         return None
-    return _of_groups(variant, points)
+    return chain_of_groups(variant, points)
 
 
 def _of_links(variant: Variant) -> Iterator[Joint]:
@@ -94,8 +99,8 @@ def _of_links(variant: Variant) -> Iterator[Joint]:
         yield Joint("P", (sleeve, bar), Formula("name", name=own) if own else None)
 
 
-def _of_groups(variant: Variant, points: Mapping[str, Formula]) -> Linkage:
-    """Name the bodies 1, 2, … in the order of the chain; a driven coordinate beside the groups is a body of its own."""
+def chain_of_groups(variant: Variant, points: Mapping[str, Formula]) -> Linkage:
+    """Name the bodies 1, 2, … in the order of the chain; a coordinate beside the groups is a body of its own."""
     numbers = map(str, itertools.count(1))
     carried: dict[str, str] = {}
     joints: list[Joint] = []
@@ -110,7 +115,12 @@ def _of_groups(variant: Variant, points: Mapping[str, Formula]) -> Linkage:
         joints += group.kind.joints(group, outer, [_guide(group, i, carried, points) for i in range(len(group.guides))], own)
         for coordinate_name, index in reversed([*zip(group.coordinates, group.kind.carries, strict=True)]):
             carried[coordinate_name] = own[index]
-    return Linkage(tuple(carried.values()), tuple(joints))
+    holds: dict[str, list[str]] = {body: [] for body in carried.values()}
+    for name, formula in points.items():
+        if (body := _carrier(formula, carried, points)) != FRAME:
+            holds[body].append(name)
+    coordinates = {body: coordinate for coordinate, body in carried.items()}
+    return Linkage(tuple(carried.values()), tuple(joints), coordinates, {body: tuple(names) for body, names in holds.items()})
 
 
 def _guide(group: Group, index: int, carried: Mapping[str, str], points: Mapping[str, Formula]) -> str:

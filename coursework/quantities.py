@@ -24,6 +24,7 @@ from coursework.variant.record import Variant
 
 if TYPE_CHECKING:
     from coursework.accuracy.record import AccuracyStudy
+    from coursework.drawing.record import Drawing
     from coursework.kinematics.extra import ExtraTable
     from coursework.plans.graph_check import GraphCheck
 
@@ -46,19 +47,10 @@ class OwnTable(Generic[T]):
 
 
 @dataclass(frozen=True, slots=True)
-class Picture:
-    """A drawing true to scale: `svg` with width and height in mm, its `title`, and `alt` for those who cannot see it."""
-
-    title: str
-    svg: str
-    alt: str
-
-
-@dataclass(frozen=True, slots=True)
 class OwnFigure(Generic[T]):
-    """Shown as a drawing; `of` also takes the function that puts a sentence into the language of the page."""
+    """Shown as drawings; `of` also takes the function that puts a sentence into the language of the page."""
 
-    of: Callable[[MotionResults, T, Callable[[str], str]], Picture]
+    of: Callable[[MotionResults, T, Callable[[str], str]], tuple[Drawing, ...]]
 
 
 @dataclass(frozen=True, slots=True)

@@ -25,7 +25,6 @@ from coursework.quantities import (
     Columns,
     OwnFigure,
     OwnTable,
-    Picture,
     Quantity,
     all_needs,
     quantities_for,
@@ -44,6 +43,7 @@ if TYPE_CHECKING:
     from coursework.accuracy.record import AccuracyStudy
     from coursework.checks.closeness import Lesson
     from coursework.checks.result import Finding
+    from coursework.drawing.record import Drawing
     from coursework.kinematics.extra import ExtraTable
     from coursework.plans.graph_check import GraphCheck
 
@@ -239,7 +239,21 @@ class Run:
             quantity.name: shows.of(self.results, self.of(quantity)) for quantity, shows in shown if isinstance(shows, OwnTable)
         }
 
-    def figures(self, written: Callable[[str], str] = str) -> dict[str, Picture]:
+    def mechanism(self, written: Callable[[str], str] = str) -> Drawing | None:
+        """Return the mechanism in its start position with names, lengths and drive, None where the file places no points."""
+        from coursework.drawing.figures import draw_start
+
+        return draw_start(self.scene.mechanism, self.scene.equations, self.motion, self.scene.start, written)
+
+    def at_stop(self, written: Callable[[str], str] = str) -> Drawing | None:
+        """Return the mechanism in the position in which its motion ends, None where it does not end or that is not known."""
+        from coursework.drawing.figures import draw_stop
+
+        if self.stop is None:
+            return None
+        return draw_stop(self.scene.mechanism, self.scene.equations, self.motion, self.stop, written)
+
+    def figures(self, written: Callable[[str], str] = str) -> dict[str, tuple[Drawing, ...]]:
         """Return the drawings asked for that have no section of their own, their words put into a language by `written`."""
         shown = ((name, quantity, quantity.shows) for name, quantity in quantities_for(self.asked).items())
         return {name: shows.of(self.results, self.of(one), written) for name, one, shows in shown if isinstance(shows, OwnFigure)}

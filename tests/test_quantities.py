@@ -12,9 +12,10 @@ from click.testing import CliRunner
 import coursework
 from coursework import quantities
 from coursework.cli import main
+from coursework.drawing.record import Drawing
 from coursework.graph import computed
 from coursework.kinematics.extra import ExtraTable
-from coursework.quantities import QUANTITIES, Columns, OwnFigure, OwnSection, OwnTable, Picture, Quantity
+from coursework.quantities import QUANTITIES, Columns, OwnFigure, OwnSection, OwnTable, Quantity
 from coursework.report import build_model
 from coursework.report.sections import CLOSING, OPENING
 from coursework.run import Run
@@ -36,7 +37,9 @@ def as_table(_, rows):
 SHOWN = {
     "columns": Columns(as_table),
     "table": OwnTable(lambda _, rows: ExtraTable("Power of the links.", ("n", "power"), ("", "W"), np.hstack([rows, rows])[:7])),
-    "figure": OwnFigure(lambda _, rows, written: Picture(written("Power of the links."), SVG, "Power over time.")),
+    "figure": OwnFigure(
+        lambda _, rows, written: (Drawing("power", SVG, 40.0, 30.0, written("Power of the links."), "Power over time."),)
+    ),
 }
 
 

@@ -1,7 +1,7 @@
 """A sheet of paper in millimetres: lines, circles, arrows, and labels that keep out of each other's way.
 
 Enters: points in mm as complex numbers, x to the right and y **down**.  Leaves: SVG, one user unit = 1 mm.
-Used by `drawing.py`; knows nothing of mechanisms.
+Used by `drawing/painter.py`, `drawing/board.py`, `drawing/figures.py` and `plans/drawing.py`; knows nothing of mechanisms.
 """
 
 from __future__ import annotations
@@ -19,6 +19,9 @@ WIDE = 0.64  # width of a letter in its own heights, on the generous side
 LONGEST = 60  # letters of a text; what is longer would run over the drawing
 PITCH = 1.6  # mm between the strokes of a hatch
 DIRECTIONS = 16  # in which a place is looked for
+RINGS = (0.0, 2.0, 4.5, 8.0, 12.0, 17.0, 23.0, 30.0, 40.0)  # mm farther out; the last ones only where words would meet
+WORD_ON_WORD = 200.0  # mm of lines that a word rather covers than another word
+BOLD, ITALIC = 'font-weight="bold"', 'font-style="italic"'
 Rectangle = tuple[float, float, float, float]
 Word = tuple[str, str, str]  # text, what is set lower, what follows
 Place = tuple[complex, complex, float]  # beside this point, rather in this direction, at this distance
@@ -57,7 +60,8 @@ class Sheet:
         self.width, self.height, self.field = width, height, field
         self.items: list[str] = []
         self.segments: list[tuple[complex, complex]] = []
-        self.boxes: list[Rectangle] = []
+        self.boxes: list[Rectangle] = []  # symbols that words keep off
+        self.words: list[Rectangle] = []  # words so far
 
     def line(self, a: complex, b: complex, pen: str, data: str = "") -> None:
         """Draw a segment, clipped to the drawing field."""
@@ -74,9 +78,11 @@ class Sheet:
         if blocks:
             self.segments += itertools.pairwise(points)
 
-    def circle(self, at: complex, radius: float, look: str, data: str = "", *, rim: bool = False) -> None:
+    def circle(self, at: complex, radius: float, look: str, data: str = "", *, rim: bool = False, blocks: bool = True) -> None:
         """Draw a circle; small ones keep labels off their disc, a `rim` off the line only."""
         self.items.append(f'<circle cx="{number(at.real)}" cy="{number(at.imag)}" r="{number(radius)}" {look}{data}/>')
+        if not blocks:
+            return
         if rim:
             turn = [at + cmath.rect(radius, math.tau * k / 32) for k in range(33)]
             self.segments += itertools.pairwise(turn)
@@ -91,6 +97,19 @@ class Sheet:
         side = 0.32 * head * 1j * along
         self.path([b, neck + side, neck - side], 'fill="black" stroke="none"', closed=True)
 
+    def axes(self, length: float = 7.0) -> None:
+        """Draw the directions of x and y in the corner where they cover least."""
+        left, top, right, bottom = self.field
+        wide = high = length + 3.5
+        corners = [complex(x, y) for y in (bottom - high, top) for x in (left, right - wide)]
+        _, corner = min((self._covered(at + complex(wide, high) / 2, wide, high, math.inf), k) for k, at in enumerate(corners))
+        at = corners[corner] + complex(1, high - 1.5)
+        pen = 'stroke="black" stroke-width="0.2"'
+        for way, name, shift in ((complex(length), "x", 0.5 + 0.9j), (-length * 1j, "y", 1.0 + 1.2j)):
+            self.arrow(at, at + way, pen, head=1.6)
+            self.text(at + way + shift, (name, "", ""), ITALIC, 2.6)
+        self.words.append((corners[corner].real, corners[corner].imag, corners[corner].real + wide, corners[corner].imag + high))
+
     def hatch(self, a: complex, b: complex, away: complex) -> None:
         """Hatch one side of a segment: short strokes that lean towards `away` (a direction)."""
         count = max(1, round(abs(b - a) / PITCH))
@@ -102,7 +121,7 @@ class Sheet:
         self.items.append(f'<path d="{text}" fill="none" stroke="black" stroke-width="0.15"/>')
         self.segments += kept
 
-    def label(self, word: Word, places: Iterable[Place], *, bold: bool = False, turn: int = 0) -> None:
+    def label(self, word: Word, places: Iterable[Place], look: str = "", *, turn: int = 0) -> None:
         """Write a word beside the place where it covers least.
 
         `turn` +1 or -1 puts an arc with an arrow before the word: counter-clockwise or clockwise.
@@ -112,11 +131,11 @@ class Sheet:
         height = 5.8 if turn else LETTER * 0.95 + (0.6 if word[1] else 0)
         _, middle = min((self._room(width, height, place) for place in places), key=lambda found: found[0])
         left, top = middle.real - width / 2, middle.imag - height / 2
-        self.boxes.append((left, top, left + width, top + height))
+        self.words.append((left, top, left + width, top + height))
         if turn:
             self.sense(complex(left + 3, middle.imag), turn)
         base = middle.imag + LETTER * 0.37 - (0.3 if word[1] else 0)
-        self.text(complex(left + lead, base), word, 'font-weight="bold"' if bold else "")
+        self.text(complex(left + lead, base), word, look)
 
     def text(self, at: complex, word: Word, look: str = "", size: float = LETTER) -> None:
         """Write a word, its base line beginning at a point, on a white halo."""
@@ -143,7 +162,7 @@ class Sheet:
         near, away, gap = place
         toward = cmath.phase(away) if away else -math.pi / 4
         best, found = math.inf, near
-        for ring in (0.0, 2.0, 4.5, 8.0, 12.0):
+        for ring in RINGS:
             for k in range(DIRECTIONS):
                 turned = math.tau * k / DIRECTIONS
                 unit = cmath.rect(1.0, toward + turned)
@@ -171,6 +190,8 @@ class Sheet:
             down = min(box[3], other[3]) - max(box[1], other[1])
             if across > 0 and down > 0:
                 cost += 6.0 + 3.0 * across * down
+        if cost < limit:
+            cost += WORD_ON_WORD * sum(_meet(box, word) for word in self.words)
         for a, b in self.segments:
             if cost >= limit:
                 break
@@ -178,7 +199,7 @@ class Sheet:
                 cost += 1.0 + abs(part[1] - part[0])
         return cost
 
-    def svg(self, *, turned: bool) -> str:
+    def svg(self, *, turned: bool = False) -> str:
         """Return the drawing; `turned` stands it on its left side, for a sheet wider than the page."""
         wide, high = (self.height, self.width) if turned else (self.width, self.height)
         size = f'width="{number(wide)}mm" height="{number(high)}mm" viewBox="0 0 {number(wide)} {number(high)}"'
@@ -190,6 +211,10 @@ class Sheet:
             "</g>",
             "</svg>",
         ))  # fmt: skip
+
+
+def _meet(a: Rectangle, b: Rectangle) -> bool:
+    return min(a[2], b[2]) > max(a[0], b[0]) and min(a[3], b[3]) > max(a[1], b[1])
 
 
 def middle_of(points: Iterable[complex]) -> complex:

@@ -14,6 +14,7 @@ _GREEK = {
     "φ": "phi", "ϕ": "phi", "χ": "chi", "ψ": "psi", "ω": "w", "Δ": "Delta", "Φ": "Phi", "Ψ": "Psi", "Ω": "Omega",
     "Θ": "Theta", "Γ": "Gamma", "κ": "kappa", "ϵ": "eps", "ϱ": "rho", "µ": "mu", "Λ": "Lam", "Ξ": "Xi", "Π": "Pi", "Σ": "Sigma",
 }  # fmt: skip
+_LETTERS = {word: letter for letter, word in reversed(_GREEK.items())}
 # Letters that a keyboard left in another alphabet types and no eye can tell from the Latin ones.
 LOOK_ALIKE = dict(zip("асеорхуіјѕАВЕКМНОРСТХІЅοιυΑΒΕΖΗΙΚΜΝΟΡΤΥΧ", "aceopxyijsABEKMHOPCTXISoiuABEZHIKMNOPTYX", strict=True))
 _SUBSCRIPTS = {ord("₀") + digit: str(digit) for digit in range(10)}
@@ -24,6 +25,11 @@ def spell(name: str) -> str:
     """Return a name in the tool's own spelling: Greek letters written out, subscripts as digits."""
     plain = "".join(_GREEK.get(letter, letter) for letter in unicodedata.normalize("NFC", name))
     return plain.translate(_SUBSCRIPTS)
+
+
+def greek(word: str) -> str:
+    """Return the Greek letter that a word spells, "phi": φ; any other word as it is."""
+    return _LETTERS.get(word, word)
 
 
 def foreign_letter(name: str) -> tuple[int, str] | None:

@@ -12,7 +12,7 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 
-from coursework.drawing.sheet import PITCH, Place, Sheet, Word, inside, middle_of, plain
+from coursework.drawing.sheet import BOLD, PITCH, Place, Sheet, Word, inside, middle_of, plain
 from coursework.plans.graph_words import centre_letter
 from coursework.plans.instant_centres import Body, Centre, Findings, cross, dot
 from coursework.plans.layout import FOOT, Layout, lay_out
@@ -254,7 +254,7 @@ class _Drawing:
         else:
             near, gap = self.at[link.points[0]], 4.0
         turn = 0 if body.guide or not omega else (1 if omega > 0 else -1)
-        self.sheet.label((_short(link.name), "", ""), [(near, near - self.middle, gap)], bold=True, turn=turn)
+        self.sheet.label((_short(link.name), "", ""), [(near, near - self.middle, gap)], BOLD, turn=turn)
 
     def foot(self, title: str) -> None:
         """Draw the bar by which a print is checked, and say the scales."""

@@ -17,7 +17,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from coursework.drawing import record
 from coursework.integration.motion import Array
+from coursework.report.page_context import PageContext
 from coursework.report.parts import Figure, Runs
 from coursework.report.symbols import Symbol
 
@@ -183,6 +185,12 @@ def time_plot(
     """
     with drawing(name):
         return _sheet().draw(curves, x_label, y_label, thin_label, None if stop is None else (stop, stop_label))
+
+
+def drawn(context: PageContext, drawing: record.Drawing) -> Figure:
+    """Return a drawing as a figure of the page, its words in the page's language."""
+    caption, alt = context.rich(drawing.caption), context.told(drawing.alt)
+    return Figure(drawing.svg, drawing.width, drawing.height, alt, caption, drawing.exact, id=drawing.id)
 
 
 _SIZE = re.compile(r'<svg\b[^>]*?\swidth="([\d.]+)mm"[^>]*?\sheight="([\d.]+)mm"')

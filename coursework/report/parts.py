@@ -89,7 +89,7 @@ class Table:
 
 @dataclass(frozen=True, slots=True)
 class Figure:
-    """A drawing: SVG, its size in mm, the words for those who cannot see it, a caption; `exact` = true to scale."""
+    """A drawing: SVG, its size in mm, words for those who cannot see it, a caption; `exact` = true to scale; `id` for links."""
 
     svg: str
     width: float
@@ -98,6 +98,7 @@ class Figure:
     caption: Runs
     exact: bool = False
     label: str = ""
+    id: str = ""
     kind: str = field(default="figure", init=False)
 
 

@@ -16,7 +16,7 @@ from coursework.report import lecture
 from coursework.report.accuracy import accuracy
 from coursework.report.checks import checks, counts
 from coursework.report.derivation import constraints, derivation, drive
-from coursework.report.figures import true_to_scale
+from coursework.report.figures import drawn, true_to_scale
 from coursework.report.numbers import with_unit
 from coursework.report.page_context import PageContext
 from coursework.report.parts import (
@@ -94,6 +94,12 @@ def _result(context: PageContext) -> str:
         return say("result.complete", end=context.quantity(float(run.motion.t[-1]), "s"), **values)
     time = context.quantity(run.stop.time, "s", STOP_DIGITS)
     return say("result.stopped", time=time, kind=context.event(run.stop.kind), **values)
+
+
+def mechanism(context: PageContext) -> list[Part]:
+    """The mechanism as it starts: what is spoken of on every later page."""
+    found = context.run.mechanism(context.words.written)
+    return [drawn(context, found)] if found is not None else []
 
 
 def given(context: PageContext) -> list[Part]:
@@ -236,6 +242,7 @@ def _versions(context: PageContext) -> list[Part]:
 # Each writer with the quantity that must be asked for; None: always there.
 OPENING: tuple[tuple[Writer, Quantity[Any] | None], ...] = (
     (title, None),
+    (mechanism, None),
     (remarks, None),
     (given, None),
     (drive, None),
@@ -258,9 +265,9 @@ def all_sections(context: PageContext) -> Iterator[Section]:
     yield from _written_by(OPENING, context)
     for quantity, extra in context.run.extra_tables.items():
         yield Section(quantity, _heading(context, quantity, extra.title), extra_parts(context, extra))
-    for quantity, picture in context.run.figures(context.words.written).items():
-        figure = true_to_scale(picture.svg, context.told(picture.alt), context.rich(picture.title))
-        yield Section(quantity, _heading(context, quantity, picture.title), [figure])
+    for quantity, drawings in context.run.figures(context.words.written).items():
+        if drawings:
+            yield Section(quantity, _heading(context, quantity, quantity), [drawn(context, drawing) for drawing in drawings])
     yield from _written_by(CLOSING, context)
 
 

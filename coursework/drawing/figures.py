@@ -1,0 +1,136 @@
+"""The mechanism as a figure of the page: where it starts, where it stops, twelve positions, hodographs.
+
+Enters: a `Mechanism`, its velocity equations and a motion.  Leaves: `Drawing`, upright, as wide as a column.
+Used by `run.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from functools import partial
+
+import numpy as np
+
+from coursework.drawing.board import Board, fit
+from coursework.drawing.outline import Outline, lengths, read_outline
+from coursework.drawing.painter import Painter
+from coursework.drawing.poses import Poses, all_rows, read_poses
+from coursework.drawing.record import Drawing
+from coursework.drawing.sheet import ITALIC, Sheet
+from coursework.drawing.symbols import length_text, rate_word, short
+from coursework.integration.motion import Motion, Stop
+from coursework.mechanism import Mechanism
+from coursework.reduction.equations import VelocityEquations
+from coursework.sentences import Sentence, say
+
+HIGHEST = 86.0  # mm: with its caption the drawing leaves room on the first page
+ARROW = 13.0  # mm, of a driven velocity: its direction counts, not its size
+VELOCITY = 'stroke="black" stroke-width="0.4"'
+Written = Callable[[str], str]
+
+
+def draw_start(
+    mechanism: Mechanism, equations: VelocityEquations, motion: Motion, start: list[float], written: Written = str
+) -> Drawing | None:
+    """Return `figure#mechanism`: the start position, None where the file places no points.
+
+    `start` are all coordinates at t = 0 (rad, m); rails and slots are as long as the travel of their sliders in `motion`.
+    """
+    outline = read_outline(mechanism)
+    if outline is None or not outline.names:
+        return None
+    t, coordinates = np.zeros(1), np.array([start])
+    if all_rows(equations, motion):
+        t, coordinates = np.append(t, motion.t), np.vstack([coordinates, motion.coordinates])
+    poses = read_poses(outline, equations)(t, coordinates)
+    board, svg = _mechanism(mechanism, outline, poses, 0)
+    caption = say("drawing.mechanism.caption", scale=board.scale_text, driven=_driven_words(outline))
+    return Drawing("mechanism", svg, board.width, board.height, caption, say("drawing.mechanism.alt"))
+
+
+def draw_stop(
+    mechanism: Mechanism, equations: VelocityEquations, motion: Motion, stop: Stop, written: Written = str
+) -> Drawing | None:
+    """Return `figure#dead-point`: the position in which the motion stops, None where that is not known."""
+    outline = read_outline(mechanism)
+    names = [coordinate.name for coordinate in equations.variant.coordinates]
+    if outline is None or not outline.names or set(names) - set(stop.coordinates):
+        return None
+    t, coordinates = np.array([stop.time]), np.array([[stop.coordinates[name] for name in names]])
+    if all_rows(equations, motion):
+        t, coordinates = np.append(t, motion.t), np.vstack([coordinates, motion.coordinates])
+    poses = read_poses(outline, equations)(t, coordinates)
+    board, svg = _mechanism(mechanism, outline, poses, 0)
+    caption = say("drawing.stop.caption", time=stop.time, scale=board.scale_text)
+    return Drawing("dead-point", svg, board.width, board.height, caption, say("drawing.stop.alt"))
+
+
+def _mechanism(mechanism: Mechanism, outline: Outline, poses: Poses, row: int) -> tuple[Board, str]:
+    """Return one row with names, lengths and what drives it."""
+    arrows = {name: way for name in outline.driven if (way := driven_way(poses, name, row))}
+    board = fit(partial(_room, outline, poses, [row], arrows), HIGHEST)
+    sheet = board.sheet()
+    painter = Painter(sheet, outline, poses, row, board.put, board.mm)
+    painter.fixed()
+    painter.moving()
+    for name, way in arrows.items():
+        tip = painter.at[name] + ARROW * way.conjugate()
+        sheet.arrow(painter.at[name], tip, VELOCITY, f' data-driven="{short(name)}"')
+    turns = {rate: painter.at[hinge] for rate, hinge in outline.cranks}
+    painter.point_names()
+    for name, way in arrows.items():
+        sheet.label(("V", short(name), ""), [(painter.at[name] + ARROW * way.conjugate(), way.conjugate(), 1.0)], ITALIC)
+    painter.link_names({})
+    _lengths(painter, sheet, mechanism)
+    for rate, at in turns.items():
+        sense = float(np.sign(poses.drive[rate][np.argmax(np.abs(poses.drive[rate]) > 0)]))
+        sheet.label(rate_word(rate), [(at, at - painter.middle, 2.5)], ITALIC, turn=int(sense) or 1)
+    sheet.axes()
+    return board, sheet.svg()
+
+
+def _room(
+    outline: Outline, poses: Poses, rows: list[int], arrows: Mapping[str, complex], mm: float
+) -> Iterator[tuple[complex, float]]:
+    """Yield what takes room at so many mm a metre, with the origin at 0."""
+    empty = Sheet(1.0, 1.0, (0.0, 0.0, 1.0, 1.0))
+    for row in rows:
+        painter = Painter(empty, outline, poses, row, lambda z: (z * mm).conjugate(), mm)
+        yield from painter.extent()
+        for name, way in arrows.items():
+            yield painter.at[name] + ARROW * way.conjugate(), 5.5
+
+
+def driven_way(poses: Poses, name: str, row: int) -> complex:
+    """Return the direction in which a drive moves a point in a row, or in the next row in which it does."""
+    velocity = poses.velocity(name)
+    later = [*range(row, len(velocity)), *range(row)]
+    return next((complex(velocity[k] / abs(velocity[k])) for k in later if abs(velocity[k]) > 0), 0j)
+
+
+def _lengths(painter: Painter, sheet: Sheet, mechanism: Mechanism) -> None:
+    """Write the lengths that the file gives beside the parts of the links that have them."""
+    known = lengths(mechanism)
+    drawn = [(bar.corners[k], bar.corners[k + 1]) for bar in painter.outline.bars for k in range(len(bar.corners) - 1)]
+    drawn += [(wheel.centre, wheel.contact) for wheel in painter.outline.wheels]
+    for a, b in dict.fromkeys(drawn):
+        length = known.get(frozenset((a, b)))
+        text = length_text(length) if length is not None else ""
+        ends = painter.at[a], painter.at[b]
+        if text and abs(ends[1] - ends[0]) > 4:
+            side = 1j * (ends[1] - ends[0])
+            middle = sum(ends) / 2
+            towards = -side if _dot(side, middle - painter.middle) > 0 else side
+            sheet.label((text, "", ""), [(middle, towards, 1.0)], ITALIC)
+
+
+def _driven_words(outline: Outline) -> Sentence:
+    if outline.driven:
+        return say("drawing.mechanism.driven", points=outline.driven)
+    if outline.cranks:
+        return say("drawing.mechanism.turned", rates=tuple(rate for rate, _ in outline.cranks))
+    return say("drawing.mechanism.free")
+
+
+def _dot(a: complex, b: complex) -> float:
+    return (a.conjugate() * b).real

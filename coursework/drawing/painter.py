@@ -1,0 +1,291 @@
+"""A mechanism on a sheet, from what lies behind to what stands in front: rails, hinges, links, blocks, joints, names.
+
+Enters: an `Outline`, its `Poses` and where points of the plane lie on the sheet.  Leaves: items on the `Sheet`.
+Used by `drawing/figures.py`.  SVG elements say what they are: data-link, data-sleeve, data-rail.
+"""
+
+from __future__ import annotations
+
+import cmath
+import itertools
+import math
+from collections.abc import Callable, Iterator, Mapping
+from functools import cached_property
+
+from coursework.drawing.outline import Bar, Block, Outline, Rail, Slot, Track, Wheel
+from coursework.drawing.poses import Poses
+from coursework.drawing.sheet import BOLD, ITALIC, PITCH, Rectangle, Sheet, inside, middle_of, plain
+from coursework.drawing.symbols import short
+
+LINK = 'stroke="black" stroke-width="0.8"'
+THIN = 'stroke="black" stroke-width="0.2"'
+FRAME = 'stroke="black" stroke-width="0.35"'
+OUTLINE = 'fill="none" stroke="black" stroke-width="0.35"'
+RING = 'fill="white" stroke="black" stroke-width="0.35"'
+DOT = 'fill="black" stroke="none"'
+BLOCK = (4.2, 2.4)  # mm, half length and half height of a slider
+BEYOND = 10.0  # mm of a bar beyond the farthest place of its sleeve
+RAIL = 9.0  # mm of a rail beyond the farthest place of its slider
+FREE = 0.75  # cosine of the angle to a link beside which the ground of a hinge may stand
+ALIGNED = 1e-9  # of the mechanism: a point within this of a line lies on it
+
+
+class Painter:
+    """One row of a mechanism drawn on a sheet; `put` takes a point (m) to the sheet (mm, y down), `mm` are those of 1 m."""
+
+    def __init__(
+        self, sheet: Sheet, outline: Outline, poses: Poses, row: int, put: Callable[[complex], complex], mm: float
+    ) -> None:
+        self.sheet, self.outline, self.poses, self.row, self.put, self.mm = sheet, outline, poses, row, put, mm
+        self.place = poses.pose(row)
+        self.at = {name: put(z) for name, z in self.place.items()}
+        self.names = outline.names
+        self.middle = middle_of(self.at[name] for name in self.names)
+
+    def extent(self) -> Iterator[tuple[complex, float]]:
+        """Yield what takes room: places on the sheet (mm, y down) with the room around each."""
+        for name in self.names:
+            yield self.at[name], 11.0 if name in self.outline.hinges else 7.0
+        for wheel in self.outline.wheels:
+            yield self.at[wheel.centre], abs(self.at[wheel.contact] - self.at[wheel.centre]) + 3.0
+        for slot in self.outline.slots:
+            yield from ((end, 3.0) for end in self.slot_line(slot))
+        for rail in self.outline.rails:
+            yield from ((end, 4.0) for end in self.rail_line(rail))
+
+    def fixed(self) -> None:
+        """Draw what stands still: tracks, rails, hinges."""
+        for track in self.outline.tracks:
+            self.track(track)
+        for rail in self.outline.rails:
+            self.rail(rail)
+        for name in self.outline.hinges:
+            self.hinge(name)
+
+    def moving(self) -> None:
+        """Draw what moves: blocks, links, joints."""
+        for block in self.outline.blocks:
+            self.block(block)
+        for wheel in self.outline.wheels:
+            self.wheel(wheel)
+        for bar in self.outline.bars:
+            self.bar(bar)
+        for slot in self.outline.slots:
+            self.slot(slot)
+        for name in self.names:
+            self.joint(name)
+
+    def thin(self) -> None:
+        """Draw the links alone with thin lines, as one of many positions."""
+        for bar in self.outline.bars:
+            self.sheet.path([self.at[name] for name in bar.corners], f'fill="none" {THIN}', blocks=False)
+        for slot in self.outline.slots:
+            self.sheet.path(self.slot_line(slot), f'fill="none" {THIN}', blocks=False)
+        for wheel in self.outline.wheels:
+            radius = abs(self.at[wheel.contact] - self.at[wheel.centre])
+            self.sheet.circle(self.at[wheel.centre], radius, f'fill="none" {THIN}', rim=True, blocks=False)
+
+    # what is fixed
+
+    def rail_line(self, rail: Rail) -> tuple[complex, complex]:
+        """Return both ends of a rail (mm), as far as its slider travels and a little more."""
+        start, along, low, high = self.poses.travel(rail)
+        wheels = [w for w in self.outline.wheels if w.contact == rail.rider and rail.rolls]
+        radius = max((abs(self.place[w.contact] - self.place[w.centre]) for w in wheels), default=0.0)
+        more = max(RAIL / self.mm, 1.25 * radius)
+        return self.put(start + along * (low - more)), self.put(start + along * (high + more))
+
+    def rail(self, rail: Rail) -> None:
+        """Draw a rail, hatched on the side where nothing is."""
+        a, b = self.rail_line(rail)
+        along = (b - a) / abs(b - a)
+        side = 1j * along
+        wheels = [self.at[w.centre] for w in self.outline.wheels if w.contact == rail.rider and rail.rolls]
+        others = wheels or [self.at[name] for name in self.names if name != rail.rider]
+        if others and _dot(side, middle_of(others) - a) > 0:
+            side = -side
+        if rail.rider and not rail.rolls:
+            a, b = a + side * BLOCK[1], b + side * BLOCK[1]
+        if part := inside(a, b, self.sheet.field):
+            self.sheet.line(*part, FRAME, ' data-rail=""')
+            self.sheet.hatch(*part, side)
+
+    def track(self, track: Track) -> None:
+        """Draw the part of a fixed circle near its wheel, hatched inside the solid."""
+        middle = self.at[track.centre]
+        radius = abs(self.at[track.rim] - middle)
+        wheels = [w for w in self.outline.wheels if abs(abs(self.at[w.contact] - middle) - radius) <= 0.02 * radius]
+        if not radius or not wheels:
+            return
+        wheel = wheels[0]
+        out = self.at[wheel.contact] - middle
+        half = min(math.pi, max(35.0 / radius, 0.5))
+        steps = math.ceil(2 * half * radius / PITCH)
+        arc = [middle + radius * out / abs(out) * cmath.exp(1j * half * (2 * k / steps - 1)) for k in range(steps + 1)]
+        kept = [p for p in arc if inside(p - 0.01, p + 0.01, self.sheet.field)]
+        self.sheet.path(kept, OUTLINE)
+        inward = 1 if abs(self.at[wheel.centre] - middle) > radius else -1
+        for a, b in itertools.pairwise(kept):
+            self.sheet.hatch(a, b, inward * (middle - a))
+
+    def hinge(self, name: str) -> None:
+        """Draw a hinge of the frame: a triangle on hatched ground, on the side away from the links."""
+        at = self.at[name]
+        arms = [self.at[p] - at for b in self.outline.bars if name in b.corners for p in b.corners if self.at[p] != at]
+        near = {d: max((_dot(arm, d) / abs(arm) for arm in arms), default=0.0) for d in (1j, -1 + 0j, 1 + 0j, -1j)}
+        # The ground is below, as in a textbook, unless a link hides it there.
+        down = 1j if near[1j] < FREE else min(near, key=lambda d: round(near[d], 6))
+        side = 1j * down
+        foot = at + 5.0 * down
+        self.sheet.path([at, foot + 2.9 * side, foot - 2.9 * side], RING, closed=True)
+        self.sheet.line(foot - 4.6 * side, foot + 4.6 * side, FRAME)
+        self.sheet.hatch(foot - 4.6 * side, foot + 4.6 * side, down)
+        self.sheet.boxes.append(_around(at + 3.5 * down, 4.0))
+
+    # what moves
+
+    def bar(self, bar: Bar) -> None:
+        """Draw a link: a line through its points, or a rack, filled where it is bent."""
+        data = f' data-link="{plain(bar.link)}"'
+        if contact := self.racks.get(bar.link):
+            self.rack(bar, contact)
+        for a, b in itertools.pairwise(bar.corners):
+            self.sheet.line(self.at[a], self.at[b], LINK, f'{data} data-from="{plain(a)}" data-to="{plain(b)}"')
+        for a, b, c in zip(bar.corners, bar.corners[1:], bar.corners[2:], strict=False):
+            self.corner(a, b, c)
+
+    def corner(self, a: str, b: str, c: str) -> None:
+        """Fill the angle of a bent link: it is rigid there."""
+        arms = [self.at[name] - self.at[b] for name in (a, c)]
+        if all(arms) and abs((arms[0].conjugate() * arms[1]).imag) > 0.05 * abs(arms[0]) * abs(arms[1]):
+            tips = [self.at[b] + arm / abs(arm) * min(5.0, abs(arm)) for arm in arms]
+            self.sheet.path([self.at[b], *tips], 'fill="#999" stroke="none"', closed=True)
+
+    def wheel(self, wheel: Wheel) -> None:
+        """Draw a wheel with the radius to its contact."""
+        centre, contact = self.at[wheel.centre], self.at[wheel.contact]
+        self.sheet.circle(centre, abs(contact - centre), OUTLINE, f' data-link="{plain(wheel.link)}"', rim=True)
+        self.sheet.line(centre, contact, THIN)
+
+    def slot_line(self, slot: Slot) -> list[complex]:
+        """Return the line of a slot (mm): from its point at right angles to the line, then along it past its farthest rider."""
+        beside, low, high = self.poses.line(slot)
+        at, along = self.place[slot.at], complex(self.poses.along(slot.base, slot.toward)[self.row])
+        corners = next((bar.corners for bar in self.outline.bars if bar.link == slot.link), ())
+        own = [(self.place[name] - at) * along.conjugate() for name in corners]
+        on_line = [0.0, *(p.real for p in own if abs(p.imag - beside) <= ALIGNED * max(map(abs, own), default=0.0))]
+        more = BEYOND / self.mm
+        first = min(on_line) if min(on_line) <= low else low - more
+        last = max(on_line) if max(on_line) >= high else high + more
+        foot = at + 1j * along * beside
+        ends = [self.put(foot + along * first), self.put(foot + along * last)]
+        if abs(beside) <= ALIGNED * (abs(first) + abs(last)):
+            return ends
+        return [ends[0], self.put(foot), self.put(at), self.put(foot), ends[1]]
+
+    def slot(self, slot: Slot) -> None:
+        """Draw the line on which a block slides as a part of its link."""
+        for a, b in itertools.pairwise(self.slot_line(slot)):
+            if a != b:
+                self.sheet.line(a, b, LINK, f' data-link="{plain(slot.link)}" data-slot=""')
+
+    def block(self, block: Block) -> None:
+        """Draw the block of a slider, or a sleeve: a block with open ends through which the bar is seen."""
+        at = self.at[block.at]
+        along = complex(self.poses.along(block.base, block.toward)[self.row]).conjugate()
+        long, high = BLOCK[0] * along, BLOCK[1] * 1j * along
+        if not block.open:
+            self.sheet.path([at + long + high, at - long + high, at - long - high, at + long - high], RING, closed=True)
+            return
+        name = f' data-sleeve="{plain(block.link)}"'
+        self.sheet.path(
+            [at + long + high, at - long + high, at - long - high, at + long - high],
+            f'fill="white" stroke="none"{name}',
+            closed=True,
+        )
+        for side in (high, -high):
+            self.sheet.line(at - long + side, at + long + side, 'stroke="black" stroke-width="0.5"')
+
+    @cached_property
+    def racks(self) -> dict[str, str]:
+        """Return the racks, link -> contact with its gear: a slider of one point on a rail that runs through the contact."""
+        found = {}
+        resting = {rail.rider for rail in self.outline.rails if rail.rolls}
+        for wheel in self.outline.wheels:
+            on_track = any(abs(abs(self.at[wheel.contact] - self.at[t.centre]) - abs(self.at[t.rim] - self.at[t.centre])) < 0.1
+                           for t in self.outline.tracks)  # fmt: skip
+            if wheel.contact in resting or on_track or sum(wheel.contact in bar.corners for bar in self.outline.bars) > 1:
+                continue
+            for rail in self.outline.rails:
+                along = complex(self.poses.along(rail.base, rail.toward)[0])
+                way = complex(self.poses.at[wheel.contact][0] - self.poses.at[rail.at][0]) * along.conjugate()
+                bars = [bar.link for bar in self.outline.bars if bar.corners == (rail.rider,)]
+                if bars and abs(way.imag) <= 1e-6 * abs(way):
+                    found[bars[0]] = wheel.contact
+        return found
+
+    def rack(self, bar: Bar, contact: str) -> None:
+        """Draw a rack as a bar from its joint beyond its gear, on the side away from the gear."""
+        at, touch = self.at[bar.corners[0]], self.at[contact]
+        if at == touch:
+            return
+        along = (touch - at) / abs(touch - at)
+        gear = next(self.at[wheel.centre] for wheel in self.outline.wheels if wheel.contact == contact)
+        side = 1j * along * BLOCK[1] * (1 if _dot(1j * along, gear - touch) < 0 else -1)
+        end = touch + 12 * along
+        self.sheet.path([at, end, end + side, at + side], RING, closed=True)
+
+    def joint(self, name: str) -> None:
+        """Draw a joint as a ring, a mere point of a link as a dot."""
+        if any(name == wheel.contact for wheel in self.outline.wheels):
+            self.sheet.circle(self.at[name], 0.7, DOT)
+            return
+        members = sum(name in bar.corners for bar in self.outline.bars)
+        pinned = name in self.outline.hinges or any(name == block.at for block in self.outline.blocks)
+        ring = members > 1 or pinned or any(name == wheel.centre for wheel in self.outline.wheels)
+        self.sheet.circle(self.at[name], 1.25 if ring else 1.0, RING if ring else DOT)
+
+    # names
+
+    def point_names(self) -> None:
+        """Write the name of each point beside it, away from the links."""
+        for name in self.names:
+            self.sheet.label((short(name), "", ""), [(self.at[name], self.away(name), 1.6)], ITALIC)
+
+    def away(self, name: str) -> complex:
+        """Return the direction from a point in which its links are not."""
+        at = self.at[name]
+        arms = [self.at[p] - at for bar in self.outline.bars if name in bar.corners for p in bar.corners if self.at[p] != at]
+        lean = sum((arm / abs(arm) for arm in arms), 0j)
+        return -lean if abs(lean) > 0.2 else at - self.middle
+
+    def link_places(self, bar: Bar) -> tuple[complex, complex, float]:
+        """Return the place beside which the name of a link stands: its longest part, its wheel, its block."""
+        wheel = next((w for w in self.outline.wheels if w.link == bar.link), None)
+        if wheel is not None:
+            radius = abs(self.at[wheel.contact] - self.at[wheel.centre])
+            return self.at[wheel.centre], -self.middle + self.at[wheel.centre], 4.0 if radius > 12 else radius + 1.0
+        lines = [(self.at[a], self.at[b]) for a, b in itertools.pairwise(bar.corners)]
+        for slot in self.outline.slots:
+            if slot.link == bar.link:
+                lines += itertools.pairwise(self.slot_line(slot))
+        if not lines:
+            return self.at[bar.corners[0]], self.at[bar.corners[0]] - self.middle, 4.0
+        a, b = max(lines, key=lambda line: abs(line[1] - line[0]))
+        middle = (a + b) / 2
+        side = 1j * (b - a)
+        return middle, side if _dot(side, middle - self.middle) > 0 else -side, 1.2
+
+    def link_names(self, turns: Mapping[str, int]) -> None:
+        """Write the names of the links in bold, with the sense in which they turn where one is known."""
+        for bar in self.outline.bars:
+            if bar.corners:
+                self.sheet.label((short(bar.link), "", ""), [self.link_places(bar)], BOLD, turn=turns.get(bar.link, 0))
+
+
+def _dot(a: complex, b: complex) -> float:
+    return (a.conjugate() * b).real
+
+
+def _around(at: complex, half: float) -> Rectangle:
+    return (at.real - half, at.imag - half, at.real + half, at.imag + half)

@@ -1,0 +1,30 @@
+"""What leaves the drawing board: one picture with its words, the same for the screen and for paper.
+
+Enters: SVG made in this room or in `plans`.  Leaves: `Drawing`.
+Used by `drawing/figures.py`, `quantities.py`, `run.py` and `report/figures.py`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Drawing:
+    """One figure: `id` for links, `svg` (one unit = 1 mm) of `width` by `height` mm, `caption`, and `alt` for who cannot see it.
+
+    `wide` drawings need a landscape page of their own; `exact` ones are printed at exactly their size, which carries a scale.
+    """
+
+    id: str
+    svg: str
+    width: float
+    height: float
+    caption: str
+    alt: str
+    exact: bool = False
+
+    @property
+    def wide(self) -> bool:
+        """Return whether it is wider than the text of an upright page (170 mm)."""
+        return self.width > 170.5

@@ -1,0 +1,40 @@
+"""Names of a file as a drawing writes them: "r1" is r₁, "2*r3" is 2r₃, "phi1" is φ₁.
+
+Enters: a name or a formula.  Leaves: short text.
+Used by `drawing/painter.py` and `drawing/figures.py`.
+"""
+
+from __future__ import annotations
+
+import re
+
+from coursework.formula.alphabet import greek
+from coursework.formula.tree import Formula, spelled
+
+LONGEST_NAME = 12  # letters of the name of a point or link
+LONGEST_LENGTH = 14  # letters of the length beside a link; a longer formula says less than none
+_LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+_NAME = re.compile(r"(?<![^\W\d])(?<!\.)([^\W\d_]+?)(\d*)(?!\w)")
+_RATE = re.compile(r"(?:w|omega)_?(\w*)")
+
+
+def short(name: str) -> str:
+    """Return the name of a point or link, cut where it is too long to stand beside it."""
+    return name if len(name) <= LONGEST_NAME else name[: LONGEST_NAME - 1] + "…"
+
+
+def lettered(text: str) -> str:
+    """Return a text with its names set: Greek letters, digits behind a name lowered."""
+    return _NAME.sub(lambda match: greek(match[1]) + match[2].translate(_LOWERED), text)
+
+
+def rate_word(name: str) -> tuple[str, str, str]:
+    """Return a given rate as a word with what is set lower: "w1" is ω with 1, "wpsi" is ω with ψ."""
+    found = _RATE.fullmatch(name)
+    return ("ω", greek(found[1]), "") if found else (short(name), "", "")
+
+
+def length_text(length: Formula) -> str:
+    """Return a length as it stands beside a link, "" where it is too long for that."""
+    text = lettered(spelled(length).replace("*", "").replace(" ", ""))
+    return text if len(text) <= LONGEST_LENGTH else ""

@@ -1,0 +1,99 @@
+"""What a drawing says, measured without the code that drew it: the boxes of its words by the font's own metrics, its lines.
+
+Enters: SVG text.  Leaves: boxes and lines in mm.
+"""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass
+from functools import cache
+from xml.etree import ElementTree
+
+from matplotlib import font_manager
+from matplotlib.ft2font import FT2Font
+
+SVG = "{http://www.w3.org/2000/svg}"
+UNITS = 64 * 10  # of the font engine a pixel, at the size it is asked at
+
+
+@dataclass(frozen=True)
+class Word:
+    """A text with its box (left, top, right, bottom) in mm."""
+
+    text: str
+    box: tuple[float, float, float, float]
+
+    def meets(self, other: Word) -> bool:
+        a, b = self.box, other.box
+        return min(a[2], b[2]) > max(a[0], b[0]) and min(a[3], b[3]) > max(a[1], b[1])
+
+
+@dataclass(frozen=True)
+class Line:
+    """A line from `a` to `b` (mm) with what the drawing says of it."""
+
+    a: complex
+    b: complex
+    says: dict[str, str]
+
+
+@cache
+def _font(bold: bool) -> FT2Font:
+    found = FT2Font(font_manager.findfont(font_manager.FontProperties(family="DejaVu Sans", weight="bold" if bold else "normal")))
+    found.set_size(640, 72)
+    return found
+
+
+def size(text: str, height: float, bold: bool = False) -> tuple[float, float, float]:
+    """Return advance, ascent and descent (mm) of a text in a font `height` mm high."""
+    font = _font(bold)
+    font.set_text(text, 0.0)
+    wide, high, below = (side / UNITS * height / 64 for side in (*font.get_width_height(), font.get_descent()))
+    return wide, high - below, -below
+
+
+def words(svg: str) -> list[Word]:
+    """Return the words of a drawing that is not turned."""
+    found = []
+    for node in ElementTree.fromstring(svg).iter(f"{SVG}text"):
+        pieces = [(node.text or "", float(node.get("font-size", "3")), 0.0)]
+        for piece in node:
+            pieces.append((piece.text or "", float(piece.get("font-size", "3")), float(piece.get("dy", "0"))))
+            pieces.append((piece.tail or "", float(node.get("font-size", "3")), 0.0))
+        x = left = float(node.get("x", "0"))
+        base = float(node.get("y", "0"))
+        top, bottom = base, base
+        for text, height, shift in pieces:
+            base += shift
+            if text:
+                wide, up, down = size(text, height, node.get("font-weight") == "bold")
+                x, top, bottom = x + wide, min(top, base - up), max(bottom, base - down)
+        found.append(Word("".join(node.itertext()), (left, top, x, bottom)))
+    return found
+
+
+def overlaps(svg: str) -> list[tuple[str, str]]:
+    """Return the pairs of words that cover each other."""
+    return [(a.text, b.text) for a, b in itertools.combinations(words(svg), 2) if a.meets(b)]
+
+
+def beyond(svg: str) -> list[str]:
+    """Return the words that leave the sheet."""
+    _, _, width, height = map(float, ElementTree.fromstring(svg).get("viewBox", "").split())
+    return [w.text for w in words(svg) if w.box[0] < 0 or w.box[1] < 0 or w.box[2] > width or w.box[3] > height]
+
+
+def lines(svg: str, key: str) -> list[Line]:
+    """Return the lines that carry an attribute."""
+    found = []
+    for node in ElementTree.fromstring(svg).iter(f"{SVG}line"):
+        if key in node.attrib:
+            a, b = (complex(float(node.get(f"x{k}", "0")), float(node.get(f"y{k}", "0"))) for k in "12")
+            found.append(Line(a, b, dict(node.attrib)))
+    return found
+
+
+def names(svg: str, key: str) -> set[str]:
+    """Return the values of an attribute."""
+    return {node.attrib[key] for node in ElementTree.fromstring(svg).iter() if key in node.attrib}

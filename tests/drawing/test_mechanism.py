@@ -1,0 +1,136 @@
+"""The drawing of a mechanism: every file of the catalogue has one, true to its scale, and no word lies on another."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from functools import cache
+
+import pytest
+
+from coursework import load, solve
+from coursework.catalogue import names
+from coursework.drawing.outline import Outline, lengths, read_outline
+from coursework.drawing.record import Drawing
+from coursework.formula.tree import spelled
+from coursework.mechanism import build
+from coursework.run import Run
+from tests.drawing import measured
+
+
+@cache
+def run_of(name: str) -> Run:
+    return solve(name, quantities=["table"])
+
+
+@cache
+def drawing_of(name: str) -> Drawing:
+    found = run_of(name).mechanism()
+    assert found is not None
+    return found
+
+
+def outline_of(name: str, **changes: object) -> Outline:
+    found = read_outline(build(replace(load(name), **changes)))  # type: ignore[arg-type]
+    assert found is not None
+    return found
+
+
+@pytest.mark.parametrize("name", names())
+def test_every_variant_has_a_drawing_with_its_links_and_points(name: str) -> None:
+    drawing, outline = drawing_of(name), outline_of(name)
+    said = {word.text for word in measured.words(drawing.svg)}
+    assert drawing.id == "mechanism"
+    assert drawing.width <= 170
+    assert drawing.height <= 90
+    assert set(outline.names) <= said
+    assert {bar.link for bar in outline.bars} <= said
+    assert {"x", "y"} <= said
+    drawn = measured.names(drawing.svg, "data-link")
+    assert {bar.link for bar in outline.bars if len(bar.corners) > 1} <= drawn
+
+
+@pytest.mark.parametrize("name", names())
+def test_no_word_lies_on_another_or_leaves_the_sheet(name: str) -> None:
+    assert measured.overlaps(drawing_of(name).svg) == []
+    assert measured.beyond(drawing_of(name).svg) == []
+
+
+def test_the_measure_sees_words_that_meet() -> None:
+    def sheet(apart: float) -> str:
+        texts = "".join(f'<text x="{x}" y="9" font-size="3.2">phi</text>' for x in (5, 5 + apart))
+        return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 40 20">{texts}</svg>'
+
+    wide = measured.size("phi", 3.2)[0]
+    assert 4.5 < wide < 5.5
+    assert measured.overlaps(sheet(wide - 0.01)) == [("phi", "phi")]
+    assert measured.overlaps(sheet(wide + 0.01)) == []
+    assert measured.beyond(sheet(35 - wide)) == []
+    assert measured.beyond(sheet(35.01 - wide)) == ["phi"]
+
+
+@pytest.mark.parametrize("name", names())
+def test_links_are_as_long_as_the_scale_says(name: str) -> None:
+    """Distances come from the coordinates of the table, not from the drawing's own positions."""
+    run, drawing = run_of(name), drawing_of(name)
+    scale = re.search(r"scale (\d[\d.]*):(\d+(?:\.\d+)?)", drawing.caption)
+    assert scale is not None
+    points = solve(name, quantities=["table", "points"], scheme="euler").table.iloc[0]
+    sides = [line for line in measured.lines(drawing.svg, "data-link") if "data-from" in line.says]
+    assert sides
+    for line in sides:
+        a, b = (complex(points[f"{p}.x"], points[f"{p}.y"]) for p in (line.says["data-from"], line.says["data-to"]))
+        assert abs(line.b - line.a) == pytest.approx(abs(b - a) * 1000 * float(scale[1]) / float(scale[2]), abs=0.05)
+    assert run.motion.t[0] == 0
+
+
+def test_links_follow_from_the_groups_where_none_are_listed() -> None:
+    four_bar = outline_of("example-1", links=())
+    assert [(bar.link, bar.corners) for bar in four_bar.bars] == [("1", ("A", "B")), ("2", ("B", "C")), ("3", ("D", "C"))]
+    slider = outline_of("example-2", links=())
+    assert [(bar.link, bar.corners) for bar in slider.bars[:2]] == [("1", ("A", "B")), ("2", ("B", "C"))]
+    assert [(block.link, block.at, block.open) for block in slider.blocks] == [("3", "C", False)]
+    lever = outline_of("example-6")
+    assert ("3", ("D", "E")) in [(bar.link, bar.corners) for bar in lever.bars]
+    assert [(block.at, block.open) for block in lever.blocks] == [("B", True), ("E", True), ("D5", False)]
+    assert [(slot.link, slot.at, slot.riders) for slot in lever.slots] == [("3", "D", ("B",)), ("5", "D5", ("E",))]
+    assert [rail.rider for rail in lever.rails] == ["D5"]
+
+
+def test_links_follow_from_the_points_where_a_file_has_neither_links_nor_groups() -> None:
+    bare = outline_of("31", links=())
+    assert [(bar.link, bar.corners) for bar in bare.bars] == [("1", ("D", "A")), ("2", ("A", "B")), ("3", ("B", "M", "C"))]
+
+
+def test_a_sleeve_is_a_block_with_open_ends_and_its_bar_goes_through() -> None:
+    drawing, outline = drawing_of("v107"), outline_of("v107")
+    assert [(block.at, block.open) for block in outline.blocks] == [("O", True)]
+    assert measured.names(drawing.svg, "data-sleeve") == {"4"}
+    (bar,) = measured.lines(drawing.svg, "data-slot")
+    run = run_of("v107")
+    scale = 1000 * float(re.search(r"scale 1:(\d+)", drawing.caption)[1]) ** -1  # type: ignore[index]
+    # The farthest place of the sleeve in the run and 10 mm of paper.
+    assert abs(bar.b - bar.a) == pytest.approx(run.motion.column("s").max() * scale + 10, abs=0.05)
+
+
+def test_lengths_are_those_the_file_gives() -> None:
+    said = {frozenset(ends): spelled(length) for ends, length in lengths(build(load("31"))).items()}
+    assert said == {
+        frozenset("DA"): "r1", frozenset("AB"): "r2", frozenset("BM"): "2*r3", frozenset("BC"): "r3", frozenset("CP"): "r3/2",
+    }  # fmt: skip
+    assert {"r₁", "r₂", "2r₃", "r₃", "r₃/2"} <= {word.text for word in measured.words(drawing_of("31").svg)}
+
+
+def test_the_same_bytes_every_time() -> None:
+    assert solve("31", quantities=["table"]).mechanism() == drawing_of("31")
+
+
+def test_what_stops_is_drawn_where_it_stops() -> None:
+    variant = load("31").with_data(given={"alpha": 0.02})
+    run = solve(variant, quantities=["table"])
+    drawing = run.at_stop()
+    assert drawing is not None
+    assert drawing.id == "dead-point"
+    assert "0.116889" in drawing.caption
+    assert measured.overlaps(drawing.svg) == []
+    assert run_of("31").at_stop() is None
