@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from coursework import groups
     from coursework.api import compile_model, exact, load, solve
+    from coursework.assigning.variants import draw, draw_many
     from coursework.errors import CourseworkError, InputError, OutputError
     from coursework.many import Solutions, feasible, feasible_many, solve_many
     from coursework.model.data import Data
@@ -31,6 +32,7 @@ __version__ = "1.0.0"
 _HOMES = {
     "load": "coursework.api", "solve": "coursework.api", "exact": "coursework.api", "compile_model": "coursework.api",
     "solve_many": "coursework.many", "feasible": "coursework.many", "feasible_many": "coursework.many",
+    "draw": "coursework.assigning.variants", "draw_many": "coursework.assigning.variants",
     "Solutions": "coursework.many", "Model": "coursework.model.model", "Data": "coursework.model.data", "Run": "coursework.run",
     "write_report": "coursework.output.write", "notebook_html": "coursework.report", "Variant": "coursework.variant.record",
     "parse_variant": "coursework.variant.reader",
@@ -38,8 +40,9 @@ _HOMES = {
 }  # fmt: skip
 
 __all__ = [
-    "CourseworkError", "Data", "InputError", "Model", "OutputError", "Run", "Solutions", "Variant", "compile_model", "exact",
-    "feasible", "feasible_many", "groups", "load", "notebook_html", "parse_variant", "solve", "solve_many", "write_report",
+    "CourseworkError", "Data", "InputError", "Model", "OutputError", "Run", "Solutions", "Variant", "compile_model", "draw",
+    "draw_many", "exact", "feasible", "feasible_many", "groups", "load", "notebook_html", "parse_variant", "solve",
+    "solve_many", "write_report",
 ]  # fmt: skip
 
 

@@ -115,6 +115,10 @@ class _Scheme(click.Option):
 
 
 _VARIANT = click.argument("variant", shell_complete=_offered("variants"))
+_SET = click.option(
+    "--set", "set_values", multiple=True, metavar="NAME=VALUE",
+    help="Other data, such as r1=0.91m; start values; step, end, period; N=3 (the guide's row of the check). Again for more.",
+)  # fmt: skip
 
 
 def _limited(command: Callable[..., int]) -> Callable[..., int]:
@@ -141,6 +145,8 @@ def _limited(command: Callable[..., int]) -> Callable[..., int]:
 @click.option("--step", help='Step in s, such as 0.02; "h/4": a part of the file\'s step; "auto" with --error.')
 @click.option("--error", type=float, help="With --step auto: largest error wanted over the rows, rad or m.")
 @click.option("--end", type=float, help="End of the run in s.")
+@_SET
+@click.option("--check-row", type=click.IntRange(min=1), help="Row of the graph-analytical check, from 1.")
 @click.option("--quantities", callback=_listed, help="What to compute: quantities, or columns of the table; commas between.")
 @click.option("--project", is_flag=True, help="One Newton projection onto the position equations a step.")
 @click.option("--gain", type=float, default=0.0, help="Baumgarte's gain in 1/s (a teaching knob; gain times step below 2).")
@@ -191,11 +197,12 @@ def variants_command() -> int:
 @main.command("new")
 @click.argument("name")
 @click.option("--from", "original", shell_complete=_offered("variants"), help="Copy this variant, with the tables it reads.")
-def new_command(name: str, original: str | None) -> int:
+@_SET
+def new_command(name: str, original: str | None, set_values: tuple[str, ...]) -> int:
     """Write NAME.toml, a commented variant file to fill in, or a copy of another."""
     from coursework.commands.new import new_variant
 
-    return new_variant(name, original)
+    return new_variant(name, original, set_values)
 
 
 @main.command("accuracy")

@@ -24,6 +24,8 @@ def quote(evidence: Evidence) -> Finding:
     quotes = evidence.variant.quotes
     if not quotes:
         return skipped(say("check.QUOTE.none"))
+    if evidence.variant.set_values:
+        return skipped(say("check.QUOTE.set"))
     judged = 0
     for one in quotes:
         motion = _rows(evidence, one)

@@ -1,12 +1,14 @@
 """`coursework new`: a variant file to fill in, which runs as it is: the commented template, or a copy of a variant.
 
-Enters: a name, and with --from what to copy.  Leaves: NAME.toml in the current folder, with the tables it reads.
+Enters: a name, with --from what to copy, with --set what is other in the copy.
+Leaves: NAME.toml in the current folder, with the tables it reads.
 Used by `cli.py`.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from pathlib import Path
 
 import click
@@ -16,13 +18,15 @@ from coursework.catalogue import find, names
 from coursework.data import folder
 from coursework.errors import InputError, listing
 from coursework.files import write_bytes
+from coursework.model.variant_text import variant_text
+from coursework.sentences import say
+from coursework.variant.set_values import with_set
 
-# The first line of a catalogue file tells editors where the schema lies; beside a copy there is none.
-_SCHEMA_LINE = re.compile(r"\A#:schema[^\n]*\n\s*")
 
-
-def new_variant(name: str, original: str | None = None) -> int:
+def new_variant(name: str, original: str | None = None, set_values: Sequence[str] = ()) -> int:
     """Write NAME.toml, a copy of `original` or of the template; files that exist are left alone."""
+    if set_values and original is None:
+        raise InputError(say("set.from"))
     stem = name.removesuffix(".toml")
     if not re.fullmatch(r"[\w-]{1,60}", stem):
         raise InputError(f'"{name}" cannot be the name of a variant: letters, digits, _ and - only.')
@@ -31,7 +35,7 @@ def new_variant(name: str, original: str | None = None) -> int:
             f'"{stem}" is a variant of the catalogue, and that one would run. Choose another name, such as my-{stem}.'
         )
     target = Path(f"{stem}.toml")
-    contents = {target: _template(stem)} if original is None else _copies(target, original)
+    contents = {target: _template(stem)} if original is None else _copies(target, original, set_values)
     for path, content in contents.items():
         if path.exists() and (path == target or path.read_bytes() != content):
             raise InputError(f"{path} exists already and is left as it is. Choose another name, or another folder.")
@@ -39,7 +43,8 @@ def new_variant(name: str, original: str | None = None) -> int:
         write_bytes(path, content)
     listed = listing([str(path) for path in contents])
     verb = "is" if len(contents) == 1 else "are"
-    click.echo(f"{listed} {verb} written. Fill it in with any text editor, then: coursework run {stem}")
+    then = "." if set_values else ". Fill it in with any text editor, then:"
+    click.echo(f"{listed} {verb} written{then} coursework run {stem}")
     return 0
 
 
@@ -48,10 +53,10 @@ def _template(stem: str) -> bytes:
     return text.replace("NAME", stem).encode("utf-8")
 
 
-def _copies(target: Path, original: str) -> dict[Path, bytes]:
+def _copies(target: Path, original: str, set_values: Sequence[str]) -> dict[Path, bytes]:
     """Return the file and its tables by the paths they go to.  Raises `InputError` where the original has faults."""
     source = find(original)
-    variant = load(source)
+    variant = with_set(load(source), set_values)
     tables = [law.file for law in (*variant.drive, *variant.functions) if law.file]
-    text = _SCHEMA_LINE.sub("", source.read_text(encoding="utf-8-sig"))
+    text = variant_text(variant, source.read_text(encoding="utf-8-sig"))
     return {target: text.encode("utf-8"), **{Path(name): (source.parent / name).read_bytes() for name in tables}}

@@ -19,15 +19,17 @@ from coursework.run import Run
 from coursework.schemes import DEFAULT_SCHEME, EXACT, PRECISE, SCHEMES
 from coursework.sentences import load_phrases, say
 from coursework.variant.record import Variant
+from coursework.variant.set_values import with_set
 
 
 def run_variant(
     variant: str, *, out: Path | None, formats: tuple[str, ...] | None, step: str | None, error: float | None, end: float | None,
-    scheme: str | None, precision: str, strict: bool, plan: bool, profile: bool, language: str, **options: Any,
+    scheme: str | None, precision: str, strict: bool, plan: bool, profile: bool, language: str, set_values: tuple[str, ...],
+    check_row: int | None, **options: Any,
 ) -> int:  # fmt: skip
     """Return the exit status of one run."""
     wanted = chosen(formats, "run")
-    read = load(variant)
+    read = with_set(load(variant), set_values, check_row)
     if precision == "single":
         return tell_round_off(solve(read, _stepping(read, scheme), step_of(step, read), end, quantities=("table",)))
     if error is not None and step != "auto":
@@ -178,6 +180,8 @@ def tell(run: Run, folder: Path, written: list[str]) -> None:
     if run.summary:
         click.echo(run.summary)
     click.echo(f"{run.variant.title}  ({run.variant.name})")
+    if run.variant.set_values:
+        click.echo(say("run.set", listed=tuple(f"{name} = {value}" for name, value in run.variant.set_values.items())))
     click.echo(f"{run.scheme_title}, h = {motion.step:g} s, {len(motion.t)} rows")
     if run.lesson is not None:
         click.echo(run.lesson.sentence)

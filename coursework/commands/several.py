@@ -34,6 +34,7 @@ from coursework.output.results import Results
 from coursework.output.write import write_set
 from coursework.quantities import CHECKS
 from coursework.sentences import load_phrases
+from coursework.variant.set_values import with_set
 
 SUMMARY = "summary.csv"
 VERDICTS: tuple[str, ...] = get_args(Verdict)
@@ -99,7 +100,7 @@ class RunTask:
     def _run(self, item: Item, hidden: Path) -> Outcome:
         formats = chosen(self.formats, "run")
         options = dict(self.options)
-        strict, read = options.pop("strict"), load(item.variant)
+        strict, read = options.pop("strict"), with_set(load(item.variant), options.pop("set_values"), options.pop("check_row"))
         run = make_run(read, **{**options, "step": step_of(options["step"], read)})
         results = Results(run, self.language)
         results.compute(any(PAGES in each.serves for each in formats))

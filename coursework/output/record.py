@@ -34,6 +34,7 @@ def record(run: Run) -> dict[str, Any]:
     return {
         "variant": run.variant.name,
         "title": run.variant.title,
+        "set": run.variant.set_values,
         "versions": run.versions,
         "scheme": run.settings.scheme,
         "step": motion.step,

@@ -124,7 +124,11 @@ def given(context: PageContext) -> list[Part]:
     if time.check_row is not None:
         when = context.quantity((time.check_row - 1) * time.step, "s")
         sentences.append(say("given.check_row", row=time.check_row, time=when))
-    return [Table(columns, rows, caption), Paragraph(runs(" ".join(sentences)))]
+    told: list[Part] = [Table(columns, rows, caption), Paragraph(runs(" ".join(sentences)))]
+    if variant.set_values:
+        pairs = [f"{name} = {_written(text)}" for name, text in variant.set_values.items()]
+        told.append(Paragraph(context.lettered(say("given.set", listed=context.words.listing(pairs)))))
+    return told
 
 
 def _first(context: PageContext, name: str, unit: str) -> str:

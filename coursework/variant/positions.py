@@ -1,6 +1,6 @@
 """Text of a TOML file -> the line and column of every key and value, which the standard reader does not keep.
 
-Enters: TOML that the standard reader has accepted.  Leaves: `Positions`.  Used by `source.py` only.
+Enters: TOML that the standard reader has accepted.  Leaves: `Positions`.  Used by `source.py` and by `rewriting.py`.
 """
 
 from __future__ import annotations
@@ -21,10 +21,14 @@ Path = tuple[str | int, ...]
 
 @dataclass(slots=True)
 class Positions:
-    """Line and column (from 1) of each path: of its value in `values`, of its key in `keys`; lists are counted from 0."""
+    """Line and column (from 1) of each path: of its value in `values`, of its key in `keys`; lists are counted from 0.
+
+    `spans`: where the text of each value begins and ends (letters from 0).
+    """
 
     values: dict[Path, tuple[int, int]] = field(default_factory=dict)
     keys: dict[Path, tuple[int, int]] = field(default_factory=dict)
+    spans: dict[Path, tuple[int, int]] = field(default_factory=dict)
 
     @property
     def lines(self) -> dict[Path, int]:
@@ -111,11 +115,12 @@ class _Scanner:
         shift = 2 if self.text.startswith(('"""', "'''"), self.at) else 0
         line, column = self.place()
         self.found.values.setdefault(path, (line, column + shift))
-        opening = self.text[self.at : self.at + 1]
+        begin, opening = self.at, self.text[self.at : self.at + 1]
         if opening in {"[", "{"}:
             self.inside(path, "]" if opening == "[" else "}")
         else:
             self.at = max(self.at + 1, self._end(_STRING if opening in {'"', "'"} else _BARE))
+        self.found.spans.setdefault(path, (begin, begin + len(self.text[begin : self.at].rstrip())))
 
     def inside(self, path: Path, closing: str) -> None:
         """Step through a list or an inline table."""

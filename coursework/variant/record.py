@@ -252,6 +252,12 @@ class Variant:
         """Return the table's columns after t."""
         return (*(c.name for c in self.coordinates), *self.rates, *(name for name, _ in self.unknowns))
 
+    @property
+    def set_values(self) -> dict[str, str]:
+        """Return what was set other than in the file, as texts by name; a step or end of one run is not among it."""
+        named = {path: path[1] for path in self.changes if not isinstance(self.changes[path], float)}
+        return {str(name): str(self.changes[path]) for path, name in named.items()}
+
     def line_of(self, *path: str | int) -> int:
         """Return the line of the file that a key stands in, 0 where that is not known."""
         return self.lines.get(path, 0)
@@ -284,12 +290,13 @@ class Variant:
     def with_data(
         self, given: Values = None, start: Values = None, drive: Values = None, *,
         step: float | str | None = None, end: float | str | None = None, period: float | str | None = None,
+        check_row: int | None = None,
     ) -> Variant:  # fmt: skip
         """Return the variant as its file would be with other data: period, texts, start, remarks and faults are read anew.
 
-        Numbers are SI, texts bring their unit or are formulas ("2*pi/p").  Where geometry gives start values, those of
-        coordinates not named in `start` follow: the closed position nearest to the old one.  Raises `InputError` with what the
-        changed file would be refused for.
+        Numbers are SI, texts bring their unit or are formulas ("2*pi/p"); `check_row` counts from 1.
+        Where geometry gives start values, those of coordinates not named in `start` follow: the closed position nearest to the
+        old one.  Raises `InputError` with what the changed file would be refused for.
 
         >>> import coursework
         >>> round(coursework.load("31").with_data(given={"p": 10}).time.period, 4)
@@ -297,7 +304,8 @@ class Variant:
         """
         if self.reread is None:
             raise InputError(f"{self.name} was not read from a file, so it cannot be read with other data.")
-        times = {key: value for key, value in (("step", step), ("end", end), ("period", period)) if value is not None}
+        asked = (("step", step), ("end", end), ("period", period), ("check_row", check_row))
+        times = {key: value for key, value in asked if value is not None}
         new = changed_values(self, given, start, drive, times)
         changes = {**self.changes, **new}
         fresh = self.reread(changes)

@@ -92,15 +92,12 @@ class Key:
         here, q = self.t[:-1], self.table[:-1, :m]
         slopes = self.velocities_at(here, q, {})[:, :m]
         ahead = self.velocities_at(here + self.step, q + self.step * slopes, {})[:, :m]
-        gaps = np.abs(self.step / 2 * (ahead - slopes))
-        largest = float(np.nanmax(gaps, initial=0.0))
-        span = float(np.max(self.ranges[:m], initial=0.0)) or 1.0
-        return largest if largest > _NO_GAP * span else _SMALLEST_GAP * span
+        return float(gap_of(slopes, ahead, self.step, self.ranges[:m]))
 
     @property
     def least_decimals(self) -> int:
         """Return how many decimals a task sheet asks for."""
-        return max(1, math.ceil(math.log10(ASKED / self.gap)))
+        return decimals_asked(self.gap)
 
     @cached_property
     def order(self) -> tuple[int, ...]:
@@ -112,6 +109,20 @@ class Key:
         placed = [place for block in solved for place in block]
         driven = [place for place in range(m, m + len(self.velocities)) if place not in placed]
         return (*range(m), *placed, *driven)
+
+
+def gap_of(slopes: Array, ahead: Array, step: float, ranges: Array) -> Array:
+    """Return the one-step gap (…) from rates (…, n, m) in the rows and after a step of Euler; `ranges` (…, m) of coordinates."""
+    gaps = np.abs(step / 2 * (ahead - slopes))
+    largest = np.nanmax(gaps, axis=(-2, -1), initial=0.0)
+    span = np.max(ranges, axis=-1, initial=0.0)
+    span = np.where(span > 0, span, 1.0)
+    return np.where(largest > _NO_GAP * span, largest, _SMALLEST_GAP * span)
+
+
+def decimals_asked(gap: float) -> int:
+    """Return how many decimals a task sheet asks for where the one-step gap is this."""
+    return max(1, math.ceil(math.log10(ASKED / gap)))
 
 
 def sensitivity(function: Callable[[Array], Array], at: Array, units: Array) -> Array:

@@ -1,0 +1,205 @@
+"""Drawn data -> which mechanisms can be given to a student, and how hard each is; many sets at once.
+
+Enters: a template compiled once, sets of data, limits.  Leaves: a `Verdict` each.  Used by `accept.py`.
+
+A set is sure to move where the vectorised search says so; every other one is searched alone, as `coursework.feasible` does
+it, so that no verdict depends on the company in the array.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.assigning.ranges import Limits
+from coursework.errors import CourseworkError
+from coursework.formula.tree import FormulaFault, evaluate
+from coursework.grading.marking.key import gap_of
+from coursework.many import feasible
+from coursework.model.data import Data
+from coursework.model.model import Model
+from coursework.model.rows import rows_of
+from coursework.model.sets import prepare
+from coursework.model.start import start_of
+from coursework.reduction.magnitude import largest
+from coursework.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
+from coursework.singular.scaled_flow import compile_flow
+from coursework.singular.search import search_event
+from coursework.variant.record import MAX_ROWS, Variant
+
+Array = NDArray[np.float64]
+# The exact motion is followed in at least so many parts of a step, and of the whole: Runge-Kutta 4 is then right to 1e-8 where
+# Euler is off by 0.1, and the smallest determinant is missed by less than a thousandth.
+PARTS, FEWEST = 8, 400
+_LATEST = 1 + 1e-9  # of a horizon, beyond which a row is not looked at
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """`refused` is the key of the reason, "" for what may be given out; `numbers` measure the difficulty (SI)."""
+
+    refused: str
+    numbers: Mapping[str, float] = field(default_factory=dict)
+
+
+def judge(model: Model, data: Data, limits: Limits) -> list[Verdict]:
+    """Return the verdict on each set of data."""
+    variants = [_with_numbers(model.variant, data, index) for index in range(data.count)]
+    verdicts = [_refused_at_sight(model.variant, data, index, variants[index]) for index in range(data.count)]
+    groups: dict[tuple[float, float], list[int]] = {}
+    for index, verdict in enumerate(verdicts):
+        if not verdict.refused:
+            time = variants[index].time
+            groups.setdefault((time.step, time.end), []).append(index)
+    for members in groups.values():
+        judged = _judge_alike(model, _some(data, members), [variants[index] for index in members], limits)
+        for index, verdict in zip(members, judged, strict=True):
+            verdicts[index] = verdict
+    return verdicts
+
+
+def _refused_at_sight(template: Variant, data: Data, index: int, variant: Variant) -> Verdict:
+    """Return the verdict on data that need no computing: those of the template itself, and times that make no table."""
+    names = [name for name in data.changed if name in data.given]
+    starts = zip(template.coordinates, data.start[index].tolist(), strict=True)
+    same = all(variant.values[name] == template.values[name] for name in names)
+    if same and all(c.guess == start for c, start in starts if c.name in data.changed):
+        return Verdict("same")
+    step, end = variant.time.step, variant.time.end
+    sound = step > 0 and math.isfinite(end) and step * (1 - 1e-9) <= end <= MAX_ROWS * step
+    return Verdict("" if sound else "refused")
+
+
+def _with_numbers(template: Variant, data: Data, index: int) -> Variant:
+    """Return the template with the numbers of one set and the times that follow from them; nothing else is read anew."""
+    given = tuple(replace(one, value=float(data.given[one.name][index])) for one in template.given)
+    values = {one.name: one.value for one in given}
+    times: dict[str, float] = {}
+    for path, formula in template.times.items():
+        if path[0] == "time":
+            try:
+                times[str(path[1])] = evaluate(formula, values)
+            except FormulaFault:
+                times[str(path[1])] = math.nan
+    starts = data.start[index].tolist()
+    guesses = [None if math.isnan(start) else start for start in starts]
+    coordinates = tuple(
+        replace(c, start=guess if c.start is not None else None, near=None if c.start is not None else guess)
+        for c, guess in zip(template.coordinates, guesses, strict=True)
+    )
+    return replace(template, given=given, coordinates=coordinates, time=replace(template.time, **times))  # type: ignore[arg-type]
+
+
+def _some(data: Data, places: list[int]) -> Data:
+    return Data(len(places), {name: column[places] for name, column in data.given.items()}, data.start[places], data.changed)
+
+
+def _judge_alike(model: Model, data: Data, variants: list[Variant], limits: Limits) -> list[Verdict]:
+    """Return the verdicts on sets whose rows stand at the same times."""
+    time = variants[0].time
+    horizons = np.array([max(one.time.end, one.time.period or 0.0) for one in variants])
+    prepared = prepare(model, data, float(np.max(horizons)))
+    movable = _movable(model, data, prepared.sure, horizons)
+    rows, runs = rows_of(model, prepared, SCHEMES[DEFAULT_SCHEME.name], np.arange(time.steps + 1).astype(np.float64) * time.step)
+    runs &= prepared.frequency * time.step < np.pi * (1 - 1e-12)
+    parts = max(PARTS, -(-FEWEST // max(1, time.steps)))
+    fine_step = time.step / parts
+    count = math.ceil(float(np.max(horizons)) / fine_step * (1 - 1e-9))
+    fine: Array = np.arange(max(count, time.steps * parts) + 1).astype(np.float64) * fine_step
+    exact, followed = rows_of(model, prepared, PRECISE, fine)
+    numbers = _measured(model, data, variants, rows, exact, fine, horizons)
+    verdicts = []
+    for index in range(data.count):
+        mine = {name: float(column[index]) for name, column in numbers.items()}
+        refused = "" if movable[index] else "motion"
+        refused = refused or ("" if runs[index] and followed[index] else "euler")
+        verdicts.append(Verdict(refused or _beyond(limits, mine, time.step), mine))
+    return verdicts
+
+
+def _beyond(limits: Limits, numbers: Mapping[str, float], step: float) -> str:
+    """Return the first limit that a mechanism does not keep, "" for none."""
+    least, fastest = numbers["least_determinant"], numbers["largest_velocity"]
+    if limits.least_determinant is not None and not least >= limits.least_determinant:
+        return "least_determinant"
+    if limits.least_transmission is not None and not math.asin(min(1.0, least)) >= limits.least_transmission:
+        return "least_transmission"
+    if limits.largest_velocity is not None and not fastest <= limits.largest_velocity:
+        return "largest_velocity"
+    if limits.least_rows_a_turn is not None and not 2 * math.pi >= limits.least_rows_a_turn * fastest * step:
+        return "least_rows_a_turn"
+    return ""
+
+
+def _movable(model: Model, data: Data, sure: NDArray[np.bool_], horizons: Array) -> NDArray[np.bool_]:
+    """Return for which sets (n,) the whole motion is possible; those in doubt are searched one by one."""
+    movable = sure.copy()
+    places = np.flatnonzero(~sure)
+    if not len(places):
+        return movable
+    with np.errstate(all="ignore"):
+        start = start_of(model, data, model.numbers(data))
+    clear = ~start.doubtful & (not model.own_breaks(data.changed))
+    for place in places.tolist():
+        end = float(horizons[place])
+        if clear[place] and _stops(model, data, place, start.closed[:, place].tolist(), end):
+            continue
+        try:
+            movable[place] = feasible(model.variant.with_data(*data.of(place, model.variant)).timed(None, end))[0]
+        except CourseworkError:
+            movable[place] = False
+    return movable
+
+
+def _stops(model: Model, data: Data, place: int, start: list[float], end: float) -> bool:
+    """Return whether the motion of one set is sure to stop: the search alone, without anything put in words."""
+    variant = replace(
+        model.variant, given=tuple(replace(one, value=float(data.given[one.name][place])) for one in model.variant.given)
+    )
+    try:
+        flow = compile_flow(replace(model.equations, variant=variant), model.reduction, start)
+        return search_event(flow, start, end, breaks=model.breaks).event is not None
+    except (CourseworkError, ArithmeticError, ValueError):
+        return False
+
+
+def _measured(
+    model: Model, data: Data, variants: list[Variant], rows: Array, exact: Array, fine: Array, horizons: Array
+) -> dict[str, Array]:
+    """Return the measures (n,) of difficulty; nan where a motion was not followed."""
+    m, h = len(model.coordinates), variants[0].time.step
+    numbers = model.numbers(data, 1)
+    t = np.arange(rows.shape[1]) * h
+    angular = [m + place for place, name in enumerate(model.velocities) if model.variant.unit_of(name) == "rad/s"]
+    with np.errstate(all="ignore"):
+        gap = np.max(np.abs(rows[:, :, :m] - exact[:, :: _pace(fine, h), :m][:, : len(t)]), axis=(1, 2))
+        fastest = np.max(np.abs(rows[:, :, angular]), axis=(1, 2), initial=0.0)
+        slopes = rows[:, :-1, m : 2 * m]
+        ahead = model.rates(t[1:], rows[:, :-1, :m] + h * slopes, data)[..., :m]
+        step_gap = gap_of(slopes, ahead, h, np.ptp(rows[:, :, :m], axis=1))
+        values = model.program(fine, *np.moveaxis(exact[:, :, :m], -1, 0), *numbers)[len(model.velocities) :]
+        shape = exact.shape[:2]
+        sizes = np.abs(np.array([np.broadcast_to(value, shape) for value in values])).reshape(-1, *shape)
+        least = np.min(np.where(fine <= horizons[:, None] * _LATEST, sizes, np.inf), axis=2)
+    scaled = least / _scales(model, variants, data) if len(model.blocks) else np.ones((1, data.count))
+    return {
+        "euler_error": gap, "least_determinant": np.min(scaled, axis=0), "largest_velocity": fastest, "one_step_gap": step_gap,
+    }  # fmt: skip
+
+
+def _pace(fine: Array, step: float) -> int:
+    return round(step / float(fine[1]))
+
+
+def _scales(model: Model, variants: list[Variant], data: Data) -> Array:
+    """Return the largest value (blocks, n) that each determinant can take, as `Motion.scaled` is scaled."""
+    bounds = [[largest(b.determinant, one) if b.determinant else 0.0 for b in model.blocks] for one in variants]
+    for place, row in enumerate(bounds):
+        if not all(row):
+            start = [0.0 if math.isnan(value) else value for value in data.start[place].tolist()]
+            bounds[place] = [*compile_flow(replace(model.equations, variant=variants[place]), model.reduction, start).largest]
+    return np.array(bounds).T

@@ -1,0 +1,99 @@
+"""What the data of a class may be: ranges, limits, and how equally hard the drawn mechanisms must be.
+
+Enters: nothing.  Leaves: the frozen records `Ranges`, `Range`, `Limits`, `Difficulty`.
+Used by every part of this room; made by `reader.py`.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+Path = tuple[str, ...]
+# What a drawn mechanism is measured by, with the unit it is told in.
+MEASURES: Mapping[str, str] = {
+    "euler_error": "rad",
+    "least_determinant": "",
+    "largest_velocity": "rad/s",
+    "one_step_gap": "rad",
+}
+USUAL = ("euler_error", "least_determinant", "largest_velocity")
+
+
+@dataclass(frozen=True, slots=True)
+class Range:
+    """The `count` values that one datum may take; each is a text as a variant file writes it.
+
+    `path` is where the file has it.  Either `choice` lists the values, or they are first, first + step, … in units of
+    10^-decimals of `unit`, so that every value has the digits of its range and no other.
+    """
+
+    path: Path
+    choice: tuple[str, ...] = ()
+    first: int = 0
+    step: int = 1
+    count: int = 1
+    decimals: int = 0
+    unit: str = ""
+
+    @property
+    def name(self) -> str:
+        """Return the name of the datum."""
+        return self.path[1]
+
+    def text(self, place: int) -> str:
+        """Return one value (place from 0).
+
+        >>> Range(("given", "r1"), first=820, step=1, count=261, decimals=3, unit="m").text(7)
+        '0.827 m'
+        """
+        if self.choice:
+            return self.choice[place]
+        whole = self.first + place * self.step
+        digits = f"{abs(whole):0{self.decimals + 1}d}"
+        number = f"{digits[: -self.decimals]}.{digits[-self.decimals :]}" if self.decimals else digits
+        return f"{'-' if whole < 0 else ''}{number} {self.unit}".rstrip()
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """What every drawn mechanism must keep; None where nothing is asked.
+
+    `least_determinant` scaled, over the whole motion; `least_transmission` (rad) the angle whose sine that is;
+    `largest_velocity` (rad/s) in the Euler table; `least_rows_a_turn` rows that a turn at that velocity would have; `tries`
+    draws a student.
+    """
+
+    least_determinant: float | None = None
+    least_transmission: float | None = None
+    largest_velocity: float | None = None
+    least_rows_a_turn: float | None = None
+    tries: int = 2000
+
+
+@dataclass(frozen=True, slots=True)
+class Difficulty:
+    """Each of `numbers` lies within ±`band` (a part of it) of the middle of the class."""
+
+    band: float = 0.30
+    numbers: tuple[str, ...] = USUAL
+
+
+@dataclass(frozen=True, slots=True)
+class Ranges:
+    """One ranges file; `file` is what messages call it."""
+
+    ranges: tuple[Range, ...]
+    limits: Limits = field(default_factory=Limits)
+    difficulty: Difficulty = field(default_factory=Difficulty)
+    file: str = ""
+
+    @property
+    def digest(self) -> str:
+        """Return what a draw depends on, as text: the ranges of the data in the order of their names.
+
+        Limits and band decide which draw is taken, not what is drawn: widened, they leave most students their data.
+        """
+        listed = [[*one.path, *(one.choice or (one.first, one.step, one.count, one.decimals, one.unit))] for one in self.ranges]
+        return json.dumps(sorted(listed, key=lambda entry: [str(part) for part in entry]), ensure_ascii=False)

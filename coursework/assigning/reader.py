@@ -1,0 +1,237 @@
+"""A ranges file -> `Ranges` for one template, or every fault of it with line and advice.
+
+Enters: TOML (bytes, or its plain data) and the template.  Leaves: `Ranges`.  Raises `InputError`.
+Used by the library and the command.  Its keys are also in `variants/ranges/ranges.schema.json`, for editors.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from decimal import Decimal
+from pathlib import Path
+from typing import Any
+
+from coursework.assigning.ranges import MEASURES, Difficulty, Limits, Range, Ranges
+from coursework.errors import Fault, InputError, closest
+from coursework.formula.alphabet import spell
+from coursework.formula.units import KINDS, UnitFault, read
+from coursework.sentences import say
+from coursework.variant.positions import Positions
+from coursework.variant.record import Variant
+from coursework.variant.source import Source, read_source
+
+SECTIONS = ("given", "start", "time", "limits", "difficulty")
+LIMITS = ("least_determinant", "least_transmission", "largest_velocity", "least_rows_a_turn", "tries")
+DIFFICULTY = ("band", "numbers")
+RANGE = ("from", "to", "step", "choice")
+MOST_TRIES, MOST_BAND, MOST_ROWS_A_TURN = 100_000, 10.0, 1e6
+
+
+def read_ranges(content: bytes, file: str, template: Variant) -> Ranges:
+    """Return the ranges of a file.  Raises `InputError` with every fault, in file order."""
+    return _Reader(read_source(content, file, {}), template).ranges()
+
+
+def ranges_of(data: Mapping[str, Any], template: Variant) -> Ranges:
+    """Return the ranges of data as a ranges file would hold them.  Raises `InputError`."""
+    return _Reader(Source("ranges", {}, dict(data), Positions()), template).ranges()
+
+
+def ranges_file(path_or_name: str | Path, folder: Path) -> Path:
+    """Return the file of ranges: a path, or the name of a template of the catalogue (whose ranges lie in `folder`)."""
+    path = Path(path_or_name)
+    beside = folder / f"{path_or_name}.toml"
+    if path.is_file() or path.suffix == ".toml" or not beside.is_file():
+        if not path.is_file() and path.suffix != ".toml":
+            known = sorted(file.stem for file in folder.glob("*.toml"))
+            raise InputError(say("ranges.none", name=str(path_or_name), known=tuple(known)))
+        return path
+    return beside
+
+
+class _Reader:
+    """Reads one file, gathering faults."""
+
+    def __init__(self, source: Source, template: Variant) -> None:
+        self.source, self.template = source, template
+        self.faults: list[Fault] = []
+
+    def ranges(self) -> Ranges:
+        data = self.source.data
+        self._known(data, SECTIONS, ())
+        units = {given.name: given.si for given in self.template.given}
+        starts = {c.name: c.unit for c in self.template.coordinates}
+        found = [
+            *self._section("given", units, "given", lambda name: ("given", name)),
+            *self._section("start", starts, "coordinate", lambda name: ("coordinates", name, "start")),
+            *self._rows(),
+        ]
+        limits, difficulty = self._limits(), self._difficulty()
+        if not self.faults and all(one.path[0] == "time" for one in found):
+            self._say((), "empty")
+        if self.faults:
+            raise InputError(self.faults)
+        return Ranges(tuple(found), limits, difficulty, self.source.file)
+
+    def _say(self, path: tuple[str | int, ...], key: str, *, at_key: bool = False, **values: object) -> None:
+        self.faults.append(self.source.fault(path, say(f"ranges.fault.{key}", **values), at_key=at_key))
+
+    def _known(self, section: Mapping[str, Any], known: Sequence[str], path: tuple[str, ...]) -> None:
+        for key in section:
+            if key not in known:
+                advice = closest(key, known)
+                self._say((*path, key), "key", at_key=True, name=key[:40], advice=advice, known=tuple(known))
+
+    def _table(self, key: str) -> Mapping[str, Any]:
+        section = self.source.data.get(key, {})
+        if isinstance(section, dict):
+            return section
+        self._say((key,), "section", name=key)
+        return {}
+
+    def _section(self, key: str, units: Mapping[str, str], what: str, place: Any) -> list[Range]:
+        found: dict[str, Range] = {}
+        for written, value in self._table(key).items():
+            name, path = spell(written), (key, written)
+            if name not in units:
+                advice = closest(name, list(units))
+                self._say(path, what, at_key=True, name=written[:40], advice=advice, known=tuple(units))
+            elif name in found:
+                self._say(path, "twice", at_key=True, name=written)
+            elif what == "coordinate" and name in determined(self.template):
+                self._say(path, "determined", at_key=True, name=written)
+            elif (one := self._range(path, place(name), value, units[name])) is not None:
+                found[name] = one
+        return [*found.values()]
+
+    def _rows(self) -> list[Range]:
+        """Return the range of the check row, if there is one."""
+        section = self._table("time")
+        self._known(section, ("check_row",), ("time",))
+        if "check_row" not in section:
+            return []
+        path = ("time", "check_row")
+        one = self._range(path, path, section["check_row"], "1")
+        if one is None:
+            return []
+        last = self.template.time.steps + 1
+        values = [one.text(place) for place in (range(one.count) if one.choice else (0, one.count - 1))]
+        wrong = [text for text in values if not text.isdecimal() or not 1 <= int(text) <= last]
+        if wrong or one.decimals:
+            self._say(path, "row", last=last, found=(wrong or values)[0])
+            return []
+        return [one]
+
+    def _range(self, path: tuple[str, ...], place: tuple[str, ...], value: Any, si: str) -> Range | None:
+        if not isinstance(value, dict):
+            self._say(path, "range")
+            return None
+        before = len(self.faults)
+        self._known(value, RANGE, path)
+        if "choice" in value:
+            if len(value) > 1:
+                self._say(path, "both")
+            listed = value["choice"]
+            if not isinstance(listed, list) or not listed:
+                self._say((*path, "choice"), "choice")
+                return None
+            texts = [self._amount((*path, "choice", index), entry, si) for index, entry in enumerate(listed)]
+            if len(self.faults) > before:
+                return None
+            choice = tuple(f"{entry}".strip() for entry in listed)
+            return Range(place, choice=choice, count=len(texts))
+        missing = [key for key in RANGE[:3] if key not in value]
+        if missing:
+            self._say(path, "missing", missing=tuple(missing))
+        amounts = {key: self._amount((*path, key), value[key], si) for key in RANGE[:3] if key in value}
+        if len(self.faults) > before:
+            return None
+        (first, unit), (last, _), (step, _) = (amounts[key] for key in RANGE[:3])  # type: ignore[misc]
+        if len({each[1] for each in amounts.values() if each}) > 1:
+            self._say(path, "units")
+        elif step <= 0:
+            self._say((*path, "step"), "step", found=str(step))
+        elif last < first:
+            self._say((*path, "to"), "order", first=str(first), last=str(last))
+        if len(self.faults) > before:
+            return None
+        decimals = max(_decimals(first), _decimals(step))
+        whole = [int(amount.scaleb(decimals)) for amount in (first, step)]
+        return Range(place, (), whole[0], whole[1], int((last - first) // step) + 1, decimals, unit)
+
+    def _amount(self, path: tuple[str | int, ...], value: Any, si: str) -> tuple[Decimal, str] | None:
+        """Return number and unit of one value of a datum."""
+        if not isinstance(value, (str, int, float)):
+            self._say(path, "value")
+            return None
+        try:
+            quantity = read(value, si)
+        except UnitFault as error:
+            self.faults.append(self.source.fault(path, str(error)))
+            return None
+        if quantity.si and si and KINDS[quantity.si][0] != KINDS[si][0]:
+            _, what, shown = KINDS[si]
+            self._say(path, "kind", what=what, shown=shown, found=str(value)[:40])
+            return None
+        return Decimal(quantity.text.replace("−", "-")), quantity.unit
+
+    def _limits(self) -> Limits:
+        section = self._table("limits")
+        self._known(section, LIMITS, ("limits",))
+        return Limits(
+            self._number("limits", "least_determinant", "1", 0.0, 1.0),
+            self._number("limits", "least_transmission", "rad", 0.0, 1.5707963267948966),
+            self._number("limits", "largest_velocity", "1/s", 0.0, 1e12),
+            self._number("limits", "least_rows_a_turn", "1", 0.0, MOST_ROWS_A_TURN),
+            self._tries(section),
+        )
+
+    def _tries(self, section: Mapping[str, Any]) -> int:
+        tries = section.get("tries", Limits().tries)
+        if isinstance(tries, int) and not isinstance(tries, bool) and 1 <= tries <= MOST_TRIES:
+            return tries
+        self._say(("limits", "tries"), "tries", most=MOST_TRIES)
+        return 1
+
+    def _number(self, section: str, key: str, si: str, least: float, most: float) -> float | None:
+        value = self._table(section).get(key) if isinstance(self.source.data.get(section), dict) else None
+        if value is None:
+            return None
+        path = (section, key)
+        if self._amount(path, value, si) is None:
+            return None
+        number = read(value, si).value
+        if not least < number <= most:
+            self._say(path, "bounds", least=least, most=most, found=str(value)[:40])
+            return None
+        return number
+
+    def _difficulty(self) -> Difficulty:
+        section = self._table("difficulty")
+        self._known(section, DIFFICULTY, ("difficulty",))
+        usual = Difficulty()
+        band = self._number("difficulty", "band", "1", 0.0, MOST_BAND)
+        listed = section.get("numbers", list(usual.numbers))
+        if not isinstance(listed, list):
+            self._say(("difficulty", "numbers"), "numbers", known=tuple(MEASURES))
+            return usual
+        for index, name in enumerate(listed):
+            if not isinstance(name, str) or name not in MEASURES:
+                advice = closest(str(name), list(MEASURES))
+                self._say(("difficulty", "numbers", index), "number", name=str(name)[:40], advice=advice, known=tuple(MEASURES))
+        return Difficulty(usual.band if band is None else band, tuple(dict.fromkeys(map(str, listed))))
+
+
+def determined(template: Variant) -> frozenset[str]:
+    """Return the coordinates whose start the template's geometry gives: listed, they would contradict it."""
+    by_groups = {name for group in template.groups if not group.kind.driven for name in group.coordinates}
+    closed = any(one.is_closure for one in template.constraints)
+    driven = set(template.known_rates)
+    return frozenset(c.name for c in template.coordinates if c.name in by_groups or (closed and c.rate not in driven))
+
+
+def _decimals(value: Decimal) -> int:
+    """Return how many decimals a number is written with."""
+    exponent = value.as_tuple().exponent
+    assert isinstance(exponent, int)
+    return max(0, -exponent)

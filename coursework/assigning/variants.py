@@ -1,0 +1,113 @@
+"""Drawn data -> the variant of a student: its file, and the variant that the file is read as.
+
+Enters: the template, what a student was given.  Leaves: `Individual`.
+Used by the library, and by `assign.py` for a class.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from coursework.api import compile_model, load
+from coursework.assigning.accept import Acceptance, Accepted
+from coursework.assigning.draw import Lots
+from coursework.assigning.ranges import Ranges
+from coursework.assigning.reader import ranges_file, ranges_of, read_ranges
+from coursework.data import folder
+from coursework.errors import InputError
+from coursework.grading.names import file_stem
+from coursework.model.model import Model
+from coursework.model.variant_text import variant_text
+from coursework.schemes import DEFAULT_SCHEME
+from coursework.sentences import say
+from coursework.settings import scheme_for
+from coursework.variant.reader import parse_variant
+from coursework.variant.record import Variant
+
+FOLDER = "ranges"  # of the catalogue
+
+
+@dataclass(frozen=True, slots=True)
+class Individual:
+    """One student's variant: what was accepted, the file's bytes, and what they are read as."""
+
+    accepted: Accepted
+    content: bytes
+    variant: Variant
+
+
+class Assignment:
+    """A template with its ranges and a seed, ready to give variants to students in any order."""
+
+    def __init__(self, template: Variant, ranges: Ranges, seed: str | int) -> None:
+        if template.path is None:
+            raise InputError(say("assign.no_file", name=template.name))
+        self.original = template.path.read_text(encoding="utf-8-sig")
+        beside = template.path.parent
+        self.tables = {law.file: (beside / law.file).read_bytes() for law in (*template.drive, *template.functions) if law.file}
+        self.template, self.ranges = template, ranges
+        self.model: Model = compile_model(template)
+        self.acceptance = Acceptance(self.model, Lots(template, ranges, str(seed)))
+
+    def individuals(self, students: Iterable[str], done: Callable[[int], None] = lambda number: None) -> list[Individual]:
+        """Return the variant of each student.  Raises `InputError` where the ranges leave a student without one."""
+        return [self.individual(accepted) for accepted in self.acceptance.accepted(students, done)]
+
+    def individual(self, accepted: Accepted) -> Individual:
+        """Return the variant with the accepted data: the template's file with other values in it, read anew."""
+        given = {path[1]: text for path, text in accepted.values.items() if path[0] == "given"}
+        start = {path[1]: text for path, text in accepted.values.items() if path[0] == "coordinates"}
+        rows = [int(text) for path, text in accepted.values.items() if path[0] == "time"]
+        variant = self.template.with_data(given, start, check_row=rows[0] if rows else None)
+        content = variant_text(variant, self.original, self._scheme).encode("utf-8")
+        return Individual(accepted, content, parse_variant(content, file_stem(accepted.id), tables=self.tables))
+
+    @property
+    def _scheme(self) -> str:
+        """Return the scheme that each file must name, so that a run writes the table that is marked; "" where it does anyway."""
+        own = scheme_for(self.template)
+        return "" if own == DEFAULT_SCHEME.name else DEFAULT_SCHEME.name
+
+
+def draw(template: Variant | str | Path, ranges: Ranges | Mapping[str, Any] | str | Path, seed: str | int, id: str) -> Variant:
+    """Return the variant that a student is given: the same one whoever else is in the class.
+
+    `ranges`: a ranges file, the name of a template of the catalogue, or the same as plain data.  Raises `InputError` for
+    ranges with faults, and with counts of the reasons where they leave too few mechanisms.
+
+    >>> import coursework
+    >>> variant = coursework.draw("31", "31", seed=2026, id="ada")
+    >>> coursework.feasible(variant), variant.values["r1"] != 0.953
+    ((True, ''), True)
+    """
+    return draw_many(template, ranges, seed, [id])[0]
+
+
+def draw_many(
+    template: Variant | str | Path, ranges: Ranges | Mapping[str, Any] | str | Path, seed: str | int, ids: Iterable[str]
+) -> list[Variant]:  # fmt: skip
+    """Return the variants of several students, each the same as `draw` gives.
+
+    >>> import coursework
+    >>> one, other = coursework.draw_many("31", "31", 2026, ["ada", "bert"])
+    >>> one.values == coursework.draw("31", "31", 2026, "ada").values
+    True
+    """
+    chosen = load(template) if isinstance(template, (str, Path)) else template
+    return [one.variant for one in Assignment(chosen, load_ranges(ranges, chosen), seed).individuals(ids)]
+
+
+def load_ranges(ranges: Ranges | Mapping[str, Any] | str | Path, template: Variant) -> Ranges:
+    """Return ranges from a file, from the catalogue by the name of its template, or from plain data.  Raises `InputError`."""
+    if isinstance(ranges, Ranges):
+        return ranges
+    if isinstance(ranges, Mapping):
+        return ranges_of(ranges, template)
+    path = ranges_file(ranges, folder("variants") / FOLDER)
+    try:
+        return read_ranges(path.read_bytes(), str(path), template)
+    except OSError as error:
+        raise InputError(say("ranges.unreadable", file=str(path), why=error.strerror or str(error))) from error

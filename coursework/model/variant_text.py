@@ -1,0 +1,35 @@
+"""A variant with other data -> the text of its file, which reads as that variant.
+
+Enters: a variant that was read from a file, perhaps with other data.  Leaves: TOML text.
+Used by `coursework new` and by individual variants.
+"""
+
+from __future__ import annotations
+
+from coursework.geometry.start import START_TOLERANCE, start_values
+from coursework.mechanism import build
+from coursework.reduction.equations import differentiate
+from coursework.variant.changes import Path
+from coursework.variant.record import Variant
+from coursework.variant.rewriting import SAID_OF_NUMBERS, rewritten
+
+_DECIMALS = 9
+assert 10.0**-_DECIMALS < START_TOLERANCE
+
+
+def variant_text(variant: Variant, original: str, scheme: str = "") -> str:
+    """Return the text `original` of the variant's file with the data of the variant in it, and a `scheme` where one is named.
+
+    Starts that follow from other data are written as the geometry closes them.  Where data were set, what the file says of its
+    own numbers (remarks, quotes) is left out.  Raises `InputError` where the geometry does not close.
+    """
+    changes: dict[Path, str | float] = {p: value for p, value in variant.changes.items() if not isinstance(value, float)}
+    if scheme:
+        changes["time", "scheme"] = scheme
+    moved = [place for place, c in enumerate(variant.coordinates) if c.start is None and c.near is not None]
+    if moved:
+        start = start_values(differentiate(build(variant)))
+        for place in moved:
+            coordinate = variant.coordinates[place]
+            changes["coordinates", coordinate.name, "start"] = f"{start[place]:.{_DECIMALS}f} {coordinate.unit}"
+    return rewritten(original, changes, SAID_OF_NUMBERS if changes else ())
