@@ -1,7 +1,7 @@
 """Draws until each student has a mechanism that moves, keeps the limits and is as hard as those of the others.
 
 Enters: `Lots`, the template compiled once, students.  Leaves: `Accepted`, or the counts of what was refused and why.
-Used by `assign.py` and the library.
+Used by `variants.py`.
 """
 
 from __future__ import annotations

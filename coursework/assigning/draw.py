@@ -1,7 +1,7 @@
 """Seed, template, ranges and a student -> the data of one attempt, by SHA-256 and nothing else.
 
 Enters: a template, `Ranges`, a seed.  Leaves: `Lots`, whose draws depend on no other student and on no order.
-Used by `judge.py` and `accept.py`.
+Used by `accept.py`.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """A ranges file -> `Ranges` for one template, or every fault of it with line and advice.
 
 Enters: TOML (bytes, or its plain data) and the template.  Leaves: `Ranges`.  Raises `InputError`.
-Used by the library and the command.  Its keys are also in `variants/ranges/ranges.schema.json`, for editors.
+Used by `variants.py`.  Its keys are also in `variants/ranges/ranges.schema.json`, for editors.
 """
 
 from __future__ import annotations

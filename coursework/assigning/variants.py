@@ -1,7 +1,7 @@
 """Drawn data -> the variant of a student: its file, and the variant that the file is read as.
 
 Enters: the template, what a student was given.  Leaves: `Individual`.
-Used by the library, and by `assign.py` for a class.
+Used through `import coursework`, and for a whole class by `assign.py`.
 """
 
 from __future__ import annotations

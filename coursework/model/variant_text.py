@@ -1,7 +1,7 @@
 """A variant with other data -> the text of its file, which reads as that variant.
 
 Enters: a variant that was read from a file, perhaps with other data.  Leaves: TOML text.
-Used by `coursework new` and by individual variants.
+Used by `commands/new.py` and by individual variants.
 """
 
 from __future__ import annotations
@@ -31,5 +31,6 @@ def variant_text(variant: Variant, original: str, scheme: str = "") -> str:
         start = start_values(differentiate(build(variant)))
         for place in moved:
             coordinate = variant.coordinates[place]
-            changes["coordinates", coordinate.name, "start"] = f"{start[place]:.{_DECIMALS}f} {coordinate.unit}"
+            closed = f"{start[place]:.{_DECIMALS}f}".rstrip("0").rstrip(".")
+            changes["coordinates", coordinate.name, "start"] = f"{closed} {coordinate.unit}"
     return rewritten(original, changes, SAID_OF_NUMBERS if changes else ())

@@ -1,7 +1,7 @@
 """The text of a variant file with other values in it: comments, order and spelling stay as its author wrote them.
 
 Enters: a text that has been read as a variant, and values by their path.  Leaves: the new text.
-Used by whoever writes a variant file for somebody: `coursework new`, individual variants.
+Used by `variant_text.py`.
 """
 
 from __future__ import annotations

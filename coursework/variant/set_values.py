@@ -1,7 +1,7 @@
 """Texts such as "r1=0.91 m" or "N=3" -> the variant with these values, or one sentence about what is wrong.
 
 Enters: a variant, what a user has set on the command line.  Leaves: the variant read anew.  Raises `InputError`.
-Used by `coursework run` and `coursework new`.
+Used by the commands `run` and `new`.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from typing import Any
 
 from coursework.errors import InputError, closest
 from coursework.formula.alphabet import spell
+from coursework.formula.units import UnitFault, read
 from coursework.sentences import say
 from coursework.variant.record import Variant
 
@@ -40,12 +41,21 @@ def with_set(variant: Variant, texts: Iterable[str], check_row: int | None = Non
         elif name in data[kinds[name]]:
             raise InputError(say("set.twice", name=name))
         else:
-            data[kinds[name]][name] = value.strip()
+            data[kinds[name]][name] = _spaced(value.strip())
     if len(rows) > 1:
         raise InputError(say("set.twice", name="check_row"))
     if not (rows or any(data.values())):
         return variant
     return variant.with_data(data["given"], data["start"], data["drive"], **data["time"], check_row=rows[0] if rows else None)
+
+
+def _spaced(value: str) -> str:
+    """Return "0.91 m" for "0.91m", as files have it; what is no quantity stays."""
+    try:
+        quantity = read(value)
+    except UnitFault:
+        return value
+    return f"{quantity.text} {quantity.unit}".rstrip()
 
 
 def _row(name: str, value: str) -> int:
