@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 LONGEST = 2000  # characters of one text: a word of 1 MB would take Typst half a minute
 _UNBROKEN = re.compile(r"(\S{12})(?=\S{12})")
+_SHORT = 24  # characters, below which no word needs a place to break
 _INVISIBLE = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
 
 
@@ -41,6 +42,8 @@ def clean(text: str, longest: int = LONGEST) -> str:
 
     Words beyond 24 letters get places to break (U+200B), so that none runs off the page.
     """
+    if len(text) < _SHORT and text.isascii() and text.isprintable() and "  " not in text:
+        return text.strip()[:longest]  # nearly every cell of a table
     spaced = re.sub(r"[^\S\u00a0\u202f]+", " ", unicodedata.normalize("NFC", text[: 4 * longest]))
     plain = "".join(letter for letter in spaced if unicodedata.category(letter) not in _INVISIBLE).strip()
     if len(plain) > longest:

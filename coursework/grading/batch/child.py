@@ -1,4 +1,5 @@
-"""The process that looks into submissions: one line of JSON in, one out, with limits of its own.
+"""The process that looks into submissions: one line of JSON in, one out, with limits of its own.  Each answer stands behind
+the MiB that the process has grown by since its first one, so that it can be replaced before a leak becomes a student's fault.
 
     python -m coursework.grading.batch.child
 
@@ -28,6 +29,16 @@ def limit_memory(mib: int) -> None:
     resource.setrlimit(resource.RLIMIT_AS, (size, resource.getrlimit(resource.RLIMIT_AS)[1]))
 
 
+def most_memory() -> int:
+    """Return the most memory (MiB) this process has held at once; 0 where the platform does not say."""
+    try:
+        import resource
+    except ImportError:
+        return 0
+    unit = 2**20 if sys.platform == "darwin" else 2**10  # macOS counts bytes, others KiB
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // unit
+
+
 def serve(lines: BinaryIO, answers: BinaryIO) -> None:
     """Answer every line until there are none."""
     from coursework.grading.batch.work import setup_from
@@ -36,8 +47,12 @@ def serve(lines: BinaryIO, answers: BinaryIO) -> None:
     setup = setup_from(json.loads(lines.readline()))
     workshop = Workshop(setup)
     limit_memory(setup.memory_mib)
+    at_first = 0
     for line in lines:
-        answers.write(workshop.answer(line).line())
+        answer = workshop.answer(line).line()
+        used = most_memory()
+        at_first = at_first or used
+        answers.write(b"%d " % (used - at_first) + answer)
         answers.flush()
 
 

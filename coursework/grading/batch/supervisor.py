@@ -17,7 +17,10 @@ from coursework.sentences import say
 
 LIMIT = 10.0  # s a submission may take
 STARTING = 60.0  # s for the first answer of a child, which imports everything
-REPLACED_AFTER = 200  # submissions: what leaks somewhere in a library cannot pile up
+# What leaks somewhere in a library cannot pile up: a child is replaced when it has grown by so many MiB, and, for platforms
+# that do not say how much a process holds, after so many submissions.
+MOST_GROWN = 256
+REPLACED_AFTER = 2000
 CHILD = "coursework.grading.batch.child"
 
 
@@ -28,7 +31,7 @@ class Supervisor:
         self.setup, self.limit = setup, limit
         self._child: subprocess.Popen[bytes] | None = None
         self._answers: queue.Queue[bytes] = queue.Queue()
-        self._served = 0
+        self._served = self._grown = 0
 
     def __enter__(self) -> Supervisor:
         return self
@@ -61,7 +64,7 @@ class Supervisor:
 
     def _asked(self, task: Task) -> bytes:
         """Return the child's line, `_SILENT` where it took too long, b"" where it died."""
-        if self._child is not None and self._served >= REPLACED_AFTER:
+        if self._served >= REPLACED_AFTER or self._grown >= MOST_GROWN:
             self.close()
         fresh = self._child is None
         if fresh:
@@ -79,12 +82,14 @@ class Supervisor:
             self.close()
             return _SILENT
         self._served += 1
-        return line
+        grown, _, outcome = line.partition(b" ")
+        self._grown = int(grown) if grown.isdigit() else 0
+        return outcome
 
     def _start(self) -> None:
         import json
 
-        self._served = 0
+        self._served = self._grown = 0
         self._answers = queue.Queue()
         self._child = subprocess.Popen(
             [sys.executable, "-m", CHILD], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from coursework.grading.marking.reference import class_tables as tables
 from coursework.variant.record import Variant
 
 MOST = 500  # variants; beyond these a class is a university, and looking through all of them helps nobody
@@ -17,4 +16,6 @@ def class_tables(variants: Mapping[str, Variant]) -> dict[str, list[list[float]]
     """Return the tables, nothing where everybody has the same variant."""
     if not 1 < len(variants) <= MOST:
         return {}
+    from coursework.grading.marking.reference import class_tables as tables
+
     return {name: rows.tolist() for name, rows in tables(variants).items()}

@@ -29,6 +29,8 @@ _ROUND_OFF = 1e-12
 
 KEY, ANGLES, EARLIER, STEP, STEP_TRUE, START = "key", "own angles", "own velocities", "step", "step true", "start"
 WRONG, MISSING, GIVEN = "wrong", "missing", "given"
+# Right from the student's own earlier cells only.
+CARRIED = (ANGLES, EARLIER, STEP, STEP_TRUE)
 
 
 @dataclass(frozen=True)
@@ -80,7 +82,7 @@ class Cells:
     @property
     def carried(self) -> NDArray[np.bool_]:
         """Return where a cell is right only from the student's own earlier cells."""
-        return np.isin(self.marks, (ANGLES, EARLIER, STEP, STEP_TRUE))
+        return np.isin(self.marks, CARRIED)
 
 
 def mark_cells(key: Key, student: Student) -> Cells:

@@ -106,7 +106,7 @@ class Judge:
         """Return the marks of all lines."""
         marks = tuple(self._mark(line) for line in lines)
         counted = [mark for mark in marks if mark.verdict in COUNTED]
-        rows = [self.coefficients(difference(mark.line))[0] for mark in counted]
+        rows = [self.coefficients(difference(mark.line)) for mark in counted]
         rank = self._rank(rows)
         return EquationMarks(marks, rank, len(self.key.variant.sought), self._dependent(counted, rows, rank))
 
@@ -117,23 +117,29 @@ class Judge:
         ranks = [self._rank(rows[:count]) for count in range(len(rows) + 1)]
         return tuple(mark.line.line for place, mark in enumerate(counted) if ranks[place + 1] == ranks[place])
 
-    def coefficients(self, tree: Formula) -> tuple[Array, Array]:
-        """Return A (points, k) and the rest (points,) of `tree = A u + rest`; NaN rows where it is not affine in u."""
+    @cached_property
+    def _tried(self) -> dict[str, Any]:
+        """Return the names at the random points, once with each set of velocities that tells the coefficients apart."""
         probe = self.off_closure
         k = len(probe.sought)
+        sets = [np.zeros_like(probe.velocities), *(np.tile(row, (probe.count, 1)) for row in np.eye(k)), self._elsewhere]
+        copies = {name: np.tile(value, len(sets)) if np.ndim(value) else value for name, value in probe.names.items()}
+        return copies | dict(zip(probe.sought, np.vstack(sets).T, strict=True))
 
-        def residual(velocities: Array) -> Array:
-            return real(value_of(tree, probe.at(velocities)), probe.count)
+    @cached_property
+    def _elsewhere(self) -> Array:
+        return _STRETCHED * self.off_closure.velocities + _MOVED
 
-        elsewhere = _STRETCHED * probe.velocities + _MOVED
+    def coefficients(self, tree: Formula) -> Array:
+        """Return A (points, k) of `tree = A u + rest`; NaN where it is not affine in u.  Raises `NoValue`."""
+        count, k = self.off_closure.velocities.shape
         with np.errstate(all="ignore"):
-            zero = np.zeros((probe.count, k))
-            rest = residual(zero)
-            slopes = np.column_stack([residual(zero + np.eye(k)[place]) - rest for place in range(k)])
-            foretold = rest + np.sum(slopes * elsewhere, axis=1)
-            size = np.abs(rest) + np.sum(np.abs(slopes * elsewhere), axis=1)
-            affine = np.all(np.abs(residual(elsewhere) - foretold) <= AFFINE * size)
-        return (slopes if affine else np.full_like(slopes, np.nan)), rest
+            found = real(value_of(tree, self._tried), count * (k + 2)).reshape(k + 2, count)
+            rest, slopes = found[0], (found[1:-1] - found[0]).T
+            terms = slopes * self._elsewhere
+            size = np.abs(rest) + np.sum(np.abs(terms), axis=1)
+            affine = np.all(np.abs(found[-1] - rest - np.sum(terms, axis=1)) <= AFFINE * size)
+        return slopes if affine else np.full_like(slopes, np.nan)
 
     def _rank(self, rows: Sequence[Array]) -> int:
         """Return the least rank over the points of the coefficient rows, each scaled to one."""
@@ -158,7 +164,7 @@ class Judge:
 
     def _verdict(self, tree: Formula) -> Verdict:
         try:
-            if np.isnan(self.coefficients(tree)[0]).any():
+            if np.isnan(self.coefficients(tree)).any():
                 return "wrong"
             off = self._relative(tree, self.off_closure)
             if off <= RIGHT:
@@ -189,7 +195,7 @@ class Judge:
             if after is None or np.iscomplexobj(after) or not np.all(np.abs(after) <= ROUNDED * scale):
                 continue
             mended = applied(tree, edit)
-            if self._verdict(mended) in {"right", "rounded"} and np.any(np.abs(self.coefficients(mended)[0]) > 0):
+            if self._verdict(mended) in {"right", "rounded"} and np.any(np.abs(self.coefficients(mended)) > 0):
                 found.append(edit)
         if not found:
             return None

@@ -14,17 +14,18 @@ Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 WIDTH, HEIGHT, EDGE = 300.0, 110.0, 6.0
 MOST_POINTS = 80
+_CROSS = "m-3.5-3.5l7 7m0-7l-7 7"
 
 
 @dataclass(frozen=True, slots=True)
 class Panel:
-    """One velocity: the key as the points of a line, the student's as places of dots, `wrong` ones apart; labels of the axis."""
+    """One velocity: the key as the points of a line, the student's dots and crosses as paths; the ends of the axis."""
 
     name: str
     unit: str
     line: str
-    dots: tuple[tuple[str, str], ...]
-    wrong: tuple[tuple[str, str], ...]
+    dots: str
+    crosses: str
     low: str
     high: str
 
@@ -34,19 +35,17 @@ def panel(name: str, unit: str, t: Array, key: Array, found: Array, is_wrong: Fl
     low, high = float(key.min()), float(key.max())
     margin = 0.25 * ((high - low) or max(abs(high), 1e-9))
     low, high = low - margin, high + margin
-    span = float(t[-1] - t[0]) or 1.0
     kept = np.unique(np.linspace(0, len(t) - 1, min(len(t), MOST_POINTS)).astype(int))
+    x = EDGE + (WIDTH - 2 * EDGE) * (t[kept] - t[0]) / (float(t[-1] - t[0]) or 1.0)
 
-    def place(row: int, value: float) -> tuple[str, str]:
-        x = EDGE + (WIDTH - 2 * EDGE) * float(t[row] - t[0]) / span
-        y = EDGE + (HEIGHT - 2 * EDGE) * (high - min(max(value, low), high)) / (high - low)
-        return f"{x:.1f}", f"{y:.1f}"
+    def places(values: Array, chosen: Flags) -> list[str]:
+        y = EDGE + (HEIGHT - 2 * EDGE) * (high - np.clip(values[kept], low, high)) / (high - low)
+        return [f"{across:.1f} {down:.1f}" for across, down in zip(x[chosen].tolist(), y[chosen].tolist(), strict=True)]
 
-    line = " ".join(",".join(place(row, float(key[row]))) for row in kept)
-    there = [row for row in kept.tolist() if np.isfinite(found[row])]
+    there, wrong = np.isfinite(found[kept]), is_wrong[kept]
     return Panel(
-        name, unit, line,
-        tuple(place(row, float(found[row])) for row in there if not is_wrong[row]),
-        tuple(place(row, float(found[row])) for row in there if is_wrong[row]),
+        name, unit, " ".join(places(key, np.ones_like(there))),
+        "".join(f"M{place}h0" for place in places(found, there & ~wrong)),
+        "".join(f"M{place}{_CROSS}" for place in places(found, there & wrong)),
         f"{low:.3g}", f"{high:.3g}",
     )  # fmt: skip

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from coursework.grading.marking.cells import GIVEN, KEY, MISSING, WRONG
+from coursework.grading.marking.cells import CARRIED, GIVEN, KEY, MISSING, WRONG
 from coursework.grading.marking.grade import Grade, TableMarks
 from coursework.grading.pages.curves import panel
 from coursework.page_text import clean, template
@@ -19,8 +19,12 @@ from coursework.sentences import ENGLISH, Sentence, load_phrases, say
 # Longer tables show their first rows and those with wrong cells: the page stays one that a person reads.
 FIRST_ROWS, MOST_ROWS = 25, 60
 LONGEST_TEXT = 300
-_SIGNS = {WRONG: "✗", MISSING: "–", KEY: "", GIVEN: ""}
-CARRIED = "→"
+LONGEST_CELL = 24
+# The sign of a mark and the class of its cell.
+_SIGNS = {
+    WRONG: ("✗", "wrong"), MISSING: ("–", ""), KEY: ("", ""), GIVEN: ("", ""),
+    **dict.fromkeys(CARRIED, ("→", "carried")),
+}  # fmt: skip
 _VERDICT_SIGNS = {"right": "✓", "rounded": "✓", "closure": "✓", "half": "½", "wrong": "✗", "unreadable": "?", "blank": "–"}
 
 
@@ -109,14 +113,10 @@ def _table(grade: Grade, marked: TableMarks) -> dict[str, Any]:
     columns = [marked.table.column(name) for name in key.names]
     rows = []
     for row in chosen:
-        entries = []
-        for place, column in enumerate(columns):
-            mark = str(cells.marks[row, place])
-            sign = _SIGNS.get(mark, CARRIED)
-            text = clean(column.texts[row], 24) if column and column.texts[row] else ""
-            entries.append(
-                {"text": text, "sign": sign, "mark": "wrong" if mark == WRONG else "carried" if sign == CARRIED else ""}
-            )
+        entries = [
+            (clean(column.texts[row], LONGEST_CELL) if column else "", *_SIGNS[mark])
+            for column, mark in zip(columns, cells.marks[row].tolist(), strict=True)
+        ]
         rows.append({"number": row + 1, "t": f"{key.t[row]:.6g}", "cells": entries})
     m = len(key.coordinates)
     panels = [

@@ -8,6 +8,7 @@ from pathlib import Path
 from coursework.grading.batch import child, workshop
 
 _grade = workshop.Workshop.grade
+held = [100]  # MiB, said to be held
 
 
 def grade(self, submission, source):
@@ -19,11 +20,14 @@ def grade(self, submission, source):
         time.sleep(600)
     if name == "hog":
         raise MemoryError
+    if name.startswith("leaks "):
+        held[0] = int(name.split()[1])
     print("noise on standard output", flush=True)
     return _grade(self, submission, source)
 
 
 workshop.Workshop.grade = grade
+child.most_memory = lambda: held[0]
 
 if __name__ == "__main__":
     sys.exit(child.main())

@@ -198,6 +198,22 @@ def test_killers_hangs_and_hogs_are_told_apart_and_stop_nobody_else(tmp_path, mo
     assert {entry["status"] for entry in submissions(out).values()} == {"graded", "unreadable"}
 
 
+@pytest.mark.parametrize(("leaks", "children"), [("leaks 355", 1), ("leaks 356", 2)])
+def test_a_child_that_has_grown_by_256_mib_is_replaced(tmp_path, monkeypatch, leaks, children):
+    for student in ("a", leaks, "z"):
+        hand_in(tmp_path / "in" / student)
+    monkeypatch.setattr(supervisor, "CHILD", "tests.grading.batch.hostile_child")
+    monkeypatch.setenv("COURSEWORK_TEST_ONCE", str(tmp_path / "once"))
+    monkeypatch.setenv("PYTHONPATH", str(Path(__file__).parents[3]))
+    started = []
+    start = supervisor.Supervisor._start
+    monkeypatch.setattr(supervisor.Supervisor, "_start", lambda self: (started.append(self), start(self)))
+    done = grade(tmp_path / "in", tmp_path / "out", "--no-pages")
+    assert done.exit_code == 0, done.output
+    assert {entry["status"] for entry in submissions(tmp_path / "out").values()} == {"graded"}
+    assert len(started) == children
+
+
 def test_one_submission_for_an_autograder(tmp_path):
     hand_in(tmp_path / "in", students.slip(10, 1, 1.05))
     for platform, key in (("gradescope", "score"), ("prairielearn", "score")):
