@@ -9,6 +9,7 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator
+from functools import lru_cache
 from typing import Literal
 
 from coursework.grading.reading.archive import Archive
@@ -19,6 +20,7 @@ from coursework.grading.reading.xml_events import Enough, stream
 WORKBOOK = "xl/workbook.xml"
 _PLACE = re.compile(r"([A-Z]{1,3})([0-9]{1,7})")
 _DATES = {*range(14, 23), *range(27, 37), *range(45, 48), *range(50, 59)}  # formats of dates that need no text of their own
+_KINDS: dict[str, Literal["number", "error", "date"]] = {"n": "number", "e": "error", "d": "date"}
 
 
 def sheets_of(archive: Archive, most_rows: int, most_columns: int) -> Iterator[Sheet]:
@@ -144,14 +146,14 @@ class _SheetReader:
 def _cell(text: str, kind: str, is_formula: bool) -> Cell:
     if not text and is_formula and kind != "str":
         return Cell("", "formula")
-    kinds: dict[str, Literal["number", "error", "date"]] = {"n": "number", "e": "error", "d": "date"}
-    return Cell(text, kinds.get(kind, "text"))
+    return Cell(text, _KINDS.get(kind, "text"))
 
 
 def _whole(text: str | None, otherwise: int) -> int:
-    return int(text) if text and re.fullmatch("[0-9]{1,7}", text) else otherwise
+    return int(text) if text and len(text) <= 7 and text.isascii() and text.isdigit() else otherwise
 
 
+@lru_cache(maxsize=64)
 def _column(letters: str) -> int:
     number = 0
     for letter in letters:

@@ -42,7 +42,7 @@ def stream(chunks: Iterable[bytes], handler: Handler) -> None:
         depth += 1
         if depth > _MOST_NESTED:
             raise unreadable("damaged")
-        if any(":" in key for key in attributes):
+        if attributes and ":" in "".join(attributes):
             attributes = {key.rpartition(":")[2]: value for key, value in attributes.items()}
         handler.begin(name.rpartition(":")[2] if ":" in name else name, attributes)
 
