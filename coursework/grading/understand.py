@@ -10,11 +10,11 @@ import math
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
-from coursework.grading.answers import read_answer
 from coursework.grading.contents import AnswerLine, Contents, EquationLine, FileEntry, Table, Trouble
-from coursework.grading.equations import is_equation_without_sign, most_lines, read_line, spellings_for
+from coursework.grading.equations import most_lines, spellings_for
 from coursework.grading.expected import Expected
 from coursework.grading.kinds import OLD_EXCEL, is_html, is_ignored, is_named_as_table, kind_of_parts, real_kind
+from coursework.grading.lines import lines_beside_table, read_lines
 from coursework.grading.page_text import text_of
 from coursework.grading.reading.archive import Archive, legible_name
 from coursework.grading.reading.encoding import Decoded, decode
@@ -35,6 +35,7 @@ class _Found:
     refused: list[Trouble] = field(default_factory=list)  # files that stand where a table should
     attached: list[Trouble] = field(default_factory=list)  # other files that are not read
     equations: list[EquationLine] = field(default_factory=list)
+    beside: list[EquationLine] = field(default_factory=list)  # equations in the text of a table, where no file is of equations
     answers: list[AnswerLine] = field(default_factory=list)
     notes: list[Note] = field(default_factory=list)
     entries: list[FileEntry] = field(default_factory=list)
@@ -51,9 +52,10 @@ def understand(submission: Submission, expected: Expected) -> Contents:
         kind = _read(file, len(files) == 1, expected, found)
         found.entries.append(FileEntry(file.name, kind, file.size, file.sha256))
     table, trouble = _one_table(found)
-    lines = found.equations[: most_lines(expected)]
-    if len(found.equations) > len(lines):
-        found.notes.append(note("ignored_file", "lines", number=len(found.equations) - len(lines), limit=len(lines)))
+    handed = found.equations or found.beside
+    lines = handed[: most_lines(expected)]
+    if len(handed) > len(lines):
+        found.notes.append(note("ignored_file", "lines", number=len(handed) - len(lines), limit=len(lines)))
     if repaired := sum(bool(line.repaired) for line in lines):
         found.notes.append(note("repaired", number=repaired))
     return Contents(
@@ -129,10 +131,13 @@ def _read_text(file: SubmittedFile, could_be_table: bool, expected: Expected, fo
     try:
         if (table := table_of_text(decoded, file.name, expected.grid)) is not None:
             found.tables.append(table)
+            beside, answers = lines_beside_table(decoded.text, table.reading, expected)
+            found.beside += beside
+            found.answers += answers
             return "table"
     except Refused as error:
         refused = error
-    equations, answers = _read_lines(decoded.text, file.name, expected)
+    equations, answers = read_lines(decoded.text, file.name, expected)
     if refused and not answers and all(line.left is None for line in equations):
         raise refused
     found.equations += equations
@@ -153,29 +158,6 @@ def _read_variant(file: SubmittedFile, expected: Expected, found: _Found) -> Non
         found.notes.append(note("data_differ", name=file.name, data=read.differing))
     if read.unknown_keys:
         found.notes.append(note("ignored_file", "keys", name=file.name, keys=read.unknown_keys))
-
-
-def _read_lines(text: str, name: str, expected: Expected) -> tuple[list[EquationLine], list[AnswerLine]]:
-    """Return the equations and answers in a text; `#` begins a remark, prose without "=" is passed over."""
-    spellings = spellings_for(expected)
-    most = most_lines(expected)
-    equations: list[EquationLine] = []
-    answers: list[AnswerLine] = []
-    tried = 0
-    for number, line in enumerate(text.split("\n"), start=1):
-        bare = line.partition("#")[0].strip()
-        if not bare:
-            continue
-        tried += 1
-        answer = read_answer(bare[:500], name, number, expected.answers) if expected.answers else None
-        if answer is not None:
-            if answer.name not in {known.name for known in answers}:
-                answers.append(answer)
-        elif "=" in bare or is_equation_without_sign(bare, spellings):
-            equations.append(read_line(bare, name, number, spellings))
-        if len(equations) > most or tried > 10 * most:
-            break
-    return equations, answers
 
 
 def _one_table(found: _Found) -> tuple[Table | None, Trouble | None]:

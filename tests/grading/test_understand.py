@@ -57,6 +57,53 @@ def test_a_table_and_equations_and_answers() -> None:
     assert codes(contents) == ["repaired"] or "repaired" in codes(contents)
 
 
+LINES = ("VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0", "r3*w3*sin(phi3) - r2*w2*cos(phi2) - r1*w1*cos(phi1) = 0")
+
+
+@pytest.mark.parametrize("dialect", ["excel_ru", "own_program", "excel_en", "tab_separated", "mathcad_prn"])
+@pytest.mark.parametrize("place", ["above", "below", "typed into cells"])
+def test_equations_beside_a_table_in_one_text_are_read_with_it(dialect: str, place: str) -> None:
+    rows = table(dialect)
+    content = rows.decode("cp1251" if dialect == "excel_ru" else "utf-8")
+    sign = {"excel_ru": ";", "excel_en": ",", "tab_separated": "\t"}.get(dialect, " ")
+    lines = "\n".join(LINES)
+    if place == "typed into cells":
+        lines = "\n".join(f'"{line}"{7 * sign}' for line in LINES)
+    text = f"{lines}\n\n{content}" if place != "below" else f"{content}\n\n{lines}\nдалі"
+    contents = read(("work.txt", text.encode("cp1251" if dialect == "excel_ru" else "utf-8")))
+    assert contents.table is not None and contents.trouble is None
+    assert contents.table.column("w4").values == read(("t.csv", rows)).table.column("w4").values  # type: ignore[union-attr]
+    assert contents.equations is not None
+    assert [line.left is None for line in contents.equations] == [False, False]
+    first = text.splitlines().index(lines.splitlines()[0]) + 1
+    assert [line.line for line in contents.equations] == [first, first + 1]
+    assert [entry.kind for entry in contents.files] == ["table"]
+
+
+def test_a_line_beside_a_table_that_cannot_be_read_is_told_where_others_can() -> None:
+    broken = "r3*w3*sin(ph3) = VMy"
+    contents = read(("work.csv", f"{LINES[0]}\n{broken}\n".encode() + table("csv_utf8").removeprefix(b"\xef\xbb\xbf")))
+    assert contents.equations is not None
+    assert [line.left is None for line in contents.equations] == [False, True]
+
+
+def test_titles_above_a_table_are_no_equations_and_a_file_of_equations_goes_first() -> None:
+    titles = "Variant=31, h = 0.02 s\nw1 = 13.08\nr1 = 0.953; VMy = V1 sin(p t)\nT=0,48 c\n".encode()
+    rows = table("csv_utf8").removeprefix(b"\xef\xbb\xbf")
+    assert read(("t.csv", titles + rows)).equations is None
+    both = read(("t.csv", LINES[0].encode() + b"\n" + rows), ("e.txt", LINES[1].encode()))
+    assert both.equations is not None
+    assert [line.file for line in both.equations] == ["e.txt"]
+    assert both.table is not None
+
+
+def test_answers_beside_a_table_are_read() -> None:
+    rows = table("csv_utf8").removeprefix(b"\xef\xbb\xbf")
+    contents = read(("t.csv", b"wAB = -0.35 rad/s\n" + rows), answers=("wAB",))
+    assert [answer.value for answer in contents.answers] == [-0.35]
+    assert contents.equations is None
+
+
 @pytest.mark.parametrize(
     "line",
     [
