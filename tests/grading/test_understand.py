@@ -88,7 +88,7 @@ def test_a_line_beside_a_table_that_cannot_be_read_is_told_where_others_can() ->
 
 
 def test_titles_above_a_table_are_no_equations_and_a_file_of_equations_goes_first() -> None:
-    titles = "Variant=31, h = 0.02 s\nw1 = 13.08\nr1 = 0.953; VMy = V1 sin(p t)\nT=0,48 c\n".encode()
+    titles = b"Variant=31, h = 0.02 s\nw1 = 13.08\nr1 = 0.953; VMy = V1 sin(p t)\nT=0,48 c\n"
     rows = table("csv_utf8").removeprefix(b"\xef\xbb\xbf")
     assert read(("t.csv", titles + rows)).equations is None
     both = read(("t.csv", LINES[0].encode() + b"\n" + rows), ("e.txt", LINES[1].encode()))

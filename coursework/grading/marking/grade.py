@@ -20,7 +20,7 @@ from coursework.grading.marking.cells import Cells, Student, mark_cells
 from coursework.grading.marking.equations import EquationMarks, Judge
 from coursework.grading.marking.first_wrong import FirstWrong, first_wrong
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.misconceptions import Misconception, find_misconception, looked_for
+from coursework.grading.marking.misconceptions import Misconception, find_misconception, indistinct, looked_for
 from coursework.grading.marking.own_equations import own_share
 from coursework.grading.marking.points import TablePoints, table_points
 from coursework.grading.marking.rubric import Rubric
@@ -34,7 +34,10 @@ GRADED = ("graded", "graded-with-notes")
 
 @dataclass(frozen=True)
 class TableMarks:
-    """Everything about a marked table; `share` of its points after the floors."""
+    """Everything about a marked table; `share` of its points after the floors.
+
+    `hidden` are the misconceptions that its digits cannot tell, None where none was looked for.
+    """
 
     table: Table
     cells: Cells
@@ -42,6 +45,7 @@ class TableMarks:
     first: FirstWrong | None
     misconception: Misconception | None
     share: float
+    hidden: tuple[str, ...] | None = None
 
 
 @dataclass(frozen=True)
@@ -138,6 +142,7 @@ class Marker:
     def __post_init__(self) -> None:
         self.judge = Judge(self.key)
         self.confusions = self.rubric.confused(self.key.variant)
+        self._kept: dict[bytes, tuple[str, ...]] = {}
 
     def grade(self, contents: Contents) -> Grade:
         """Return the grade of one submission."""
@@ -165,13 +170,22 @@ class Marker:
     def _table(self, table: Table, equations: EquationMarks | None) -> TableMarks:
         cells = mark_cells(self.key, student_of(self.key, table))
         earned = table_points(self.key, cells, self.rubric.carried)
-        named = None
-        if looked_for(cells, earned.cells):
-            named = find_misconception(self.key, cells, self.confusions, self.others)
+        named = hidden = None
+        if looked_for(self.key, cells, earned.cells):
+            hidden = self._hidden(cells.student)
+            named = find_misconception(self.key, cells, self.confusions, self.others, hidden)
         fit = named.share if named and not named.code.startswith("variant_") else 0.0
         own = own_share(self.key, cells, equations) if equations else 0.0
         share = max(earned.share, self.rubric.misconception_floor * fit, self.rubric.own_equations_floor * own)
-        return TableMarks(table, cells, earned, first_wrong(self.key, cells), named, share)
+        return TableMarks(table, cells, earned, first_wrong(self.key, cells), named, share, hidden)
+
+    def _hidden(self, student: Student) -> tuple[str, ...]:
+        """Return what columns of these digits cannot tell; a class prints with few sorts of digits."""
+        units = np.fmax.reduce(student.units)
+        digits = units.tobytes()
+        if digits not in self._kept:
+            self._kept[digits] = indistinct(self.key, units, self.confusions)
+        return self._kept[digits]
 
     def _status(self, contents: Contents, shares: dict[str, float | None]) -> tuple[str, Sentence | None, tuple[Note, ...]]:
         """Return the state, why there is no number, and notes about parts without a file; those may become 0 here."""

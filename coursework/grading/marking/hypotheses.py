@@ -1,142 +1,22 @@
-"""What a wrong table may have been made with: a rule for the step, a rule for the velocities, or another table altogether.
+"""What a wrong table may have been made with: another rule for the step, or another rule for the velocities.
 
-Enters: a `Key`, the student's table, the rubric's confusions, tables of other variants.  Leaves: `Claim`s, one a hypothesis:
-what it says about each cell, and how exactly the printed digits let it speak.  Used by `misconceptions.py`.
+Enters: a table as hypotheses see it, the rubric's confusions, tables of other variants.  Leaves: `Claim`s, one a hypothesis.
+Used by `misconceptions.py`; what was made with other numbers stands in `other_data.py`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
-from functools import cached_property
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.grading.marking.cells import HALF, LEAST, SLACK, Student, velocity_tolerance
-from coursework.grading.marking.key import Key, sensitivity
+from coursework.grading.marking.claims import Claim, Printed
+from coursework.grading.marking.other_data import other_columns, other_data, other_tables
 
 Array = NDArray[np.float64]
-FACTORS = (10.0, 0.1, 2.0, 0.5, -1.0)
 STEPS = (0.1, 0.5, 2.0, 10.0)
 ROUNDED_TO = (1, 2, 3)
-# A hypothesis is worth a closer look where this part of the velocities lies within this many of Euler's tolerances.
-_NEARLY, _NEAR = 0.85, 60.0
-
-
-@dataclass(frozen=True)
-class Claim:
-    """What a hypothesis says: `expected` (n, m + r), NaN where it is silent; `tolerance` alike.
-
-    `euler` names what it leaves to Euler's rules: "steps", "velocities", "all" or nothing.  `student` is the table it speaks
-    about where it is not the one handed in (columns put back, origins taken off).
-    """
-
-    code: str
-    expected: Array
-    tolerance: Array
-    euler: str = ""
-    student: Student | None = None
-
-
-@dataclass(frozen=True)
-class Printed:
-    """A student's table seen by hypotheses: angles, velocities and their digits by themselves."""
-
-    key: Key
-    student: Student
-
-    @property
-    def m(self) -> int:
-        """Return the number of coordinates."""
-        return len(self.key.coordinates)
-
-    @property
-    def q(self) -> Array:
-        """Return the printed coordinates (n, m)."""
-        return self.student.values[:, : self.m]
-
-    @property
-    def w(self) -> Array:
-        """Return the printed rates of the coordinates (n, m)."""
-        return self.student.values[:, self.m : 2 * self.m]
-
-    @cached_property
-    def q_units(self) -> Array:
-        """Return the digits of the coordinates, 0 where missing."""
-        return np.nan_to_num(self.student.units[:, : self.m])
-
-    @cached_property
-    def w_units(self) -> Array:
-        """Return the digits of all velocities (n, r), 0 where missing."""
-        return np.nan_to_num(self.student.units[:, self.m :])
-
-    def whole(self, q: Array | None = None, w: Array | None = None) -> Array:
-        """Return a table (n, m + r) of some columns, NaN elsewhere."""
-        blank = np.full(self.student.values.shape, np.nan)
-        if q is not None:
-            blank[:, : self.m] = q
-        if w is not None:
-            blank[:, self.m :] = w
-        return blank
-
-    def shifted(self, rows: Array, by: int) -> Array:
-        """Return rows moved down by `by` (up where negative), NaN where nothing comes in."""
-        moved = np.full_like(rows, np.nan)
-        if by > 0:
-            moved[by:] = rows[:-by]
-        else:
-            moved[:by] = rows[-by:]
-        return moved
-
-    def steps(self, increments: Array, spread: Array) -> tuple[Array, Array]:
-        """Return coordinates (n, m) made from each row before by `increments` (n, m) in rad or m, and their tolerance."""
-        h = self.key.step
-        expected = self.shifted(self.q + increments, 1)
-        size = np.maximum(np.abs(self.w), LEAST * self.key.ranges[self.m : 2 * self.m])
-        slack = SLACK * h * np.nan_to_num(size)
-        tolerance = HALF * self.q_units + self.shifted(HALF * self.q_units + HALF * spread + slack, 1)
-        return expected, tolerance
-
-    def velocities(self, found: Array, spread: Array) -> tuple[Array, Array]:
-        """Return velocities (n, r) and their tolerance."""
-        return found, velocity_tolerance(self.key, self.w_units, found, spread)
-
-    def slopes(self, data: Mapping[str, float] | None = None, t: Array | None = None) -> Callable[[Array], Array]:
-        """Return f(t, q) with other data; the rows' own times where `t` is None."""
-        return self.stacked(lambda times, q: self.key.velocities_at(times, q, data or {}), t)
-
-    def stacked(self, function: Callable[[Array, Array], Array], t: Array | None = None) -> Callable[[Array], Array]:
-        """Return a function of stacked copies of the rows, as sensitivities need it."""
-        times = self.key.t if t is None else t
-        return lambda q: function(np.tile(times, len(q) // len(times)), q)
-
-    @cached_property
-    def true_velocities(self) -> tuple[Array, Array]:
-        """Return the velocities of the printed row's time and angles."""
-        at = self.slopes()
-        return self.velocities(at(self.q), sensitivity(at, self.q, self.q_units))
-
-    def nearly(self, found: Array) -> bool:
-        """Return whether velocities (n, r) come anywhere near those printed; what does not is not looked at closer."""
-        tolerance = _NEAR * self.true_velocities[1]
-        there = np.isfinite(found) & np.isfinite(self.student.values[:, self.m :])
-        with np.errstate(invalid="ignore"):
-            close = np.abs(self.student.values[:, self.m :] - found) <= tolerance
-        return bool(there.any()) and float(close[there].mean()) >= _NEARLY
-
-    def velocity_claim(self, code: str, at: Callable[[Array], Array], found: Array | None = None) -> Iterator[Claim]:
-        """Yield the claim that the velocities are `at` the printed angles, where they are nearly so."""
-        found = at(self.q) if found is None else found
-        if self.nearly(found):
-            yield self.claim(code, None, self.velocities(found, sensitivity(at, self.q, self.q_units)))
-
-    def claim(self, code: str, step: tuple[Array, Array] | None = None, velocities: tuple[Array, Array] | None = None) -> Claim:
-        """Return a claim; what a hypothesis does not change is left to Euler."""
-        left = "steps" if step is None else "velocities" if velocities is None else ""
-        q, q_tolerance = step or (None, None)
-        w, w_tolerance = velocities or (None, None)
-        return Claim(code, self.whole(q, w), self.whole(q_tolerance, w_tolerance), left)
 
 
 def claims(printed: Printed, confusions: Mapping[str, float], others: Mapping[str, Array]) -> Iterator[Claim]:
@@ -148,9 +28,9 @@ def claims(printed: Printed, confusions: Mapping[str, float], others: Mapping[st
     yield from _shifted_rows(printed)
     yield from _steps(printed)
     yield from _velocities(printed)
-    yield from _data(printed, confusions)
-    yield from _tables(printed, others)
-    yield from _transformed(printed)
+    yield from other_data(printed, confusions)
+    yield from other_tables(printed, others)
+    yield from other_columns(printed)
 
 
 def _schemes(printed: Printed) -> Iterator[Claim]:
@@ -175,7 +55,7 @@ def _schemes(printed: Printed) -> Iterator[Claim]:
         return h / 6 * (first + 2 * second + 2 * third + slopes(q + h * third, h))
 
     for increments in (heun, midpoint, rk4):
-        spread = sensitivity(increments, printed.q, printed.q_units)
+        spread = printed.spread(increments)
         yield printed.claim(increments.__name__, printed.steps(increments(printed.q), spread))
     rates, units = printed.w, printed.w_units[:, :m]
     following, units_after = printed.shifted(rates, -1), np.nan_to_num(printed.shifted(units, -1))
@@ -210,7 +90,7 @@ def _steps(printed: Printed) -> Iterator[Claim]:
         yield printed.claim("other_step", step)
         at = printed.slopes(t=printed.key.t * part)
         if printed.nearly(found := at(printed.q)):
-            spread = sensitivity(at, printed.q, printed.q_units)
+            spread = printed.spread(at)
             yield printed.claim("other_step", step, printed.velocities(found, spread))
 
 
@@ -231,7 +111,7 @@ def _velocities(printed: Printed) -> Iterator[Claim]:
                 return key.block_at(index, np.tile(key.t, len(cells) // len(key.t)), q, cells[:, m:])
 
             moved[:, places] = at(printed.student.values)
-            spread[:, places] = sensitivity(at, printed.student.values, units)
+            spread[:, places] = printed.spread(at, printed.student.values, units)
         solved += [place for place in places if place < m]
     if len(key.blocks) > 1:
         yield printed.claim("new_phi", None, printed.velocities(moved, spread))
@@ -243,77 +123,3 @@ def _velocities(printed: Printed) -> Iterator[Claim]:
     for code in ("sign_drive", "degree_mode"):
         if rewritten := key.rewritten(code):
             yield from printed.velocity_claim(code, printed.stacked(rewritten))
-
-
-def _data(printed: Printed, confusions: Mapping[str, float]) -> Iterator[Claim]:
-    """Velocities with a datum ten times, twice, turned round; with two data exchanged; with a value that was declared."""
-    given = printed.key.variant.given
-    tried: list[tuple[str, dict[str, float]]] = [
-        (f"datum_{datum.name}", {datum.name: factor * datum.value}) for datum in given for factor in FACTORS
-    ]
-    tried += [
-        (f"swap_{first.name}_{second.name}", {first.name: second.value, second.name: first.value})
-        for index, first in enumerate(given)
-        for second in given[index + 1 :]
-        if first.si == second.si and first.value != second.value
-    ]
-    tried += [(f"confusion_{name}", {name: value}) for name, value in confusions.items()]
-    sets = printed.key.sets_at(printed.key.t, printed.q, [data for _, data in tried])
-    for (code, data), found in zip(tried, sets, strict=True):
-        yield from printed.velocity_claim(code, printed.slopes(data), found)
-
-
-def _tables(printed: Printed, others: Mapping[str, Array]) -> Iterator[Claim]:
-    """The exact motion, or the table of another variant of the class."""
-    units = np.nan_to_num(printed.student.units)
-    key = printed.key
-    exact = np.full_like(key.table, np.nan)
-    exact[: len(key.exact)] = key.exact[: len(exact)]
-    tolerance = HALF * units + SLACK * key.ranges
-    yield Claim("exact", exact, tolerance)
-    for name, table in others.items():
-        if table.shape == key.table.shape:
-            yield Claim(f"variant_{name}", table, HALF * units + SLACK * np.ptp(table, axis=0))
-    for table in key.branches.values():
-        if table.shape == key.table.shape:
-            yield Claim("branch", table, HALF * units + SLACK * np.ptp(table, axis=0))
-
-
-def _transformed(printed: Printed) -> Iterator[Claim]:
-    """Two columns of one kind exchanged; an angle counted from another axis or the other way round."""
-    key, student, m = printed.key, printed.student, printed.m
-    tolerance = HALF * np.nan_to_num(student.units) + SLACK * key.ranges
-    width = len(key.names)
-    unit = [key.variant.unit_of(name) for name in key.names]
-    for first in range(width):
-        for second in range(first + 1, width):
-            if unit[first] != unit[second] or (first < m) != (second < m):
-                continue
-            order = list(range(width))
-            order[first], order[second] = second, first
-            values = student.values[:, order]
-            with np.errstate(invalid="ignore"):
-                close = np.abs(values - key.table) <= tolerance[:, order]
-            if close[:, [first, second]].mean() > _LIKE_KEY:
-                put_back = Student(values, student.units[:, order])
-                yield _as_euler("swapped_columns", put_back)
-    for place in range(m):
-        if key.variant.coordinates[place].unit != "rad":
-            continue
-        for sign in (1.0, -1.0):
-            shift = np.nanmedian(student.values[:, place] - sign * key.table[:, place])
-            quarters = np.round(shift / (np.pi / 2)) if np.isfinite(shift) else 0.0
-            if not quarters or abs(shift - quarters * np.pi / 2) > 0.02:
-                continue
-            values = student.values.copy()
-            values[:, place] = sign * (values[:, place] - quarters * np.pi / 2)
-            yield _as_euler(f"origin_{key.names[place]}", replace(student, values=values))
-
-
-_LIKE_KEY = 0.8
-
-
-def _as_euler(code: str, student: Student) -> Claim:
-    """Return the claim that a table put right is Euler's."""
-    blank = np.full(student.values.shape, np.nan)
-    return Claim(code, blank, blank, "all", student)

@@ -48,7 +48,7 @@ class Key:
     block_at: BlockVelocities
     rewritten: Callable[[str], Callable[[Array, Array], Array] | None]
     stopped: str = ""
-    find_branches: Callable[[], Mapping[str, Array]] = dict
+    find_branches: Callable[[], Sequence[Array]] = tuple
 
     @cached_property
     def exact(self) -> Array:
@@ -56,7 +56,7 @@ class Key:
         return self.find_exact()
 
     @cached_property
-    def branches(self) -> Mapping[str, Array]:
+    def branches(self) -> Sequence[Array]:
         """Return Euler's tables of the mechanism assembled otherwise."""
         return self.find_branches()
 

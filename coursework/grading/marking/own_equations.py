@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from coursework.formula.tree import Formula
 from coursework.grading.marking.cells import Cells, velocity_tolerance
+from coursework.grading.marking.claims import Claim, Printed
 from coursework.grading.marking.equations import EquationMarks, difference
-from coursework.grading.marking.hypotheses import Claim, Printed
 from coursework.grading.marking.key import Key, sensitivity
 from coursework.grading.marking.misconceptions import claim_share, euler_cells
 from coursework.grading.marking.numbers import NoValue, real, value_of

@@ -18,6 +18,7 @@ from coursework.api import solve
 from coursework.errors import CourseworkError
 from coursework.formula.tree import Formula, number
 from coursework.geometry.drive import breaks
+from coursework.grading.marking.branches import other_assemblies
 from coursework.grading.marking.key import Key
 from coursework.many import Solutions, solve_many
 from coursework.model.model import Model, model_of
@@ -53,7 +54,7 @@ def key_of(variant: Variant) -> Key:
     return Key(
         variant, variant.time.step, rows, lambda: _exact(variant), tuple(block.unknowns for block in model.blocks),
         velocities_at, sets_at, block_at, lambda code: _rewritten(variant, code), str(stop.sentence) if stop else "",
-        lambda: _branches(variant),
+        lambda: other_assemblies(variant, rows),
     )  # fmt: skip
 
 
@@ -150,23 +151,3 @@ def _degrees(tree: Formula) -> Formula:
     if tree.op == "@":
         args = (args[0], Formula("*", (args[1], _DEGREE)))
     return replace(tree, args=args)
-
-
-def _branches(variant: Variant) -> dict[str, Array]:
-    """Return Euler's tables of the mechanism assembled the other way, one group turned at a time, where that closes."""
-    found: dict[str, Array] = {}
-    for place, group in enumerate(variant.groups):
-        if not group.mode:
-            continue
-        turned = list(variant.groups)
-        turned[place] = replace(group, mode=-group.mode)
-        free = set(group.coordinates)
-        coordinates = tuple(replace(c, start=None) if c.name in free else c for c in variant.coordinates)
-        try:
-            run = solve(
-                replace(variant, groups=tuple(turned), coordinates=coordinates), DEFAULT_SCHEME.name, quantities=["table"]
-            )
-            found[f"branch {place}"] = run.motion.rows
-        except CourseworkError:
-            continue
-    return found

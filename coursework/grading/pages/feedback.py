@@ -96,11 +96,16 @@ def misconception_sentence(code: str) -> Sentence | str:
 
 
 def _misconception(grade: Grade) -> dict[str, Any] | None:
-    named = grade.table.misconception if grade.table else None
-    if named is None:
+    """Return what was looked for and found, None where a table gave no reason to look."""
+    if grade.table is None or grade.table.hidden is None:
         return None
-    ties = [misconception_sentence(code) for code in named.ties]
-    return {"told": misconception_sentence(named.code), "share": f"{100 * named.share:.0f}", "ties": ties}
+    named = grade.table.misconception
+    return {
+        "told": misconception_sentence(named.code) if named else "",
+        "share": f"{100 * named.share:.0f}" if named else "",
+        "ties": [misconception_sentence(code) for code in named.ties] if named else [],
+        "hidden": [misconception_sentence(code) for code in grade.table.hidden],
+    }
 
 
 def _table(grade: Grade, marked: TableMarks) -> dict[str, Any]:

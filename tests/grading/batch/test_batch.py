@@ -81,6 +81,10 @@ def test_pages_are_small_without_scripts_and_say_what_is_wrong(graded):
     page = (graded[1] / "feedback" / "carl.html").read_text(encoding="utf-8")
     assert "Row 11" in page
     assert "w2" in page
+    page = (graded[1] / "feedback" / "dora.html").read_text(encoding="utf-8")
+    assert "Heun" in page
+    assert page.index("too few to show") < page.index("were rounded to 2 decimal(s)")
+    assert "too few to show" not in (graded[1] / "feedback" / "carl.html").read_text(encoding="utf-8")
 
 
 def test_a_second_run_marks_nothing_anew_and_writes_the_same_bytes(graded, tmp_path):

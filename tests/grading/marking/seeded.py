@@ -54,7 +54,7 @@ def figures(count: int, decimals: tuple[int, ...] = (3, 4, 5)) -> Figures:
             table = students.MISCONCEPTIONS[truth]()
         cells = mark_cells(key, Student(np.round(table, digits), np.full(table.shape, 10.0**-digits)))
         points = table_points(key, cells)
-        named = find_misconception(key, cells) if looked_for(cells, points.cells) else None
+        named = find_misconception(key, cells) if looked_for(key, cells, points.cells) else None
         count_one(found, truth, cells, named, first_wrong(key, cells), key)
     return found
 

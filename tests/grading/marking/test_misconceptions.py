@@ -1,11 +1,13 @@
 """Misconceptions named with ground only, from tables that students' own formulas made."""
 
+import re
+
 import numpy as np
 import pytest
 
 import coursework
 from coursework.grading.marking.cells import mark_cells
-from coursework.grading.marking.misconceptions import find_misconception, looked_for
+from coursework.grading.marking.misconceptions import euler_cells, find_misconception, indistinct, looked_for
 from coursework.grading.marking.reference import key_of
 from tests.grading.marking import students
 from tests.grading.marking.test_cells import printed
@@ -20,7 +22,7 @@ def key():
 @pytest.mark.parametrize("code", students.MISCONCEPTIONS)
 def test_each_is_named_or_tied(key, code, decimals):
     cells = mark_cells(key, printed(students.MISCONCEPTIONS[code](), decimals))
-    assert looked_for(cells, 172)
+    assert looked_for(key, cells, 172)
     found = find_misconception(key, cells)
     assert found is not None
     assert code in (found.code, *found.ties)
@@ -43,13 +45,13 @@ def test_nothing_is_named_without_ground(key):
         rows, columns = rng.integers(1, 25, 12), rng.integers(0, 7, 12)
         table[rows, columns] *= rng.uniform(0.5, 0.9, 12)
         cells = mark_cells(key, printed(table, 4))
-        assert looked_for(cells, 172)
+        assert looked_for(key, cells, 172)
         assert find_misconception(key, cells) is None
 
 
 def test_a_few_slips_are_no_misconception(key):
     cells = mark_cells(key, printed(students.slip(10, 1, 1.05), 4))
-    assert not looked_for(cells, 172)
+    assert not looked_for(key, cells, 172)
 
 
 def test_another_variant_of_the_class(key):
@@ -58,3 +60,53 @@ def test_another_variant_of_the_class(key):
     found = find_misconception(key, cells, {}, {"12": other})
     assert found is not None
     assert "variant_12" in (found.code, *found.ties)
+
+
+def test_the_other_assembly_of_written_equations(key):
+    """M and y_C fix B and D, so the dyad r1, r2 between them is mirrored in the line that joins its ends."""
+    chord = students.DATA["r1"] * np.exp(1j * students.START[0]) + students.DATA["r2"] * np.exp(1j * students.START[1])
+    phi1, phi2 = (2 * np.angle(chord) - angle for angle in students.START[:2])
+    cells = mark_cells(key, printed(students.table(start=(phi1, phi2, students.START[2])), 4))
+    found = find_misconception(key, cells)
+    assert found is not None
+    assert "branch" in (found.code, *found.ties)
+
+
+def test_the_other_assembly_of_a_chain(tmp_path):
+    text = coursework.load("example-1").path.read_text(encoding="utf-8")
+    assert "mode" in text
+    other = tmp_path / "other.toml"
+    other.write_text(re.sub(r'mode( *)= "\+1"', r'mode\1= "-1"', text), encoding="utf-8")
+    _, rows = coursework.solve(other, "euler", quantities=["table"]).columns()
+    found = key_of(coursework.load("example-1"))
+    rows[:, 2] += 2 * np.pi  # as the reader takes whole turns off
+    cells = mark_cells(found, printed(rows, 5))
+    assert cells.wrong[0].any()
+    named = find_misconception(found, cells)
+    assert named is not None
+    assert "branch" in (named.code, *named.ties)
+
+
+@pytest.mark.parametrize("decimals", [2, 3, 4, 6])
+def test_what_the_digits_cannot_tell_is_what_passes_as_right_when_a_student_makes_it(key, decimals):
+    hidden = indistinct(key, np.full(7, 10.0**-decimals))
+    made = {code: make() for code, make in students.MISCONCEPTIONS.items() if code != "swapped_columns"}
+    for rounded in (1, 2, 3):
+        if rounded < decimals:
+            made[f"rounded_omega_{rounded}"] = students.table(
+                lambda t, q, to=rounded: students.H * np.round(students.slopes(t, q), to)
+            )
+    for code, table in made.items():
+        cells = mark_cells(key, printed(table, decimals))
+        if cells.computed_to is not None:
+            continue  # told, and taken for work that was computed coarser than it is printed
+        explained, spoken = euler_cells(key, cells)
+        assert (code in hidden) == (explained.sum() >= 0.98 * spoken.sum()), code
+
+
+def test_a_hypothesis_that_the_digits_cannot_tell_is_not_named(key):
+    cells = mark_cells(key, printed(students.MISCONCEPTIONS["sign_w1"](), 4))
+    found = find_misconception(key, cells)
+    assert found is not None
+    assert found.code == "sign_w1"
+    assert find_misconception(key, cells, hidden=(found.code, *found.ties)) is None

@@ -1,0 +1,94 @@
+"""Euler's tables of a mechanism put together in its other ways: the misconception "branch".
+
+Enters: a `Variant` and the key's table.  Leaves: tables (n, m + r).  Used by `reference.py`, once a variant, when a table asks
+for it.  A chain of groups has a mode each; where position equations are written, their other solutions at t = 0 are looked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import replace
+from itertools import combinations, islice
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.api import solve
+from coursework.errors import CourseworkError
+from coursework.geometry.closure import Closure, closed_start, compile_closure
+from coursework.geometry.start import start_values
+from coursework.mechanism import build
+from coursework.reduction.equations import differentiate
+from coursework.schemes import DEFAULT_SCHEME
+from coursework.variant.record import Variant
+
+Array = NDArray[np.float64]
+MOST = 7  # assemblies: three groups turned in every way
+_GUESSES, _SEED = 64, 31  # positions that Newton sets out from; the same ones on every machine
+_SAME = 1e-6  # rad or m
+_TURN = 2 * np.pi
+
+
+def other_assemblies(variant: Variant, key: Array) -> list[Array]:
+    """Return the tables of the other assemblies, whole turns away from those of `key` (n, m + r) taken off."""
+    found = []
+    for other in islice(_by_modes(variant) if variant.groups else _by_closures(variant), MOST):
+        with suppress(CourseworkError):
+            table = solve(other, DEFAULT_SCHEME.name, quantities=["table"]).motion.rows.copy()
+            if table.shape == key.shape:
+                turning = [place for place, coordinate in enumerate(variant.coordinates) if coordinate.unit == "rad"]
+                turns = np.round(np.median(table - key, axis=0)[turning] / _TURN)
+                table[:, turning] -= _TURN * turns
+                found.append(table)
+    return found
+
+
+def _by_modes(variant: Variant) -> Iterator[Variant]:
+    """Give the variant with one group turned, then with two, and so on."""
+    turnable = [place for place, group in enumerate(variant.groups) if group.mode]
+    for count in range(1, len(turnable) + 1):
+        for chosen in combinations(turnable, count):
+            groups = tuple(
+                replace(group, mode=-group.mode) if place in chosen else group for place, group in enumerate(variant.groups)
+            )
+            free = {name for place in range(min(chosen), len(groups)) for name in groups[place].coordinates}
+            coordinates = tuple(replace(c, start=None) if c.name in free else c for c in variant.coordinates)
+            yield replace(variant, groups=groups, coordinates=coordinates)
+
+
+def _by_closures(variant: Variant) -> Iterator[Variant]:
+    """Give the variant with the other starts that its position equations allow."""
+    with suppress(CourseworkError, ArithmeticError, ValueError):
+        equations = differentiate(build(variant))
+        closure = compile_closure(equations, start_values(equations))
+        for start in _roots(closure, variant) if closure is not None and closure.complete else ():
+            coordinates = (replace(c, start=float(q)) for c, q in zip(variant.coordinates, start, strict=True))
+            yield replace(variant, coordinates=tuple(coordinates))
+
+
+def _roots(closure: Closure, variant: Variant) -> Iterator[Array]:
+    """Give positions (m,) at t = 0 that keep what the start keeps, without the start's own."""
+    turning = np.array([coordinate.unit == "rad" for coordinate in variant.coordinates])
+    sizes = np.where(turning, np.pi, closure.scale)[list(closure.free)]
+    own = closed_start(closure)[1]
+    known = [closure.start if own is None else own]
+    chance = np.random.Generator(np.random.PCG64(_SEED))
+    for _ in range(_GUESSES):
+        guess = closure.start.copy()
+        guess[list(closure.free)] = chance.uniform(-sizes, sizes)
+        with suppress(ArithmeticError, ValueError):
+            root = closure.newton(0.0, guess, closure.origin)
+            if root is None or not np.all(np.isfinite(root)):
+                continue
+            root[turning] = (root[turning] + np.pi) % _TURN - np.pi
+            if not any(_apart(root, other, turning) < _SAME for other in known):
+                known.append(root)
+                yield root
+
+
+def _apart(first: Array, second: Array, turning: NDArray[np.bool_]) -> float:
+    """Return the largest difference of two positions, angles apart by whole turns being one."""
+    difference = first - second
+    difference[turning] = (difference[turning] + np.pi) % _TURN - np.pi
+    return float(np.max(np.abs(difference)))
