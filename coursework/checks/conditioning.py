@@ -5,16 +5,23 @@ Enters: `Evidence`.  Leaves: a `Finding` each.  Used by `check.py`.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numpy.typing import NDArray
 
 from coursework.checks.evidence import Evidence
 from coursework.checks.result import Finding, skipped
+from coursework.formula.tree import Formula
 from coursework.integration.integrate import WIDEST_STEP
+from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.magnitude import largest
 from coursework.reduction.system import compile_system
 from coursework.reduction.tidy import as_formula
 from coursework.sentences import joined, say
+
+if TYPE_CHECKING:
+    import sympy as sp
 
 Array = NDArray[np.float64]
 # A double has sixteen digits; six of them are more than any table of the coursework shows.
@@ -35,7 +42,7 @@ def condition(evidence: Evidence) -> Finding:
     for row, equation in enumerate(used):
         for name, coefficient in equation.coefficients.items():
             column = system.unknowns.index(name)
-            sizes[row, column] = max(sizes[row, column], largest(as_formula(coefficient, evidence.equations.order), variant))
+            sizes[row, column] = max(sizes[row, column], largest(_formula(coefficient, evidence.equations), variant))
     numbers = np.linalg.cond(equilibrated(matrix, sizes))
     worst = int(np.argmax(numbers))
     digits = float(np.clip(DIGITS - np.log10(numbers[worst]), 0.0, DIGITS)) if np.isfinite(numbers[worst]) else 0.0
@@ -47,6 +54,10 @@ def condition(evidence: Evidence) -> Finding:
     if digits >= FEWEST:
         return Finding("PASS", sentence, digits, FEWEST, unit, None, worst + 1, rows=rows)
     return Finding("FAIL", joined([sentence, say("check.CONDITION.close")]), digits, FEWEST, unit, None, worst + 1, rows=rows)
+
+
+def _formula(coefficient: sp.Expr, equations: VelocityEquations) -> Formula:
+    return equations.once(("formula", coefficient), lambda: as_formula(coefficient, equations.order))
 
 
 def equilibrated(matrix: Array, sizes: Array) -> Array:

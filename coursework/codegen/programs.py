@@ -19,6 +19,7 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
+from numpy.typing import NDArray
 
 from coursework.codegen.straight_line import CALLS, Line, StraightLine
 from coursework.codegen.tabulated import TableLaw
@@ -38,11 +39,15 @@ class Assign:
 
 @dataclass(frozen=True, slots=True)
 class Solve:
-    """Solve a linear block of three or more numerically (LU); also writes its determinant."""
+    """Solve a linear block of three or more numerically (LU); also writes its determinant.
+
+    With `adjugate` the unknowns are multiplied by it: adj(A) b, which has a value where the determinant vanishes, too.
+    """
 
     unknowns: tuple[sp.Symbol, ...]
     determinant: sp.Symbol
     entries: tuple[sp.Expr, ...]  # matrix row by row, then the right side
+    adjugate: bool = False
 
 
 Statement = Assign | Solve
@@ -118,7 +123,7 @@ def program(
         if isinstance(statement, Assign):
             collected.add([statement.target], [statement.value])
         else:
-            collected.add(_targets(statement), statement.entries, "_solve")
+            collected.add(_targets(statement), statement.entries, "_adjugate" if statement.adjugate else "_solve")
     lines = tuple(collected.lines())
     read = tuple(name for name in data if name in collected.reads or name in collected.known_reads)
     return Program(tuple(collected.known), lines, tuple(collected.reads), read, dict(tables))
@@ -161,6 +166,14 @@ def compile_later(name: str, arguments: Sequence[str], body: Bound, results: Seq
     return call
 
 
+def as_columns(values: Sequence[Any], shape: tuple[int, ...]) -> NDArray[np.float64]:
+    """Return numbers and arrays (*shape) as the columns of one array (*shape, k)."""
+    columns = np.empty((*shape, len(values)))
+    for place, value in enumerate(values):
+        columns[..., place] = value
+    return columns
+
+
 _MATH: dict[str, Any] = {name: vars(math)[name] for name in CALLS if hasattr(math, name)}
 _MATH["_choose"] = lambda holds, yes, no: yes() if holds else no()
 _ARRAYS: dict[str, Any] = {name: vars(np)[name] for name in CALLS if hasattr(np, name)}
@@ -178,7 +191,8 @@ def _code(source: str, name: str) -> CodeType:
 def build(source: str, name: str, body: Bound, *, numpy: bool = False, outside: bool = False) -> Callable[..., Any]:
     """Return the function `name` of a source that this program printed itself."""
     namespace = {**(_ARRAYS if numpy else _MATH), **body.numbers}
-    namespace |= {"abs": abs, "sign": np.sign, "_solve": _solve_rows if numpy else _solve, "range": range}
+    namespace |= {"abs": abs, "sign": np.sign, "range": range, "_adjugate": _adjugate}
+    namespace["_solve"] = _solve_rows if numpy else _solve
     for key, law in body.tables.items():
         for order in range(3):
             namespace[f"_table_{key}_{order}"] = _beyond(law, order) if outside else law.function(order)
@@ -219,6 +233,15 @@ def _solve(entries: tuple[float, ...]) -> tuple[float, ...]:
     if determinant == 0.0:
         raise ZeroDivisionError("the block is singular")
     return (*np.linalg.solve(matrix, np.array(entries[size * size :])).tolist(), determinant)
+
+
+def _adjugate(entries: tuple[float, ...]) -> tuple[float, ...]:
+    """Return adj(A) b and the determinant of a block of size n from its n*n + n entries."""
+    size = _size(len(entries))
+    u, sizes, v = np.linalg.svd(np.array(entries[: size * size]).reshape(size, size))
+    others = np.array([np.prod(np.delete(sizes, i)) for i in range(size)])
+    sign = np.linalg.det(u) * np.linalg.det(v)
+    return (*(sign * (v.T * others) @ (u.T @ np.array(entries[size * size :]))).tolist(), float(sign * np.prod(sizes)))
 
 
 def _solve_rows(entries: tuple[Any, ...]) -> tuple[Any, ...]:

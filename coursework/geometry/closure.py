@@ -13,6 +13,7 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
+from coursework.codegen.programs import as_columns
 from coursework.errors import Fault, InputError, listing
 from coursework.geometry.drive import integrals
 from coursework.reduction.equations import VelocityEquations
@@ -78,7 +79,7 @@ class Closure:
     def residual(self, t: float | Array, q: Array, target: Array) -> tuple[Array, Array]:
         """Return g - target (k,) and its Jacobian by the free coordinates (k, f); for times (n,) and q (n, m) n of each."""
         if isinstance(t, np.ndarray):
-            values = np.stack(np.broadcast_arrays(*self.rows(t, *q.T), t)[:-1], axis=-1).astype(float)
+            values = as_columns(self.rows(t, *q.T), t.shape)
         else:
             values = np.array(self.function(t, *q.tolist()), dtype=float)
         count = len(self.names)

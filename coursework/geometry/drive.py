@@ -11,6 +11,7 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
+from coursework.codegen.programs import as_columns
 from coursework.codegen.tabulated import TableLaw
 from coursework.errors import Fault, InputError
 from coursework.geometry.oscillation import fastest
@@ -52,7 +53,7 @@ def integrals(equations: VelocityEquations, names: Sequence[str], times: Array) 
     at = middle[:, None] + half[:, None] * _POINTS
     starts = np.zeros(len(equations.variant.coordinates))
     with np.errstate(all="ignore"):
-        values = np.stack(np.broadcast_arrays(*rows(at, *starts), at)[:-1], axis=-1)
+        values = as_columns(rows(at, *starts), at.shape)
     if not np.all(np.isfinite(values)):
         place = np.argwhere(~np.isfinite(values))[0]
         name, variant = names[place[2]], equations.variant
@@ -114,8 +115,8 @@ def refuse_endless(equations: VelocityEquations, time: float) -> None:
     times = np.concatenate([np.linspace(0.0, time / 2, 33), [time - near, time, time + near]])
     starts = np.zeros(len(variant.coordinates))
     with np.errstate(all="ignore"):
-        values = np.abs(np.stack(np.broadcast_arrays(*rows(times, *starts), times)[:-1]).astype(float))
-    usual, there = np.max(values[:, :-3], axis=1), np.max(values[:, -3:], axis=1)
+        values = np.abs(as_columns(rows(times, *starts), times.shape))
+    usual, there = np.max(values[:-3], axis=0), np.max(values[-3:], axis=0)
     faults = []
     angles = {coordinate.rate for coordinate in variant.coordinates if coordinate.unit == "rad"}
     for name, before, now in zip(names, usual, there, strict=True):

@@ -13,7 +13,7 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from coursework.codegen.names import acceleration, private
-from coursework.codegen.programs import Assign, compile_function
+from coursework.codegen.programs import Assign, as_columns, compile_function
 from coursework.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.reduction.symbolic import TIME, constants, local, symbol
 from coursework.reduction.system import scene_program
@@ -47,7 +47,7 @@ def compile_rows(equations: VelocityEquations, wanted: Sequence[sp.Expr], order:
     def rows(t: Array, q: Array, u: Array | None = None, du: Array | None = None) -> Array:
         columns = [*q.T, *(u.T if u is not None and order >= 1 else ()), *(du.T if du is not None and order >= 2 else ())]
         values = function(t, *columns)
-        return np.stack(np.broadcast_arrays(*values, t)[:-1], axis=-1).astype(float)
+        return as_columns(values, t.shape)
 
     return rows
 

@@ -14,10 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.codegen.names import private
-from coursework.codegen.programs import Assign, Bound, Program, Solve, Statement, compile_function, compile_later
+from coursework.codegen.programs import Assign, Bound, Program, as_columns, compile_function, compile_later
 from coursework.geometry.drive import breaks
-from coursework.reduction.blocks import Block, Reduction
+from coursework.reduction.blocks import Reduction
 from coursework.reduction.equations import VelocityEquations
+from coursework.reduction.statements import block_statements
 from coursework.reduction.symbolic import constants, local, symbol
 from coursework.reduction.system import scene_program
 
@@ -52,7 +53,7 @@ class Rates:
 
     def table(self, t: Array, q: Array) -> tuple[Array, Array]:
         """Return velocities (n, k) and determinants (n, blocks) for rows of coordinates (n, m)."""
-        values = np.stack(np.broadcast_arrays(*self.rows(t, *q.T), t)[:-1], axis=-1).astype(float)
+        values = as_columns(self.rows(t, *q.T), np.shape(t))
         return values[:, : len(self.velocities)], values[:, len(self.velocities) :]
 
 
@@ -102,16 +103,6 @@ def _parts(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[
     statements += [Assign(local(_result(name)), symbol(name)) for name in listed]
     results = (*map(_result, listed), *(f"_det{index}" for index in blocks))
     return _Parts(kept, listed, blocks, results, scene_program(equations, statements))
-
-
-def block_statements(block: Block, index: int) -> list[Statement]:
-    determinant = local(f"_det{index}")
-    unknowns = tuple(symbol(name) for name in block.unknowns)
-    if block.size > 2:
-        entries = (*(entry for row in block.matrix for entry in row), *block.right_side)
-        return [Solve(unknowns, determinant, entries)]
-    quotients = [Assign(name, numerator / determinant) for name, numerator in zip(unknowns, block.numerators, strict=True)]
-    return [Assign(determinant, block.symbolic_determinant), *quotients]
 
 
 def _result(velocity: str) -> str:

@@ -13,7 +13,7 @@ from typing import Any
 from coursework.codegen.javascript import javascript_function, javascript_tables
 from coursework.codegen.names import private
 from coursework.codegen.programs import Assign, Bound, Statement
-from coursework.integration.rates import block_statements
+from coursework.reduction.statements import block_statements
 from coursework.reduction.symbolic import constants, local, symbol
 from coursework.reduction.system import scene_program
 from coursework.scene import Scene

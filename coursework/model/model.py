@@ -19,10 +19,10 @@ from coursework.codegen.programs import Assign, Statement, compile_function
 from coursework.exact_scene import scene_of
 from coursework.geometry.drive import breaks
 from coursework.geometry.start import start_values
-from coursework.integration.rates import block_statements
 from coursework.model.data import Data, read_data
 from coursework.reduction.blocks import Block, Reduction, angles_in_determinants, reduce
 from coursework.reduction.equations import VelocityEquations
+from coursework.reduction.statements import block_statements
 from coursework.reduction.structure import structure_of
 from coursework.reduction.symbolic import constants, local, symbol
 from coursework.reduction.system import scene_program

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from coursework.codegen.programs import as_columns
 from coursework.geometry.chain import dyad
 from coursework.geometry.closure import OPEN
 from coursework.geometry.start import START_TOLERANCE
@@ -58,8 +59,8 @@ def start_of(model: Model, data: Data, numbers: Columns) -> Start:
         doubtful = doubtful | ~settled
     lengths = [np.abs(data.given[given.name]) for given in variant.given if given.si == "m"]
     scale = np.max(lengths, axis=0, initial=0.0) if lengths else np.ones(data.count)
-    residual = np.array(np.broadcast_arrays(*model.compiled(tuple(rows))(0.0, *begin, *numbers), begin[0])[:-1])
-    doubtful |= ~(np.max(np.abs(residual), axis=0) <= OPEN * np.where(scale > 0, scale, 1.0))
+    residual = as_columns(model.compiled(tuple(rows))(0.0, *begin, *numbers), begin[0].shape)
+    doubtful |= ~(np.max(np.abs(residual), axis=1) <= OPEN * np.where(scale > 0, scale, 1.0))
     closed, settled = close(model, 0.0, begin, numbers, free)
     return Start(begin, closed, doubtful | ~settled)
 

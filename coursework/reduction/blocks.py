@@ -48,10 +48,14 @@ class Block:
         return len(self.unknowns)
 
     @property
+    def entries(self) -> tuple[sp.Expr, ...]:
+        """Return the matrix row by row, then the right side."""
+        return (*(entry for row in self.matrix for entry in row), *self.right_side)
+
+    @property
     def symbols(self) -> set[sp.Symbol]:
         """Return every symbol in the matrix and the right side."""
-        entries = (*self.right_side, *(entry for row in self.matrix for entry in row))
-        return {symbol for entry in entries for symbol in entry.free_symbols}
+        return {symbol for entry in self.entries for symbol in entry.free_symbols}
 
     @property
     def symbolic_determinant(self) -> sp.Expr:

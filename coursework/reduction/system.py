@@ -15,7 +15,7 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from coursework.codegen.names import private
-from coursework.codegen.programs import Assign, Program, Statement, compile_function, compile_later, program
+from coursework.codegen.programs import Assign, Program, Statement, as_columns, compile_function, compile_later, program
 from coursework.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.reduction.symbolic import constants, local, symbol
 
@@ -39,8 +39,7 @@ class LinearSystem:
 
     def matrices(self, t: Array, q: Array) -> tuple[Array, Array, Array]:
         """Return A (r, m, n), b (r, m) and the driven rates (r, k) for r rows at once."""
-        values = np.stack(np.broadcast_arrays(*self.rows(t, *q.T), t)[:-1], axis=-1)
-        return self._fill(np.asarray(values, dtype=float))
+        return self._fill(as_columns(self.rows(t, *q.T), t.shape))
 
     def _fill(self, values: Array) -> tuple[Array, Array, Array]:
         m, n, count = len(self.names), len(self.unknowns), len(self.places)

@@ -8,16 +8,20 @@ block, dimensionless) and dq/ds = D u = adj(A) b nothing is divided by D.  Sourc
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
+from coursework.codegen.names import private
+from coursework.codegen.programs import Program, compile_function
 from coursework.codegen.tabulated import OutsideTable
 from coursework.reduction.blocks import Reduction
 from coursework.reduction.equations import VelocityEquations
-from coursework.reduction.system import LinearSystem, compile_system
+from coursework.reduction.statements import clock_statements
+from coursework.reduction.symbolic import constants
+from coursework.reduction.system import LinearSystem, compile_system, scene_program
 
 Array = NDArray[np.float64]
 # Positions and times at which a determinant without a known largest value is looked at; any positive scale of its size does.
@@ -43,13 +47,16 @@ class Flow:
     """The determinant-scaled flow of one scene.
 
     `largest` scales the determinant of each block; `rates` says per coordinate whether its rate is driven, and its place
-    among the driven or the unknown ones; `evaluations` counts right-hand sides.
+    among the driven or the unknown ones; `compile_clock(block)` gives the flow whose clock is the determinant of a block, not
+    yet divided by its largest value; `evaluations` counts right-hand sides.
     """
 
     system: LinearSystem
     places: tuple[Place, ...]
     largest: tuple[float, ...]
     rates: tuple[tuple[bool, int], ...]
+    compile_clock: Callable[[int], Callable[..., tuple[float, ...]]]
+    clocks: dict[int, Callable[..., tuple[float, ...]]] = field(default_factory=dict)
     evaluations: int = field(default=0)
 
     @property
@@ -68,33 +75,24 @@ class Flow:
     def slopes(self, t: float, q: Sequence[float], block: int) -> list[float]:
         """Return dq/ds, with dt/ds last, for the clock of `block`.  Raises `ArithmeticError` where another one is singular."""
         self.evaluations += 1
-        values = self._values(t, q)
-        u = [0.0] * len(self.system.unknowns)
-        scale = 1.0
-        for index, place in enumerate(self.places):
-            above, below = _cramer(values, place, _rest(values, place, u, scale), index == block)
-            if index == block:
-                below, scale = self.largest[index], below / self.largest[index]
-                u = [value * scale for value in u]
-            for column, value in zip(place.unknowns, above, strict=True):
-                u[column] = value / below
-        known = values[self.known : -1]
-        motion = [known[place] * scale if driven else u[place] for driven, place in self.rates]
-        return [*motion, scale]
+        if block not in self.clocks:
+            self.clocks[block] = self.compile_clock(block)
+        largest = self.largest[block]
+        return [slope / largest for slope in self.clocks[block](t, *q)]
 
     def part(self, t: float, q: Sequence[float], block: int) -> tuple[Array, Array, Array]:
         """Return A (k, k) and b (k,) of one block with earlier velocities moved over, and the velocities (m,) known so far."""
         values = self._values(t, q)
         u = [0.0] * len(self.system.unknowns)
         for place in self.places[:block]:
-            for column, value in zip(place.unknowns, _solve(values, place, _rest(values, place, u, 1.0)), strict=True):
+            for column, value in zip(place.unknowns, _solve(values, place, _rest(values, place, u)), strict=True):
                 u[column] = value
         place = self.places[block]
         size = len(place.unknowns)
         matrix = np.array([values[entry] for entry in place.entries]).reshape(size, size)
         known = values[self.known : -1]
         velocities = np.array([known[index] if driven else u[index] for driven, index in self.rates])
-        return matrix, np.array(_rest(values, place, u, 1.0)), velocities
+        return matrix, np.array(_rest(values, place, u)), velocities
 
     def velocities(self, t: float, q: Sequence[float], block: int, chosen: Sequence[float]) -> list[float | None]:
         """Return every unknown velocity where those of `block` are `chosen`; None from a later block that is singular."""
@@ -108,7 +106,7 @@ class Flow:
                     known = [value or 0.0 for value in u]
                     size = abs(_determinant(values, place)) / self.largest[index]
                     solvable = None not in involved and size > 1e-6
-                    found = _solve(values, place, _rest(values, place, known, 1.0)) if solvable else [None] * len(place.unknowns)
+                    found = _solve(values, place, _rest(values, place, known)) if solvable else [None] * len(place.unknowns)
                 except ArithmeticError:
                     found = [None] * len(place.unknowns)
             for column, value in zip(place.unknowns, found, strict=True):
@@ -148,7 +146,20 @@ def compile_flow(equations: VelocityEquations, reduction: Reduction, start: Sequ
         block.largest or _largest_seen(system, place, begin, equations.variant.time.end)
         for block, place in zip(reduction.blocks, places, strict=True)
     )
-    return Flow(system, tuple(places), largest, rates)
+    return Flow(system, tuple(places), largest, rates, lambda block: _compile_clock(equations, reduction, block))
+
+
+def _compile_clock(equations: VelocityEquations, reduction: Reduction, clock: int) -> Callable[..., tuple[float, ...]]:
+    """Return (t, *q) -> D dq/dt and D, where D is the determinant of block `clock`; nothing is divided by it."""
+    variant = equations.variant
+    results = [f"_out{place}" for place in range(len(variant.rates) + 1)]
+
+    def written() -> Program:
+        return scene_program(equations, clock_statements(reduction.blocks, clock, variant.rates, results))
+
+    names = tuple((block.equations, block.unknowns) for block in reduction.blocks)
+    body = equations.once(("clock", clock, names), written).bind(constants(variant))
+    return compile_function("clock", [private(name) for name in ("t", *(c.name for c in variant.coordinates))], body, results)
 
 
 def _largest_seen(system: LinearSystem, place: Place, begin: Sequence[float], end: float) -> float:
@@ -164,11 +175,11 @@ def _largest_seen(system: LinearSystem, place: Place, begin: Sequence[float], en
     return found if 0.0 < found < float("inf") else 1.0
 
 
-def _rest(values: Sequence[float], place: Place, u: Sequence[float], share: float) -> list[float]:
+def _rest(values: Sequence[float], place: Place, u: Sequence[float]) -> list[float]:
     if not place.earlier:
-        return [share * values[right] for right in place.rights]
+        return [values[right] for right in place.rights]
     return [
-        share * values[right] - sum([values[entry] * u[column] for entry, column in earlier])
+        values[right] - sum([values[entry] * u[column] for entry, column in earlier])
         for right, earlier in zip(place.rights, place.earlier, strict=True)
     ]
 
@@ -189,10 +200,8 @@ def _solve(values: Sequence[float], place: Place, rest: Sequence[float]) -> Sequ
     return [value / below for value in above]
 
 
-def _cramer(
-    values: Sequence[float], place: Place, rest: Sequence[float], adjugate: bool = False
-) -> tuple[Sequence[float], float]:
-    """Return adj(A) rest and det A; for four unknowns and more A^-1 rest and 1, unless the `adjugate` is asked for."""
+def _cramer(values: Sequence[float], place: Place, rest: Sequence[float]) -> tuple[Sequence[float], float]:
+    """Return adj(A) rest and det A; for four unknowns and more A^-1 rest and 1."""
     entries = [values[entry] for entry in place.entries]
     if len(rest) == 1:
         return rest, entries[0]
@@ -209,10 +218,4 @@ def _cramer(
             second * x + (a * i - c * g) * y + (c * d - a * f) * z,
             third * x + (b * g - a * h) * y + (a * e - b * d) * z,
         ), a * first + b * second + c * third
-    matrix = _matrix(values, place)
-    if not adjugate:
-        return np.linalg.solve(matrix, np.array(rest)).tolist(), 1.0
-    u, sizes, v = np.linalg.svd(matrix)
-    others = np.array([np.prod(np.delete(sizes, i)) for i in range(len(sizes))])
-    sign = np.linalg.det(u) * np.linalg.det(v)
-    return (sign * (v.T * others) @ (u.T @ np.array(rest))).tolist(), float(sign * np.prod(sizes))
+    return np.linalg.solve(_matrix(values, place), np.array(rest)).tolist(), 1.0

@@ -1,0 +1,58 @@
+"""Blocks -> the statements that generated code is made of: velocities, and velocities times the determinant of one block.
+
+Enters: blocks of a `Reduction`.  Leaves: statements for `codegen`.
+Used by `integration/rates.py`, `model/model.py`, `singular/scaled_flow.py` and `live/functions.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from coursework.codegen.names import private
+from coursework.codegen.programs import Assign, Solve, Statement
+from coursework.reduction.blocks import Block
+from coursework.reduction.symbolic import local, symbol
+
+
+def block_statements(block: Block, index: int, targets: Sequence[sp.Symbol] = ()) -> list[Statement]:
+    """Return what gives the velocities of a block, under their own names or as `targets`, and its determinant `_det{index}`."""
+    determinant = local(f"_det{index}")
+    unknowns = tuple(targets or map(symbol, block.unknowns))
+    if block.size > 2:
+        return [Solve(unknowns, determinant, block.entries)]
+    quotients = [Assign(name, numerator / determinant) for name, numerator in zip(unknowns, block.numerators, strict=True)]
+    return [Assign(determinant, block.symbolic_determinant), *quotients]
+
+
+def clock_statements(blocks: Sequence[Block], clock: int, rates: Sequence[str], results: Sequence[str]) -> list[Statement]:
+    """Return what gives D times each of the `rates` and D itself as `results`; D is the determinant of block `clock`.
+
+    Nothing is divided by D: velocities found before it are multiplied by it, its own are adj(A) b, and those found later have
+    right sides that are multiplied by it, in which the velocities before them stand as they are, multiplied already.
+    """
+    determinant = local(f"_det{clock}")
+    scaled = {name: local(f"_scaled_{private(name)}") for block in blocks for name in block.unknowns}
+    statements = [one for index in range(clock) for one in block_statements(blocks[index], index)]
+    own = blocks[clock]
+    targets = [scaled[name] for name in own.unknowns]
+    if own.size > 2:
+        statements.append(Solve(tuple(targets), determinant, own.entries, adjugate=True))
+    else:
+        statements += [Assign(determinant, own.symbolic_determinant), *map(Assign, targets, own.numerators)]
+    statements += [Assign(scaled[name], symbol(name) * determinant) for block in blocks[:clock] for name in block.unknowns]
+    for index in range(clock + 1, len(blocks)):
+        block = blocks[index]
+        later = replace(block, right_side=tuple(_scaled_side(side, determinant, scaled) for side in block.right_side))
+        statements += block_statements(later, index, [scaled[name] for name in block.unknowns])
+    moved = [scaled[rate] if rate in scaled else determinant * symbol(rate) for rate in rates]
+    return [*statements, *map(Assign, map(local, results), [*moved, determinant])]
+
+
+def _scaled_side(side: sp.Expr, determinant: sp.Symbol, scaled: Mapping[str, sp.Symbol]) -> sp.Expr:
+    """Return a right side, linear in earlier velocities, times the determinant of the clock."""
+    earlier = {symbol(name): target for name, target in scaled.items() if symbol(name) in side.free_symbols}
+    rest = side.xreplace(dict.fromkeys(earlier, sp.S.Zero))
+    return sp.Add(determinant * rest, *(sp.diff(side, name) * target for name, target in earlier.items()))
