@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
@@ -43,6 +43,7 @@ class Phrases:
 
     language: str
     entries: Mapping[str, Any]
+    _templates: dict[str, str] = field(default_factory=dict, repr=False, compare=False)  # those read so far
 
     def has(self, key: str) -> bool:
         """Return whether there is such a sentence."""
@@ -50,8 +51,11 @@ class Phrases:
 
     def template(self, key: str) -> str:
         """Return a sentence with its gaps, in English where this language has none yet.  Raises `KeyError` for an unknown key."""
+        if (known := self._templates.get(key)) is not None:
+            return known
         found = self._found(key)
         if isinstance(found, str):
+            self._templates[key] = found
             return found
         if self.language == ENGLISH:
             raise KeyError(f"words.{ENGLISH}.toml has no sentence {key}")

@@ -7,6 +7,7 @@ total = scheme error + (T is not a whole number of steps) + round-off, signed, p
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -105,15 +106,17 @@ def _judge(evidence: Evidence, code: str, names: tuple[str, ...]) -> Finding:
         told.append(say("check.PERIOD.due", share=percent(late), period=evidence.period))
     if turned := [say("check.PERIOD.turns", name=split.name, turns=split.turns) for split in chosen if split.turns]:
         told.append(say("check.PERIOD.taken_off", turned=joined(turned, "join.semicolon")))
-    lines = tuple(
-        (say("check.line", name=split.name, part=say(f"check.PERIOD.part.{part}")), getattr(split, part), split.unit)
-        for split in chosen
-        for part in _PARTS
-    )
+    lines = tuple((_label(split.name, part), getattr(split, part), split.unit) for split in chosen for part in _PARTS)
     return Finding(
         "PASS" if value <= LIMIT else "COARSE", joined(told), value, LIMIT, unit, worst.name, row + 1, worst.first, worst.last,
         rows=lines, cured=not cannot_return,
     )  # fmt: skip
+
+
+@cache
+def _label(name: str, part: str) -> Sentence:
+    """Return how one part of a column's mismatch is called; every step tried for an advice asks again."""
+    return say("check.line", name=name, part=say(f"check.PERIOD.part.{part}"))
 
 
 _PARTS = ("first", "last", "total", "scheme", "period", "roundoff")

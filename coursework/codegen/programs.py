@@ -25,7 +25,6 @@ from coursework.codegen.straight_line import CALLS, Line, StraightLine
 from coursework.codegen.tabulated import TableLaw
 
 SYMPY_VERSION: str = sp.__version__
-_NUMBER = re.compile(r"-?[\d.]+(?:e[+-]?\d+)?")
 _NAME = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
 
 
@@ -96,18 +95,15 @@ class Bound:
     numbers: Mapping[str, float]
     tables: Mapping[str, TableLaw]
 
-    @property
-    def constant(self) -> set[str]:
-        """Return the names that a line sets to one of the numbers or to a number written out."""
-        return {line.targets[0] for line in self.lines if len(line.targets) == 1 and _is_number(line.text, self.numbers)}
 
-    def arguments(self, *own: str) -> str:
-        """Return the arguments of a function over these lines: its own, then the numbers, which nobody passes."""
-        return ", ".join([*own, *(f"{name}={name}" for name in self.numbers)])
+def with_numbers(arguments: Iterable[str], numbers: Iterable[str]) -> str:
+    """Return the arguments of a function over bound lines: its own, then the numbers by name, which nobody passes."""
+    return ", ".join([*arguments, *(f"{name}={name}" for name in numbers)])
 
-    def renamed(self, rename: Mapping[str, str]) -> list[Line]:
-        """Return the lines with other identifiers."""
-        return [Line(line.targets, _NAME.sub(lambda word: rename.get(word[0], word[0]), line.text)) for line in self.lines]
+
+def renamed(lines: Iterable[Line], rename: Mapping[str, str]) -> list[Line]:
+    """Return lines with other identifiers."""
+    return [Line(line.targets, _NAME.sub(lambda word: rename.get(word[0], word[0]), line.text)) for line in lines]
 
 
 def program(
@@ -140,18 +136,13 @@ def compile_function(
 
     With `outside` too a tabulated law gives nan beyond its table instead of raising `OutsideTable`.
     """
-    source = _source(name, [body.arguments(*arguments)], body.lines, results)
+    source = _source(name, [with_numbers(arguments, body.numbers)], body.lines, results)
     return build(source, name, body, numpy=numpy, outside=outside)
 
 
 def _source(name: str, arguments: Iterable[str], lines: Iterable[Line], results: Sequence[str]) -> str:
     written = [f"def {name}({', '.join(arguments)}):", *(f"    {line.text}" for line in lines)]
     return "\n".join([*written, f"    return ({', '.join(results)}{',' if len(results) == 1 else ''})"])
-
-
-def _is_number(text: str, numbers: Mapping[str, float]) -> bool:
-    value = text.partition(" = ")[2]
-    return value.removeprefix("-") in numbers or _NUMBER.fullmatch(value) is not None
 
 
 def compile_later(name: str, arguments: Sequence[str], body: Bound, results: Sequence[str]) -> Callable[..., Any]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 from math import pi
 
 from coursework.formula.alphabet import foreign_letter, spell
@@ -37,6 +38,7 @@ _TOKEN = re.compile(
 )
 
 
+@lru_cache(maxsize=4096)
 def parse(text: str, *, vectors: bool = False) -> Formula:
     """Read one formula.
 
@@ -49,6 +51,7 @@ def parse(text: str, *, vectors: bool = False) -> Formula:
     return tree
 
 
+@lru_cache(maxsize=4096)
 def parse_equation(text: str, *, vectors: bool = False) -> tuple[Formula, Formula]:
     """Read `left = right`; raises `FormulaFault` where the sign of equality is missing or doubled."""
     if text.count("=") != 1:

@@ -46,7 +46,7 @@ def require_agreement(equations: VelocityEquations, closure: Closure | None) -> 
         rows = rows / np.where(lengths > 0, lengths, 1.0)
         inconsistent = _rank(rows) > _rank(rows[:, :-1])
         if not inconsistent or _rank(rows[:first]) > _rank(rows[:first, :-1]):
-            confirmed |= {index for index in range(first, len(both)) if _follows(rows[:, :-1], index)}
+            confirmed |= _following(rows[:, :-1], first) - confirmed
             continue  # they agree, or the geometry alone cannot follow its drive here: a dead point, told as such
         culprits = set()
         for index in range(first, len(both)):
@@ -93,13 +93,20 @@ def _require_free(equations: VelocityEquations, closure: Closure) -> None:
         raise InputError(faults)
 
 
-def _follows(rows: Array, index: int) -> bool:
-    return _rank(np.delete(rows, index, axis=0)) == _rank(rows)
+def _following(rows: Array, first: int) -> set[int]:
+    """Return which rows (k, n), from `first` on, follow from all the others."""
+    others = np.array([np.delete(rows, index, axis=0) for index in range(first, len(rows))])
+    return {first + place for place in np.flatnonzero(_ranks(others) == _rank(rows)).tolist()}
 
 
 def _rank(rows: Array) -> int:
-    sizes = np.linalg.svd(rows, compute_uv=False)
-    return int(np.sum(sizes > TOLERANCE * max(float(sizes[0]), 1e-300))) if len(sizes) else 0
+    return int(_ranks(rows[None])[0])
+
+
+def _ranks(matrices: Array) -> NDArray[np.int_]:
+    """Return the ranks (r,) of matrices (r, k, n)."""
+    sizes = np.linalg.svd(matrices, compute_uv=False)
+    return np.asarray(np.sum(sizes > TOLERANCE * np.maximum(np.max(sizes, axis=1, initial=0.0), 1e-300)[:, None], axis=1))
 
 
 def _configurations(closure: Closure) -> list[tuple[float, Sequence[float]]]:

@@ -52,13 +52,12 @@ def _written_out(expr: sp.Expr, equations: VelocityEquations) -> sp.Expr:
 
 def _highest(expr: sp.Expr, equations: VelocityEquations) -> float:
     """Return the highest harmonic of one formula, or the steepest slope of an argument that does not grow evenly."""
-    waves = sorted((wave for wave in expr.atoms(sp.sin, sp.cos, sp.tan) if wave.has(TIME)), key=str)
+    waves, slopes, even, still = equations.once(("waves", expr), lambda: _waves(expr))
     if not waves:
         return 0.0
-    slopes = [sp.diff(wave.args[0], TIME) for wave in waves]
     looks = np.linspace(0.0, equations.variant.time.end, _LOOKS)
     steepest = np.array([float(np.max(np.abs(values))) for values in _values(slopes, looks, equations)])
-    if any(slope.has(TIME) for slope in slopes) or not np.all(np.isfinite(steepest)):
+    if not even or not np.all(np.isfinite(steepest)):
         return float(np.max(steepest[np.isfinite(steepest)], initial=0.0))
     base = _common(steepest)
     if not base:
@@ -66,15 +65,26 @@ def _highest(expr: sp.Expr, equations: VelocityEquations) -> float:
         terms = sp.Add.make_args(sp.expand(expr))
         return max(_highest(term, equations) for term in terms) if len(terms) > 1 else float(np.sum(steepest))
     # What stands outside the waves (a factor exp(-t)) is no oscillation: it is taken as it is in the middle of the run.
-    held = {wave: sp.Dummy(real=True) for wave in waves}
-    still = expr.xreplace(held).xreplace({TIME: sp.Float(equations.variant.time.end / 2)})
-    wave = still.xreplace({dummy: wave for wave, dummy in held.items()})
+    middle = sp.Float(equations.variant.time.end / 2)
+    wave = expr if still is None else still.xreplace({TIME: middle}).xreplace({dummy: wave for wave, dummy in waves})
     count = _SAMPLES * round(float(np.max(steepest)) / base)
     (values,) = _values([wave], 2 * np.pi / base * np.arange(count) / count, equations)
     power = np.abs(np.fft.rfft(values)[1:]) ** 2
     if not np.all(np.isfinite(power)) or not np.max(power) > (1e-12 * count) ** 2:
         return float(np.max(steepest))
     return base * float(1 + np.flatnonzero(power > _POWER * np.max(power))[-1])
+
+
+def _waves(expr: sp.Expr) -> tuple[list[tuple[sp.Expr, sp.Dummy]], list[sp.Expr], bool, sp.Expr | None]:
+    """Return the waves of one formula and symbols for them, the slopes of their arguments, and whether all are constant.
+
+    Last the formula with its symbols, None where time stands in the waves alone.
+    """
+    found = sorted((wave for wave in expr.atoms(sp.sin, sp.cos, sp.tan) if wave.has(TIME)), key=str)
+    waves = [(wave, sp.Dummy(real=True)) for wave in found]
+    slopes = [sp.diff(wave.args[0], TIME) for wave in found]
+    still = expr.xreplace(dict(waves))
+    return waves, slopes, not any(slope.has(TIME) for slope in slopes), still if still.has(TIME) else None
 
 
 def _values(wanted: list[sp.Expr], times: Array, equations: VelocityEquations) -> list[Array]:

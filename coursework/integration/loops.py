@@ -8,33 +8,43 @@ Names of the loops' own begin with _ and none with _s: those of a file never beg
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 
 from coursework.codegen.names import private
-from coursework.codegen.programs import build
+from coursework.codegen.programs import build, renamed, with_numbers
+from coursework.codegen.straight_line import Line
 from coursework.integration.rates import Rates
 from coursework.schemes import Scheme, Sum
 
 Loop = Callable[..., tuple[float, ...]]
 RowLoop = Callable[..., None]
+_WRITTEN = re.compile(r"[\d.]+(?:e[+-]?\d+)?")
 
 
 def generate_loop(scheme: Scheme, rates: Rates) -> Loop:
     """Return `loop(begin, steps, h, *q)`: the position `steps` steps of h (s) after `begin`, at t = begin + i*h."""
-    position = [private(name) for name in rates.coordinates]
-    stages = _Stages(scheme, rates)
+    return build(_loop_source(scheme, _Shape.of(rates)), "loop", rates.body)
+
+
+@lru_cache(maxsize=256)
+def _loop_source(scheme: Scheme, shape: _Shape) -> str:
+    position = [private(name) for name in shape.coordinates]
+    stages = _Stages(scheme, shape)
     lines = ["_t0 = _begin + _i*_h", *stages.lines(0), *stages.later()]
     moved = [stages.moved(scheme.outer, place) for place in range(len(position))]
     state = ", ".join(position)
     source = [
-        f"def loop({rates.body.arguments('_begin', '_steps', '_h', *position)}):",
+        f"def loop({shape.arguments('_begin', '_steps', '_h', *position)}):",
         *(f"    {line}" for line in stages.shares()),
         "    for _i in range(_steps):",
         *(f"        {line}" for line in (*lines, f"{state}, = {', '.join(moved)},")),
         f"    return ({state},)",
     ]
-    return build("\n".join(source), "loop", rates.body)
+    return "\n".join(source)
 
 
 def generate_rows(scheme: Scheme, rates: Rates, guarded: Sequence[int], widest: float) -> RowLoop:
@@ -44,12 +54,17 @@ def generate_rows(scheme: Scheme, rates: Rates, guarded: Sequence[int], widest: 
     its sign, a guarded coordinate turns by more than `widest` (rad) in a step or a coordinate leaves the numbers; whoever
     calls finds out which.  `latest(t)` says how far a step that ends at t may look (`Rates.latest`).
     """
-    position = [private(name) for name in rates.coordinates]
-    stages = _Stages(scheme, rates)
+    return build(_rows_source(scheme, _Shape.of(rates), tuple(guarded), widest), "rows", rates.body)
+
+
+@lru_cache(maxsize=256)
+def _rows_source(scheme: Scheme, shape: _Shape, guarded: tuple[int, ...], widest: float) -> str:
+    position = [private(name) for name in shape.coordinates]
+    stages = _Stages(scheme, shape)
     own = stages.lines(0)
-    determinants = [stages.name(0, f"_det{index}") for index in rates.blocks]
-    row = [*position, *(stages.name(0, private(name)) for name in rates.velocities), *determinants]
-    constant = {stages.name(0, name) for name in rates.body.constant}
+    determinants = [stages.name(0, f"_det{index}") for index in shape.blocks]
+    row = [*position, *(stages.name(0, private(name)) for name in shape.velocities), *determinants]
+    constant = {stages.name(0, name) for name in shape.constant}
     watched = [name for name in determinants if name not in constant]
     old = [f"_old{place}" for place in range(len(watched))]
     crossed = " or ".join(f"{a}*{b} <= 0.0 and {b} != 0.0" for a, b in zip(watched, old, strict=True))
@@ -62,8 +77,8 @@ def generate_rows(scheme: Scheme, rates: Rates, guarded: Sequence[int], widest: 
         *([f"if {crossed}: return", f"{', '.join(old)}, = {', '.join(watched)},"] if old else []),
         f"_keep(({', '.join(row)},))",
         "if _i == _last: return",
-        *(["_latest_now = _latest((_i + 1)*_h)"] if rates.breaks else []),
-        *stages.later("_latest_now" if rates.breaks else ""),
+        *(["_latest_now = _latest((_i + 1)*_h)"] if shape.breaks else []),
+        *stages.later("_latest_now" if shape.breaks else ""),
         *(f"{name} = {stages.moved(scheme.outer, place)}" for place, name in enumerate(moved)),
         *([f"if not ({' and '.join(turned)}): return"] if turned else []),
         # Infinity minus itself is no number: a sum tells whether any of its terms has left the numbers.
@@ -71,22 +86,50 @@ def generate_rows(scheme: Scheme, rates: Rates, guarded: Sequence[int], widest: 
         f"{', '.join(position)}, = {', '.join(moved)},",
     ]
     source = [
-        f"def rows({rates.body.arguments('_first', '_last', '_h', '_latest', '_keep', *position)}):",
+        f"def rows({shape.arguments('_first', '_last', '_h', '_latest', '_keep', *position)}):",
         *(f"    {line}" for line in (*stages.shares(), *(f"{name} = 0.0" for name in old))),
         "    for _i in range(_first, _last + 1):",
         *(f"        {line}" for line in body),
     ]
-    return build("\n".join(source), "rows", rates.body)
+    return "\n".join(source)
+
+
+@dataclass(frozen=True, slots=True)
+class _Shape:
+    """What of `Rates` no datum changes: a loop is written once for all variants that share it."""
+
+    coordinates: tuple[str, ...]
+    velocities: tuple[str, ...]
+    blocks: tuple[int, ...]
+    lines: tuple[Line, ...]
+    numbers: tuple[str, ...]
+    breaks: bool
+
+    @classmethod
+    def of(cls, rates: Rates) -> _Shape:
+        """Return the shape of some rates."""
+        body = rates.body
+        return cls(rates.coordinates, rates.velocities, rates.blocks, body.lines, tuple(body.numbers), bool(rates.breaks))
+
+    @property
+    def constant(self) -> set[str]:
+        """Return the names that a line sets to one of the numbers or to a number written out."""
+        set_to = ((line.targets[0], line.text.partition(" = ")[2].removeprefix("-")) for line in self.lines)
+        return {name for name, value in set_to if value in self.numbers or _WRITTEN.fullmatch(value)}
+
+    def arguments(self, *own: str) -> str:
+        """Return the arguments of a loop: its own, then the numbers, which nobody passes."""
+        return with_numbers(own, self.numbers)
 
 
 class _Stages:
     """Writes the stages of one step; the operations and their order are those of `Scheme.step`."""
 
-    def __init__(self, scheme: Scheme, rates: Rates) -> None:
-        self.scheme, self.rates = scheme, rates
-        self.position = [private(name) for name in rates.coordinates]
-        self.targets = {name for line in rates.body.lines for name in line.targets}
-        self.outputs = {f"_{private(name)}" for name in rates.velocities}
+    def __init__(self, scheme: Scheme, shape: _Shape) -> None:
+        self.scheme, self.shape = scheme, shape
+        self.position = [private(name) for name in shape.coordinates]
+        self.targets = {name for line in shape.lines for name in line.targets}
+        self.outputs = {f"_{private(name)}" for name in shape.velocities}
 
     def name(self, stage: int, name: str) -> str:
         """Return how a name of the program is called in one stage."""
@@ -97,8 +140,8 @@ class _Stages:
         named = [f"_q{stage}_{place}" for place in range(len(self.position))] if self.scheme.inner[stage].terms else self.position
         inside = {"t": f"_t{stage}", **dict(zip(self.position, named, strict=True))}
         inside |= {target: self.name(stage, target) for target in self.targets}
-        lines = zip(self.rates.body.lines, self.rates.body.renamed(inside), strict=True)
-        return [renamed.text for line, renamed in lines if not self.outputs & set(line.targets)]
+        lines = zip(self.shape.lines, renamed(self.shape.lines, inside), strict=True)
+        return [moved.text for line, moved in lines if not self.outputs & set(line.targets)]
 
     def later(self, latest: str = "") -> list[str]:
         """Return time, position and program of every stage but the first; no time lies beyond `latest` where it is named."""
@@ -116,7 +159,7 @@ class _Stages:
 
     def moved(self, row: Sum, place: int) -> str:
         """Return the coordinate at `place` after one row of the tableau."""
-        rate = private(self.rates.velocities[place])
+        rate = private(self.shape.velocities[place])
         (first, whole), *rest = row.terms
         total = ("" if whole == 1 else f"{whole}*") + self.name(first, rate)
         for stage, whole in rest:
