@@ -64,10 +64,10 @@ def _followed(exact: Motion, rates: Rates, parts: int, intervals: int, times: Ar
             first = rising[index] = slopes(t + index * length, q)
             if index < steps:
 
-                def known(at: Array, position: Array, *, first: Array = first, own: Array = q) -> Array:
+                def begun(at: Array, position: Array, *, first: Array = first, own: Array = q) -> Array:
                     return first if position is own else slopes(at, position)
 
-                q = PRECISE.step(known, t + index * length, q, length)
+                q = PRECISE.step(begun, t + index * length, q, length)
         filled = _between(positions, length * rising, np.arange(parts) * steps / parts)
     left = np.full((intervals, size), np.inf)
     known = len(exact.coordinates[1 : intervals + 1])
