@@ -138,6 +138,25 @@ def accuracy(results: MotionResults) -> AccuracyStudy | None:
     return make_study(problem, scene.exact, results.mismatch, results.motion.scheme)
 
 
+@computed("mechanism", "equations", "one_period")
+def trajectories(results: MotionResults) -> tuple[Drawing, ...]:
+    """Twelve positions over a period with the trajectories of the points."""
+    from coursework.drawing.trajectories import draw_positions
+
+    scene = results.scene
+    found = draw_positions(scene.mechanism, scene.equations, scene.one_period)
+    return (found,) if found else ()
+
+
+@computed("mechanism", "equations", "one_period", "exact")
+def hodographs(results: MotionResults) -> tuple[Drawing, ...]:
+    """The hodograph of every point that moves."""
+    from coursework.drawing.trajectories import draw_hodographs
+
+    scene = results.scene
+    return draw_hodographs(scene.mechanism, scene.equations, scene.one_period, scene.exact)
+
+
 def _acceleration_columns(results: MotionResults, rows: Any) -> ExtraTable:
     from coursework.kinematics.extra import ExtraTable
 
@@ -175,6 +194,10 @@ def _refuse_no_points(variant: Variant) -> str:
     return "points are asked for, but the file names none. Add a section [points], or leave them out."
 
 
+def _drawings(_: MotionResults, found: tuple[Drawing, ...], written: Callable[[str], str]) -> tuple[Drawing, ...]:
+    return found  # symbols only, which every language writes alike
+
+
 def _itself(_: MotionResults, found: ExtraTable) -> ExtraTable:
     return found
 
@@ -192,9 +215,11 @@ ANALOGS = Quantity(analogs, OwnTable(_itself))
 INVARIANTS = Quantity(invariants, OwnTable(_itself))
 ACCURACY = Quantity(accuracy, OwnSection())
 GRAPH_CHECK = Quantity(graph_check, OwnSection())
+TRAJECTORIES = Quantity(trajectories, OwnFigure(_drawings), refuses=_refuse_no_points)
+HODOGRAPHS = Quantity(hodographs, OwnFigure(_drawings), refuses=_refuse_no_points)
 
 QUANTITIES: tuple[Quantity[Any], ...] = (
-    TABLE, PLOTS, CHECKS, ACCELERATIONS, POINTS, ANALOGS, INVARIANTS, ACCURACY, GRAPH_CHECK,
+    TABLE, PLOTS, CHECKS, ACCELERATIONS, POINTS, ANALOGS, INVARIANTS, ACCURACY, GRAPH_CHECK, TRAJECTORIES, HODOGRAPHS,
 )  # fmt: skip
 
 

@@ -239,19 +239,19 @@ class Run:
             quantity.name: shows.of(self.results, self.of(quantity)) for quantity, shows in shown if isinstance(shows, OwnTable)
         }
 
-    def mechanism(self, written: Callable[[str], str] = str) -> Drawing | None:
+    def mechanism(self) -> Drawing | None:
         """Return the mechanism in its start position with names, lengths and drive, None where the file places no points."""
         from coursework.drawing.figures import draw_start
 
-        return draw_start(self.scene.mechanism, self.scene.equations, self.motion, self.scene.start, written)
+        return draw_start(self.scene.mechanism, self.scene.equations, self.motion, self.scene.start)
 
-    def at_stop(self, written: Callable[[str], str] = str) -> Drawing | None:
+    def at_stop(self) -> Drawing | None:
         """Return the mechanism in the position in which its motion ends, None where it does not end or that is not known."""
         from coursework.drawing.figures import draw_stop
 
         if self.stop is None:
             return None
-        return draw_stop(self.scene.mechanism, self.scene.equations, self.motion, self.stop, written)
+        return draw_stop(self.scene.mechanism, self.scene.equations, self.motion, self.stop)
 
     def figures(self, written: Callable[[str], str] = str) -> dict[str, tuple[Drawing, ...]]:
         """Return the drawings asked for that have no section of their own, their words put into a language by `written`."""

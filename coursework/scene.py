@@ -47,6 +47,7 @@ from coursework.variant.record import Variant, whole_steps
 Array = NDArray[np.float64]
 # A periodic motion that lasts for many periods is looked at for dead points over the first two.
 PERIODS_LOOKED_AT = 2.2
+PLACES = 10  # times between two of the twelve positions of a period
 MOST_LOOKED_AT = 4096  # times at which a formula without a value is looked for
 
 
@@ -201,14 +202,29 @@ class Scene:
     @computed("stop", "equations", "reduction", "rates", "closure", "start")
     def exact(self) -> Motion:
         """The motion without a scheme's error, on the same rows."""
-        time, stop, equations = self.variant.time, self.stop, self.equations
+        time, stop = self.variant.time, self.stop
         last = whole_steps(time.step, time.end)
         if stop is not None:
             last = min(last, rows_before(stop.time, time.step) - 1)
-        times: Array = np.arange(last + 1).astype(np.float64) * time.step
-        every = compile_rates(equations, self.reduction) if self.settings.columns else self.rates
         if last < 0:
-            return _no_rows(every)
+            return _no_rows(self.every_rate)
+        return self._exact_at(np.arange(last + 1).astype(np.float64) * time.step)
+
+    @computed("exact", "stop", "equations", "reduction", "rates", "closure", "start")
+    def one_period(self) -> Motion:
+        """The exact motion at `12 * PLACES + 1` equal times over a period; up to the last row where there is none or it stops."""
+        last = float(self.exact.t[-1]) if len(self.exact.t) else 0.0
+        period = self.variant.time.period
+        end = last if period is None or (self.stop is not None and last < period) else period
+        return self._exact_at(np.linspace(0.0, end, 12 * PLACES + 1)) if end > 0 else self.exact
+
+    @property
+    def every_rate(self) -> Rates:
+        """The rates of all coordinates, whatever columns are asked for."""
+        return compile_rates(self.equations, self.reduction) if self.settings.columns else self.rates
+
+    def _exact_at(self, times: Array) -> Motion:
+        equations, every = self.equations, self.every_rate
         positions = (lambda at: chain_positions(equations, at)) if is_chain(self.variant) else None
         count = len(self.reduction.blocks)
         try:

@@ -6,13 +6,14 @@ Used by `run.py`.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from functools import partial
 
 import numpy as np
 
 from coursework.drawing.board import Board, fit
-from coursework.drawing.outline import Outline, lengths, read_outline
+from coursework.drawing.lengths import lengths
+from coursework.drawing.outline import Outline, read_outline
 from coursework.drawing.painter import Painter
 from coursework.drawing.poses import Poses, all_rows, read_poses
 from coursework.drawing.record import Drawing
@@ -26,12 +27,9 @@ from coursework.sentences import Sentence, say
 HIGHEST = 86.0  # mm: with its caption the drawing leaves room on the first page
 ARROW = 13.0  # mm, of a driven velocity: its direction counts, not its size
 VELOCITY = 'stroke="black" stroke-width="0.4"'
-Written = Callable[[str], str]
 
 
-def draw_start(
-    mechanism: Mechanism, equations: VelocityEquations, motion: Motion, start: list[float], written: Written = str
-) -> Drawing | None:
+def draw_start(mechanism: Mechanism, equations: VelocityEquations, motion: Motion, start: list[float]) -> Drawing | None:
     """Return `figure#mechanism`: the start position, None where the file places no points.
 
     `start` are all coordinates at t = 0 (rad, m); rails and slots are as long as the travel of their sliders in `motion`.
@@ -48,9 +46,7 @@ def draw_start(
     return Drawing("mechanism", svg, board.width, board.height, caption, say("drawing.mechanism.alt"))
 
 
-def draw_stop(
-    mechanism: Mechanism, equations: VelocityEquations, motion: Motion, stop: Stop, written: Written = str
-) -> Drawing | None:
+def draw_stop(mechanism: Mechanism, equations: VelocityEquations, motion: Motion, stop: Stop) -> Drawing | None:
     """Return `figure#dead-point`: the position in which the motion stops, None where that is not known."""
     outline = read_outline(mechanism)
     names = [coordinate.name for coordinate in equations.variant.coordinates]
@@ -68,7 +64,7 @@ def draw_stop(
 def _mechanism(mechanism: Mechanism, outline: Outline, poses: Poses, row: int) -> tuple[Board, str]:
     """Return one row with names, lengths and what drives it."""
     arrows = {name: way for name in outline.driven if (way := driven_way(poses, name, row))}
-    board = fit(partial(_room, outline, poses, [row], arrows), HIGHEST)
+    board = fit(partial(room, outline, poses, [row], arrows), HIGHEST)
     sheet = board.sheet()
     painter = Painter(sheet, outline, poses, row, board.put, board.mm)
     painter.fixed()
@@ -89,7 +85,7 @@ def _mechanism(mechanism: Mechanism, outline: Outline, poses: Poses, row: int) -
     return board, sheet.svg()
 
 
-def _room(
+def room(
     outline: Outline, poses: Poses, rows: list[int], arrows: Mapping[str, complex], mm: float
 ) -> Iterator[tuple[complex, float]]:
     """Yield what takes room at so many mm a metre, with the origin at 0."""

@@ -194,15 +194,14 @@ class Painter:
         at = self.at[block.at]
         along = complex(self.poses.along(block.base, block.toward)[self.row]).conjugate()
         long, high = BLOCK[0] * along, BLOCK[1] * 1j * along
+        corners = (at + long + high, at - long + high, at - long - high, at + long - high)
+        xs, ys = [z.real for z in corners], [z.imag for z in corners]
+        self.sheet.boxes.append((min(xs), min(ys), max(xs), max(ys)))
         if not block.open:
-            self.sheet.path([at + long + high, at - long + high, at - long - high, at + long - high], RING, closed=True)
+            self.sheet.path(corners, RING, closed=True)
             return
         name = f' data-sleeve="{plain(block.link)}"'
-        self.sheet.path(
-            [at + long + high, at - long + high, at - long - high, at + long - high],
-            f'fill="white" stroke="none"{name}',
-            closed=True,
-        )
+        self.sheet.path(corners, f'fill="white" stroke="none"{name}', closed=True)
         for side in (high, -high):
             self.sheet.line(at - long + side, at + long + side, 'stroke="black" stroke-width="0.5"')
 

@@ -15,7 +15,7 @@ from html import escape
 FONT = "'DejaVu Sans', Verdana, 'Segoe UI', sans-serif"
 LETTER = 3.2  # mm, 9 pt
 SIZES = (LETTER, 2.3, 2.7)  # mm: of a word, of what is set lower, of what follows
-WIDE = 0.64  # width of a letter in its own heights, on the generous side
+BROAD = frozenset("MWmwωΩΨΦφψЖШЩЮФМжшщюфмы%@…—=+−<>")
 LONGEST = 60  # letters of a text; what is longer would run over the drawing
 PITCH = 1.6  # mm between the strokes of a hatch
 DIRECTIONS = 16  # in which a place is looked for
@@ -31,6 +31,13 @@ def plain(text: str, longest: int = LONGEST) -> str:
     """Return text fit for SVG: printable letters only, escaped, not too long."""
     kept = "".join(letter for letter in text if letter.isprintable())
     return escape(kept if len(kept) <= longest else kept[: longest - 1] + "…")
+
+
+def width(text: str) -> float:
+    """Return the width of a text in heights of its letters, on the generous side; a letter of Chinese is a square."""
+    return sum(
+        1.02 if ord(letter) > 0x2E80 else 0.9 if letter in BROAD else 0.71 if letter.isupper() else 0.64 for letter in text
+    )
 
 
 def number(value: float) -> str:
@@ -127,11 +134,11 @@ class Sheet:
         `turn` +1 or -1 puts an arc with an arrow before the word: counter-clockwise or clockwise.
         """
         lead = 6.6 if turn else 0.0
-        width = lead + sum(WIDE * size * len(part[:LONGEST]) for part, size in zip(word, SIZES, strict=True))
+        wide = lead + sum(size * width(part[:LONGEST]) for part, size in zip(word, SIZES, strict=True))
         height = 5.8 if turn else LETTER * 0.95 + (0.6 if word[1] else 0)
-        _, middle = min((self._room(width, height, place) for place in places), key=lambda found: found[0])
-        left, top = middle.real - width / 2, middle.imag - height / 2
-        self.words.append((left, top, left + width, top + height))
+        _, middle = min((self._room(wide, height, place) for place in places), key=lambda found: found[0])
+        left, top = middle.real - wide / 2, middle.imag - height / 2
+        self.words.append((left, top, left + wide, top + height))
         if turn:
             self.sense(complex(left + 3, middle.imag), turn)
         base = middle.imag + LETTER * 0.37 - (0.3 if word[1] else 0)

@@ -38,3 +38,8 @@ def length_text(length: Formula) -> str:
     """Return a length as it stands beside a link, "" where it is too long for that."""
     text = lettered(spelled(length).replace("*", "").replace(" ", ""))
     return text if len(text) <= LONGEST_LENGTH else ""
+
+
+def decimal(value: float) -> str:
+    """Return a round number without a power of ten: 0.0002."""
+    return f"{value:.12f}".rstrip("0").rstrip(".")

@@ -13,6 +13,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from coursework.drawing.sheet import BOLD, PITCH, Place, Sheet, Word, inside, middle_of, plain
+from coursework.drawing.symbols import decimal
 from coursework.plans.graph_words import centre_letter
 from coursework.plans.instant_centres import Body, Centre, Findings, cross, dot
 from coursework.plans.layout import FOOT, Layout, lay_out
@@ -268,7 +269,7 @@ class _Drawing:
             self.sheet.line(complex(left + 10 * k, base), complex(left + 10 * k, base - tick), FRAME)
         self.sheet.text(complex(left, base - 4.2), (self.written(say("drawing.bar", length=f"{BAR:g}")), "", ""), size=2.9)
         moving = any(self.findings.velocities.values())
-        speeds = self.written(say("drawing.speeds", speed=_decimal(layout.speed))) if moving else ""
+        speeds = self.written(say("drawing.speeds", speed=decimal(layout.speed))) if moving else ""
         lines = (self.written(say("drawing.scale", scale=layout.scale_text)), speeds, title)
         for k, line in enumerate(lines):
             self.sheet.text(complex(left + BAR + 7, layout.height - FOOT + 4.6 + 4.2 * k), (line, "", ""), size=2.9)
@@ -283,11 +284,6 @@ class _Drawing:
 
 def _around(at: complex, half: float) -> tuple[float, float, float, float]:
     return (at.real - half, at.imag - half, at.real + half, at.imag + half)
-
-
-def _decimal(value: float) -> str:
-    """Return a round number without a power of ten: 0.0002."""
-    return f"{value:.12f}".rstrip("0").rstrip(".")
 
 
 def _short(name: str) -> str:

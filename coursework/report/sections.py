@@ -98,7 +98,7 @@ def _result(context: PageContext) -> str:
 
 def mechanism(context: PageContext) -> list[Part]:
     """The mechanism as it starts: what is spoken of on every later page."""
-    found = context.run.mechanism(context.words.written)
+    found = context.run.mechanism()
     return [drawn(context, found)] if found is not None else []
 
 

@@ -10,7 +10,8 @@ import pytest
 
 from coursework import load, solve
 from coursework.catalogue import names
-from coursework.drawing.outline import Outline, lengths, read_outline
+from coursework.drawing.lengths import lengths
+from coursework.drawing.outline import Outline, read_outline
 from coursework.drawing.record import Drawing
 from coursework.formula.tree import spelled
 from coursework.mechanism import build

@@ -133,7 +133,7 @@ class Run:
     def asks(self, quantity: Any) -> bool:
         return quantity.name in self.asked
 
-    def mechanism(self, written: Callable[[str], str]) -> None:
+    def mechanism(self) -> None:
         return None
 
     def figures(self, written: Callable[[str], str]) -> dict[str, Any]:

@@ -1,0 +1,59 @@
+"""Lengths that a file gives between two points, found in its formulas.
+
+Enters: a `Mechanism`.  Leaves: formulas by pairs of points.
+Used by `drawing/outline.py` and `drawing/figures.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from coursework.formula.tree import Formula
+from coursework.mechanism import Mechanism
+
+
+def terms(formula: Formula) -> Iterator[Formula]:
+    """Yield the terms of a sum, whatever their signs."""
+    if formula.op in {"+", "-", "neg"}:
+        for part in formula.args:
+            yield from terms(part)
+    else:
+        yield formula
+
+
+def arm_base(formula: Formula, coordinate: str) -> str:
+    """Return X of a point "X + L @ angle" whose angle turns with a coordinate, "" where it is built otherwise."""
+    parts = [*terms(formula)]
+    if len(parts) != 2 or parts[0].op != "name" or parts[1].op != "@":
+        return ""
+    return parts[0].name if coordinate in parts[1].args[1].names() and coordinate not in parts[1].args[0].names() else ""
+
+
+def lengths(mechanism: Mechanism) -> dict[frozenset[str], Formula]:
+    """Return the length between two points wherever the file says it: "B = A + r2 @ phi2", "P = C - (0, R)", a group."""
+    variant = mechanism.variant
+    changing = {coordinate.name for coordinate in variant.coordinates}
+    minus = [Formula("-", (Formula("name", name=name), formula)) for name, formula in mechanism.points]
+    for group in variant.groups:
+        met = Formula("name", name=group.meets or "")
+        minus += [Formula("-", (met, side)) for side in group.kind.closure(group)[0] if group.meets]
+    minus += [Formula("-", (c.left, c.right)) for c in mechanism.constraints if c.is_closure]
+    minus += [hold.args[0] for hold in variant.holds if hold.op == "part"]
+    found: dict[frozenset[str], Formula] = {}
+    for formula in minus:
+        parts = [*terms(formula)]
+        ends = frozenset(part.name for part in parts if part.op == "name")
+        said = [length for part in parts if part.op != "name" and (length := _length(part)) is not None]
+        if len(parts) == 3 and len(ends) == 2 and len(said) == 1 and not changing & set(said[0].names()):
+            found.setdefault(ends, said[0])
+    return found
+
+
+def _length(part: Formula) -> Formula | None:
+    if part.op == "@":
+        return part.args[0]
+    if part.op == "pair":
+        x, y = part.args
+        zero = [arg.op == "number" and arg.value == 0 for arg in (x, y)]
+        return None if sum(zero) != 1 else (y if zero[0] else x)
+    return None

@@ -1,0 +1,87 @@
+"""Twelve positions, trajectories and hodographs: what is drawn lies where the exact motion has it; no word on a word."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+from coursework import solve
+from coursework.catalogue import names
+from coursework.drawing.record import Drawing
+from coursework.run import Run
+from tests.drawing import measured
+
+
+@cache
+def run_of(name: str) -> Run:
+    return solve(name, quantities=["table", "trajectories", "hodographs"])
+
+
+def drawings_of(name: str) -> dict[str, Drawing]:
+    return {drawing.id: drawing for group in run_of(name).figures().values() for drawing in group}
+
+
+def path(svg: str, key: str, value: str) -> np.ndarray:
+    """Return the points of a curve (mm, y down)."""
+    found = [node for node in ElementTree.fromstring(svg).iter() if node.get(key) == value]
+    assert len(found) == 1
+    return np.array([complex(float(x), float(y)) for x, y in re.findall(r"(-?[\d.]+) (-?[\d.]+)", found[0].get("d", ""))])
+
+
+@pytest.mark.parametrize("name", names())
+def test_no_word_lies_on_another(name: str) -> None:
+    drawings = drawings_of(name)
+    assert "positions" in drawings
+    assert any(key.startswith("hodograph-") for key in drawings)
+    for drawing in drawings.values():
+        assert measured.overlaps(drawing.svg) == [], drawing.id
+        assert measured.beyond(drawing.svg) == [], drawing.id
+        assert drawing.width <= 170
+        assert drawing.height <= 100
+
+
+def test_the_trajectory_of_a_crank_pin_is_its_circle() -> None:
+    """Example 2: crank of 0.4 m about A = (0, 0), connecting rod of 1.2 m; C keeps to the line of A."""
+    drawing = drawings_of("example-2")["positions"]
+    scale = float(re.search(r"scale 1:(\d+)", drawing.caption)[1])  # type: ignore[index]
+    pin, slider = (path(drawing.svg, "data-trajectory", name) for name in "BC")
+    centre = (pin[0] + pin[60]) / 2  # half a turn apart
+    assert np.abs(pin - centre) == pytest.approx(400 / scale, abs=0.05)
+    assert slider.imag == pytest.approx(centre.imag, abs=0.05)
+    assert np.ptp(slider.real) == pytest.approx(800 / scale, abs=0.05)
+    said = {word.text for word in measured.words(drawing.svg)}
+    assert {str(place) for place in range(2, 13)} <= said
+
+
+def test_the_hodograph_of_a_crank_pin_is_a_circle_and_its_rows_lie_on_it() -> None:
+    """Example 4: V_B = 10 rad/s · 0.4 m = 4 m/s at every row, at right angles to the crank."""
+    drawing = drawings_of("example-4")["hodograph-B"]
+    speed = float(re.search(r"1 mm is ([\d.]+) m/s", drawing.caption)[1])  # type: ignore[index]
+    curve = path(drawing.svg, "data-hodograph", "B")
+    middle = (curve[0] + curve[60]) / 2
+    assert np.abs(curve - middle) == pytest.approx(4 / speed, abs=0.05)
+    (first,) = measured.lines(drawing.svg, "data-velocity")
+    assert first.a == pytest.approx(middle, abs=0.05)
+    assert (first.b - first.a).real == pytest.approx(0, abs=0.05)
+    tips = [complex(*map(float, place.split())) for place in measured.names(drawing.svg, "data-tip")]
+    assert len(tips) in {36, 37}
+    assert np.abs(np.array(tips) - middle) == pytest.approx(4 / speed, abs=0.05)
+
+
+def test_what_is_not_asked_for_is_not_drawn() -> None:
+    run = solve("31", quantities=["table"])
+    assert run.figures() == {}
+    assert "one_period" not in run.scene.ledger.calls
+
+
+def test_a_motion_that_stops_is_followed_as_far_as_it_goes() -> None:
+    from coursework import load
+
+    run = solve(load("31").with_data(given={"alpha": 0.02}), quantities=["trajectories"])
+    ((drawing,),) = run.figures().values()
+    assert run.scene.one_period.t[-1] == pytest.approx(run.exact.t[-1])
+    assert measured.overlaps(drawing.svg) == []
