@@ -97,11 +97,15 @@ def refuse_aliasing(equations: VelocityEquations, step: float) -> None:
     """Raise `InputError` where the step misses the drive's oscillation altogether (less than two rows a period)."""
     frequency = fastest(equations)
     if frequency * step >= np.pi * (1 - 1e-12):
-        raise InputError(
+        variant = equations.variant
+        text = (
             f"The step {step:g} s is too large for this drive: it turns through {frequency * step:.3g} rad in one step, and from "
             f"3.14 rad on the rows show another, slower motion that is not there. Take a step of at most "
             f"{np.pi / 10 / frequency:.2g} s (20 rows a period)."
         )
+        own = variant.time.own_step in {None, step}
+        line = variant.nearest_line("time", "step") if own else 0  # a step of the command line stands in no file
+        raise InputError([Fault(text, str(variant.path or variant.name), line)])
 
 
 def refuse_endless(equations: VelocityEquations, time: float) -> None:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from coursework.errors import InputError, listing
+from coursework.errors import Fault, InputError, listing
 from coursework.geometry.time_derivatives import jets
 from coursework.integration.motion import Motion
 from coursework.plans.graph_words import centre_letter, drift, how_found, omega_name
@@ -98,10 +98,13 @@ def _required_row(variant: Variant, motion: Motion) -> int:
     )
     missing = [name for name, there in wanted if not there]
     if missing:
-        raise InputError(
+        text = (
             f"the graph-analytical check needs {listing(missing)}; this variant has none. "
             'Add it, or take "graph_check" out of [ask] or --quantities.'
         )
+        asked = "graph_check" in variant.ask
+        line = variant.nearest_line("ask", "quantities") if asked else 0  # asked for by the command line it stands in no file
+        raise InputError([Fault(text, str(variant.path or variant.name), line)])
     if len(motion.coordinate_names) < len(variant.coordinates):
         raise InputError("the graph-analytical check needs every coordinate; ask for the whole table.")
     assert variant.time.check_row is not None

@@ -94,13 +94,14 @@ def _spelt_as(part: str | int, keys: Any) -> str | int:
 def read_bytes(path: Path) -> bytes:
     """Return the bytes of a variant file; raises `InputError` where it is missing, too large or not a file."""
     try:
-        if path.is_file() and path.stat().st_size > MAX_BYTES:
-            raise InputError([_too_large(path.stat().st_size, str(path))])
         if path.exists() and not path.is_file():
             kind = "this is a folder. Name the file in it" if path.is_dir() else "this is not a file with text in it"
             raise InputError([Fault(f"the file cannot be read: {kind}.", str(path))])
         with path.open("rb") as file:
-            return file.read(MAX_BYTES + 1)
+            content = file.read(MAX_BYTES + 1)
+        if len(content) > MAX_BYTES:
+            raise InputError([_too_large(path.stat().st_size, str(path), content)])
+        return content
     except (OSError, ValueError) as error:
         reason = "there is no such file. Check the name and the folder"
         if not isinstance(error, FileNotFoundError):
@@ -108,14 +109,16 @@ def read_bytes(path: Path) -> bytes:
         raise InputError([Fault(f"the file cannot be read: {reason}.", str(path))]) from error
 
 
-def _too_large(size: int, file: str) -> Fault:
-    return Fault(f"the file has {size} bytes; a variant file has at most {MAX_BYTES}. Is it the right file?", file)
+def _too_large(size: int, file: str, content: bytes) -> Fault:
+    """Return the fault of a file whose beginning is `content`, at the line that is no longer read."""
+    line = content[:MAX_BYTES].count(b"\n") + 1
+    return Fault(f"the file has {size} bytes; a variant file has at most {MAX_BYTES}. Is it the right file?", file, line)
 
 
 def read_source(content: bytes, file: str, folder: Path | Mapping[str, bytes]) -> Source:
     """Read TOML.  Raises `InputError` with line and column for anything that is not."""
     if len(content) > MAX_BYTES:
-        raise InputError([_too_large(len(content), file)])
+        raise InputError([_too_large(len(content), file, content)])
     try:
         text = content.decode("utf-8-sig").replace("\r\n", "\n")
     except UnicodeDecodeError as error:
