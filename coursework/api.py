@@ -12,11 +12,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from coursework.catalogue import find
-from coursework.errors import Fault, InputError, closest, listing
+from coursework.errors import Fault, InputError
 from coursework.exact_scene import scene_of
 from coursework.model.model import Model, model_of
 from coursework.quantities import TABLE, known_quantities
 from coursework.run import Run, gather
+from coursework.sentences import Sentence, closest, say
 from coursework.settings import Settings, scheme_for
 from coursework.variant.reader import read_variant
 from coursework.variant.record import MAX_ROWS, Variant
@@ -88,13 +89,13 @@ def timed(variant: Variant, step: float | None, end: float | None) -> Variant:
     h = _number(step, "step") if step is not None else variant.time.step
     last = _number(end, "end") if end is not None else variant.time.end
     if not (np.isfinite(h) and h > 0):
-        raise InputError(f"the step must be greater than 0, found {h:g} s.")
+        raise InputError(say("fault.C008", h=h))
     if not np.isfinite(last):
-        raise InputError(f"the end must be a number of seconds, found {last:g}.")
+        raise InputError(say("fault.C009", last=last))
     if last < h * (1 - 1e-9):
-        raise InputError(f"the end ({last:g} s) must be at least one step ({h:g} s).")
+        raise InputError(say("fault.C010", last=last, h=h))
     if last / h > MAX_ROWS:
-        raise InputError(f"{last / h:.3g} rows are asked for; at most {MAX_ROWS} are computed. Take a larger step.")
+        raise InputError(say("fault.C011", number=last / h, max_rows=MAX_ROWS))
     return variant.timed(h, last)
 
 
@@ -103,7 +104,7 @@ def _number(value: object, name: str) -> float:
     try:
         return float(value)  # type: ignore[arg-type]
     except (TypeError, ValueError):
-        raise InputError(f"the {name} must be a number of seconds, found {value!r}.") from None
+        raise InputError(say("fault.C012", name=name, value=value)) from None
 
 
 def _sorted(variant: Variant, quantities: Iterable[str] | None) -> tuple[tuple[str, ...], tuple[str, ...]]:
@@ -117,28 +118,28 @@ def _sorted(variant: Variant, quantities: Iterable[str] | None) -> tuple[tuple[s
     )
     columns = tuple(name for name in listed if name in variant.columns)
     asked = tuple(name for name in listed if name not in columns)
-    faults = [_in_file(text, variant, name, quantities is None) for name in asked if (text := _cannot_ask(variant, name))]
+    faults = [_in_file(why, variant, name, quantities is None) for name in asked if (why := _cannot_ask(variant, name))]
     if faults:
         raise InputError(faults)
     records = known_quantities()
     whole = [name for name in asked if not records[name].restrictable]
     if columns and whole:
-        text = f'"{whole[0]}" needs every coordinate, not only what {listing(columns)} needs; ask for the whole table.'
-        raise InputError(text)
+        raise InputError(say("fault.C001", name=whole[0], columns=tuple(columns)))
     return asked or (TABLE.name,), columns
 
 
-def _cannot_ask(variant: Variant, name: str) -> str:
-    """Return why a quantity cannot be had of a variant, or an empty string."""
+def _cannot_ask(variant: Variant, name: str) -> Sentence | None:
+    """Return why a quantity cannot be had of a variant, None where it can."""
     records = known_quantities()
     if name in records:
         return records[name].refuses(variant)
-    return f'there is no quantity "{name}".{closest(name, [*records, *variant.columns])} Known: {", ".join(records)}.'
+    hint = closest(name, [*records, *variant.columns])
+    return say("fault.C002", name=name, hint=hint, known=", ".join(records))
 
 
-def _in_file(text: str, variant: Variant, name: str, is_in_file: bool) -> Fault:
+def _in_file(message: Sentence, variant: Variant, name: str, is_in_file: bool) -> Fault:
     """Return the fault, with its line where the file itself asks."""
     if not is_in_file:
-        return Fault(text)
+        return Fault(message)
     line = variant.line_of("ask", "quantities", variant.ask.index(name))
-    return Fault(text, str(variant.path or variant.name), line, 0, "ask.quantities")
+    return Fault(message, str(variant.path or variant.name), line, 0, "ask.quantities")

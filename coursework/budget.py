@@ -21,7 +21,7 @@ from dataclasses import dataclass
 from types import FrameType
 from typing import Any
 
-from coursework.errors import CourseworkError
+from coursework.errors import CourseworkError, Fault
 from coursework.file_set import discard_all
 from coursework.graph import UNDER_WAY
 from coursework.sentences import load_phrases, say
@@ -49,11 +49,11 @@ class Budget:
 
 
 @contextmanager
-def watched(budget: Budget, name: str, last_word: Callable[[str], None] | None = None) -> Iterator[None]:
+def watched(budget: Budget, name: str, last_word: Callable[[Fault], None] | None = None) -> Iterator[None]:
     """Watch what is done inside; it ends with `BudgetSpent` once it has taken more than the budget.
 
     Where the run does not answer (a library that computes without looking up), unfinished files are removed, `last_word` is
-    called with the sentence, and the process ends with status 2.  To be used in the main thread, where signals arrive.
+    called with the fault, and the process ends with status 2.  To be used in the main thread, where signals arrive.
     """
     watch = _Watch(budget, name, last_word or _say_last)
     before = signal.signal(signal.SIGTERM, watch.answer)
@@ -65,21 +65,21 @@ def watched(budget: Budget, name: str, last_word: Callable[[str], None] | None =
             watch.stop()
             signal.signal(signal.SIGTERM, before)
     except _Ended:
-        raise BudgetSpent(watch.sentence) from None
+        raise BudgetSpent([watch.fault] if watch.fault else []) from None
 
 
 class _Watch(threading.Thread):
-    def __init__(self, budget: Budget, name: str, last_word: Callable[[str], None]) -> None:
+    def __init__(self, budget: Budget, name: str, last_word: Callable[[Fault], None]) -> None:
         super().__init__(daemon=True)
         self.budget, self.of, self.last_word = budget, name, last_word
         self.begun, self.held = time.process_time(), memory_held()
-        self.sentence = ""
+        self.fault: Fault | None = None
         self._done = threading.Event()
 
     def run(self) -> None:
         while not self._done.wait(PACE):
             if spent := self._spent():
-                self.sentence = str(spent)
+                self.fault = spent
                 _thread.interrupt_main(signal.SIGTERM)
                 if not self._done.wait(GRACE):
                     self._end_process()
@@ -92,27 +92,28 @@ class _Watch(threading.Thread):
 
     def answer(self, number: int, frame: FrameType | None) -> None:
         """End the run, in the main thread; a SIGTERM of somebody else ends it as an interrupt does."""
-        if self.sentence:
+        if self.fault:
             raise _Ended
         raise KeyboardInterrupt
 
-    def _spent(self) -> str:
+    def _spent(self) -> Fault | None:
         if time.process_time() - self.begun > self.budget.seconds:
-            return say("ended.time", name=self.of, limit=f"{self.budget.seconds:g}", stage=_stage())
+            return Fault(say("fault.E001", limit=f"{self.budget.seconds:g}", stage=_stage()), self.of)
         held = memory_held()
         if held is not None and self.held is not None and held - self.held > self.budget.memory * MIB:
-            return say("ended.memory", name=self.of, limit=f"{self.budget.memory:g}", stage=_stage())
-        return ""
+            return Fault(say("fault.E002", limit=f"{self.budget.memory:g}", stage=_stage()), self.of)
+        return None
 
     def _end_process(self) -> None:
         discard_all()
-        self.last_word(self.sentence)
+        if self.fault:
+            self.last_word(self.fault)
         os._exit(WRONG_INPUT)
 
 
-def _say_last(sentence: str) -> None:
+def _say_last(fault: Fault) -> None:
     if sys.stderr is not None:
-        sys.stderr.write(f"{sentence}\n")
+        sys.stderr.write(f"{fault}\n")
         sys.stderr.flush()
 
 

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from coursework.data import folder
-from coursework.errors import InputError, closest
+from coursework.errors import InputError
+from coursework.sentences import closest, say
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,16 +58,10 @@ def find(path_or_name: str | Path) -> Path:
         return ended if _is_file(ended) else path
     # An editor on Windows adds ".txt" behind the name, and the file manager does not show it.
     if path.name and _is_file(doubled := ended.with_name(f"{ended.name}.txt")):
-        raise InputError(
-            f'there is no file "{ended}", but there is "{doubled}": the editor has added .txt, and Windows hides it. '
-            f'Rename it to "{ended.name}" (in Explorer: View, Show, File name extensions).'
-        )
+        raise InputError(say("fault.C013", ended=ended, doubled=doubled, name=ended.name))
     if is_name and not path.is_dir():
         hint = closest(text.lower(), [*names(), *(file.stem for file in sorted(Path().glob("*.toml")))])
-        raise InputError(
-            f'there is no variant "{text}" in the catalogue and no file "{ended}" in this folder.{hint} '
-            '"coursework variants" lists them.'
-        )
+        raise InputError(say("fault.C014", text=text, ended=ended, hint=hint))
     return path
 
 

@@ -7,16 +7,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from coursework.errors import InputError
-
 
 def folder(name: str) -> Path:
     """Return the folder `name` ("variants", "reports"): inside the installed package, else beside it in a checkout.
 
-    Raises `InputError` where neither exists (a broken installation).
+    Raises `FileNotFoundError` where neither exists (a broken installation).
     """
     package = Path(__file__).resolve().parent
     for place in (package / name, package.parent / name):
         if place.is_dir():
             return place
-    raise InputError(f'the folder "{name}" is missing beside {package}. Install the package again.')
+    raise FileNotFoundError(f'the folder "{name}" is missing beside {package}. Install the package again.')

@@ -6,44 +6,71 @@ Used by every floor above; imports nothing of the project.
 
 from __future__ import annotations
 
-import difflib
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from coursework.sentences import Sentence
 
 MOST_SHOWN = 100  # faults written out; whoever has more has another file in mind
 
 
-class CourseworkError(Exception):
-    """Something the user can put right; the command line ends with status 2."""
-
-
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """One thing wrong with one file: *where: what is wrong (what was found). What to do.*"""
+    """One thing wrong with one file: *where: what is wrong (what was found). What to do.*
 
-    message: str
+    `message` is said by a key of [fault] in the words files: a letter for what is wrong and a number, the same in every language.
+    """
+
+    message: Sentence
     file: str = ""
     line: int = 0
     column: int = 0
     place: str = ""
 
     def __str__(self) -> str:
+        return self.told()
+
+    @property
+    def code(self) -> str:
+        """Return the code: a letter for what is wrong (a variant file, a roster …) and a number."""
+        return self.message.key.split(".")[1]
+
+    def told(self, written: Callable[[str], str] = str) -> str:
+        """Return the line a user reads; `written` puts sentences into a language."""
         where = self.file + (f":{self.line}" if self.line else "")
         if self.column:
             where += f":{self.column}"
-        return visible("  ".join(part for part in (where, f"{self.place}: {self.message}".lstrip(": ")) if part))
+        said = f"{written(self.place)}: {written(self.message)}".removeprefix(": ")
+        return visible(f"{self.code} {where}  {said}" if where else f"{self.code} {said}")
+
+    def plain(self) -> dict[str, Any]:
+        """Return the fault for a JSON file: its code, where it is, what it speaks about and the sentence."""
+        where = {"file": self.file, "line": self.line, "column": self.column, "place": str(self.place)}
+        return {"code": self.code, **where, "values": self.message.plain(), "sentence": str(self.message)}
+
+
+class CourseworkError(Exception):
+    """Something the user can put right, told by its faults in file order; the command line ends with status 2."""
+
+    def __init__(self, faults: Iterable[Fault] | Sentence) -> None:
+        listed = (Fault(faults),) if isinstance(faults, str) else tuple(faults)
+        self.faults: tuple[Fault, ...] = tuple(sorted(listed, key=lambda fault: (fault.file, fault.line or 10**6, fault.column)))
+        super().__init__(self.faults)
+
+    def __str__(self) -> str:
+        return self.told()
+
+    def told(self, written: Callable[[str], str] = str) -> str:
+        """Return a line a fault; `written` puts sentences into a language."""
+        shown = [fault.told(written) for fault in self.faults[:MOST_SHOWN]]
+        rest = len(self.faults) - MOST_SHOWN
+        return "\n".join([*shown, *([f"… +{rest}"] if rest > 0 else [])])
 
 
 class InputError(CourseworkError):
-    """The input cannot be used; carries every fault found, in file order."""
-
-    def __init__(self, faults: Iterable[Fault] | str) -> None:
-        listed = (Fault(faults),) if isinstance(faults, str) else tuple(faults)
-        self.faults: tuple[Fault, ...] = tuple(sorted(listed, key=lambda fault: (fault.file, fault.line or 10**6, fault.column)))
-        shown = [str(fault) for fault in self.faults[:MOST_SHOWN]]
-        if len(self.faults) > MOST_SHOWN:
-            shown.append(f"… and {len(self.faults) - MOST_SHOWN} faults more.")
-        super().__init__("\n".join(shown))
+    """The input cannot be used; carries every fault found."""
 
 
 class OutputError(CourseworkError):
@@ -53,14 +80,3 @@ class OutputError(CourseworkError):
 def visible(text: str) -> str:
     """Return text with every letter that does not print (colour codes, reversed writing …) as its code."""
     return "".join(letter if letter.isprintable() else f"\\u{ord(letter):04x}" for letter in text)
-
-
-def closest(word: str, known: Sequence[str], alike: float = 0.6) -> str:
-    """Return ' Did you mean "…"?' with the closest known word, or an empty string; `alike` is 1 for the same word."""
-    found = difflib.get_close_matches(word, list(known), n=1, cutoff=alike)
-    return f' Did you mean "{found[0]}"?' if found else ""
-
-
-def listing(words: Sequence[str], joint: str = "and") -> str:
-    """Return "a, b and c"."""
-    return f" {joint} ".join(part for part in (", ".join(words[:-1]), words[-1]) if part) if words else ""

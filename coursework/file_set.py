@@ -17,8 +17,9 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import IO
 
-from coursework.errors import OutputError
+from coursework.errors import Fault, OutputError
 from coursework.files import refused
+from coursework.sentences import say
 
 HIDDEN = ".coursework-"
 LOCK = ".lock"
@@ -97,7 +98,7 @@ def publish(hidden: Path, target: Path, names: Iterable[str], record: str) -> No
     names = (*names, record)
     for name in names:
         if (target / name).is_dir():
-            raise OutputError(f"{target / name}: could not be written: there is a folder of this name. Remove it.")
+            raise OutputError([Fault(say("fault.W010"), str(target / name))])
     with refused(target / record):
         target.mkdir(parents=True, exist_ok=True)
         (target / record).unlink(missing_ok=True)

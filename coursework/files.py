@@ -13,19 +13,14 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from coursework.errors import OutputError
+from coursework.errors import Fault, OutputError
+from coursework.sentences import say
 
-_ADVICE = {
-    errno.ENOSPC: "the disk is full. Free some space, or choose another folder with --out.",
-    errno.EDQUOT: "your share of the disk is used up. Free some space, or choose another folder with --out.",
-    errno.EACCES: "the folder or file is not writable. Close it in other programs, or choose another folder with --out.",
-    errno.EPERM: "the folder or file is not writable. Close it in other programs, or choose another folder with --out.",
-    errno.EROFS: "the disk is read-only. Choose another folder with --out.",
-    errno.ENOTDIR: "a part of the path is a file, not a folder. Choose another folder with --out.",
-    errno.EEXIST: "a part of the path is a file, not a folder. Choose another folder with --out.",
-    errno.EISDIR: "there is a folder of this name. Remove it, or choose another folder with --out.",
-    errno.ENAMETOOLONG: "the name is too long. Choose a shorter one.",
-}
+_FAULTS = {
+    errno.ENOSPC: "fault.W001", errno.EDQUOT: "fault.W002", errno.EROFS: "fault.W004", errno.EISDIR: "fault.W006",
+    errno.ENAMETOOLONG: "fault.W007", **dict.fromkeys((errno.EACCES, errno.EPERM), "fault.W003"),
+    **dict.fromkeys((errno.ENOTDIR, errno.EEXIST), "fault.W005"),
+}  # fmt: skip
 
 
 @contextmanager
@@ -34,10 +29,11 @@ def refused(target: Path) -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        advice = _ADVICE.get(error.errno or 0, f"{error.strerror or error}. Choose another folder with --out.")
-        raise OutputError(f"{target}: could not be written: {advice}") from error
+        if key := _FAULTS.get(error.errno or 0):
+            raise OutputError([Fault(say(key), str(target))]) from error
+        raise OutputError([Fault(say("fault.W008", reason=error.strerror or str(error)), str(target))]) from error
     except ValueError as error:  # a name that no file can have: a zero byte in it
-        raise OutputError(f"{str(target)!r}: could not be written: {error}. Choose another name.") from error
+        raise OutputError([Fault(say("fault.W009", reason=str(error)), str(target))]) from error
 
 
 def write_bytes(path: Path | str, content: bytes) -> None:

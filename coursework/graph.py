@@ -15,7 +15,7 @@ from typing import Any, Generic, Protocol, TypeVar, overload
 
 import numpy as np
 
-from coursework.errors import listing
+from coursework.sentences import Sentence, say
 
 T = TypeVar("T")
 UNDER_WAY: list[str] = []  # what this process is computing, the innermost last: for whoever must say where time went
@@ -114,15 +114,20 @@ class Plan:
     needed_by: Mapping[str, str]
     left_out: Mapping[str, tuple[str, ...]]
 
-    def lines(self) -> list[str]:
+    def lines(self) -> list[Sentence]:
         """Return the plan for a reader."""
         ordered = ((name, self.needed_by[name]) for name in self.order)
-        computed = [f"  {name:<20} {'asked for' if by == name else f'needed by {by}'}" for name, by in ordered]
+        computed = [(name, say("plan.asked") if by == name else say("plan.needed", by=by)) for name, by in ordered]
         left = [
-            f"  {name:<20} " + (f"only for {listing(users)}, not asked for" if users else "not asked for")
-            for name, users in self.left_out.items()
+            (name, say("plan.only_for", users=users) if users else say("plan.not_asked")) for name, users in self.left_out.items()
         ]
-        return ["Computed, in this order:", *computed, "Left out:", *(left or ["  nothing"])]
+        lines = [say("plan.line", name=f"{name:<20}", why=why) for name, why in (*computed, *left)]
+        return [
+            say("plan.computed"),
+            *lines[: len(computed)],
+            say("plan.left_out"),
+            *(lines[len(computed) :] or [say("plan.nothing")]),
+        ]
 
 
 def make_plan(needs: Needs, wanted: Iterable[str]) -> Plan:

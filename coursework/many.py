@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.api import compile_model, load, solve, timed
-from coursework.errors import CourseworkError, InputError, listing
+from coursework.errors import CourseworkError, InputError
 from coursework.integration.motion import Stop
 from coursework.model.data import Data
 from coursework.model.model import Model
@@ -26,6 +26,7 @@ from coursework.model.rows import rows_of
 from coursework.model.sets import prepare
 from coursework.scene import Scene
 from coursework.schemes import SCHEMES
+from coursework.sentences import joined, say
 from coursework.settings import Settings, scheme_for
 from coursework.variant.record import Variant
 
@@ -163,8 +164,8 @@ def _alone(template: Variant, sets: Data, index: int, scheme: str) -> Any:
     try:
         return solve(_with(template, sets, index), scheme, template.time.step, template.time.end, quantities=["table"]).motion
     except InputError as error:
-        text = f"set {index + 1}: {error} Leave it out; coursework.feasible_many tells which sets can move."
-        raise InputError(text) from error
+        reason = joined([fault.message for fault in error.faults])
+        raise InputError(say("fault.D021", number=index + 1, reason=reason)) from error
 
 
 def _refuse_own_times(model: Model, sets: Data, step: float | None, end: float | None) -> None:
@@ -173,5 +174,4 @@ def _refuse_own_times(model: Model, sets: Data, step: float | None, end: float |
         formula = model.variant.times.get(("time", key))
         names = [name for name in sets.changed if formula is not None and name in formula.names()]
         if value is None and names:
-            text = f"the {key} of {model.variant.name} depends on {listing(names)}, so every set would have other rows."
-            raise InputError(f"{text} Give solve_many one {key} for all: {key}=….")
+            raise InputError(say("fault.D022", key=key, variant=model.variant.name, names=tuple(names)))

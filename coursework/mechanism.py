@@ -10,10 +10,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from graphlib import CycleError, TopologicalSorter
 
-from coursework.errors import Fault, InputError, listing
+from coursework.errors import Fault, InputError
 from coursework.formula.tree import Formula
 from coursework.joints import Linkage, Mobility, linkage
-from coursework.sentences import say
+from coursework.sentences import Sentence, say
 from coursework.variant.record import Constraint, Group, Variant
 
 # A point built from points built from points grows like a power of two; beyond this no mechanism is meant.
@@ -48,7 +48,7 @@ def build(variant: Variant) -> Mechanism:
         if late := _later(group, written, known | set(group.coordinates), variant):
             raise _fault(
                 variant,
-                f"group {index} ({group.kind.name}) uses {late}, which only a later group gives. Change the order.",
+                say("fault.V341", number=index, kind=group.kind.name, late=late),
                 group.line,
             )
         known.update(group.coordinates)
@@ -57,15 +57,15 @@ def build(variant: Variant) -> Mechanism:
         if group.meets and met:
             written[group.meets] = met
     points, sizes = _in_order(written, variant)
-    shown = [(f"constraint {c.name}", c.line, side) for c in constraints for side in (c.left, c.right)]
-    shown += [("closure.holds", variant.line_of("closure", "holds", i), hold) for i, hold in enumerate(variant.holds)]
+    shown = [(say("place.constraint", name=c.name), c.line, side) for c in constraints for side in (c.left, c.right)]
+    shown += [(say("place.holds"), variant.line_of("closure", "holds", i), hold) for i, hold in enumerate(variant.holds)]
     for what, line, formula in shown:
         if _expanded(formula, sizes) > MAX_EXPANDED:
-            raise _fault(variant, _too_many(what), line)
+            raise _fault(variant, say("fault.V342", what=what, most=MAX_EXPANDED), line)
     return Mechanism(variant, points, tuple(constraints), linkage(variant, dict(points)))
 
 
-def _fault(variant: Variant, message: str, line: int = 0) -> InputError:
+def _fault(variant: Variant, message: Sentence, line: int = 0) -> InputError:
     return InputError([Fault(message, str(variant.path or variant.name), line)])
 
 
@@ -82,9 +82,9 @@ def _as_closure(group: Group, index: int, variant: Variant) -> tuple[Constraint 
 def _check_shape(group: Group, index: int, variant: Variant) -> None:
     shape = group.kind.shape
     wrong = [
-        f"{wanted} {what} (found {found})"
+        say(f"fault.shape.{what}", wanted=wanted, found=found)
         for wanted, what, found, right in (
-            (shape.points, "points in from", len(group.start_points), len(group.start_points) == shape.points),
+            (shape.points, "points", len(group.start_points), len(group.start_points) == shape.points),
             (shape.lengths[-1], "lengths", len(group.lengths), len(group.lengths) in shape.lengths),
             (shape.guides, "guides", len(group.guides), len(group.guides) == shape.guides),
             (shape.coordinates, "coordinates", len(group.coordinates), len(group.coordinates) == shape.coordinates),
@@ -92,12 +92,10 @@ def _check_shape(group: Group, index: int, variant: Variant) -> None:
         if not right
     ]
     if wrong:
-        raise _fault(variant, f"group {index}: {group.kind.name} takes {listing(wrong)}.", group.line)
+        raise _fault(variant, say("fault.V343", number=index, kind=group.kind.name, wanted=tuple(wrong)), group.line)
     rate = next(c.rate for c in variant.coordinates if c.name == group.coordinates[0])
     if group.kind.driven and rate not in variant.known_rates:
-        named = f"group {index}: a {group.kind.name} turns by itself, so its rate {rate} stands in [drive]."
-        message = f'{named} Write {rate} = "10" there.'
-        raise _fault(variant, message, group.line)
+        raise _fault(variant, say("fault.V344", number=index, kind=group.kind.name, rate=rate), group.line)
 
 
 def _later(group: Group, written: dict[str, Formula], known: set[str], variant: Variant) -> str:
@@ -123,10 +121,6 @@ def _expanded(formula: Formula, sizes: Mapping[str, int]) -> int:
     return sum(sizes.get(node.name, 1) if node.op == "name" else 1 for node in formula.walk())
 
 
-def _too_many(what: str) -> str:
-    return f"{what} has more than {MAX_EXPANDED} parts when its points are written out; no mechanism needs that many."
-
-
 def _in_order(written: dict[str, Formula], variant: Variant) -> tuple[tuple[tuple[str, Formula], ...], dict[str, int]]:
     """Return the points in the order of the file, but each after those it needs, and how many parts each has written out."""
     sorter = TopologicalSorter({name: [n for n in formula.names() if n in written] for name, formula in written.items()})
@@ -134,9 +128,8 @@ def _in_order(written: dict[str, Formula], variant: Variant) -> tuple[tuple[tupl
         sorter.prepare()
     except CycleError as error:
         circle = error.args[1][::-1]
-        advice = "Begin with a point that needs no other." if len(circle) > 2 else "A point cannot need itself."
-        message = f"points are defined in a circle: {' needs '.join(circle)}. {advice}"
-        raise _fault(variant, message, variant.line_of("points", circle[0])) from None
+        told = say("fault.V345" if len(circle) > 2 else "fault.V346", circle=" → ".join(circle))
+        raise _fault(variant, told, variant.line_of("points", circle[0])) from None
     places = {name: place for place, name in enumerate(written)}
     order: list[str] = []
     sizes: dict[str, int] = {}
@@ -148,5 +141,5 @@ def _in_order(written: dict[str, Formula], variant: Variant) -> tuple[tuple[tupl
         order.append(name)
         sizes[name] = _expanded(written[name], sizes)
         if sizes[name] > MAX_EXPANDED:
-            raise _fault(variant, _too_many(f"the point {name}"), variant.line_of("points", name))
+            raise _fault(variant, say("fault.V347", name=name, most=MAX_EXPANDED), variant.line_of("points", name))
     return tuple((name, written[name]) for name in order), sizes

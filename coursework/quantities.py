@@ -19,7 +19,7 @@ from coursework.graph import Computed, computed, needs_of
 from coursework.integration.motion import Motion
 from coursework.motion_results import MotionResults, Named
 from coursework.scene import Scene
-from coursework.sentences import say
+from coursework.sentences import Sentence, say
 from coursework.variant.record import Variant
 
 if TYPE_CHECKING:
@@ -64,14 +64,14 @@ class Quantity(Generic[T]):
 
     `compute` carries the name, what it needs and the function; `shows` is where a reader finds it.  `restrictable`: can be
     had for some columns alone; `usual`: computed where nobody says what is wanted; `refuses` returns why a variant cannot
-    have it, "" where it can; `beside` maps another quantity to the record that takes this one's place where both are asked for.
+    have it, None where it can; `beside` maps another quantity to the record that takes this one's place where both are asked for.
     """
 
     compute: Computed[T]
     shows: Columns[T] | OwnTable[T] | OwnFigure[T] | OwnSection
     restrictable: bool = False
     usual: bool = False
-    refuses: Callable[[Variant], str] = field(default=lambda variant: "")
+    refuses: Callable[[Variant], Sentence | None] = field(default=lambda variant: None)
     beside: Mapping[str, Quantity[Any]] = field(default_factory=dict)
 
     @property
@@ -188,10 +188,10 @@ def _moving(table: ExtraTable) -> ExtraTable:
     return ExtraTable(table.title, names, units, table.rows[:, kept])
 
 
-def _refuse_no_points(variant: Variant) -> str:
+def _refuse_no_points(variant: Variant) -> Sentence | None:
     if variant.points or any(group.meets for group in variant.groups):
-        return ""
-    return "points are asked for, but the file names none. Add a section [points], or leave them out."
+        return None
+    return say("fault.V501")
 
 
 def _drawings(_: MotionResults, found: tuple[Drawing, ...], written: Callable[[str], str]) -> tuple[Drawing, ...]:

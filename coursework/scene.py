@@ -122,7 +122,7 @@ class Scene:
         except NotFollowed as error:
             refuse_endless(self.equations, error.time)
             line = self.variant.nearest_line("time", "end")
-            fault = Fault(str(error), str(self.variant.path or self.variant.name), line)
+            fault = Fault(error.faults[0].message, str(self.variant.path or self.variant.name), line)
             raise self.charged(error) or InputError([fault]) from None
 
     @property
@@ -175,9 +175,9 @@ class Scene:
         if not (settings.project or settings.gain):
             return None
         if self.closure is None or not self.closure.complete:
-            raise InputError("the projection needs position equations for every coordinate: add [closure] to the variant.")
+            raise InputError(say("fault.C016"))
         if settings.columns:
-            raise InputError("the projection needs every coordinate; ask for the whole table.")
+            raise InputError(say("fault.C017"))
         return Correction(self.closure, settings.project, settings.gain)
 
     @property
@@ -236,7 +236,7 @@ class Scene:
         """Return the fault of the formula that has no value somewhere on the way, None where every one has."""
         variant, last = self.variant, self.variant.time.end
         if isinstance(error, FormulaRefused):
-            return InputError([Fault(str(error), str(variant.path or variant.name), 1)])
+            return InputError([Fault(error.faults[0].message, str(variant.path or variant.name), 1)])
         near = error.times if isinstance(error, NoVelocities) else ()
         rows = (place * variant.time.step for place in range(min(variant.time.steps, MOST_LOOKED_AT) + 1))
         between = (place * last / MOST_LOOKED_AT for place in range(MOST_LOOKED_AT + 1))

@@ -7,15 +7,18 @@ Used by every floor above; no finding that reaches a page is written in Python.
 
 from __future__ import annotations
 
+import difflib
 import tomllib
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursework.data import folder
-from coursework.errors import InputError, closest, listing
-from coursework.schemes import Scheme
+from coursework.errors import InputError
+
+if TYPE_CHECKING:
+    from coursework.schemes import Scheme
 
 ENGLISH = "en"
 
@@ -31,6 +34,10 @@ class Sentence(str):
         made = super().__new__(cls, text)
         made.key, made.values = key, values
         return made
+
+    def plain(self) -> dict[str, Any]:
+        """Return the values for a JSON file; a sentence among them is its text, what is neither text nor number as text."""
+        return {name: _plain(value) for name, value in self.values.items()}
 
     def __getnewargs__(self) -> tuple[str, str, Mapping[str, object]]:  # type: ignore[override]
         """Return what a copy in another process is made from."""
@@ -66,9 +73,8 @@ class Phrases:
         try:
             return template.format(**values)
         except (KeyError, IndexError, ValueError, AttributeError) as error:
-            known = ", ".join(f"{{{name}}}" for name in values) or "none"
-            place = f"words.{self.language}.toml, {key}"
-            raise InputError(f"{place}: the gaps of this sentence cannot be filled ({error}). Known gaps: {known}.") from error
+            known = ", ".join(f"{{{name}}}" for name in values) or "–"
+            raise InputError(say("fault.L001", language=self.language, key=key, error=str(error), known=known)) from error
 
     def written(self, text: str) -> str:
         """Return a `Sentence` in this language; any other text as it is."""
@@ -86,6 +92,11 @@ class Phrases:
             return template.join(map(self.written, parts))
         return self.filled(key, template, {name: self._filling(value) for name, value in values.items()})
 
+    def listing(self, parts: Sequence[str]) -> str:
+        """Return "a, b and c"."""
+        *first, last = parts or [""]
+        return f" {self.template('and')} ".join([", ".join(first), last] if first else [last])
+
     def _found(self, key: str) -> object:
         entry: Any = self.entries
         for part in key.split("."):
@@ -96,7 +107,7 @@ class Phrases:
 
     def _filling(self, value: object) -> object:
         if isinstance(value, tuple):
-            return listing([self.written(part) for part in value], self.template("and"))
+            return self.listing([self.written(part) for part in value])
         if isinstance(value, float):
             return _Number(value, self.template("decimal"))
         return self.written(value) if isinstance(value, str) else value
@@ -123,14 +134,31 @@ def load_phrases(language: str = ENGLISH) -> Phrases:
     path = place / f"words.{language}.toml"
     if not path.is_file():
         known = sorted(file.name.split(".")[1] for file in place.glob("words.*.toml"))
-        hint = closest(language, known) or f" There is: {listing(known)}."
-        raise InputError(f'no words for the language "{language}" in {place}.{hint}')
+        hint = closest(language, known) or say("hint.there_is", known=tuple(known))
+        raise InputError(say("fault.L002", language=language, place=place, hint=hint))
     return Phrases(language, tomllib.loads(path.read_text(encoding="utf-8")))
 
 
 def say(key: str, /, **values: object) -> Sentence:
     """Return a finding, such as `say("check.STOP.pass", rows=25)`.  Raises `KeyError` for an unknown key."""
     return Sentence(load_phrases().composed(key, values), key, values)
+
+
+def closest(word: str, known: Sequence[str], alike: float = 0.6) -> str:
+    """Return ' Did you mean "…"?' with the closest known word, or an empty text; `alike` is 1 for the same word."""
+    found = difflib.get_close_matches(word, list(known), n=1, cutoff=alike)
+    return say("hint.closest", name=found[0]) if found else ""
+
+
+def listing(words: Iterable[str]) -> Sentence:
+    """Return "a, b and c"."""
+    return say("join.listing", words=tuple(words))
+
+
+def either(words: Sequence[str]) -> str:
+    """Return "a, b or c"."""
+    *first, last = words
+    return say("join.either", first=", ".join(first), last=last) if first else last
 
 
 def title_of(scheme: Scheme) -> Sentence:
@@ -147,3 +175,9 @@ def say_count(key: str, number: int, /, **values: object) -> Sentence:
 def joined(parts: Iterable[str], between: str = "join.sentences") -> Sentence:
     """Return findings one behind the other; `between` is the key of what stands between them.  Empty ones are left out."""
     return say(between, parts=tuple(part for part in parts if part))
+
+
+def _plain(value: object) -> Any:
+    if isinstance(value, (list, tuple)):
+        return [_plain(part) for part in value]
+    return value if isinstance(value, (int, float)) else str(value)

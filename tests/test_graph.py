@@ -76,7 +76,9 @@ def test_values_are_computed_once_and_only_when_looked_at():
 def test_an_unknown_quantity_is_told_with_the_closest_name():
     with pytest.raises(coursework.InputError) as told:
         coursework.solve("31", quantities=["acelerations"])
-    assert str(told.value).startswith('there is no quantity "acelerations". Did you mean "accelerations"? Known: table, plots')
+    assert str(told.value).startswith(
+        'C002 there is no quantity "acelerations". Did you mean "accelerations"? Known: table, plots'
+    )
 
 
 def test_a_circle_is_a_fault_of_the_rules():

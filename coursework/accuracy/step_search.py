@@ -20,6 +20,7 @@ from coursework.errors import InputError
 from coursework.integration.loops import Loop, generate_loop
 from coursework.integration.rates import Rates
 from coursework.schemes import PRECISE, SCHEMES
+from coursework.sentences import Sentence, joined, say, title_of
 from coursework.variant.record import MAX_ROWS
 
 Array = NDArray[np.float64]
@@ -61,18 +62,17 @@ class StepChoice:
     def sentences(self) -> tuple[str, ...]:
         """Return the finding in words."""
         own = self.need
-        told = [
-            f"{own.title} needs {own.steps} steps of {self.step:.6g} s for an error of {own.error:.3g}: "
-            f"{own.evaluations} evaluations."
-        ]
+        told = [say("steps.own", scheme=own.title, steps=own.steps, step=self.step, error=own.error, evaluations=own.evaluations)]
         if own.ruled:
-            told.append(
-                "Fewer would do for this error, but not for the table: 20 rows a period and a turn, at most 1 rad a step, and a "
-                "row at each break of the drive."
-            )
+            told.append(say("steps.ruled"))
         told += [
-            f"{other.title} needs {other.steps} steps ({other.evaluations} evaluations, "
-            f"{own.evaluations / other.evaluations:.2g} times fewer)."
+            say(
+                "steps.other",
+                scheme=other.title,
+                steps=other.steps,
+                evaluations=other.evaluations,
+                fewer=own.evaluations / other.evaluations,
+            )
             for other in self.others
             if other.evaluations < own.evaluations
         ]
@@ -88,7 +88,7 @@ def choose_step(
     `runs(scheme, step)` tries a run of the table with a step: what does not reach its end is not advised.
     """
     if not (np.isfinite(wish) and wish >= LEAST_ERROR):
-        raise InputError(f"an error of {wish:g} cannot be asked for: from {LEAST_ERROR:g} down round-off decides. Ask for more.")
+        raise InputError(say("fault.C019", wish=wish, least_error=LEAST_ERROR))
     trial = _Trial(rules or StepRules(), runs)
     # Only a scheme of the same or a higher order can be cheaper; those are asked first, because they take no time.
     rivals = [name for name, rival in SCHEMES.items() if name != scheme and rival.order >= SCHEMES[scheme].order]
@@ -100,9 +100,9 @@ def choose_step(
     try:
         own = _need(scheme, rates, start, step, end, wish, trial)
     except TooLong as refused:
-        cheaper = [f"{other.title} needs {other.steps} steps" for other in others]
-        advice = f" {'; '.join(cheaper)}: take --scheme with one of these." if cheaper else " Ask for a larger error."
-        raise InputError(f"{refused}{advice}") from None
+        cheaper = [say("steps.enough", scheme=other.title, steps=other.steps) for other in others]
+        advice = say("steps.take", cheaper=joined(cheaper, "join.semicolon")) if cheaper else say("steps.ask_more")
+        raise InputError(say("fault.C020", refused=refused.message, advice=advice)) from None
     return StepChoice(end / own.steps, own, tuple(others))
 
 
@@ -117,6 +117,10 @@ class _Trial:
 class TooLong(Exception):
     """What was wished for would take minutes; the sentence says how long."""
 
+    def __init__(self, message: Sentence) -> None:
+        super().__init__(message)
+        self.message = message
+
 
 def _need(name: str, rates: Rates, start: Sequence[float], step: float, end: float, wish: float, trial: _Trial) -> Need:
     scheme = SCHEMES[name]
@@ -129,10 +133,8 @@ def _need(name: str, rates: Rates, start: Sequence[float], step: float, end: flo
 
     def too_long(steps: float) -> TooLong:
         spent = _TRIALS * steps / _SAMPLE * seconds(lambda: error(_SAMPLE), repeats=1)
-        return TooLong(
-            f"{scheme.title} would need about {steps:.2g} steps for an error of {wish:g}, and finding the smallest number of "
-            f"them about {_duration(spent)}; a table has at most {MOST_STEPS} rows."
-        )
+        needed = {"scheme": title_of(scheme), "steps": float(steps), "wish": wish, "most": MOST_STEPS}
+        return TooLong(say("steps.too_long", **needed, duration=_duration(spent)))
 
     first = min(max(1, round(end / step)), MOST_STEPS)
     low, high = 0, MOST_STEPS + 1  # errors at `low` are above the wish, at `high` not; neither end is computed
@@ -162,7 +164,7 @@ def _need(name: str, rates: Rates, start: Sequence[float], step: float, end: flo
         steps = trial.rules.kept(steps + math.ceil(steps / _FINER))
     else:
         raise too_long(steps)
-    return Need(scheme.title, steps, steps * scheme.slopes, found[steps], ruled=steps > high)
+    return Need(title_of(scheme), steps, steps * scheme.slopes, found[steps], ruled=steps > high)
 
 
 def _rows(loop: Loop, rates: Rates, start: Sequence[float], end: float, steps: int, inner: int) -> Array:
@@ -179,5 +181,7 @@ def _rows(loop: Loop, rates: Rates, start: Sequence[float], end: float, steps: i
     return np.array(rows)
 
 
-def _duration(value: float) -> str:
-    return f"{value / 3600:.1f} h" if value > 5400 else f"{value / 60:.1f} min" if value > 90 else f"{value:.0f} s"
+def _duration(value: float) -> Sentence:
+    if value > 5400:
+        return say("steps.hours", value=value / 3600)
+    return say("steps.minutes", value=value / 60) if value > 90 else say("steps.seconds", value=value)

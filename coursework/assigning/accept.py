@@ -14,10 +14,10 @@ from dataclasses import dataclass, field
 from coursework.assigning.draw import PILOT, Lots
 from coursework.assigning.judge import Verdict, judge
 from coursework.assigning.ranges import Path
-from coursework.errors import InputError
+from coursework.errors import Fault, InputError
 from coursework.model.data import read_data
 from coursework.model.model import Model
-from coursework.sentences import joined, say
+from coursework.sentences import Sentence, joined, say
 
 PILOTS = 25  # feasible draws whose median is the centre of difficulty
 _TOGETHER = 256  # draws that are judged in one array
@@ -74,8 +74,7 @@ class Acceptance:
             waiting = [student for student in waiting if student not in found]
             attempt = attempts.stop
         if waiting:
-            text = [self._too_few(student, refused[student]) for student in waiting[:3]]
-            raise InputError("\n".join(text))
+            raise InputError([Fault(self._too_few(student, refused[student])) for student in waiting[:3]])
         return [found[student] for student in listed]
 
     def _judged(self, lots: Sequence[tuple[str, int]]) -> list[tuple[dict[Path, str], Verdict]]:
@@ -113,10 +112,10 @@ class Acceptance:
         numbers = {name: statistics.median(one.numbers[name] for one in kept) for name in kept[0].numbers}
         return Centre(numbers, len(kept), drawn, dict(refused))
 
-    def _too_few(self, student: str, refused: Counter[str]) -> str:
+    def _too_few(self, student: str, refused: Counter[str]) -> Sentence:
         """Return why the ranges leave too few mechanisms, and what refused how many."""
         counts = [say(f"assign.refused.{reason}", number=number) for reason, number in refused.most_common()]
-        key = "assign.too_few.student" if student else "assign.too_few.pilot"
+        key = "fault.A005" if student else "fault.A004"
         values = {"file": self.ranges.file, "number": sum(refused.values()), "reasons": joined(counts, "assign.refused.join")}
         return say(key, student=student, **values)
 

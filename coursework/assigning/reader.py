@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import Any
 
 from coursework.assigning.ranges import MEASURES, Difficulty, Limits, Range, Ranges
-from coursework.errors import Fault, InputError, closest
+from coursework.errors import Fault, InputError
 from coursework.formula.alphabet import spell
-from coursework.formula.units import KINDS, UnitFault, read
-from coursework.sentences import say
+from coursework.formula.units import KINDS, UnitFault, read, unlike
+from coursework.sentences import closest, say
 from coursework.variant.positions import Positions
 from coursework.variant.record import Variant
 from coursework.variant.source import Source, read_source
@@ -44,7 +44,7 @@ def ranges_file(path_or_name: str | Path, folder: Path) -> Path:
     if path.is_file() or path.suffix == ".toml" or not beside.is_file():
         if not path.is_file() and path.suffix != ".toml":
             known = sorted(file.stem for file in folder.glob("*.toml"))
-            raise InputError(say("ranges.none", name=str(path_or_name), known=tuple(known)))
+            raise InputError(say("fault.A001", name=str(path_or_name), known=tuple(known)))
         return path
     return beside
 
@@ -62,31 +62,31 @@ class _Reader:
         units = {given.name: given.si for given in self.template.given}
         starts = {c.name: c.unit for c in self.template.coordinates}
         found = [
-            *self._section("given", units, "given", lambda name: ("given", name)),
-            *self._section("start", starts, "coordinate", lambda name: ("coordinates", name, "start")),
+            *self._section("given", units, "fault.A013", lambda name: ("given", name)),
+            *self._section("start", starts, "fault.A014", lambda name: ("coordinates", name, "start")),
             *self._rows(),
         ]
         limits, difficulty = self._limits(), self._difficulty()
         if not self.faults and all(one.path[0] == "time" for one in found):
-            self._say((), "empty")
+            self._say((), "fault.A031")
         if self.faults:
             raise InputError(self.faults)
         return Ranges(tuple(found), limits, difficulty, self.source.file)
 
     def _say(self, path: tuple[str | int, ...], key: str, *, at_key: bool = False, **values: object) -> None:
-        self.faults.append(self.source.fault(path, say(f"ranges.fault.{key}", **values), at_key=at_key))
+        self.faults.append(self.source.fault(path, say(key, **values), at_key=at_key))
 
     def _known(self, section: Mapping[str, Any], known: Sequence[str], path: tuple[str, ...]) -> None:
         for key in section:
             if key not in known:
                 advice = closest(key, known)
-                self._say((*path, key), "key", at_key=True, name=key[:40], advice=advice, known=tuple(known))
+                self._say((*path, key), "fault.A011", at_key=True, name=key[:40], advice=advice, known=tuple(known))
 
     def _table(self, key: str) -> Mapping[str, Any]:
         section = self.source.data.get(key, {})
         if isinstance(section, dict):
             return section
-        self._say((key,), "section", name=key)
+        self._say((key,), "fault.A012", name=key)
         return {}
 
     def _section(self, key: str, units: Mapping[str, str], what: str, place: Any) -> list[Range]:
@@ -97,9 +97,9 @@ class _Reader:
                 advice = closest(name, list(units))
                 self._say(path, what, at_key=True, name=written[:40], advice=advice, known=tuple(units))
             elif name in found:
-                self._say(path, "twice", at_key=True, name=written)
-            elif what == "coordinate" and name in determined(self.template):
-                self._say(path, "determined", at_key=True, name=written)
+                self._say(path, "fault.A015", at_key=True, name=written)
+            elif key == "start" and name in determined(self.template):
+                self._say(path, "fault.A016", at_key=True, name=written)
             elif (one := self._range(path, place(name), value, units[name])) is not None:
                 found[name] = one
         return [*found.values()]
@@ -118,22 +118,22 @@ class _Reader:
         values = [one.text(place) for place in (range(one.count) if one.choice else (0, one.count - 1))]
         wrong = [text for text in values if not text.isdecimal() or not 1 <= int(text) <= last]
         if wrong or one.decimals:
-            self._say(path, "row", last=last, found=(wrong or values)[0])
+            self._say(path, "fault.A028", last=last, found=(wrong or values)[0])
             return []
         return [one]
 
     def _range(self, path: tuple[str, ...], place: tuple[str, ...], value: Any, si: str) -> Range | None:
         if not isinstance(value, dict):
-            self._say(path, "range")
+            self._say(path, "fault.A017")
             return None
         before = len(self.faults)
         self._known(value, RANGE, path)
         if "choice" in value:
             if len(value) > 1:
-                self._say(path, "both")
+                self._say(path, "fault.A018")
             listed = value["choice"]
             if not isinstance(listed, list) or not listed:
-                self._say((*path, "choice"), "choice")
+                self._say((*path, "choice"), "fault.A019")
                 return None
             texts = [self._amount((*path, "choice", index), entry, si) for index, entry in enumerate(listed)]
             if len(self.faults) > before:
@@ -142,17 +142,17 @@ class _Reader:
             return Range(place, choice=choice, count=len(texts))
         missing = [key for key in RANGE[:3] if key not in value]
         if missing:
-            self._say(path, "missing", missing=tuple(missing))
+            self._say(path, "fault.A020", missing=tuple(missing))
         amounts = {key: self._amount((*path, key), value[key], si) for key in RANGE[:3] if key in value}
         if len(self.faults) > before:
             return None
         (first, unit), (last, _), (step, _) = (amounts[key] for key in RANGE[:3])  # type: ignore[misc]
         if len({each[1] for each in amounts.values() if each}) > 1:
-            self._say(path, "units")
+            self._say(path, "fault.A021")
         elif step <= 0:
-            self._say((*path, "step"), "step", found=str(step))
+            self._say((*path, "step"), "fault.A022", found=str(step))
         elif last < first:
-            self._say((*path, "to"), "order", first=str(first), last=str(last))
+            self._say((*path, "to"), "fault.A023", first=str(first), last=str(last))
         if len(self.faults) > before:
             return None
         decimals = max(_decimals(first), _decimals(step))
@@ -162,16 +162,15 @@ class _Reader:
     def _amount(self, path: tuple[str | int, ...], value: Any, si: str) -> tuple[Decimal, str] | None:
         """Return number and unit of one value of a datum."""
         if not isinstance(value, (str, int, float)):
-            self._say(path, "value")
+            self._say(path, "fault.A024")
             return None
         try:
             quantity = read(value, si)
         except UnitFault as error:
-            self.faults.append(self.source.fault(path, str(error)))
+            self.faults.append(self.source.fault(path, error.message))
             return None
         if quantity.si and si and KINDS[quantity.si][0] != KINDS[si][0]:
-            _, what, shown = KINDS[si]
-            self._say(path, "kind", what=what, shown=shown, found=str(value)[:40])
+            self.faults.append(self.source.fault(path, unlike(si, str(value)[:40])))
             return None
         return Decimal(quantity.text.replace("−", "-")), quantity.unit
 
@@ -190,7 +189,7 @@ class _Reader:
         tries = section.get("tries", Limits().tries)
         if isinstance(tries, int) and not isinstance(tries, bool) and 1 <= tries <= MOST_TRIES:
             return tries
-        self._say(("limits", "tries"), "tries", most=MOST_TRIES)
+        self._say(("limits", "tries"), "fault.A027", most=MOST_TRIES)
         return 1
 
     def _number(self, section: str, key: str, si: str, least: float, most: float) -> float | None:
@@ -202,7 +201,7 @@ class _Reader:
             return None
         number = read(value, si).value
         if not least < number <= most:
-            self._say(path, "bounds", least=least, most=most, found=str(value)[:40])
+            self._say(path, "fault.A026", least=least, most=most, found=str(value)[:40])
             return None
         return number
 
@@ -213,12 +212,14 @@ class _Reader:
         band = self._number("difficulty", "band", "1", 0.0, MOST_BAND)
         listed = section.get("numbers", list(usual.numbers))
         if not isinstance(listed, list):
-            self._say(("difficulty", "numbers"), "numbers", known=tuple(MEASURES))
+            self._say(("difficulty", "numbers"), "fault.A029", known=tuple(MEASURES))
             return usual
         for index, name in enumerate(listed):
             if not isinstance(name, str) or name not in MEASURES:
                 advice = closest(str(name), list(MEASURES))
-                self._say(("difficulty", "numbers", index), "number", name=str(name)[:40], advice=advice, known=tuple(MEASURES))
+                self._say(
+                    ("difficulty", "numbers", index), "fault.A030", name=str(name)[:40], advice=advice, known=tuple(MEASURES)
+                )
         return Difficulty(usual.band if band is None else band, tuple(dict.fromkeys(map(str, listed))))
 
 

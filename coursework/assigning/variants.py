@@ -44,7 +44,7 @@ class Assignment:
 
     def __init__(self, template: Variant, ranges: Ranges, seed: str | int) -> None:
         if template.path is None:
-            raise InputError(say("assign.no_file", name=template.name))
+            raise InputError(say("fault.A003", name=template.name))
         self.original = template.path.read_text(encoding="utf-8-sig")
         beside = template.path.parent
         self.tables = {law.file: (beside / law.file).read_bytes() for law in (*template.drive, *template.functions) if law.file}
@@ -110,4 +110,4 @@ def load_ranges(ranges: Ranges | Mapping[str, Any] | str | Path, template: Varia
     try:
         return read_ranges(path.read_bytes(), str(path), template)
     except OSError as error:
-        raise InputError(say("ranges.unreadable", file=str(path), why=error.strerror or str(error))) from error
+        raise InputError(say("fault.A002", file=str(path), why=error.strerror or str(error))) from error

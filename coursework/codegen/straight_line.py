@@ -16,6 +16,7 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from coursework.errors import InputError
+from coursework.sentences import say
 
 CALLS = {"sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "abs", "sign", "sqrt", "pow"}
 _SPELT = {"Abs": "abs"}
@@ -117,7 +118,7 @@ class StraightLine:
             return self._function(type(expr).__name__, [self._value(arg) for arg in expr.args])
         if isinstance(expr, (sp.Float, sp.NumberSymbol)):
             return self._constant(float(expr))
-        raise FormulaRefused(f"a formula of the variant leads to {str(expr)[:60]}, which is no real number.")
+        raise FormulaRefused(say("fault.V513", text=str(expr)[:60]))
 
     def _symbol(self, name: sp.Symbol) -> int:
         if name in self.definitions and name not in self.written:
@@ -130,7 +131,7 @@ class StraightLine:
         if found is None:
             found = self._numbers[form] = len(self._forms)
             if found > MOST_OPERATIONS:
-                raise FormulaRefused(f"the formulas of the file lead to more than {MOST_OPERATIONS} operations. Shorten them.")
+                raise FormulaRefused(say("fault.V514", most=MOST_OPERATIONS))
             self._forms.append(form)
             self._uses.append(0)
             operands = [abs(int(value)) for value in form[1:]]
@@ -209,7 +210,7 @@ class StraightLine:
         if name in _INVERSE:
             return self._quotient(self._constant(1.0), self._function(_INVERSE[name], values))
         if name not in CALLS and not name.startswith("_table_"):
-            raise FormulaRefused(f"a formula of the variant leads to the function {name}, which has no real value everywhere.")
+            raise FormulaRefused(say("fault.V515", name=name))
         known: Callable[..., float] | None = getattr(math, name, None)
         if known and all(abs(value) in self._folded for value in values):
             with suppress(ArithmeticError, ValueError):  # without a value it stays a call, and is told when it is made

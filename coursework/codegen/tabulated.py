@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.errors import CourseworkError
+from coursework.sentences import say
 
 Array = NDArray[np.float64]
 # Part of an interval by which round-off may lie beyond the table.
@@ -87,10 +88,7 @@ class TableLaw:
         return (place >= -_SLACK) & (place <= self.intervals + _SLACK)
 
     def _outside(self, found: float) -> OutsideTable:
-        covered = f"{self.first:.9g} to {self.last:.9g}"
-        return OutsideTable(
-            f"the table of {self.name} covers {covered}, but {found:.9g} is asked for. Add nodes, or end the motion before."
-        )
+        return OutsideTable(say("fault.V522", name=self.name, first=self.first, last=self.last, found=found))
 
 
 def _quartics(values: Array, step: float) -> list[Array]:

@@ -32,7 +32,7 @@ def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...] | Non
         return 1
     study = timed_study(run)
     folder = out or Path(f"coursework-{read.name}")
-    results = StudyResults(replace(run, timed=study), live=False)
+    results = StudyResults(replace(run, timed=study))
     results.compute(pages=True)
     with working_folder(folder) as hidden:
         written = write_set(results, wanted, folder, hidden)
@@ -53,7 +53,7 @@ def timed_study(run: Run) -> AccuracyStudy:
     scene = run.scene
     time = run.variant.time
     if scene.closure is None and run.exact.evaluations == 0:
-        raise InputError("there is no reference to measure errors against.")
+        raise InputError(say("fault.C022"))
     units = tuple(coordinate.unit for coordinate in run.variant.coordinates)
     problem = Problem(scene.rates, scene.start, time.step, len(run.exact.t) - 1, scene.closure, units)
     command = [sys.executable, "-c", "import numpy, sympy"]

@@ -6,10 +6,9 @@ import click
 
 from coursework.api import load, solve
 from coursework.commands.run import tell_remarks
-from coursework.errors import listing
 from coursework.formula.tree import spelled
 from coursework.run import Run
-from coursework.sentences import say
+from coursework.sentences import listing, say
 
 
 def check_variant(variant: str) -> int:
@@ -33,7 +32,7 @@ def check_variant(variant: str) -> int:
         click.echo(f"  {listing(block.unknowns)} from {listing(block.equations)}:")
         for name, formula in solution:
             click.echo(f"    {name} = {spelled(formula)}")
-        determinant = spelled(block.determinant) if solution and block.determinant is not None else "numerical"
+        determinant = spelled(block.determinant) if block.determinant is not None else "numerical"
         click.echo(
             f"    determinant {determinant}: zero when {block.meaning}"
             if block.meaning != say("determinant.never")

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import click
 
-from coursework.errors import InputError, OutputError
+from coursework.errors import Fault, InputError, OutputError
 from coursework.grading.batch.class_list import ClassList, class_of_one, class_of_roster, read_source
 from coursework.grading.batch.decisions import Override, read_overrides
 from coursework.grading.batch.gradebook import Options, grade_class
@@ -24,6 +24,7 @@ from coursework.grading.marking.rubric import Rubric, check_rubric, read_rubric
 from coursework.grading.platforms.canvas import read_gradebook
 from coursework.grading.platforms.roster import read_roster
 from coursework.grading.platforms.worksheet import Worksheet, read_worksheet
+from coursework.sentences import say
 
 
 def grade_source(
@@ -33,12 +34,12 @@ def grade_source(
 ) -> int:  # fmt: skip
     """Return the exit status of grading one source."""
     if (variant is None) == (roster is None):
-        raise InputError("name either the variant of all (--variant 31) or the roster (--roster roster.csv).")
+        raise InputError(say("fault.C023"))
     text = _bytes(rubric).decode("utf-8-sig", errors="replace") if rubric else ""
     marking = read_rubric(text, str(rubric or "rubric"))
     if results:
         if variant is None:
-            raise InputError("--results marks one submission: name its variant with --variant.")
+            raise InputError(say("fault.C024"))
         return _one(source, variant, marking, text, out, results, limit, memory)
     with Source(source) as opened:
         sheet = read_worksheet(_bytes(worksheet), str(worksheet)) if worksheet else None
@@ -93,14 +94,14 @@ def _prepare(out: Path) -> None:
     try:
         out.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise OutputError(f"{out}: the folder could not be made ({error.strerror}). Choose another with --out.") from error
+        raise OutputError([Fault(say("fault.W012", reason=error.strerror or str(error)), str(out))]) from error
 
 
 def _bytes(path: Path) -> bytes:
     try:
         return path.read_bytes()
     except OSError as error:
-        raise InputError(f"{path}: the file could not be read ({error.strerror}). Check its name.") from error
+        raise InputError([Fault(say("fault.G007", reason=error.strerror or str(error)), str(path))]) from error
 
 
 def _tell(listed: ClassList, fresh: int, changed: int, out: Path, written: list[str], states: dict[str, str]) -> None:

@@ -16,29 +16,27 @@ import click
 from coursework.api import load
 from coursework.catalogue import find, names
 from coursework.data import folder
-from coursework.errors import InputError, listing
+from coursework.errors import InputError
 from coursework.files import write_bytes
 from coursework.model.variant_text import variant_text
-from coursework.sentences import say
+from coursework.sentences import listing, say
 from coursework.variant.set_values import with_set
 
 
 def new_variant(name: str, original: str | None = None, set_values: Sequence[str] = ()) -> int:
     """Write NAME.toml, a copy of `original` or of the template; files that exist are left alone."""
     if set_values and original is None:
-        raise InputError(say("set.from"))
+        raise InputError(say("fault.C045"))
     stem = name.removesuffix(".toml")
     if not re.fullmatch(r"[\w-]{1,60}", stem):
-        raise InputError(f'"{name}" cannot be the name of a variant: letters, digits, _ and - only.')
+        raise InputError(say("fault.C025", name=name))
     if stem.lower() in names():
-        raise InputError(
-            f'"{stem}" is a variant of the catalogue, and that one would run. Choose another name, such as my-{stem}.'
-        )
+        raise InputError(say("fault.C026", stem=stem))
     target = Path(f"{stem}.toml")
     contents = {target: _template(stem)} if original is None else _copies(target, original, set_values)
     for path, content in contents.items():
         if path.exists() and (path == target or path.read_bytes() != content):
-            raise InputError(f"{path} exists already and is left as it is. Choose another name, or another folder.")
+            raise InputError(say("fault.C027", path=path))
     for path, content in contents.items():
         write_bytes(path, content)
     listed = listing([str(path) for path in contents])

@@ -21,13 +21,14 @@ from coursework.grading.marking.key import Key
 from coursework.grading.marking.points import true_steps
 from coursework.grading.marking.reference import key_of
 from coursework.grading.understand import understand
+from coursework.sentences import say
 
 
 def precheck_files(files: tuple[Path, ...], variant: str | None) -> int:
     """Return the exit status of looking at some files."""
     chosen = variant or next((str(path) for path in files if path.suffix == ".toml"), None)
     if chosen is None:
-        raise InputError("your variant is needed to know the columns: coursework precheck FILE --variant 31.")
+        raise InputError(say("fault.C028"))
     key = key_of(load(chosen))
     grid = grid_of(key.variant, {name: tuple(key.table[:, place].tolist()) for place, name in enumerate(key.names)})
     contents = understand(collect_files(files), Expected(grid, key.variant))

@@ -10,22 +10,22 @@ import click
 
 from coursework.api import load, solve
 from coursework.checks.result import GROUPS
-from coursework.errors import InputError, listing
+from coursework.errors import InputError
 from coursework.file_set import files_of, working_folder
 from coursework.output.formats import FORMATS, PAGES, Format, chosen
 from coursework.output.results import Results
 from coursework.output.write import write_set
 from coursework.run import Run
 from coursework.schemes import DEFAULT_SCHEME, EXACT, PRECISE, SCHEMES
-from coursework.sentences import load_phrases, say
+from coursework.sentences import listing, load_phrases, say
 from coursework.variant.record import Variant
 from coursework.variant.set_values import with_set
 
 
 def run_variant(
     variant: str, *, out: Path | None, formats: tuple[str, ...] | None, step: str | None, error: float | None, end: float | None,
-    scheme: str | None, precision: str, strict: bool, plan: bool, profile: bool, language: str, live: bool,
-    set_values: tuple[str, ...], check_row: int | None, **options: Any,
+    scheme: str | None, precision: str, strict: bool, plan: bool, profile: bool, language: str, set_values: tuple[str, ...],
+    check_row: int | None, **options: Any,
 ) -> int:  # fmt: skip
     """Return the exit status of one run."""
     wanted = chosen(formats, "run")
@@ -33,7 +33,7 @@ def run_variant(
     if precision == "single":
         return tell_round_off(solve(read, _stepping(read, scheme), step_of(step, read), end, quantities=("table",)))
     if error is not None and step != "auto":
-        raise InputError("--error is a wish for --step auto; a fixed step has the error it has.")
+        raise InputError(say("fault.C029"))
     h = step_of(step, read)
     if step == "auto":
         scheme = _stepping(read, scheme)
@@ -52,7 +52,7 @@ def run_variant(
         return 0
     folder = out or Path(f"coursework-{read.name}")
     older = earlier_files(folder)
-    written = write_all(run, folder, wanted, language, live)
+    written = write_all(run, folder, wanted, language)
     tell(run, folder, written)
     tell_older(folder, older, written)
     if profile:
@@ -77,7 +77,7 @@ def make_run(
 def _stepping(variant: Variant, scheme: str | None) -> str:
     """Return the scheme whose step or precision is asked about.  Raises `InputError` for the exact motion, which has neither."""
     if scheme == EXACT:
-        raise InputError(say("fault.exact_steps", scheme=PRECISE.name))
+        raise InputError(say("fault.C007", scheme=PRECISE.name))
     return scheme or (variant.time.scheme if variant.time.scheme in SCHEMES else DEFAULT_SCHEME.name)
 
 
@@ -91,7 +91,7 @@ def tell_stop(run: Run, consequence: str) -> int:
 def auto_step(run: Run, error: float | None) -> float:
     """Return the step for `--step auto --error WISH`, and say what it costs."""
     if error is None:
-        raise InputError("--step auto needs the wish: --error 0.001 (rad or m, the largest error over the rows).")
+        raise InputError(say("fault.C030"))
     from coursework.accuracy.step_rules import step_rules
     from coursework.accuracy.step_search import choose_step
 
@@ -137,13 +137,13 @@ def step_of(text: str | None, variant: Variant) -> float | None:
     try:
         return float(text.removesuffix("s").strip())
     except ValueError:
-        told = f'a step in seconds, such as 0.02, or a part of the file\'s step, such as h/4, was expected, found "{text}".'
+        told = say("fault.C031", text=text)
         raise InputError(told) from None
 
 
-def write_all(run: Run, folder: Path, formats: Sequence[Format], language: str, live: bool) -> list[str]:
+def write_all(run: Run, folder: Path, formats: Sequence[Format], language: str) -> list[str]:
     """Compute everything, then write the files as one set; return their names."""
-    results = Results(run, language, live)
+    results = Results(run, language)
     results.compute(any(PAGES in each.serves for each in formats))
     with working_folder(folder) as hidden:
         return write_set(results, formats, folder, hidden)

@@ -33,7 +33,7 @@ from coursework.output.formats import PAGES, chosen
 from coursework.output.results import Results
 from coursework.output.write import write_set
 from coursework.quantities import CHECKS
-from coursework.sentences import load_phrases
+from coursework.sentences import load_phrases, say
 from coursework.variant.set_values import with_set
 
 SUMMARY = "summary.csv"
@@ -100,10 +100,9 @@ class RunTask:
     def _run(self, item: Item, hidden: Path) -> Outcome:
         formats = chosen(self.formats, "run")
         options = dict(self.options)
-        strict, live = options.pop("strict"), options.pop("live")
-        read = with_set(load(item.variant), options.pop("set_values"), options.pop("check_row"))
+        strict, read = options.pop("strict"), with_set(load(item.variant), options.pop("set_values"), options.pop("check_row"))
         run = make_run(read, **{**options, "step": step_of(options["step"], read)})
-        results = Results(run, self.language, live)
+        results = Results(run, self.language)
         results.compute(any(PAGES in each.serves for each in formats))
         unfinished = hidden / item.folder
         unfinished.mkdir(exist_ok=True)
@@ -127,7 +126,7 @@ def run_variants(
             return run_variant(variants[0], out=out, formats=formats, language=language, **options)
     for_one = {name: options.pop(name) for name in ("plan", "profile", "precision", "error")}
     if for_one["plan"] or for_one["profile"] or for_one["error"] or for_one["precision"] == "single" or options["step"] == "auto":
-        raise InputError("--plan, --profile, --precision single and --step auto look at one variant. Name one.")
+        raise InputError(say("fault.C032"))
     return run_several(variants, jobs, RunTask(out or Path("coursework-runs"), formats, language, options, limits))
 
 

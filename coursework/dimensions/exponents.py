@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Hashable, Mapping
 from fractions import Fraction
 
-from coursework.formula.units import KINDS, UNITS
+from coursework.formula.units import KINDS, UNITS, measured
+from coursework.sentences import Sentence, say
 
 # A dimension is a sum of terms: exponent times key.  The keys LENGTH and TIME are known, every other key is an unknown
 # dimension (a name of the file, or a number counted from 0).  {} is an angle or a plain number; {"phi": 1, TIME: -1} is
@@ -80,21 +81,21 @@ def is_known(dimension: Dimension) -> bool:
 def si_unit(dimension: Dimension) -> str:
     """Return the SI unit of a known dimension, "" where no unit of the tool measures it; angles are "rad"."""
     exponents = (dimension.get(LENGTH, 0), dimension.get(TIME, 0))
-    return next((si for si, (its, _, _) in KINDS.items() if its == exponents), "")
+    return next((si for si, (its, _) in KINDS.items() if its == exponents), "")
 
 
-def what(dimension: Dimension, number: str = "an angle or a number") -> str:
-    """Return what a known dimension is called, with its article; `number` is the word for one of no length and no time."""
+def what(dimension: Dimension, number: str = "quantity.angle_or_number") -> Sentence:
+    """Return what a known dimension is called; `number` is the key of the words for one of no length and no time."""
     if not dimension:
-        return number
+        return say(number)
     si = si_unit(dimension)
-    return KINDS[si][1] if si else f"a quantity in {symbols(dimension)}"
+    return measured(si) if si else say("quantity.other", unit=symbols(dimension))
 
 
 def units_shown(dimension: Dimension) -> str:
     """Return the units that advice shows for a known dimension, or its SI symbols."""
     si = si_unit(dimension)
-    return KINDS[si][2] if si else symbols(dimension)
+    return KINDS[si][1] if si else symbols(dimension)
 
 
 def unit_like(unit: str, dimension: Dimension) -> str:

@@ -8,6 +8,8 @@ from __future__ import annotations
 import unicodedata
 from functools import lru_cache
 
+from coursework.sentences import Sentence, say
+
 _GREEK = {
     "α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "ε": "eps", "ζ": "zeta", "η": "eta", "θ": "theta",
     "ϑ": "theta", "λ": "lam", "μ": "mu", "ν": "nu", "ξ": "xi", "π": "pi", "ρ": "rho", "σ": "sigma", "τ": "tau",
@@ -32,11 +34,12 @@ def greek(word: str) -> str:
     return _LETTERS.get(word, word)
 
 
-def foreign_letter(name: str) -> tuple[int, str] | None:
+def foreign_letter(name: str) -> tuple[int, Sentence] | None:
     """Return position and description of a letter from another alphabet, or None."""
     for position, letter in enumerate(name):
         if letter.isalpha() and not letter.isascii() and letter not in _GREEK:
             name = unicodedata.name(letter, "unknown letter").capitalize()
-            advice = f', which looks like the Latin "{LOOK_ALIKE[letter]}"' if letter in LOOK_ALIKE else ""
-            return position, f"{name} “{letter}”{advice}"
+            if letter in LOOK_ALIKE:
+                return position, say("fault.letter.look_alike", name=name, letter=letter, latin=LOOK_ALIKE[letter])
+            return position, say("fault.letter.foreign", name=name, letter=letter)
     return None

@@ -14,6 +14,7 @@ from math import pi
 
 from coursework.formula.alphabet import foreign_letter, spell
 from coursework.formula.tree import FUNCTIONS, LARGEST, Formula, FormulaFault, bounded, constant
+from coursework.sentences import Sentence, say, say_count
 
 # Sizes are bounded before any work (see also `variant.MAX_BYTES`): formulas of coursework stay far below.
 MAX_CHARACTERS = 2000
@@ -29,10 +30,7 @@ _COTANGENT = {"ctg", "cot"}
 # Words that mean a function wherever they stand, so that nothing can be called so.
 FUNCTION_WORDS = frozenset({*FUNCTIONS, *_FUNCTION_ALIASES, *_COTANGENT})
 _SIGNS = {"·": "*", "⋅": "*", "∙": "*", "×": "*", "−": "-", "–": "-", "÷": "/", "∕": "/", "²": "^2", "³": "^3"}
-_ADVICE = {
-    "[": "use round parentheses", "]": "use round parentheses", "{": "use round parentheses", "}": "use round parentheses",
-    "√": "write sqrt(…)", "|": "write abs(…)", "°": "angles in formulas are radians: 30*pi/180",
-}  # fmt: skip
+_ADVICE = dict.fromkeys("[]{}", "round") | {"√": "sqrt", "|": "abs", "°": "degrees"}  # sign -> the advice about it
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)|(?P<name>[^\W\d]\w*)|(?P<sign>\*\*|[-+*/^@(),.=]))"
 )
@@ -55,12 +53,11 @@ def parse(text: str, *, vectors: bool = False) -> Formula:
 def parse_equation(text: str, *, vectors: bool = False) -> tuple[Formula, Formula]:
     """Read `left = right`; raises `FormulaFault` where the sign of equality is missing or doubled."""
     if text.count("=") != 1:
-        found = "none" if "=" not in text else str(text.count("="))
         second = text.find("=", text.find("=") + 1) + 1
-        raise FormulaFault(max(second, 1), f'an equation "left = right" needs exactly one "=" ({found} found)')
+        raise FormulaFault(max(second, 1), say("fault.V112", count=text.count("=")))
     reader = _Reader(text, vectors)
     left = reader.expression()
-    reader.take("=", 'the "=" of the equation')
+    reader.take("=", say("fault.part.equals"))
     right = reader.expression()
     reader.expect_end()
     return left, right
@@ -71,11 +68,12 @@ class _Token:
     kind: str
     text: str
     column: int
+    fault: Sentence | None = None
 
 
 def _tokens(text: str) -> list[_Token]:
     if len(text) > MAX_CHARACTERS:
-        raise FormulaFault(MAX_CHARACTERS, f"the formula has {len(text)} characters; at most {MAX_CHARACTERS} are read")
+        raise FormulaFault(MAX_CHARACTERS, say("fault.V113", count=len(text), max_characters=MAX_CHARACTERS))
     tokens: list[_Token] = []
     columns = [i for i, letter in enumerate(text) for _ in _SIGNS.get(letter, letter)] + [len(text)]
     plain = "".join(_SIGNS.get(letter, letter) for letter in text)
@@ -85,25 +83,29 @@ def _tokens(text: str) -> list[_Token]:
         match = _TOKEN.match(plain, position)
         if not match:
             start = position + len(plain[position:]) - len(plain[position:].lstrip())
-            advice = _ADVICE.get(plain[start], "signs are + - * / ^ ( ) and the comma of atan2(y, x)")
+            advice = say(f"fault.sign.{_ADVICE.get(plain[start], 'other')}")
             # Kept for later: what stands before it may be the greater fault.
-            message = f"the sign “{plain[start]}” has no meaning in a formula; {advice}"
-            return [*tokens, _Token("fault", message, columns[start] + 1)]
+            return [
+                *tokens,
+                _Token("fault", plain[start], columns[start] + 1, say("fault.V101", sign=plain[start], advice=advice)),
+            ]
         kind = str(match.lastgroup)
         column = columns[match.start(kind)] + 1
         word = match.group(kind)
         if kind == "name":
             if strange := foreign_letter(word):
-                raise FormulaFault(
-                    column + strange[0], f'"{word[:40]}" contains the {strange[1]}; names use Latin or Greek letters'
-                )
+                raise FormulaFault(column + strange[0], say("fault.V127", word=word[:40], strange=strange[1]))
             word = spell(word)
         depth += {"(": 1, ")": -1}.get(word, 0)
         if depth > MAX_DEPTH or len(tokens) > 4 * MAX_NODES:
-            raise FormulaFault(column, f"the formula is nested or long beyond {MAX_DEPTH} levels or {MAX_NODES} parts")
+            raise FormulaFault(column, say("fault.V115", max_depth=MAX_DEPTH, max_nodes=MAX_NODES))
         tokens.append(_Token(kind, "^" if word == "**" else word, column))
         position = match.end()
     return tokens
+
+
+def _shown(token: _Token) -> str:
+    return f'"{token.text}"' if token.text else say("fault.part.end")
 
 
 class _Reader:
@@ -120,23 +122,22 @@ class _Reader:
 
     def peek(self) -> _Token:
         token = self.tokens[self.position] if self.position < len(self.tokens) else _Token("end", "", self.end)
-        if token.kind == "fault":
-            raise FormulaFault(token.column, token.text)
+        if token.fault is not None:
+            raise FormulaFault(token.column, token.fault)
         return token
 
     def take(self, text: str, what: str) -> _Token:
         token = self.peek()
         if token.text != text:
             self.misplaced(token)
-            found = f'"{token.text}"' if token.text else "the end"
-            raise FormulaFault(token.column, f"{what} was expected here (found {found})")
+            raise FormulaFault(token.column, say("fault.V116", what=what, shown=_shown(token)))
         self.position += 1
         return token
 
     def node(self, op: str, args: tuple[Formula, ...], column: int, name: str = "") -> Formula:
         self.nodes += 1
         if self.nodes > MAX_NODES:
-            raise FormulaFault(column, f"the formula has more than {MAX_NODES} parts; split it")
+            raise FormulaFault(column, say("fault.V117", max_nodes=MAX_NODES))
         tree = Formula(op, args, name, column)
         values = [self.numbers[id(arg)][1] for arg in args if id(arg) in self.numbers]
         if op == "number" or (op == "name" and name == "pi"):
@@ -148,7 +149,7 @@ class _Reader:
     def deeper(self, rule: Callable[[], Formula]) -> Formula:
         self.depth += 1
         if self.depth > MAX_DEPTH:
-            raise FormulaFault(self.peek().column, f"the formula is nested deeper than {MAX_DEPTH} levels")
+            raise FormulaFault(self.peek().column, say("fault.V118", max_depth=MAX_DEPTH))
         tree = rule()
         self.depth -= 1
         return tree
@@ -157,16 +158,16 @@ class _Reader:
         token = self.peek()
         if token.kind != "end":
             self.misplaced(token)
-            raise FormulaFault(token.column, f'"{token.text}" was not expected here')
+            raise FormulaFault(token.column, say("fault.V119", text=token.text))
 
     def misplaced(self, token: _Token) -> None:
         """Raise for what stands where an operator was expected, where the reason can be told."""
         if token.kind in {"name", "number"} or token.text == "(":
-            raise FormulaFault(token.column, f'an operator is missing before "{token.text}"; a product is written with *')
+            raise FormulaFault(token.column, say("fault.V120", text=token.text))
         if token.text == ",":
-            raise FormulaFault(token.column, "a comma has no meaning here; decimals are written with a point (0.5)")
+            raise FormulaFault(token.column, say("fault.V121"))
         if token.text == ".":
-            raise FormulaFault(token.column, "a point stands inside a number (0.5) or, in the geometry, before x and y")
+            raise FormulaFault(token.column, say("fault.V122"))
 
     def expression(self) -> Formula:
         left = self.term()
@@ -181,7 +182,7 @@ class _Reader:
         while self.peek().text in {"*", "/", "@"}:
             sign = self.peek()
             if sign.text == "@" and not self.vectors:
-                raise FormulaFault(sign.column, "“length @ angle” stands only in [points], [closure] and closure = …")
+                raise FormulaFault(sign.column, say("fault.V128"))
             self.position += 1
             left = self.node(sign.text, (left, self.factor()), sign.column)
         return left
@@ -204,9 +205,9 @@ class _Reader:
         tree = self.factor() if start.text in {"-", "+"} else self.part()
         value = constant(tree)
         if value is None:
-            raise FormulaFault(start.column, f"an exponent is a number of at most {MAX_EXPONENT}, such as x^2 or x^(1/2)")
+            raise FormulaFault(start.column, say("fault.V123", max_exponent=MAX_EXPONENT))
         if abs(value) > MAX_EXPONENT or self.peek().text == "^":
-            raise FormulaFault(start.column, f"the exponent is too large; at most {MAX_EXPONENT} is read")
+            raise FormulaFault(start.column, say("fault.V124", max_exponent=MAX_EXPONENT))
         return tree
 
     def part(self) -> Formula:
@@ -215,7 +216,7 @@ class _Reader:
             dot = self.take(".", ".")
             which = self.peek()
             if which.text not in {"x", "y"}:
-                raise FormulaFault(which.column, 'after the point "." only x or y may stand')
+                raise FormulaFault(which.column, say("fault.V129"))
             self.position += 1
             tree = self.node("part", (tree,), dot.column, which.text)
         return tree
@@ -225,27 +226,26 @@ class _Reader:
         self.position += 1
         if token.kind == "number":
             if not float(token.text) <= MAX_NUMBER:
-                raise FormulaFault(token.column, f"the number {token.text[:20]} is larger than 1e12")
+                raise FormulaFault(token.column, say("fault.V130", text=token.text[:20]))
             if float(token.text) < 1 / LARGEST and re.search("[1-9]", re.split("[eE]", token.text)[0]):
-                raise FormulaFault(token.column, f"the number {token.text[:20]} is too small to be told from 0")
+                raise FormulaFault(token.column, say("fault.V131", text=token.text[:20]))
             return self.node("number", (), token.column, token.text)
         if token.kind == "name":
             return self.call(token) if self.peek().text == "(" else self.symbol(token)
         if token.text == "(":
             return self.parenthesis(token)
-        what = f'"{token.text}"' if token.text else "the end"
-        raise FormulaFault(token.column, f"a number, a name or ( was expected here (found {what})")
+        raise FormulaFault(token.column, say("fault.V114", shown=_shown(token)))
 
     def symbol(self, token: _Token) -> Formula:
         if token.text in FUNCTION_WORDS:
-            raise FormulaFault(token.column, f"write the argument of {token.text} in parentheses: {token.text}(…)")
+            raise FormulaFault(token.column, say("fault.V125", text=token.text))
         return self.node("name", (), token.column, token.text)
 
     def call(self, token: _Token) -> Formula:
         name = _FUNCTION_ALIASES.get(token.text, token.text)
         if name not in FUNCTIONS and name not in _COTANGENT:
             known = ", ".join(FUNCTIONS)
-            raise FormulaFault(token.column, f'"{token.text}(…)" is not allowed; the functions are {known}; a product needs *')
+            raise FormulaFault(token.column, say("fault.V126", text=token.text, known=known))
         arguments = self.arguments()
         if name in _COTANGENT and len(arguments) == 1:
             # Not cos/sin: with the argument twice, one inside the other, sixty letters would make a formula without end.
@@ -253,8 +253,7 @@ class _Reader:
             return self.node("/", (one, self.node("call", arguments, token.column, "tan")), token.column)
         wanted = FUNCTIONS.get(name, 1)
         if len(arguments) != wanted:
-            plural = "s" if wanted > 1 else ""
-            raise FormulaFault(token.column, f"{name} takes {wanted} argument{plural}, {len(arguments)} given")
+            raise FormulaFault(token.column, say_count("fault.V102", wanted, name=name, given=len(arguments)))
         return self.node("call", arguments, token.column, name)
 
     def arguments(self) -> tuple[Formula, ...]:
@@ -263,7 +262,7 @@ class _Reader:
         while self.peek().text == ",":
             self.position += 1
             arguments.append(self.deeper(self.expression))
-        self.take(")", "a closing parenthesis )")
+        self.take(")", say("fault.part.closing"))
         return tuple(arguments)
 
     def parenthesis(self, token: _Token) -> Formula:
@@ -271,7 +270,7 @@ class _Reader:
         if self.peek().text == "," and self.vectors:
             self.position += 1
             other = self.deeper(self.expression)
-            self.take(")", "a closing parenthesis )")
+            self.take(")", say("fault.part.closing"))
             return self.node("pair", (inner, other), token.column)
-        self.take(")", "a closing parenthesis )")
+        self.take(")", say("fault.part.closing"))
         return inner

@@ -14,6 +14,8 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
+from coursework.sentences import Sentence, say
+
 # A part of a formula made of numbers only lies between 1/LARGEST and LARGEST, or is 0: exp(exp(99)) or ((9^8)^8)^8 would
 # keep exact arithmetic busy for ever.
 LARGEST = 1e100
@@ -23,7 +25,7 @@ FUNCTIONS = dict.fromkeys(("sin", "cos", "tan", "asin", "acos", "atan", "sqrt", 
 class FormulaFault(ValueError):
     """A formula cannot be read; `column` counts characters from 1."""
 
-    def __init__(self, column: int, message: str) -> None:
+    def __init__(self, column: int, message: Sentence) -> None:
         super().__init__(message)
         self.column = column
         self.message = message
@@ -140,7 +142,7 @@ def evaluate_any(tree: Formula, values: Mapping[str, complex]) -> complex:
     """
     value: complex = _evaluate(tree, values)
     if not cmath.isfinite(value):
-        raise FormulaFault(tree.column or 1, "it is not a finite number")
+        raise FormulaFault(tree.column or 1, say("fault.V132"))
     return value
 
 
@@ -165,8 +167,17 @@ def _applied(tree: Formula, args: Sequence[Any]) -> Any:
     except OverflowError:
         return math.inf
     except (ArithmeticError, ValueError, TypeError) as error:
-        why = "is a division by zero" if isinstance(error, ZeroDivisionError) else "is no real number"
-        raise FormulaFault(tree.column or 1, f'"{spelled(tree)[:60]}" {why}') from error
+        raise (division_by_zero if isinstance(error, ZeroDivisionError) else no_number)(tree) from error
+
+
+def division_by_zero(tree: Formula) -> FormulaFault:
+    """Return the fault of a part that divides by zero."""
+    return FormulaFault(tree.column or 1, say("fault.V103", text=spelled(tree)[:60]))
+
+
+def no_number(tree: Formula) -> FormulaFault:
+    """Return the fault of a part without a real value."""
+    return FormulaFault(tree.column or 1, say("fault.V104", text=spelled(tree)[:60]))
 
 
 def bounded(tree: Formula, args: Sequence[float]) -> float:
@@ -177,7 +188,7 @@ def bounded(tree: Formula, args: Sequence[float]) -> float:
     value: float = _applied(tree, args)
     vanished = tree.op in {"^", "*", "/"} and all(args) and abs(value) < 1 / LARGEST
     if vanished or not abs(value) <= LARGEST:
-        raise FormulaFault(tree.column or 1, f'the value of "{spelled(tree)[:60]}" is beyond any number that can be meant')
+        raise FormulaFault(tree.column or 1, say("fault.V133", spelled=spelled(tree)[:60]))
     return value
 
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 
-from coursework.errors import closest
+from coursework.sentences import Sentence, closest, say
 
 _TURN = Fraction(math.pi)  # the double nearest to pi, as every later computation uses it
 
@@ -52,16 +52,16 @@ def _all_units() -> dict[str, tuple[Fraction, str]]:
 
 
 UNITS = _all_units()
-# SI unit -> (length, time) exponents, what has it, and the units that advice shows, the SI unit first.
-KINDS: dict[str, tuple[tuple[int, int], str, str]] = {
-    "m": ((1, 0), "a length", "m, cm, mm"),
-    "rad": ((0, 0), "an angle", "rad, deg"),
-    "s": ((0, 1), "a time", "s, ms, min"),
-    "1/s": ((0, -1), "an angular velocity", "rad/s, 1/s, deg/s, rpm"),
-    "m/s": ((1, -1), "a speed", "m/s, cm/s, mm/s"),
-    "m/s^2": ((1, -2), "an acceleration", "m/s^2, cm/s^2, mm/s^2"),
-    "1/s^2": ((0, -2), "an angular acceleration", "rad/s^2, 1/s^2, deg/s^2"),
-    "1": ((0, 0), "a number", "1"),
+# SI unit -> (length, time) exponents, and the units that advice shows, the SI unit first.
+KINDS: dict[str, tuple[tuple[int, int], str]] = {
+    "m": ((1, 0), "m, cm, mm"),
+    "rad": ((0, 0), "rad, deg"),
+    "s": ((0, 1), "s, ms, min"),
+    "1/s": ((0, -1), "rad/s, 1/s, deg/s, rpm"),
+    "m/s": ((1, -1), "m/s, cm/s, mm/s"),
+    "m/s^2": ((1, -2), "m/s^2, cm/s^2, mm/s^2"),
+    "1/s^2": ((0, -2), "rad/s^2, 1/s^2, deg/s^2"),
+    "1": ((0, 0), "1"),
 }
 MAX_NUMBER = 1e12  # far beyond anything a task sheet says in SI
 _VALUE = re.compile(
@@ -78,8 +78,9 @@ _HERTZ = {"hz", "гц", "khz", "кгц"}
 class UnitFault(ValueError):
     """A value with a unit could not be read; `unit` is what stands in its place ("" where that is not the fault)."""
 
-    def __init__(self, message: str, unit: str = "") -> None:
+    def __init__(self, message: Sentence, unit: str = "") -> None:
         super().__init__(message)
+        self.message = message
         self.unit = unit
 
 
@@ -103,7 +104,7 @@ def read(text: str | int | float, wanted: str = "") -> Quantity:
     '1/s'
     """
     if isinstance(text, bool):
-        raise UnitFault(f"a value with a unit was expected, found {str(text).lower()}.")
+        raise UnitFault(say("fault.V134", text=str(text).lower()))
     if isinstance(text, (int, float)):
         value = _finite(text, text)
         return Quantity(value, "", "", f"{text}")
@@ -115,7 +116,7 @@ def read(text: str | int | float, wanted: str = "") -> Quantity:
     number = match["number"].replace("−", "-")
     value = _finite(float(number), text)
     if value == 0 and re.search("[1-9]", re.split("[eE]", number)[0]):
-        raise UnitFault(f'the number "{text[:40]}" is too small to be told from 0.')
+        raise UnitFault(say("fault.V135", text=text[:40]))
     return Quantity(_finite(float(Fraction(number) * factor), text), unit, si, match["number"])
 
 
@@ -137,45 +138,53 @@ def is_quantity(text: str) -> bool:
     return not unit or unit in UNITS or _WORDED.match(unit) is not None
 
 
-def unknown(text: str, unit: str, wanted: str = "") -> str:
+def measured(si: str) -> Sentence:
+    """Return what has an SI unit: a length, an angle."""
+    return say(f"quantity.{si}")
+
+
+def unlike(si: str, found: object) -> Sentence:
+    """Return what is said about a value that measures something else than `si` does."""
+    return say("fault.V105", what=measured(si), units=KINDS[si][1], found=str(found))
+
+
+def unknown(text: str, unit: str, wanted: str = "") -> Sentence:
     """Return what is said about "value unit" whose unit is not known.
 
     Only units of what is `wanted` (an SI unit, "" for any) are offered, with a slash where one is written.
     """
-    found = f'found "{text[:40]}"'
+    found = text[:40]
     if re.match(r"\s*[-+−]?\d+,\d", text):
-        return f"a value with a unit was expected, {found}. Decimals are written with a point: 0.5."
+        return say("fault.V106", found=found)
     if not unit or not re.search(r"[^\W\d_]|°", unit):
-        return f'a value with a unit was expected, {found}. Write the number, then its unit: "0.5 m".'
+        return say("fault.V107", found=found)
     if unit.lower() in _HERTZ:
-        return f"Hz says neither turns nor radians a second, {found}. Write rev/s, or 1/s."
-    if meant := _nearest(unit, (wanted,) if wanted else tuple(KINDS)):
-        return f"a value with a unit was expected, {found}.{meant}"
-    if wanted:
-        _, what, shown = KINDS[wanted]
-        return f"{what} was expected: {shown} ({found})."
-    return f"a value with a unit was expected, {found}. Known units: {known_units()}."
+        return say("fault.V108", found=found)
+    meant = _nearest(unit, (wanted,) if wanted else tuple(KINDS))
+    if wanted and not meant:
+        return unlike(wanted, found)
+    return say("fault.V109", found=found, hint=meant or say("hint.units", known=known_units()))
 
 
-def unknown_unit(unit: str, wanted: str = "") -> str:
+def unknown_unit(unit: str, wanted: str = "") -> Sentence:
     """Return what is said about a unit alone that is not known, in [unknowns]; `wanted` as in `unknown`."""
     if unit.lower() in _HERTZ:
-        return f'Hz says neither turns nor radians a second, found "{unit[:40]}". Write 1/s, or rad/s.'
+        return say("fault.V110", found=unit[:40])
     advice = _nearest(unit, (wanted,) if wanted else ("1/s", "m/s"))
-    advice = advice or f" Known units: {KINDS[wanted][2] if wanted else known_units()}."
-    return f'a unit was expected, found "{unit[:40]}".{advice}'
+    advice = advice or say("hint.units", known=KINDS[wanted][1] if wanted else known_units())
+    return say("fault.V111", found=unit[:40], hint=advice)
 
 
 def known_units() -> str:
     """Return the units that advice shows, by what they measure."""
-    return "; ".join(shown for _, _, shown in KINDS.values() if shown != "1")
+    return "; ".join(shown for _, shown in KINDS.values() if shown != "1")
 
 
 @lru_cache(maxsize=1000)
 def _nearest(unit: str, wanted: tuple[str, ...]) -> str:
     # "km" is not "m" written wrongly: only a word that is nearly a unit is taken for it.
     if f"1{unit}" in UNITS:
-        return f' Did you mean "1{unit}"?'
+        return say("hint.closest", name=f"1{unit}")
     candidates = [known for known, (_, si) in UNITS.items() if ("/" in known) == ("/" in unit) and si in wanted]
     return closest(unit[:40], candidates, 0.7)
 
@@ -183,12 +192,12 @@ def _nearest(unit: str, wanted: tuple[str, ...]) -> str:
 def _finite(value: float, text: str | int | float) -> float:
     # Compared before it becomes a double: a TOML integer may have thousands of digits.
     if value != value or abs(value) > MAX_NUMBER:
-        raise UnitFault(f"a finite number of at most 1e12 was expected, found {shown(text)}.")
+        raise UnitFault(say("fault.V136", shown=shown(text)))
     return float(value)
 
 
 def shown(value: str | int | float) -> str:
     """Return a value as it stands in a message, shortened; the thousands of digits of a whole number are counted only."""
     if isinstance(value, int) and abs(value) >= 10**40:
-        return f"a whole number of {int(value.bit_length() * math.log10(2)) + 1} digits"
+        return say("fault.part.digits", number=int(value.bit_length() * math.log10(2)) + 1)
     return f'"{f"{value}"[:40]}"'

@@ -11,10 +11,11 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.errors import Fault, InputError, listing
+from coursework.errors import Fault, InputError
 from coursework.geometry.closure import Closure
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.system import compile_system
+from coursework.sentences import say
 
 Array = NDArray[np.float64]
 # Compared after scaling each row to its length: far above round-off, far below a wrong coefficient or sign.
@@ -58,19 +59,13 @@ def require_agreement(equations: VelocityEquations, closure: Closure | None) -> 
         return tuple(both[index].name for index in sorted(confirmed) if both[index].written is not None)
     file = str(equations.variant.path or equations.variant.name)
     if not suspects:
-        text = (
-            "the written equations contradict the geometry of [points] and [closure] in more than one place. "
-            "Derive them again; until both agree, take [closure] out."
-        )
-        raise InputError([Fault(text, file, equations.equations[0].line)])
+        raise InputError([Fault(say("fault.V301"), file, equations.equations[0].line)])
     found = [both[index] for index in sorted(suspects)]
-    names = listing([e.name if len(found) == 1 else f"{e.name} (line {e.line})" for e in found], "or")
-    line = found[0].line
-    text = (
-        f"equation {names} contradicts the geometry of [points] and [closure] (signs, lengths or angles differ). "
-        "Derive it again, or correct the geometry."
-    )
-    raise InputError([Fault(text, file, line)])
+    if len(found) == 1:
+        told = say("fault.V302", name=found[0].name)
+    else:
+        told = say("fault.V303", names="; ".join(f"{each.name} (:{each.line})" for each in found))
+    raise InputError([Fault(told, file, found[0].line)])
 
 
 def _require_free(equations: VelocityEquations, closure: Closure) -> None:
@@ -83,12 +78,9 @@ def _require_free(equations: VelocityEquations, closure: Closure) -> None:
     rights = np.array([system.matrix(t, q)[1] for t, q in _configurations(closure)])
     for equation, largest in zip(bound, np.max(np.abs(rights), axis=0), strict=True):
         if largest > TOLERANCE:
-            text = (
-                f"{equation.name} depends on driven coordinates alone, and they contradict it by {largest:.3g} (in the unit of "
-                f"its rate), although {equation.because}. Take it out of [closure], or correct the drive."
-            )
+            told = say("fault.V304", name=equation.name, largest=float(largest), because=equation.because)
             variant = equations.variant
-            faults.append(Fault(text, str(variant.path or variant.name), variant.line_of("closure")))
+            faults.append(Fault(told, str(variant.path or variant.name), variant.line_of("closure")))
     if faults:
         raise InputError(faults)
 

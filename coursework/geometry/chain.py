@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework import groups
-from coursework.errors import Fault, InputError, listing
+from coursework.errors import Fault, InputError
 from coursework.formula.tree import Formula, constant, spelled
 from coursework.geometry.drive import integrals
 from coursework.geometry.time_derivatives import compile_rows
@@ -21,6 +21,7 @@ from coursework.groups import Guide, Pair
 from coursework.groups.kind import Known
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import Symbols
+from coursework.sentences import Sentence, say
 from coursework.variant.record import Group, Variant
 
 if TYPE_CHECKING:
@@ -58,12 +59,18 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
         if group.kind.driven:
             continue
         try:
-            found = dyad(equations.symbols, group, _mode(equations, group, q[:1]), values).coordinates
+            mode = _mode(equations, group, q[:1])
+            if mode is None:
+                plus, minus = (say(group.kind.modes[sign]) for sign in (1, -1))
+                raise _fault(say("fault.V307", kind=group.kind.name, plus=plus, minus=minus), number, group, variant)
+            found = dyad(equations.symbols, group, mode, values).coordinates
         except groups.CannotAssemble as error:
-            text = f"{group.kind.name}{_letters(group)} cannot be assembled at t = {times[error.row]:.6g} s: {error.reason}"
-            raise _fault(text, number, group, variant) from error
+            named = _letters(group)
+            known = {"kind": group.kind.name, "time": float(times[error.row]), "reason": error.reason}
+            told = say("fault.V306", **known, letters=named) if named else say("fault.V305", **known)
+            raise _fault(told, number, group, variant) from error
         except ValueError as error:
-            raise _fault(str(error), number, group, variant) from error
+            raise _fault(say("fault.V308", reason=str(error)), number, group, variant) from error
         for column, place in enumerate(places):
             coordinate = variant.coordinates[place]
             angle = coordinate.unit == "rad"
@@ -71,16 +78,15 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
     return q
 
 
-def _fault(text: str, number: int, group: Group, variant: Variant) -> InputError:
-    text = f"group {number} ({', '.join(group.coordinates)}): {text}"
-    return InputError([Fault(text, str(variant.path or variant.name), group.line)])
+def _fault(told: Sentence, number: int, group: Group, variant: Variant) -> InputError:
+    place = say("place.group_of", number=number, names=", ".join(group.coordinates))
+    return InputError([Fault(told, str(variant.path or variant.name), group.line, 0, place)])
 
 
 def _letters(group: Group) -> str:
-    """Say which points of the file the letters of a group's sentences stand for."""
+    """Return which points of the file the letters of a group's sentences stand for."""
     named = [(letter, spelled(point)) for letter, point in zip("BD", group.start_points, strict=False)]
-    told = [f"{letter} at {point}" for letter, point in named if letter != point]
-    return f", with {listing(told)}," if told else ""
+    return ", ".join(f"{letter} = {point}" for letter, point in named if letter != point)
 
 
 def _continued(angles: Array, start: float | None) -> Array:
@@ -91,11 +97,8 @@ def _continued(angles: Array, start: float | None) -> Array:
     return np.asarray(smooth)
 
 
-def _mode(equations: VelocityEquations, group: Group, q: Array) -> int:
-    """Return the assembly mode: the one written, else the one nearest to the start values, else the kind's usual one.
-
-    Raises `ValueError` where nothing tells.
-    """
+def _mode(equations: VelocityEquations, group: Group, q: Array) -> int | None:
+    """Return the assembly mode: the one written, else the one nearest to the start values, else the kind's usual one, if any."""
     kind = group.kind
     if group.mode or not kind.modes:
         return group.mode
@@ -113,7 +116,7 @@ def _mode(equations: VelocityEquations, group: Group, q: Array) -> int:
         return min((1, -1), key=distance)
     if kind.usual_mode:
         return kind.usual_mode
-    raise ValueError(f'{kind.name} closes in two ways. Write mode = "+1" ({kind.modes[1]}) or mode = "-1" ({kind.modes[-1]}).')
+    return None
 
 
 def _nearest(value: float, start: float, unit: str) -> float:

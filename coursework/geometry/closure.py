@@ -14,13 +14,14 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from coursework.codegen.programs import as_columns
-from coursework.errors import Fault, InputError, listing
+from coursework.errors import Fault, InputError
 from coursework.geometry.drive import integrals
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.matching import blocks as block_order
 from coursework.reduction.matching import match
 from coursework.reduction.symbolic import expanded, symbol
 from coursework.reduction.system import compile_values
+from coursework.sentences import say
 
 Array = NDArray[np.float64]
 MAX_NEWTON = 25
@@ -162,11 +163,16 @@ def compile_closure(equations: VelocityEquations, start: Sequence[float]) -> Clo
     try:
         values = np.array(function(0.0, *start), dtype=float)[: len(positions)]
     except (ArithmeticError, ValueError) as error:
-        text = (
-            f"the position equation of {listing(_without_value(equations, wanted, start), 'or')} has no value at t = 0, or its "
-            f"derivative has none ({error}). Check lengths and start values."
-        )
-        raise InputError([Fault(text, str(variant.path or variant.name), variant.nearest_line("closure"))]) from error
+        listed = ", ".join(_without_value(equations, wanted, start))
+        raise InputError(
+            [
+                Fault(
+                    say("fault.V311", names=listed, error=str(error)),
+                    str(variant.path or variant.name),
+                    variant.nearest_line("closure"),
+                )
+            ]
+        ) from error
     origin = np.where([position.kept == "zero" for position in positions], 0.0, values)
     kept = tuple("" if position.kept in {"zero", "start"} else position.kept for position in positions)
     combination, blocks = equations.once("closure blocks", lambda: _blocks([p.expression for p in positions], names, equations))
@@ -238,12 +244,11 @@ def require_start(closure: Closure | None) -> None:
         return
     variant = closure.equations.variant
     listed = ", ".join(f"{name} {value:.6g}" for name, value in zip(closure.names, residual, strict=True))
-    advice = "No closed position lies near it: check the lengths, the angles and the assembly mode."
+    told = say("fault.V312", residuals=listed)
     if closed is not None:
         values = ", ".join(f"{c.name} = {q:.15g}" for c, q in zip(variant.coordinates, closed, strict=True))
-        advice = f"The nearest closed start is {values}."
-    text = f"the start values violate the closure: residuals {listed} (m). {advice}"
-    raise InputError([Fault(text, str(variant.path or variant.name), variant.line_of("coordinates"))])
+        told = say("fault.V313", residuals=listed, nearest=values)
+    raise InputError([Fault(told, str(variant.path or variant.name), variant.line_of("coordinates"))])
 
 
 def closed_start(closure: Closure) -> tuple[Array, Array | None]:

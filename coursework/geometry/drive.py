@@ -18,6 +18,7 @@ from coursework.geometry.oscillation import fastest
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import TIME, symbol
 from coursework.reduction.system import compile_values
+from coursework.sentences import say
 from coursework.variant.record import Variant
 
 Array = NDArray[np.float64]
@@ -57,8 +58,8 @@ def integrals(equations: VelocityEquations, names: Sequence[str], times: Array) 
     if not np.all(np.isfinite(values)):
         place = np.argwhere(~np.isfinite(values))[0]
         name, variant = names[place[2]], equations.variant
-        text = f"the drive {name} has no finite value at t = {at[place[0], place[1]]:.6g} s."
-        raise InputError([Fault(text, str(variant.path or variant.name), variant.line_of("drive", name))])
+        told = say("fault.V321", name=name, time=float(at[place[0], place[1]]))
+        raise InputError([Fault(told, str(variant.path or variant.name), variant.line_of("drive", name))])
     pieces = np.einsum("ipk,p,i->ik", values, _WEIGHTS, half)
     total = np.vstack([np.zeros(len(names)), np.cumsum(pieces, axis=0)])
     return np.asarray(total[np.searchsorted(fine, times)])
@@ -76,12 +77,9 @@ def refuse_short_tables(equations: VelocityEquations) -> None:
     for law in _over_time(equations):
         if not all(law.covers(time) for time in (0.0, variant.time.end)):
             section = "drive" if law.name in {drive.name for drive in variant.drive} else "functions"
-            text = (
-                f"the table covers {law.first:.6g} to {law.last:.6g} s, and the run 0 to {variant.time.end:.6g} s. "
-                "Add nodes, or end the run before."
-            )
+            told = say("fault.V322", first=law.first, last=law.last, end=variant.time.end)
             line = variant.line_of(section, law.name)
-            faults.append(Fault(text, str(variant.path or variant.name), line, 0, f"{section}.{law.name}"))
+            faults.append(Fault(told, str(variant.path or variant.name), line, 0, f"{section}.{law.name}"))
     if faults:
         raise InputError(faults)
 
@@ -97,15 +95,7 @@ def refuse_aliasing(equations: VelocityEquations, step: float) -> None:
     """Raise `InputError` where the step misses the drive's oscillation altogether (less than two rows a period)."""
     frequency = fastest(equations)
     if frequency * step >= np.pi * (1 - 1e-12):
-        variant = equations.variant
-        text = (
-            f"The step {step:g} s is too large for this drive: it turns through {frequency * step:.3g} rad in one step, and from "
-            f"3.14 rad on the rows show another, slower motion that is not there. Take a step of at most "
-            f"{np.pi / 10 / frequency:.2g} s (20 rows a period)."
-        )
-        own = variant.time.own_step in {None, step}
-        line = variant.nearest_line("time", "step") if own else 0  # a step of the command line stands in no file
-        raise InputError([Fault(text, str(variant.path or variant.name), line)])
+        raise InputError(say("fault.C021", step=step, turned=frequency * step, most=float(np.pi / 10 / frequency)))
 
 
 def refuse_endless(equations: VelocityEquations, time: float) -> None:
@@ -124,14 +114,13 @@ def refuse_endless(equations: VelocityEquations, time: float) -> None:
     faults = []
     angles = {coordinate.rate for coordinate in variant.coordinates if coordinate.unit == "rad"}
     for name, before, now in zip(names, usual, there, strict=True):
-        text = ""
+        told = None
         if not now <= _BEYOND * before:  # also where it is nan; a drive that stands still is 0 here and there
-            text = f"the drive {name} has no finite value about t = {time:.6g} s. Correct its formula, or end the table before."
+            told = say("fault.V323", name=name, time=time)
         elif name in angles and now * variant.time.step > 2 * np.pi:
-            turned, most = now * variant.time.step, 0.1 / now
-            text = f"the drive {name} turns its crank by {turned:.3g} rad in one step. Take a step of about {most:.2g} s."
-        if text:
-            faults.append(Fault(text, str(variant.path or variant.name), variant.line_of("drive", name)))
+            told = say("fault.V324", name=name, turned=float(now * variant.time.step), most=float(0.1 / now))
+        if told is not None:
+            faults.append(Fault(told, str(variant.path or variant.name), variant.line_of("drive", name)))
     if faults:
         raise InputError(faults)
 

@@ -13,6 +13,7 @@ from coursework.errors import Fault, InputError
 from coursework.geometry.chain import chain_positions
 from coursework.geometry.closure import MAX_NEWTON, Closure, compile_closure
 from coursework.reduction.equations import VelocityEquations
+from coursework.sentences import Sentence, say
 from coursework.variant.record import Coordinate, Variant
 
 Array = NDArray[np.float64]
@@ -31,8 +32,7 @@ def start_values(equations: VelocityEquations) -> list[float]:
     given = {name for group in variant.groups for name in group.coordinates}
     missing = [c for c in variant.coordinates if c.guess is None and c.name not in given]
     if missing:
-        text = "{} has no start, and no group gives it. Write its value at t = 0: start = …."
-        raise InputError([_fault(text.format(c.name), c, variant) for c in missing])
+        raise InputError([_fault(say("fault.V331", name=c.name), c, variant) for c in missing])
     if given:
         return _by_groups(equations)
     start = np.array([c.guess for c in variant.coordinates], dtype=float)
@@ -47,12 +47,8 @@ def _by_groups(equations: VelocityEquations) -> list[float]:
     faults = []
     for coordinate, value in zip(variant.coordinates, closed, strict=True):
         if coordinate.start is not None and abs(coordinate.start - value) > START_TOLERANCE:
-            message = (
-                f"{coordinate.name} starts at {coordinate.start:.9g} {coordinate.unit}, but the chain closes at "
-                f"{value:.15g} {coordinate.unit} in the assembly mode given. "
-                "Write that value, leave `start` out, or change `mode`."
-            )
-            faults.append(_fault(message, coordinate, variant))
+            known = {"name": coordinate.name, "unit": coordinate.unit, "start": coordinate.start, "closed": float(value)}
+            faults.append(_fault(say("fault.V332", **known), coordinate, variant))
     if faults:
         raise InputError(faults)
     return [float(value) for value in closed]
@@ -73,9 +69,8 @@ def _closed(closure: Closure, start: Array, moved: list[int]) -> Array:
         if size < _SETTLED:
             return q
     variant = closure.equations.variant
-    text = "with these data no closed position lies near the old start. Check the lengths, or give start values with them."
-    raise InputError([_fault(text, variant.coordinates[moved[0]], variant)])
+    raise InputError([_fault(say("fault.V333"), variant.coordinates[moved[0]], variant)])
 
 
-def _fault(text: str, coordinate: Coordinate, variant: Variant) -> Fault:
-    return Fault(text, str(variant.path or variant.name), variant.line_of("coordinates", coordinate.name))
+def _fault(message: Sentence, coordinate: Coordinate, variant: Variant) -> Fault:
+    return Fault(message, str(variant.path or variant.name), variant.line_of("coordinates", coordinate.name))

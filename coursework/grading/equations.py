@@ -6,13 +6,14 @@ Used by `understand.py`.
 
 from __future__ import annotations
 
-from coursework.errors import Fault, InputError, closest
+from coursework.errors import Fault, InputError
 from coursework.formula import reader
 from coursework.formula.tree import Formula, FormulaFault
 from coursework.grading.contents import EquationLine
 from coursework.grading.expected import Expected
 from coursework.grading.mending import mended
 from coursework.grading.names_in_text import Spellings, spellings_of
+from coursework.sentences import closest, say
 from coursework.variant.source import Source
 
 MORE_LINES = 20  # beyond twice the equations needed
@@ -65,7 +66,7 @@ def read_constraints(source: Source, file: str, spellings: Spellings) -> list[Eq
         if not isinstance(text, str):
             continue
         if key == "closure":
-            fault = Fault("this is an equation of positions; hand in its derivative, the velocity equation.", file, line)
+            fault = Fault(say("fault.G062"), file, line)
             lines.append(EquationLine(file, line, text[: reader.MAX_CHARACTERS], None, None, fault=fault))
             continue
         read = _strict(text, spellings)
@@ -88,11 +89,11 @@ def _strict(text: str, spellings: Spellings) -> tuple[Formula, Formula] | Fault:
     try:
         left, right = reader.parse_equation(text)
     except FormulaFault as fault:
-        return Fault(fault.message + ".", column=fault.column)
+        return Fault(fault.message, column=fault.column)
     for node in (*left.walk(), *right.walk()):
         if node.op == "name" and spellings.canonical(node.name) is None:
             advice = closest(node.name, sorted(spellings.known))
-            return Fault(f'symbol "{node.name[:40]}" is not declared.{advice}', column=node.column, place=node.name)
+            return Fault(say("fault.G061", name=node.name[:40], hint=advice), column=node.column, place=node.name)
     return _renamed(left, spellings), _renamed(right, spellings)
 
 

@@ -13,7 +13,7 @@ from functools import partial
 from pathlib import Path, PurePosixPath
 from types import TracebackType
 
-from coursework.errors import InputError
+from coursework.errors import Fault, InputError
 from coursework.grading.kinds import is_ignored
 from coursework.grading.parcels import Names, Parcel, sorted_out, unwrapped
 from coursework.grading.reading.archive import legible_name
@@ -34,7 +34,7 @@ class Source:
         self._zip = _open_zip(path) if path.is_file() else None
         self._parts: dict[str, zipfile.ZipInfo] = {}
         if self._zip is None and not path.is_dir():
-            raise InputError(f"{path}: there is no such folder or zip of submissions. Check its name.")
+            raise InputError([Fault(say("fault.G001"), str(path))])
         names = self._names_in_zip() if self._zip else self._names_in_folder()
         self.platform, self.parcels = sorted_out(names)
 
@@ -104,16 +104,16 @@ def _open_zip(path: Path) -> zipfile.ZipFile:
     try:
         opened = zipfile.ZipFile(path)
     except (zipfile.BadZipFile, OSError, ValueError) as error:
-        raise InputError(f"{path}: this is neither a folder nor a zip of submissions ({error}). Name the download.") from error
+        raise InputError([Fault(say("fault.G002", error=str(error)), str(path))]) from error
     if len(opened.infolist()) > _MOST_PARTS:
-        raise InputError(f"{path}: the zip has more than {_MOST_PARTS} entries. Is it the download of one assignment?")
+        raise InputError([Fault(say("fault.G003", most=_MOST_PARTS), str(path))])
     return opened
 
 
 def collect_one(place: Path, student: str = "submission") -> Submission:
     """Return the one submission whose files stand in a folder (or are one file), as autograders hand them over."""
     if not place.exists():
-        raise InputError(f"{place}: there is no such folder of a submission. Check its name.")
+        raise InputError([Fault(say("fault.G004"), str(place))])
     found = list(files_below(place)) if place.is_dir() else [(place.name, place)]
     notes = [entry for _, entry in found if isinstance(entry, Note)]
     paths = [(name, path) for name, path in found if isinstance(path, Path)]
@@ -125,7 +125,7 @@ def collect_files(paths: Iterable[Path], student: str = "submission") -> Submiss
     """Return a submission of some files.  Raises `InputError` for a file that is not there."""
     listed = list(paths)
     if missing := [path for path in listed if not path.is_file()]:
-        raise InputError(f"{missing[0]}: there is no such file. Check its name.")
+        raise InputError([Fault(say("fault.G005"), str(missing[0]))])
     files, notes = _gathered((path.name, partial(read_regular, path, path.name)) for path in listed)
     return Submission(student, None, files, notes)
 

@@ -12,6 +12,8 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from coursework.sentences import Sentence, joined, say, say_count
+
 Array: TypeAlias = NDArray[np.float64]
 Vectors: TypeAlias = NDArray[np.complex128]
 Rows: TypeAlias = NDArray[np.bool_]
@@ -84,22 +86,18 @@ def metres(value: float) -> str:
     return f"{value:.4f} m" if abs(value) >= 0.001 or value == 0.0 else f"{value:.3g} m"
 
 
-def refuse(group: str, rows: tuple[int, ...], found: str, verdict: str, shortage: float) -> CannotAssemble:
-    """Return the error for a group that does not close: what the first failing row shows, and the verdict."""
-    more = len(rows) - 1
-    others = "" if not more else " So does 1 later row." if more == 1 else f" So do {more} later rows."
-    reason = f"{found}; {verdict}."
-    return CannotAssemble(f"{group} cannot be assembled at row {rows[0]}: {reason}{others}", rows, shortage, reason)
+def refuse(group: str, rows: tuple[int, ...], reason: Sentence, shortage: float) -> CannotAssemble:
+    """Return the error for a group that does not close; `reason` says what the first failing row shows, and the verdict."""
+    told = say("group.refused", group=group, row=rows[0], reason=reason)
+    if more := len(rows) - 1:
+        told = joined([told, say_count("group.more", more)])
+    return CannotAssemble(told, rows, shortage, reason)
 
 
-def dead(group: str, rows: tuple[int, ...], found: str, *, placed: bool = True) -> AtDeadPoint:
+def dead(group: str, rows: tuple[int, ...], found: Sentence, *, placed: bool = True) -> AtDeadPoint:
     """Return the error for a dead point; `placed` says whether the positions at least are defined there."""
-    tail = "pass positions_only=True for the positions alone" if placed else "nor is the position"
-    return AtDeadPoint(
-        f"{group} is at a dead point at row {rows[0]}: {found}. The determinant is 0, so velocities are not "
-        f"defined there; {tail}.",
-        rows,
-    )
+    tail = say("group.dead.placed") if placed else say("group.dead.nowhere")
+    return AtDeadPoint(say("group.dead.point", group=group, row=rows[0], found=found, tail=tail), rows)
 
 
 def require_crossing(group: str, sine: Array, turned: Array, gap: Array, data: tuple[Vectors, Vectors], lines: str) -> None:
@@ -117,16 +115,15 @@ def require_crossing(group: str, sine: Array, turned: Array, gap: Array, data: t
     if apart.any():
         rows = places(apart, n)
         short = at(np.abs(gap), rows[0])
-        raise refuse(group, rows, "the slides are parallel", f"{lines} are {metres(short)} apart", short)
-    found = f"the slides are parallel, {lines} coincide and a block may stand anywhere"
-    raise dead(group, places(parallel, n), found, placed=False)
+        raise refuse(group, rows, say("group.parallel", lines=say(lines), apart=metres(short)), short)
+    raise dead(group, places(parallel, n), say("group.coincide", lines=say(lines)), placed=False)
 
 
 def require_mode(group: str, mode: int, modes: Mapping[int, str]) -> None:
-    """Raise `ValueError` unless `mode` is one of `modes` (number to meaning)."""
+    """Raise `ValueError` unless `mode` is one of `modes` (number to the key of its meaning)."""
     if mode not in modes:
-        known = ", ".join(f"{number:+d} ({meaning})" for number, meaning in modes.items())
-        raise ValueError(f"{group}: assembly mode {mode!r} does not exist. Modes: {known}.")
+        known = ", ".join(f"{number:+d} ({say(meaning)})" for number, meaning in modes.items())
+        raise ValueError(say("group.no_mode", group=group, mode=repr(mode), known=known))
 
 
 def numbers(what: str, value: ArrayLike, *, positive: bool = False) -> Array:
@@ -146,9 +143,8 @@ def numbers(what: str, value: ArrayLike, *, positive: bool = False) -> Array:
     wrong = ~np.isfinite(array) | (array <= 0.0) if positive else ~np.isfinite(array)
     if wrong.any():
         row = int(np.argmax(wrong))
-        wanted = "a finite length above zero" if positive else "a finite number"
-        place = f" at row {row}" if len(array) > 1 else ""
-        raise ValueError(f"{what}: {wanted} was expected, found {array[row]:g}{place}.")
+        key = ("group.positive" if positive else "group.finite") + (".row" if len(array) > 1 else ".alone")
+        raise ValueError(say(key, what=what, found=float(array[row]), row=row))
     return array
 
 

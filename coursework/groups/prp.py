@@ -36,7 +36,7 @@ def prp(guide_i: Guide, guide_j: Guide, *, positions_only: bool = False) -> Grou
     w = j.k - i.k
     sine = np.sin(guide_j.angle - guide_i.angle)
     turned = np.maximum(np.abs(guide_i.angle), np.abs(guide_j.angle))
-    require_crossing("PRP", sine, turned, cross(i.e, w), (i.k, j.k), "the two lines of the pin")
+    require_crossing("PRP", sine, turned, cross(i.e, w), (i.k, j.k), "group.line.of_pin")
     s_i, s_j = cross(w, j.e) / sine, cross(w, i.e) / sine
     at_c = i.point(s_i)
     solved = partial(group_motion, "PRP", 1, n, coordinates=(s_i, s_j), determinant=-sine, scaled=-sine)

@@ -41,7 +41,7 @@ def rpp(b: Pair, guide: Guide, *, slide_angle: ArrayLike, positions_only: bool =
     f = e * direction(t_i)
     w = at_b - line.k
     sine = np.sin(t_i)
-    require_crossing("RPP", sine, np.abs(t_i), cross(e, w), (at_b, line.k), "B and the line of D")
+    require_crossing("RPP", sine, np.abs(t_i), cross(e, w), (at_b, line.k), "group.line.of_b")
     s_i, s_j = cross(e, w) / sine, cross(w, f) / sine
     at_d = line.point(s_j)
     solved = partial(group_motion, "RPP", 1, n, coordinates=(s_i, s_j), determinant=-sine, scaled=-sine)

@@ -18,11 +18,12 @@ from coursework.groups.assembly import at, dead, metres, numbers, places, refuse
 from coursework.groups.kind import Closed, GroupKind, Joint, Known, Shape, across, along, plus, unknowns
 from coursework.groups.pairs import GroupMotion, Pair, count_rows, group_motion
 from coursework.groups.plane import angle_of, cross, dot, vectors
+from coursework.sentences import say
 
 if TYPE_CHECKING:
     from coursework.variant.record import Group
 
-MODES = {1: "s > 0, the rod points from D towards the block", -1: "s < 0, it points away"}
+MODES = {1: "group.mode.towards", -1: "group.mode.away"}
 
 
 def rpr(
@@ -55,10 +56,10 @@ def rpr(
     if (spare < -rounding).any():
         rows = places(spare < -rounding, n)
         short = -at(spare, rows[0])
-        found = f"B and D are {metres(at(apart, rows[0]))} apart, the offset is {metres(at(np.abs(e0), rows[0]))}"
-        raise refuse("RPR", rows, found, f"it is {metres(short)} too long", short)
+        apart_at, offset = metres(at(apart, rows[0])), metres(at(np.abs(e0), rows[0]))
+        raise refuse("RPR", rows, say("group.offset", apart=apart_at, offset=offset, short=metres(short)), short)
     if (apart <= rounding).any():
-        raise dead("RPR", places(apart <= rounding, n), "B lies on D and the rod may point anywhere", placed=False)
+        raise dead("RPR", places(apart <= rounding, n), say("group.dead.on_pivot"), placed=False)
     limit = spare <= rounding
     s = mode * np.sqrt(np.where(limit, 0.0, spare * (apart + np.abs(e0))))
     e = v * (s - 1j * e0)
@@ -71,7 +72,7 @@ def rpr(
     if positions_only:
         return solved(meets=(meets, None, None))
     if limit.any():
-        raise dead("RPR", places(limit, n), "the block is level with the pivot D, s = 0")
+        raise dead("RPR", places(limit, n), say("group.dead.level"))
 
     # a [theta'; s'] = right side; the columns of a are i v and e
     (v_b, a_b), (v_d, a_d) = b.motion("RPR, pair B"), d.motion("RPR, pair D")

@@ -18,11 +18,12 @@ from coursework.groups.kind import Closed, GroupKind, Joint, Known, Shape, acros
 from coursework.groups.line import Line
 from coursework.groups.pairs import GroupMotion, Guide, Pair, count_rows, group_motion
 from coursework.groups.plane import angle_of, cross, dot, vectors
+from coursework.sentences import say
 
 if TYPE_CHECKING:
     from coursework.variant.record import Group
 
-MODES = {1: "the larger s", -1: "the smaller s"}
+MODES = {1: "group.mode.larger", -1: "group.mode.smaller"}
 
 
 def rrp(b: Pair, guide: Guide, *, length: Length, mode: int, positions_only: bool = False) -> GroupMotion:
@@ -47,8 +48,8 @@ def rrp(b: Pair, guide: Guide, *, length: Length, mode: int, positions_only: boo
     if (spare < -rounding).any():
         rows = places(spare < -rounding, n)
         far, short = at(np.abs(q), rows[0]), -at(spare, rows[0])
-        found = f"B is {metres(far)} from the line of the pin, the rod is {metres(at(r, rows[0]))} long"
-        raise refuse("RRP", rows, found, f"it is {metres(short)} too short", short)
+        reason = say("group.rod", far=metres(far), length=metres(at(r, rows[0])), short=metres(short))
+        raise refuse("RRP", rows, reason, short)
     limit = spare <= rounding
     along = mode * np.sqrt(np.where(limit, 0.0, spare * (r + np.abs(q))))
     s = dot(e, w) + along
@@ -59,7 +60,7 @@ def rrp(b: Pair, guide: Guide, *, length: Length, mode: int, positions_only: boo
     if positions_only:
         return solved(meets=(at_c, None, None))
     if limit.any():
-        raise dead("RRP", places(limit, n), "the rod is perpendicular to the guide")
+        raise dead("RRP", places(limit, n), say("group.dead.perpendicular"))
 
     # a [theta'; s'] = right side; the columns of a are i u and -e
     v_b, a_b = b.motion("RRP, pair B")

@@ -17,11 +17,12 @@ from coursework.groups.assembly import Array, CannotAssemble, Length, at, dead, 
 from coursework.groups.kind import Closed, GroupKind, Joint, Known, Shape, along, plus, unknowns
 from coursework.groups.pairs import GroupMotion, Pair, count_rows, group_motion
 from coursework.groups.plane import Vectors, angle_of, dot, vectors
+from coursework.sentences import say
 
 if TYPE_CHECKING:
     from coursework.variant.record import Group
 
-MODES = {1: "C to the left of the ray from B to D", -1: "C to its right"}
+MODES = {1: "group.mode.left", -1: "group.mode.right"}
 
 
 def rrr(b: Pair, d: Pair, *, lengths: tuple[Length, Length], mode: int, positions_only: bool = False) -> GroupMotion:
@@ -48,7 +49,7 @@ def rrr(b: Pair, d: Pair, *, lengths: tuple[Length, Length], mode: int, position
     if (spare < -rounding).any():
         raise _out_of_reach(places(spare < -rounding, n), apart, r_i, r_j)
     if (apart <= rounding).any():  # only equal links pass the line above: they may point anywhere
-        raise dead("RRR", places(apart <= rounding, n), "B and D coincide and the links are equal", placed=False)
+        raise dead("RRR", places(apart <= rounding, n), say("group.dead.equal"), placed=False)
     limit = spare <= rounding
 
     # Heron's product keeps the digits that r_i^2 - x^2 loses near a dead point
@@ -67,8 +68,8 @@ def rrr(b: Pair, d: Pair, *, lengths: tuple[Length, Length], mode: int, position
         return solved(meets=(at_c, None, None))
     if limit.any():
         rows = places(limit, n)
-        how = "stretched" if at(stretched, rows[0]) < at(folded, rows[0]) else "folded"
-        raise dead("RRR", rows, f"B, C and D lie on one line, the links are {how}")
+        how = "group.dead.stretched" if at(stretched, rows[0]) < at(folded, rows[0]) else "group.dead.folded"
+        raise dead("RRR", rows, say(how))
 
     # a [theta_i'; theta_j'] = right side; the columns of a are i u_i and -i u_j
     (v_b, a_b), (v_d, a_d) = b.motion("RRR, pair B"), d.motion("RRR, pair D")
@@ -94,15 +95,14 @@ def _growth(u: Vectors, r: Array, rate: Array | None) -> Vectors:
 
 def _out_of_reach(rows: tuple[int, ...], apart: Array, r_i: Array, r_j: Array) -> CannotAssemble:
     row = rows[0]
-    found = f"B and D are {metres(at(apart, row))} apart"
+    far = metres(at(apart, row))
     short = at(apart - (r_i + r_j), row)
     if short > 0.0:
-        found += f", the two links reach {metres(at(r_i + r_j, row))}"
-        return refuse("RRR", rows, found, f"together they are {metres(short)} too short", short)
+        reach = metres(at(r_i + r_j, row))
+        return refuse("RRR", rows, say("group.short", apart=far, reach=reach, short=metres(short)), short)
     gap = at(np.abs(r_i - r_j), row)
     short = at(np.abs(r_i - r_j) - apart, row)
-    found += f", the links differ by {metres(gap)}"
-    return refuse("RRR", rows, found, f"the longer link is {metres(short)} too long to fold", short)
+    return refuse("RRR", rows, say("group.fold", apart=far, gap=metres(gap), short=metres(short)), short)
 
 
 def _closure(group: Group) -> Closed:

@@ -44,10 +44,7 @@ class Correction:
 def refuse_gain(gain: float, step: float) -> None:
     """Raise `InputError` for a Baumgarte gain outside 0 < gain*step < 2: the error is multiplied by 1 - gain*step a step."""
     if not 0 < gain * step < 2:
-        raise InputError(
-            f"The gain {gain:g} 1/s with the step {step:g} s multiplies the position error by {1 - gain * step:.3g} every step, "
-            f"so it grows. Take a gain between 0 and {2 / step:g} 1/s; {1 / step:g} 1/s removes the error in one step."
-        )
+        raise InputError(say("fault.C018", gain=gain, step=step, number=1 - gain * step, number_2=2 / step, number_3=1 / step))
 
 
 def march(

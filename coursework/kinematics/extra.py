@@ -15,7 +15,7 @@ from coursework.errors import Fault, InputError
 from coursework.integration.motion import Motion
 from coursework.kinematics.analogs import acceleration_analog, velocity_analog
 from coursework.kinematics.invariants import from_true
-from coursework.sentences import say
+from coursework.sentences import Sentence, say
 from coursework.variant.record import Coordinate, Variant
 
 Array = NDArray[np.float64]
@@ -58,7 +58,7 @@ def invariant_table(variant: Variant, motion: Motion, second: Array) -> ExtraTab
     crank = _crank(variant)
     sliders = [c for c in variant.coordinates if c.unit == "m" and c.rate not in variant.known_rates]
     if not sliders:
-        raise _refused(variant, "invariants need a coordinate that is a length (a slider); this variant has none.")
+        raise _refused(variant, say("fault.V518"))
     slider = sliders[-1]
     rows = _longest_way(motion.column(slider.name))
     s, phi = motion.column(slider.name)[rows], motion.column(crank.name)[rows]
@@ -67,7 +67,7 @@ def invariant_table(variant: Variant, motion: Motion, second: Array) -> ExtraTab
     way, turn = float(s[-1] - s[0]), float(phi[-1] - phi[0])
     if not (abs(way) > 0 and abs(turn) > 0):
         still = slider.name if abs(way) == 0 else crank.name
-        raise _refused(variant, f"{still} stands still, so there is no stroke; invariants mean nothing there.")
+        raise _refused(variant, say("fault.V519", name=still))
     sign = np.sign(way)
     found = from_true(
         sign * (s - s[0]), sign * motion.velocities[rows, place], sign * second[rows, place],
@@ -84,8 +84,7 @@ def _crank(variant: Variant) -> Coordinate:
     if len(driven) != 1:
         raise _refused(
             variant,
-            f"analogs and invariants need one driven crank (its rate in [drive]); this variant has {len(driven)}. "
-            'Take "analogs" and "invariants" out of [ask] or --quantities.',
+            say("fault.V520", count=len(driven)),
         )
     return driven[0]
 
@@ -95,13 +94,12 @@ def _crank_motion(variant: Variant, crank: Coordinate, motion: Motion, second: A
     omega = motion.velocities[:, place]
     if not np.all(omega):
         row = int(np.argmin(np.abs(omega)))
-        text = f"the crank stands still in row {row + 1} (t = {motion.t[row]:.6g} s); analogs mean nothing there."
-        raise _refused(variant, text)
+        raise _refused(variant, say("fault.V521", row=row + 1, time=float(motion.t[row])))
     return omega, second[:, place]
 
 
-def _refused(variant: Variant, text: str) -> InputError:
-    return InputError([Fault(text, str(variant.path or variant.name), variant.nearest_line("ask", "quantities"))])
+def _refused(variant: Variant, message: Sentence) -> InputError:
+    return InputError([Fault(message, str(variant.path or variant.name), variant.nearest_line("ask", "quantities"))])
 
 
 def _longest_way(values: Array) -> slice:

@@ -21,18 +21,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from coursework.groups.assembly import at, dead, numbers, places, refuse, require_mode, tolerance
+from coursework.sentences import say
 
 Array: TypeAlias = NDArray[np.float64]
 
-MODES = {
-    1: "the pin lies outside the foot of the perpendicular from the slider to the crank",
-    -1: "inside it",
-}
+MODES = {1: "group.mode.outside", -1: "group.mode.inside"}
 # How far the synthesised crank may differ at its first angle from the length asked for there, as a part of
 # the rod. Where the constant crank moves its slider fastest dx/dr is almost 0, so the last digits of x are
 # magnified in r.
 START = 1e-9
-OFF_LINE = ("the pin is off the slider's line by", "the slider's line")
+OFF_LINE = ("group.off.line", "group.line.of_slider")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -183,7 +181,7 @@ def constant_speed_crank(
     x = first_x + slope * (f - f[0])
     cosine, sine = np.cos(f), np.sin(f)
     p, q = x * cosine + offset * sine, x * sine - offset * cosine
-    spare = _spare(owner, q, l2, ("the line of the crank passes the slider at", "the crank"))
+    spare = _spare(owner, q, l2, ("group.off.crank", "group.line.of_crank"))
     root = mode * np.sqrt(spare * (l2 + np.abs(q)))
     r = p + root
     if abs(r[0] - l1) > START * l2:
@@ -203,18 +201,17 @@ def constant_speed_crank(
     return CrankLaw(r, dp + first, ddp + second)
 
 
-def _spare(owner: str, gap: Array, rod: float, words: tuple[str, str]) -> Array:
+def _spare(owner: str, gap: Array, rod: float, keys: tuple[str, str]) -> Array:
     """Return what the rod has left over, rod - |gap|, (n,), in the unit of both.
 
     Raises `CannotAssemble` where it is negative and `AtDeadPoint` where it is zero but for rounding.
     """
-    off, line = words
+    off, line = (say(key) for key in keys)
     spare, rounding = rod - np.abs(gap), tolerance(gap, np.full(1, rod))
     if (spare < -rounding).any():
         rows = places(spare < -rounding, gap.size)
         short = -at(spare, rows[0])
-        found = f"{off} {at(np.abs(gap), rows[0]):.6g}, the rod is {rod:.6g} long"
-        raise refuse(owner, rows, found, f"it is {short:.3g} too short", short)
+        raise refuse(owner, rows, say("group.pin", found=off, gap=at(np.abs(gap), rows[0]), length=rod, short=short), short)
     if (spare <= rounding).any():
-        raise dead(owner, places(spare <= rounding, gap.size), f"the rod is perpendicular to {line}", placed=False)
+        raise dead(owner, places(spare <= rounding, gap.size), say("group.dead.across", line=line), placed=False)
     return spare

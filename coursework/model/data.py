@@ -13,9 +13,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.errors import InputError, closest
+from coursework.errors import Fault, InputError
 from coursework.formula.alphabet import spell
-from coursework.formula.units import KINDS, MAX_NUMBER, UnitFault, read
+from coursework.formula.units import KINDS, MAX_NUMBER, UnitFault, read, unlike
+from coursework.sentences import Sentence, closest, say
 from coursework.variant.record import Variant
 
 Array = NDArray[np.float64]
@@ -57,15 +58,15 @@ def read_data(variant: Variant, columns: Mapping[str, Any] | Any = None) -> Data
     for key in () if columns is None else columns.keys():
         name = spell(key) if isinstance(key, str) else key
         if name not in units:
-            known = f" Given: {', '.join(variant.values)}; coordinates: {', '.join(places)}."
-            raise _fault(variant, f'"{key}" is no given datum and no coordinate.{closest(str(key), list(units)) or known}')
+            hint = closest(str(key), list(units)) or say("hint.known", known=", ".join(units))
+            raise _fault(variant, say("fault.D011", name=str(key), hint=hint))
         if name in found:
-            raise _fault(variant, f'"{name}" stands twice among the columns.')
+            raise _fault(variant, say("fault.D012", name=name))
         found[name] = _column(variant, name, columns[key], units[name])
     lengths = {name: len(column) for name, column in found.items() if column.ndim}
     if len(set(lengths.values())) > 1:
         told = ", ".join(f"{name} {length}" for name, length in lengths.items())
-        raise _fault(variant, f"the columns must have the same number of rows, found {told}.")
+        raise _fault(variant, say("fault.D013", found=told))
     count = next(iter(lengths.values()), 1)
     every = {name: np.full(count, value) for name, value in variant.values.items()}
     start = np.tile([np.nan if c.guess is None else c.guess for c in variant.coordinates], (count, 1))
@@ -84,7 +85,7 @@ def _column(variant: Variant, name: str, values: Any, si: str) -> Array:
     except ValueError:
         column = np.empty((0, 0))
     if column.ndim > 1:
-        raise _fault(variant, f"{name}: one number a set was expected, found an array of shape {column.shape}.")
+        raise _fault(variant, say("fault.D014", shape=str(column.shape)), name)
     if column.dtype.kind in "iuf":
         numbers: Array = column.astype(float)
     else:
@@ -93,25 +94,25 @@ def _column(variant: Variant, name: str, values: Any, si: str) -> Array:
     wrong = ~(np.abs(numbers) <= MAX_NUMBER)
     if np.any(wrong):
         place = int(np.argmax(wrong))
-        shown = f"{float(numbers.flat[place]):g}"
-        raise _fault(variant, f"{name}, set {place + 1}: a finite number of at most 1e12 was expected, found {shown}.")
+        found = float(numbers.flat[place])
+        raise _fault(variant, say("fault.D015", found=found), say("place.set", name=name, number=place + 1))
     return numbers
 
 
 def _number(variant: Variant, name: str, value: Any, si: str, place: int) -> float:
     """Return the SI value of a number or a text such as "953 mm"."""
-    where = f"{name}, set {place + 1}"
+    where = say("place.set", name=name, number=place + 1)
     if isinstance(value, bool) or not isinstance(value, (int, float, str)):
-        raise _fault(variant, f"{where}: a number was expected, found {value!r}.")
+        raise _fault(variant, say("fault.D016", found=repr(value)), where)
     try:
         quantity = read(value, si)
     except UnitFault as fault:
-        raise _fault(variant, f"{where}: {fault}") from None
+        raise _fault(variant, fault.message, where) from None
     if quantity.si and si and KINDS[quantity.si][0] != KINDS[si][0]:
-        _, what, shown = KINDS[si]
-        raise _fault(variant, f'{where}: {what} was expected: {shown} (found "{value}").')
+        raise _fault(variant, unlike(si, value), where)
     return quantity.value
 
 
-def _fault(variant: Variant, text: str) -> InputError:
-    return InputError(f"data for {variant.name}: {text}")
+def _fault(variant: Variant, message: Sentence, place: str = "") -> InputError:
+    place = say("place.set_of", variant=variant.name, place=place) if place else say("place.sets", variant=variant.name)
+    return InputError([Fault(message, place=place)])

@@ -10,7 +10,8 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from coursework.errors import InputError, closest
+from coursework.errors import InputError
+from coursework.sentences import closest, say
 
 if TYPE_CHECKING:
     from coursework.output.results import Results
@@ -67,5 +68,5 @@ def chosen(suffixes: Sequence[str] | None, user: str) -> tuple[Format, ...]:
     for suffix in suffixes:
         if suffix not in known:
             hint = closest(suffix, list(known))
-            raise InputError(f'"{suffix}" is not a format of the report.{hint} Formats: {", ".join(known)}.')
+            raise InputError(say("fault.C015", suffix=suffix, hint=hint, known=", ".join(known)))
     return tuple(each for suffix, each in known.items() if suffix in suffixes)

@@ -20,18 +20,14 @@ if TYPE_CHECKING:
 
 
 class Results:
-    """A run ready to be written; `stem` names its pages, `record_name` the file that is written last.
-
-    With `live` the page of a screen has the part that moves.
-    """
+    """A run ready to be written; `stem` names its pages and `record_name` the file that is written last."""
 
     stem = "report"
     record_name = "run.json"
 
-    def __init__(self, run: Run, language: str = "en", live: bool = True) -> None:
+    def __init__(self, run: Run, language: str = "en") -> None:
         self.run = run
         self.language = language
-        self.live = live
 
     def compute(self, pages: bool) -> None:
         """Compute what is asked for and look at every number, so that a fault comes before the first file."""
@@ -51,7 +47,7 @@ class Results:
         from coursework.report import build_model
 
         with under_way("pages"):
-            return build_model(self.run, self.language, self.stamp, live=self.live)
+            return build_model(self.run, self.language, self.stamp)
 
     def tables(self) -> Iterable[tuple[str, str]]:
         """Return the CSV texts by name."""

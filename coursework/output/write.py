@@ -10,13 +10,14 @@ import hashlib
 from collections.abc import Sequence
 from pathlib import Path
 
-from coursework.errors import OutputError, listing
+from coursework.errors import Fault, OutputError
 from coursework.file_set import publish
 from coursework.files import refused, write_bytes, write_through
 from coursework.output.formats import PAGES, Format, formats_for
 from coursework.output.record import as_json
 from coursework.output.results import Results
 from coursework.run import Run
+from coursework.sentences import either, say
 
 
 def write_report(run: Run, *paths: Path | str, language: str = "en") -> None:
@@ -38,8 +39,8 @@ def _page_format(target: Path) -> Format:
     known = formats_for(PAGES)
     suffix = target.suffix.lower().removeprefix(".")
     if suffix not in known:
-        endings = listing([f".{each}" for each in known], "or")
-        raise OutputError(f"{target}: a report ends in {endings} (found {target.suffix or 'no suffix'}).")
+        endings = either([f".{each}" for each in known])
+        raise OutputError([Fault(say("fault.W011", endings=endings, found=target.suffix or "–"), str(target))])
     return known[suffix]
 
 

@@ -13,13 +13,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from coursework.errors import Fault, InputError, listing
+from coursework.errors import InputError
 from coursework.geometry.time_derivatives import jets
 from coursework.integration.motion import Motion
 from coursework.plans.graph_words import centre_letter, drift, how_found, omega_name
 from coursework.plans.instant_centres import Body, Findings, construct
 from coursework.plans.sketch import Sketch, read_sketch
 from coursework.reduction.equations import VelocityEquations
+from coursework.sentences import say
 from coursework.variant.record import Variant
 
 GraphRow = tuple[str, float, float, float, str]
@@ -93,20 +94,14 @@ def _required_row(variant: Variant, motion: Motion) -> int:
     wanted = (
         ("[points]", variant.points or variant.groups),
         ("[links]", variant.links),
-        ("a hinge or rail in [frame]", variant.frame.hinges or variant.frame.rails or variant.frame.circles),
-        ("check_row in [time]", variant.time.check_row),
+        (say("graph.frame"), variant.frame.hinges or variant.frame.rails or variant.frame.circles),
+        ("[time] check_row", variant.time.check_row),
     )
     missing = [name for name, there in wanted if not there]
     if missing:
-        text = (
-            f"the graph-analytical check needs {listing(missing)}; this variant has none. "
-            'Add it, or take "graph_check" out of [ask] or --quantities.'
-        )
-        asked = "graph_check" in variant.ask
-        line = variant.nearest_line("ask", "quantities") if asked else 0  # asked for by the command line it stands in no file
-        raise InputError([Fault(text, str(variant.path or variant.name), line)])
+        raise InputError(say("fault.V516", missing=missing))
     if len(motion.coordinate_names) < len(variant.coordinates):
-        raise InputError("the graph-analytical check needs every coordinate; ask for the whole table.")
+        raise InputError(say("fault.V517"))
     assert variant.time.check_row is not None
     return variant.time.check_row
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from coursework.errors import Fault, InputError, listing
+from coursework.errors import Fault, InputError
 from coursework.formula.tree import Formula, number
 from coursework.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.reduction.independent import choose
@@ -118,8 +118,8 @@ def reduce(equations: VelocityEquations, start: Sequence[float]) -> Reduction:
         if block is None or block.size > 2:
             choose(equations, start, numbers=True)
         if block is None:
-            text = f"the determinant of equations {listing([e.name for e in members])} is zero in every position."
-            raise InputError([Fault(text, str(equations.variant.path or equations.variant.name), members[0].line)])
+            told = say("fault.V401", names=tuple(e.name for e in members))
+            raise InputError([Fault(told, str(equations.variant.path or equations.variant.name), members[0].line)])
         found.append(block)
     unused = tuple(e.name for i, e in enumerate(equations.equations) if i not in choice.used)
     return Reduction(tuple(found), tuple(equation.name for equation in used), unused, choice.notes)

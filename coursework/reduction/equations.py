@@ -13,7 +13,7 @@ from typing import TypeVar, cast
 import sympy as sp
 
 from coursework.codegen.tabulated import TableLaw
-from coursework.errors import Fault, InputError, listing
+from coursework.errors import Fault, InputError
 from coursework.formula.tree import Formula, FormulaFault, evaluate, spelled
 from coursework.mechanism import Mechanism
 from coursework.reduction.symbolic import TIME, Symbols, placed, symbol
@@ -87,13 +87,13 @@ def differentiate(mechanism: Mechanism) -> VelocityEquations:
     for constraint in mechanism.constraints:
         if not constraint.is_closure:
             try:
-                with placed(variant, f"constraint {constraint.name}", constraint.line):
+                with placed(variant, say("place.constraint", name=constraint.name), constraint.line):
                     equations.append(_written(constraint, variant, symbols))
             except NonLinear as fault:
-                where = f"constraint {constraint.name}, column {fault.column}"
+                where = say("place.column", place=say("place.constraint", name=constraint.name), column=fault.column)
                 faults.append(Fault(fault.message, str(variant.path or variant.name), constraint.line, 0, where))
             continue
-        with placed(variant, f"constraint {constraint.name}", constraint.line):
+        with placed(variant, say("place.constraint", name=constraint.name), constraint.line):
             components = _components(constraint, symbols, variant)
         for position in components:
             positions.append(position)
@@ -190,7 +190,7 @@ def _written(constraint: Constraint, variant: Variant, symbols: Symbols) -> Velo
     return VelocityEquation(constraint.name, constraint.because, coefficients, right_rest - left_rest, written, constraint.line)
 
 
-_WHERE = {"*": "a product of velocities", "/": "a denominator", "^": "a power", "call": "a function"}
+_WHERE = {"*": "product", "/": "denominator", "^": "power", "call": "function"}
 
 
 class NonLinear(ValueError):
@@ -198,12 +198,8 @@ class NonLinear(ValueError):
 
     def __init__(self, tree: Formula, names: set[str]) -> None:
         self.column = tree.column
-        stand = "stands" if len(names) == 1 else "stand"
-        self.message = (
-            f"the equation is not linear in the unknown velocities: {listing(sorted(names))} {stand} in {_WHERE[tree.op]}, "
-            f'"{spelled(tree)[:60]}". A condition on a speed\'s magnitude is written for its direction instead: '
-            "choose the sign and give the velocity itself."
-        )
+        where = say(f"equation.within.{_WHERE[tree.op]}")
+        self.message = say("fault.V402", names=tuple(sorted(names)), where=where, text=spelled(tree)[:60])
         super().__init__(self.message)
 
 

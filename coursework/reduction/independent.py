@@ -12,11 +12,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.errors import Fault, InputError, listing
+from coursework.errors import Fault, InputError
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.matching import match, over_and_under
 from coursework.reduction.system import LinearSystem, compile_system
-from coursework.sentences import say
+from coursework.sentences import Sentence, joined, say, say_count
 
 Array = NDArray[np.float64]
 # A row counts as dependent where what is left of it after projection is below this part of its length: 1e-9 lies far above
@@ -111,32 +111,25 @@ def _fault(
     equations: VelocityEquations, matrix: Array, kept: list[int], sames: list[tuple[str, list[str]]],
     conflicts: list[tuple[str, list[str], float]], rows: list[frozenset[int]], owner: list[int],
 ) -> Fault:  # fmt: skip
-    unknowns = equations.unknowns
-    sentences = [
-        f"{len(unknowns)} unknown velocities ({', '.join(unknowns)}) and {len(kept)} independent "
-        f"equation{'s' if len(kept) != 1 else ''} of {len(rows)}."
-    ]
+    unknowns, drive = equations.unknowns, equations.variant.drive
+    counts = {"count": len(unknowns), "unknowns": ", ".join(unknowns), "rows": len(rows)}
+    sentences: list[Sentence] = []
     for name, others, gap in conflicts:
-        wanted = f"equation {listing(others)}" if len(others) == 1 else f"equations {listing(others)} together"
-        said = wanted if others else "0 = 0"
-        sentences.append(f"Equation {name} contradicts {said}: the right sides differ by {abs(gap):.3g} at t = 0.")
+        key = "together" if len(others) > 1 else "one" if others else "nothing"
+        sentences.append(say(f"equation.contradicts.{key}", name=name, others=tuple(others), gap=abs(gap)))
     if conflicts:
-        driven = listing([law.name for law in equations.variant.drive])
-        many = f", or drive less: {driven} are prescribed" if len(equations.variant.drive) > 1 else ""
-        sentences.append(f"Correct one of them or leave it out{many}.")
-    sentences += [f"Equation {_same(pair)}." for pair in sames]
+        less = len(drive) > 1
+        sentences.append(say("equation.drive_less", drive=tuple(law.name for law in drive)) if less else say("equation.correct"))
+    sentences += [say("equation.dependent", sentence=_same(pair)) for pair in sames]
     if len(kept) < len(unknowns):
-        sentences.append(f"Missing: something for {listing(_undetermined(matrix, kept, unknowns))}.")
-        sentences.append(_structure(equations, rows, owner))
-        drives, ways = len(equations.variant.drive), len(unknowns) - len(kept)
-        prescribed = f"its {drives} drives prescribe" if drives != 1 else "its drive prescribes"
-        sentences.append(
-            f"The mechanism moves in {ways} more way{'s' if ways > 1 else ''} than {prescribed}; add a constraint or a drive."
-        )
+        sentences.append(say("equation.missing", names=tuple(_undetermined(matrix, kept, unknowns))))
+        sentences += _structure(equations, rows, owner)
+        sentences.append(say_count("equation.ways", len(unknowns) - len(kept), drives=len(drive)))
     file = str(equations.variant.path or equations.variant.name)
     lines = {equation.name: equation.line for equation in equations.equations}
     line = lines[conflicts[0][0]] if len(conflicts) == 1 else equations.variant.nearest_line("coordinates")
-    return Fault(" ".join(part for part in sentences if part), file, line)
+    code = "fault.V403" if conflicts else "fault.V404"
+    return Fault(say_count(code, len(kept), **counts, why=joined(sentences)), file, line)
 
 
 def _undetermined(matrix: Array, kept: list[int], unknowns: tuple[str, ...]) -> list[str]:
@@ -147,19 +140,19 @@ def _undetermined(matrix: Array, kept: list[int], unknowns: tuple[str, ...]) -> 
     return [name for column, name in enumerate(unknowns) if np.max(np.abs(free[:, column]), initial=0.0) > DEPENDENT]
 
 
-def _structure(equations: VelocityEquations, rows: list[frozenset[int]], owner: list[int]) -> str:
-    """Say which equations crowd on few unknowns and which unknowns share too few equations."""
+def _structure(equations: VelocityEquations, rows: list[frozenset[int]], owner: list[int]) -> list[Sentence]:
+    """Return which equations crowd on few unknowns and which unknowns share too few equations."""
     over, under = over_and_under(rows, owner)
     names = [equation.name for equation in equations.equations]
-    sentence = ""
+    told = []
     if over[0] and len(over[0]) > len(over[1]):
-        involved = listing([equations.unknowns[c] for c in over[1]])
-        several = len(over[0]) > 1
-        told = f"contain{'' if several else 's'} {f'only {involved}' if involved else 'no unknown velocity'}"
-        sentence = f"Equation{'s' if several else ''} {listing([names[r] for r in over[0]])} {told}"
+        crowd, involved = tuple(names[r] for r in over[0]), tuple(equations.unknowns[c] for c in over[1])
+        told.append(say_count("equation.crowd" if involved else "equation.empty", len(crowd), names=crowd, involved=involved))
     if under[1]:
-        involved = listing([equations.unknowns[c] for c in under[1]])
-        plural = "s" if len(under[0]) > 1 else ""
-        where = f"only in equation{plural} {listing([names[r] for r in under[0]])}" if under[0] else "in no equation"
-        sentence += ("; " if sentence else "") + f"{involved} stand{'s' if len(under[1]) == 1 else ''} {where}"
-    return sentence + "." if sentence else ""
+        few, involved = tuple(names[r] for r in under[0]), tuple(equations.unknowns[c] for c in under[1])
+        if few:
+            key = "equation.alone_in" if len(involved) == 1 else "equation.only_in"
+            told.append(say_count(key, len(few), names=few, involved=involved))
+        else:
+            told.append(say_count("equation.in_none", len(involved), involved=involved))
+    return told

@@ -16,8 +16,9 @@ import sympy as sp
 
 from coursework.codegen.names import derivative, private, public
 from coursework.errors import Fault, InputError
-from coursework.formula.tree import Formula, FormulaFault, bounded, spelled
+from coursework.formula.tree import Formula, FormulaFault, bounded, division_by_zero, no_number
 from coursework.mechanism import Mechanism
+from coursework.sentences import say
 from coursework.variant.record import Law, Variant
 
 Vector = tuple[sp.Expr, sp.Expr]
@@ -63,8 +64,8 @@ def placed(variant: Variant, place: str, line: int) -> Iterator[None]:
     try:
         yield
     except FormulaFault as fault:
-        where = f"{place}, column {fault.column}"
-        raise InputError([Fault(f"{fault.message}.", str(variant.path or variant.name), line, 0, where)]) from fault
+        where = say("place.column", place=place, column=fault.column)
+        raise InputError([Fault(fault.message, str(variant.path or variant.name), line, 0, where)]) from fault
 
 
 def expanded(expr: sp.Expr) -> sp.Expr:
@@ -158,7 +159,7 @@ class Symbols:
             bounded(tree, [float(arg) for arg in args])
         value = self._call(tree.name, args) if tree.op == "call" else _combine(tree, args)
         if tree.op in {"call", "^"} and value.has(sp.zoo, sp.nan, sp.oo, sp.I):
-            raise FormulaFault(tree.column or 1, f'"{spelled(tree)[:60]}" is no real number')
+            raise no_number(tree)
         return value
 
     def _call(self, name: str, args: list[sp.Expr]) -> sp.Expr:
@@ -255,6 +256,6 @@ def _combine(tree: Formula, args: list[sp.Expr]) -> sp.Expr:
             return args[0] * args[1]
         case "/":
             if args[1] == 0:
-                raise FormulaFault(tree.column or 1, f'"{spelled(tree)[:60]}" is a division by zero')
+                raise division_by_zero(tree)
             return args[0] / args[1]
     return args[0] ** args[1]

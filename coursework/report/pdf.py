@@ -8,6 +8,7 @@ from __future__ import annotations
 from coursework.errors import OutputError
 from coursework.report.model import ReportModel
 from coursework.report.typesetting import typeset
+from coursework.sentences import say
 
 # Tried in turn: (standard, fonts of the machine).  The first serves all Latin, Greek and Cyrillic text; a name in
 # another script takes the machine's fonts; where those lack the sign too, the page is printed without the standard.
@@ -25,4 +26,4 @@ def render_pdf(model: ReportModel) -> bytes:
             refused = getattr(error, "diagnostic", "") or str(error)
             if "could not be displayed" not in str(error):
                 break
-    raise OutputError(f"the PDF could not be set. Write the report as HTML meanwhile. Typst says: {refused[:2000]}")
+    raise OutputError(say("fault.W015", refused=refused[:2000]))

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from coursework.data import folder
 from coursework.errors import OutputError
+from coursework.sentences import say
 
 if TYPE_CHECKING:
     import typst
@@ -39,10 +40,7 @@ def _typst() -> Any:
     try:
         import typst
     except ImportError as error:
-        raise OutputError(
-            f"a PDF needs the package typst, which cannot be loaded here ({error}). "
-            'Install it with "pip install typst", or write the report as HTML and print it from the browser at 100 %.'
-        ) from error
+        raise OutputError(say("fault.W014", error=error)) from error
     return typst
 
 
@@ -69,7 +67,7 @@ def _faces() -> Path:
         return _places[-1]
     found = importlib.util.find_spec("matplotlib")
     if found is None or found.origin is None:
-        raise OutputError('matplotlib cannot be found. Install it with "pip install matplotlib".')
+        raise OutputError(say("fault.W013"))
     source = Path(found.origin).parent / "mpl-data" / "fonts" / "ttf"
     try:
         place = Path(tempfile.mkdtemp(prefix="coursework-fonts-"))

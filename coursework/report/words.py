@@ -8,7 +8,6 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from coursework.errors import listing
 from coursework.report.numbers import Numbers
 from coursework.report.text_runs import ITALIC
 from coursework.sentences import ENGLISH, Phrases, load_phrases
@@ -41,7 +40,7 @@ class Words:
 
     def listing(self, words: list[str]) -> str:
         """Return "a, b and c"."""
-        return listing(words, self("and"))
+        return self.phrases.listing(words)
 
     @property
     def numbers(self) -> Numbers:

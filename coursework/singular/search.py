@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from coursework.codegen.tabulated import OutsideTable
 from coursework.errors import InputError
 from coursework.integration.adaptive import Step, dormand_prince_8, next_length
+from coursework.sentences import Sentence, say
 from coursework.singular.change_point import nearest_change_point
 from coursework.singular.peaks import Peaks, Piece
 from coursework.singular.scaled_flow import Flow
@@ -85,7 +86,7 @@ class NotFollowed(InputError):
     `ahead`: places (position in rad and m, then time in s) a little further on, where a formula may have no value.
     """
 
-    def __init__(self, message: str, time: float, ahead: Sequence[Sequence[float]] = ()) -> None:
+    def __init__(self, message: Sentence, time: float, ahead: Sequence[Sequence[float]] = ()) -> None:
         super().__init__(message)
         self.time, self.ahead = time, ahead
 
@@ -149,7 +150,7 @@ class _Walk:
             self.state, self.scaled, self.length = step.state, after, following
             if nearer and (event := self._at_rest(block)) is not None:
                 return event if event.time < latest else None
-        raise NotFollowed(f"the motion could not be followed beyond t = {self.state[-1]:.6g} s.", float(self.state[-1]))
+        raise NotFollowed(say("fault.V511", time=float(self.state[-1])), float(self.state[-1]))
 
     def _determinants(self, state: Array) -> Array:
         *q, t = state.tolist()
@@ -181,9 +182,9 @@ class _Walk:
                     continue
                 if self.end - t < 100 * AT_END * self.end:
                     return None
-                why = str(error) if isinstance(error, OutsideTable) else "a formula has no value there."
+                why = error.faults[0].message if isinstance(error, OutsideTable) else say("event.no_value")
                 ahead = [(self.state + slope * self.length * 4.0**further).tolist() for further in range(1, 12)]
-                raise NotFollowed(f"the motion cannot be followed beyond t = {t:.6g} s: {why}", t, ahead) from error
+                raise NotFollowed(say("fault.V512", time=t, reason=why), t, ahead) from error
             ratio = float(np.max(np.abs(step.error) / (self.tolerance * sizes)))
             if ratio <= 1.0:
                 self.peaks.see(Piece(self.state, slope, rule, self.length))

@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from coursework.errors import Fault
 from coursework.formula.alphabet import spell
 from coursework.formula.tree import Formula, FormulaFault, evaluate
+from coursework.sentences import say
 from coursework.variant.no_value import in_order
 from coursework.variant.record import Law, Variant
 from coursework.variant.source import Source
@@ -27,8 +28,7 @@ def faults_at_start(variant: Variant, source: Source) -> list[Fault]:
     places |= {law.name: _key("drive", law, source) for law in variant.drive}
     circles = {name: circle for name in laws if (circle := _circle(name, laws))}
     if circles:
-        told = {name: f"{' needs '.join(circle)}; no law can need itself." for name, circle in circles.items()}
-        return [source.fault(places[name], sentence) for name, sentence in told.items()]
+        return [source.fault(places[name], say("fault.V057", circle=" → ".join(circle))) for name, circle in circles.items()]
     values = {"t": 0.0, **variant.values, **{c.name: c.start for c in variant.coordinates if c.start is not None}}
     # Any velocities do: an equation is linear in them, and says so itself where it is not.
     values |= {name: 1.0 + 0.1 * place for place, name in enumerate(variant.sought)}
@@ -57,7 +57,7 @@ def _value(formula: Formula, values: Mapping[str, float], path: Path, source: So
     try:
         return evaluate(formula, values)
     except FormulaFault as fault:
-        faults.append(source.fault(path, f"there is no value at t = 0: {fault.message}.", fault.column))
+        faults.append(source.fault(path, say("fault.V086", message=fault.message), fault.column))
         return None
 
 

@@ -5,8 +5,8 @@ Enters: checked sections of a file.  Leaves: records of `record.py`; faults stay
 
 from __future__ import annotations
 
-from coursework.errors import closest
 from coursework.groups import group_kind
+from coursework.sentences import closest, say
 from coursework.variant import schema
 from coursework.variant.parts import Parts
 from coursework.variant.record import Frame, Group, Guide, Link
@@ -29,7 +29,7 @@ def read_group(index: int, entry: schema.Group, parts: Parts) -> Group:
     for place, coordinate in enumerate(entry.coordinates):
         if parts.names.kinds.get(parts.names.canonical(coordinate)) != "coordinate":
             known = [name for name, kind in parts.names.kinds.items() if kind == "coordinate"]
-            text = f'"{coordinate}" is not in [coordinates].{closest(coordinate, known)}'
+            text = say("fault.V080", coordinate=coordinate, hint=closest(coordinate, known))
             parts.undeclared((*path, "coordinates", place), text)
     return Group(
         group_kind(entry.kind),
@@ -53,12 +53,12 @@ def read_link(key: str, entry: schema.Link, links: list[str], parts: Parts) -> L
         if name:
             parts.known_point(("links", key, role), name)
     if entry.rate and parts.names.canonical(entry.rate) not in parts.names.velocities:
-        text = f'"{entry.rate}" is no velocity of this file.{closest(entry.rate, parts.names.velocities)}'
+        text = say("fault.V078", rate=entry.rate, hint=closest(entry.rate, parts.names.velocities))
         parts.undeclared(("links", key, "rate"), text)
     slides = None if entry.slides is None else str(entry.slides)
     if slides is not None and (slides == key or slides not in links):
         others = [link for link in links if link != key]
-        parts.say(("links", key, "slides"), f'"{slides}" is no other link of this file.{closest(slides, others)}')
+        parts.say(("links", key, "slides"), say("fault.V079", slides=slides, hint=closest(slides, others)))
     rate = parts.names.canonical(entry.rate) if entry.rate else None
     wheel, contact = (parts.names.canonical(point) if point else None for point in (entry.wheel, entry.contact))
     return Link(key, tuple(map(parts.names.canonical, entry.points)), rate, wheel, contact, slides)

@@ -9,23 +9,22 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from coursework.errors import Fault, InputError
+from coursework.sentences import Sentence, say
 from coursework.variant.record import MAX_NUMBERS, MOST_PERIODS, Variant
 
 _CLOSE = 1e-9
 
 
-def exceeded(variant: Variant) -> Iterator[tuple[str, str]]:
+def exceeded(variant: Variant) -> Iterator[tuple[str, Sentence]]:
     """Yield the key of [time] and a sentence for everything that is too much."""
     time = variant.time
     rows, columns = time.steps + 1, len(variant.columns)
     if rows * columns > MAX_NUMBERS:
-        text = f"{rows} rows of {columns} columns are asked for; a table has at most {MAX_NUMBERS} numbers."
-        yield "step", f"{text} Take a larger step."
+        yield "step", say("fault.V016", rows=rows, columns=columns, most=MAX_NUMBERS)
     if time.period is not None and time.period < time.step * (1 - _CLOSE):
-        yield "period", f"the period ({time.period:g} s) must be at least one step ({time.step:g} s)."
+        yield "period", say("fault.V017", period=time.period, step=time.step)
     elif time.period is not None and time.end / time.period > MOST_PERIODS * (1 + _CLOSE):
-        text = f"the run lasts for {time.end / time.period:.3g} periods; at most {MOST_PERIODS} are computed."
-        yield "end", f"{text} Take an earlier end."
+        yield "end", say("fault.V018", periods=time.end / time.period, most=MOST_PERIODS)
 
 
 def refuse_unbounded(variant: Variant) -> None:

@@ -11,9 +11,10 @@ from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from coursework.errors import InputError, closest
+from coursework.errors import Fault, InputError
 from coursework.formula.alphabet import spell
-from coursework.formula.units import KINDS, UNITS, UnitFault, read
+from coursework.formula.units import KINDS, UNITS, UnitFault, read, unlike
+from coursework.sentences import Sentence, closest, say
 
 if TYPE_CHECKING:
     from coursework.variant.record import Variant
@@ -27,7 +28,7 @@ def changed_values(variant: Variant, given: Values, start: Values, drive: Values
     changes: dict[Path, float | str] = {}
     data = {one.name: (one.si, one.unit) for one in variant.given}
     for key, value in (given or {}).items():
-        name = _known(variant, key, list(data), "given datum")
+        name = _known(variant, key, list(data), "datum")
         changes["given", name] = _written(variant, name, value, *data[name])
     places = {c.name: (c.unit, c.written) for c in variant.coordinates}
     for key, value in (start or {}).items():
@@ -58,9 +59,13 @@ def follow_from(variant: Variant, changes: Iterable[Path]) -> frozenset[str]:
 def _known(variant: Variant, key: str, known: list[str], what: str) -> str:
     name = spell(str(key))
     if name not in known:
-        advice = closest(name, known) or f" Known: {', '.join(known)}."
-        raise InputError(f'{variant.name}: "{key}" is no {what}.{advice}')
+        advice = closest(name, known) or say("hint.known", known=", ".join(known))
+        raise InputError([Fault(say("fault.D001", name=key, what=say(f"fault.datum.{what}"), hint=advice), place=variant.name)])
     return name
+
+
+def _fault(variant: Variant, name: str, message: Sentence) -> InputError:
+    return InputError([Fault(message, place=say("place.datum", variant=variant.name, name=name))])
 
 
 def _written(variant: Variant, name: str, value: Any, si: str, unit: str) -> float | str:
@@ -69,17 +74,16 @@ def _written(variant: Variant, name: str, value: Any, si: str, unit: str) -> flo
         try:
             read_value = read(value, si)
         except UnitFault as fault:
-            raise InputError(f"{variant.name}, {name}: {fault}") from None
+            raise _fault(variant, name, fault.message) from None
         if read_value.si and si and KINDS[read_value.si][0] != KINDS[si][0]:
-            _, what, shown = KINDS[si]
-            raise InputError(f'{variant.name}, {name}: {what} was expected: {shown} (found "{value}").')
+            raise _fault(variant, name, unlike(si, value))
         return value if read_value.si or not unit else f"{value} {si}"
     try:
         number = float(value)
     except (TypeError, ValueError):
-        raise InputError(f"{variant.name}, {name}: a number was expected, found {value!r}.") from None
+        raise _fault(variant, name, say("fault.D002", found=repr(value))) from None
     if not math.isfinite(number):
-        raise InputError(f"{variant.name}, {name}: a finite number was expected, found {number:g}.")
+        raise _fault(variant, name, say("fault.D003", found=number))
     if not unit:
         return f"{number!r}".removesuffix(".0")
     size = UNITS[unit][0] if unit in UNITS else Fraction(1)

@@ -13,7 +13,7 @@ from coursework.dimensions.exponents import Dimension, is_known, si_unit, symbol
 from coursework.dimensions.formulas import Clash, Measurer, Term
 from coursework.errors import Fault
 from coursework.formula.tree import Formula
-from coursework.variant.dimension_words import Blame, advice, contrast, datum_named
+from coursework.variant.dimension_words import Blame, fault_of_datum, fault_of_either, fault_of_terms
 from coursework.variant.places import Path, Place, measures, places
 from coursework.variant.record import Variant
 from coursework.variant.source import Source
@@ -103,7 +103,6 @@ def _judge(place: Place, measurer: Measurer) -> None:
 def _fault(
     clash: Clash, place: Place, outcome: _Outcome, variant: Variant, source: Source, times: Mapping[Path, Formula]
 ) -> Fault:
-    told = contrast(place, clash, outcome.solved)
     at = source.path_of(place.path)
     names = outcome.measurer.names
     parts = sum(1 for one in places(variant, names, times) for formula in one.formulas for _ in formula.walk())
@@ -113,7 +112,7 @@ def _fault(
     candidates = [(datum, freed) for datum in tried if (freed := _pass(variant, times, datum.path)).clash is None]
     must = candidates[0][1].solved({candidates[0][0].name: 1}) if len(candidates) == 1 else None
     if must is None or not si_unit(must):
-        return source.fault(at, f"{told} {advice(clash)}".strip())
+        return source.fault(at, fault_of_terms(place, clash, outcome.solved))
     datum, freed = candidates[0]
     blame = replace(datum, must=must)
     line = source.positions.find(source.path_of(blame.path))[0]
@@ -123,8 +122,8 @@ def _fault(
         freed.times_as_angles or _mends_itself(place, variant, times, passes)
     )
     if of_formula or blame.path[0] == "unknowns":
-        return source.fault(at, f"{told} {blame.conditional(line)}")
-    return Fault(datum_named(blame, place, clash, freed.solved), source.file, line)
+        return source.fault(at, fault_of_either(blame, line, place, clash, outcome.solved))
+    return Fault(fault_of_datum(blame, place, clash, freed.solved), source.file, line)
 
 
 def _data(variant: Variant) -> Iterator[Blame]:

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from coursework.dimensions.exponents import NUMBER, Dimension, dimension_of, unit_like, units_shown, what
 from coursework.dimensions.formulas import Clash, Term
 from coursework.formula.tree import Formula, spelled
+from coursework.sentences import Sentence, say
 from coursework.variant.places import Path, Place
 
 Solved = Callable[[Dimension], Dimension | None]
@@ -34,65 +35,79 @@ class Blame:
         return f'{self.name} = "{f"{self.text} {self.unit}".strip()}"'
 
     @property
-    def needed(self) -> str:
-        """Return what it must be, and how that is written."""
+    def needed(self) -> Sentence:
+        """Return what it must be."""
+        assert self.must is not None
+        return what(self.must, "quantity.rad")
+
+    @property
+    def advice(self) -> Sentence:
+        """Return how that is written."""
         assert self.must is not None
         unit = unit_like(self.unit, self.must)
-        advice = f'Write "{f"{self.text} {unit}".strip()}".' if unit else "Correct its unit, or the formula."
-        return f"{self.name} must be {what(self.must, 'an angle')}. {advice}"
-
-    def conditional(self, line: int) -> str:
-        """Return the sentence that follows after the terms, where the formula is as likely to be wrong."""
-        assert self.must is not None
-        return f"If the formula is right, {self.written} (line {line}) must be {what(self.must, 'an angle')}."
+        if unit:
+            return say("fault.measures.write", text=f"{self.text} {unit}".strip())
+        return say("fault.measures.correct")
 
 
-def contrast(place: Place, clash: Clash, solved: Solved) -> str:
+def contrast(place: Place, clash: Clash, solved: Solved) -> Sentence:
     """Return what the two sides of a clash are."""
     first, second = _named(clash.first, solved), _named(clash.second, solved)
-    if clash.kind == "argument":
-        which = "angle behind @" if clash.first.tree.op == "@" else "argument"
-        whole = text_of(clash.first.tree)
-        if first is None:
-            return f"the {which} of {whole} cannot be an angle or a number."
-        return f"the {which} of {whole} is {first}; an angle or a number was expected."
     tree = text_of(clash.first.tree)
-    if clash.first.tree.si and second is not None and clash.second.dimension is not None:
-        return f"{second} was expected: {units_shown(solved(clash.second.dimension) or NUMBER)} (found {first})."
-    if first is None or second is None:
-        return f"{tree} cannot measure the same as {place.label if clash.kind == 'place' else text_of(clash.second.tree)}."
-    if clash.kind == "place":
-        return f"{tree} is {first}; {place.label} is {second}."
-    return f"{text_of(clash.second.tree)} is {second}, {tree} is {first}."
-
-
-def advice(clash: Clash) -> str:
-    """Return what to do where no datum is to blame; a value of the wrong kind needs no further word."""
-    if clash.kind == "terms":
-        return "Terms that are added or set equal must measure the same."
-    return "" if clash.first.tree.si else "Is a factor missing, or is there one too many?"
-
-
-def datum_named(blame: Blame, place: Place, clash: Clash, solved: Solved) -> str:
-    """Return the sentence that names the datum; `solved` tells what things measure once the datum is free."""
-    found = what(dimension_of(blame.si), "an angle")
-    return f"{blame.written} is {found}; {_reason(blame, place, clash, solved)}, so {blame.needed}"
-
-
-def _reason(blame: Blame, place: Place, clash: Clash, solved: Solved) -> str:
     if clash.kind == "argument":
-        return f"{text_of(clash.first.tree)} takes an angle"
+        which = "angle" if clash.first.tree.op == "@" else "argument"
+        if first is None:
+            return say(f"fault.measures.{which}_unknown", whole=tree)
+        return say(f"fault.measures.{which}", whole=tree, first=first)
+    if clash.first.tree.si and second is not None and clash.second.dimension is not None:
+        units = units_shown(solved(clash.second.dimension) or NUMBER)
+        return say("fault.measures.value", first=first, second=second, units=units)
+    other = place.label if clash.kind == "place" else text_of(clash.second.tree)
+    if first is None or second is None:
+        return say("fault.measures.unlike", tree=tree, other=other)
     if clash.kind == "place":
-        return f"{place.label} = {text_of(clash.first.tree)} is {_named(clash.second, solved) or 'something else'}"
+        return say("fault.measures.two", tree=tree, first=first, other=other, second=second)
+    return say("fault.measures.terms", tree=other, first=second, other=tree, second=first)
+
+
+def fault_of_terms(place: Place, clash: Clash, solved: Solved) -> Sentence:
+    """Return what is said where no datum is to blame; a value of the wrong kind needs no further word."""
+    told = contrast(place, clash, solved)
+    if clash.kind == "terms":
+        return say("fault.V201", contrast=told)
+    return say("fault.V202", contrast=told) if clash.first.tree.si else say("fault.V203", contrast=told)
+
+
+def fault_of_either(blame: Blame, line: int, place: Place, clash: Clash, solved: Solved) -> Sentence:
+    """Return what is said where the formula is as likely to be wrong as the datum."""
+    told = contrast(place, clash, solved)
+    return say("fault.V204", contrast=told, datum=blame.written, line=line, needed=blame.needed)
+
+
+def fault_of_datum(blame: Blame, place: Place, clash: Clash, solved: Solved) -> Sentence:
+    """Return the sentence that names the datum; `solved` tells what things measure once the datum is free."""
+    found = what(dimension_of(blame.si), "quantity.rad")
+    reason = _reason(blame, place, clash, solved)
+    return say(
+        "fault.V205", datum=blame.written, found=found, reason=reason, name=blame.name, needed=blame.needed, advice=blame.advice
+    )
+
+
+def _reason(blame: Blame, place: Place, clash: Clash, solved: Solved) -> Sentence:
+    if clash.kind == "argument":
+        return say("fault.measures.takes_angle", whole=text_of(clash.first.tree))
+    if clash.kind == "place":
+        second = _named(clash.second, solved) or say("fault.measures.else")
+        return say("fault.measures.is", label=place.label, tree=text_of(clash.first.tree), second=second)
     mine, other = clash.first, clash.second
     if blame.name not in mine.tree.names():
         mine, other = other, mine
     is_what = None if blame.name in other.tree.names() else _named(other, solved)
-    beside = f"{text_of(other.tree)}, {is_what}" if is_what else text_of(other.tree)
-    return f"in {place.label} {text_of(mine.tree)} stands beside {beside}"
+    known = {"label": place.label, "tree": text_of(mine.tree), "other": text_of(other.tree)}
+    return say("fault.measures.beside_known", **known, what=is_what) if is_what else say("fault.measures.beside", **known)
 
 
-def _named(term: Term, solved: Solved) -> str | None:
+def _named(term: Term, solved: Solved) -> Sentence | None:
     found = solved(term.dimension if term.dimension is not None else NUMBER)
     return None if found is None else what(found)
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from coursework.errors import Fault
 from coursework.formula.alphabet import foreign_letter, spell
 from coursework.formula.reader import FUNCTION_WORDS
+from coursework.sentences import say
 from coursework.variant.schema import VariantFile
 from coursework.variant.source import Source
 
@@ -91,21 +92,21 @@ class Names:
         for name, kind, path in self.declarations:
             plain = spell(name)
             if strange := foreign_letter(name):
-                text = f'letter {strange[0] + 1} of "{name}" is the {strange[1]}; names use Latin or Greek letters.'
+                text = say("fault.V081", number=strange[0] + 1, name=name, strange=strange[1])
                 found.append(source.fault(path, text, at_key=kind != "rate"))
             elif not _SHAPE.match(plain):
-                text = f'"{name}" is no name: letters, digits and _ only, a letter first.'
+                text = say("fault.V082", name=name)
                 found.append(source.fault(path, text, at_key=kind != "rate"))
             elif plain in _BUILT_IN or plain in FUNCTION_WORDS:
-                text = f'"{name}" has a meaning of its own in formulas; take another name.'
+                text = say("fault.V083", name=name)
                 found.append(source.fault(path, text, at_key=kind != "rate"))
             elif plain in made and kind != "point":
                 velocity, line = made[plain]
-                text = f'"{name}" is what the acceleration of {velocity} (line {line}) is called in tables; take another name.'
+                text = say("fault.V084", name=name, velocity=velocity, line=line)
                 found.append(source.fault(path, text, at_key=kind != "rate"))
             elif plain in seen:
                 first, line = seen[plain]
-                text = f'"{name}" is declared twice: as {first} in line {line} and as {kind} here. Give one of them another name.'
+                text = say("fault.V085", name=name, first=say(f"fault.kind.{first}"), line=line, kind=say(f"fault.kind.{kind}"))
                 found.append(source.fault(path, text, at_key=kind != "rate"))
             seen.setdefault(plain, (kind, source.positions.find(path)[0]))
         return found

@@ -11,6 +11,7 @@ from graphlib import TopologicalSorter
 
 from coursework.errors import Fault
 from coursework.formula.tree import Formula, FormulaFault, evaluate_any
+from coursework.sentences import say
 from coursework.variant.record import Law, Variant
 
 Path = tuple[str | int, ...]
@@ -70,14 +71,12 @@ def _judged(variant: Variant, path: Path, name: str, formula: Formula, values: d
     try:
         value = evaluate_any(formula, values)
     except FormulaFault as fault:
-        place = (
-            f"{'.'.join(map(str, path[:2]))}"
-            if path[0] != "constraint"
-            else f"constraint {variant.constraints[int(path[1])].name}"
-        )
-        text = f"there is no value at t = {t:.6g} s: {fault.message}."
-        line = variant.nearest_line(*path)
-        return Fault(text, str(variant.path or variant.name), line, 0, f"{place}, column {fault.column}")
+        place = ".".join(map(str, path[:2]))
+        if path[0] == "constraint":
+            place = say("place.constraint", name=variant.constraints[int(path[1])].name)
+        place = say("place.column", place=place, column=fault.column)
+        told = say("fault.V019", time=t, reason=fault.message)
+        return Fault(told, str(variant.path or variant.name), variant.nearest_line(*path), 0, place)
     if name:
         values[name] = value
     return None

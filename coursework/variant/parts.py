@@ -10,9 +10,10 @@ import math
 from collections.abc import Callable
 from typing import Literal
 
-from coursework.errors import Fault, closest
+from coursework.errors import Fault
 from coursework.formula import reader, units
 from coursework.formula.tree import Formula, FormulaFault, evaluate
+from coursework.sentences import Sentence, closest, say
 from coursework.variant.names import Names
 from coursework.variant.source import Source
 
@@ -24,12 +25,6 @@ _SCOPES = {
     "geometry": {"given", "drive", "coordinate", "function", "point"},
     "motion": {"given", "drive", "coordinate", "function"},
     "velocity": {"given", "drive", "coordinate", "function", "rate", "unknown"},
-}
-_LISTED = {
-    "time": "given data, drives and t",
-    "geometry": "given data, drives, coordinates, functions, points and t",
-    "motion": "given data, drives, coordinates, functions and t",
-    "velocity": "given data, drives, coordinates, functions, velocities and t",
 }
 _ADVISED = 100
 Path = tuple[str | int, ...]
@@ -49,11 +44,11 @@ class Parts:
         self.grads: list[tuple[Path, str]] = []
         self._unread: list[tuple[Path, str, str]] = []
 
-    def say(self, path: Path, message: str, column: int = 0) -> None:
+    def say(self, path: Path, message: Sentence, column: int = 0) -> None:
         """Keep a fault."""
         self.faults.append(self.source.fault(path, message, column))
 
-    def undeclared(self, path: Path, message: str, column: int = 0) -> None:
+    def undeclared(self, path: Path, message: Sentence, column: int = 0) -> None:
         """Keep a fault about a name that is not declared, unless another fault has hidden its declaration."""
         if self.sure:
             self.say(path, message, column)
@@ -73,7 +68,7 @@ class Parts:
             if fault.unit and not wanted:
                 self._unread.append((path, str(value), fault.unit))
             else:
-                self.say(path, str(fault))
+                self.say(path, fault.message)
             return _NOTHING
 
     @property
@@ -104,14 +99,13 @@ class Parts:
             try:
                 return evaluate(tree, self.values) if self.sound else math.nan
             except FormulaFault as fault:
-                self.say(path, f"the value cannot be computed from the given data: {fault.message}.", fault.column)
+                self.say(path, say("fault.V060", message=fault.message), fault.column)
             except KeyError as missing:
-                self.say(path, f"a number is needed here before the motion begins; {missing} is no given datum.")
+                self.say(path, say("fault.V061", missing=str(missing)))
             return math.nan
         read = self.quantity(path, value, si)
         if read.si not in {"", si}:
-            _, what, shown = units.KINDS[si]
-            self.say(path, f'{what} was expected: {shown} (found "{value}").')
+            self.say(path, units.unlike(si, value))
             return math.nan
         return read.value if read is not _NOTHING else math.nan
 
@@ -121,8 +115,7 @@ class Parts:
             return self.formula(path, value, "scalar", scope)
         read = self.quantity(path, value, wanted)
         if wanted and read.si and units.KINDS[read.si][0] != units.KINDS[wanted][0]:
-            _, what, shown = units.KINDS[wanted]
-            self.say(path, f'{what} was expected: {shown} (found "{value}").')
+            self.say(path, units.unlike(wanted, value))
         size = Formula("number", name=repr(abs(read.value)), si=read.si)
         return size if read.value >= 0 else Formula("neg", (size,))
 
@@ -131,13 +124,13 @@ class Parts:
         try:
             left, right = reader.parse_equation(text, vectors=closure)
         except FormulaFault as fault:
-            self.say(path, fault.message + ".", fault.column)
+            self.say(path, fault.message, fault.column)
             return _ZERO, _ZERO
         scope = "geometry" if closure else "velocity"
         left, right = self._resolve(path, left, scope), self._resolve(path, right, scope)
         kinds = {self._kind(path, side) for side in (left, right)} if closure else {"scalar"}
         if len(kinds - {"?"}) > 1:
-            text = "one side of the closure is a vector, the other a number. Compare vectors, or add .x or .y."
+            text = say("fault.V058")
             self.say(path, text)
         return left, right
 
@@ -146,21 +139,20 @@ class Parts:
         try:
             tree = reader.parse(text, vectors=scope == "geometry")
         except FormulaFault as fault:
-            self.say(path, fault.message + ".", fault.column)
+            self.say(path, fault.message, fault.column)
             return _ZERO
         tree = self._resolve(path, tree, scope)
         found = self._kind(path, tree)
         if kind != "any" and found not in {kind, "?"}:
-            wanted = "a vector such as D + r1 @ phi1" if kind == "vector" else "a number"
-            advice = " Add .x or .y." if kind == "scalar" else ""
-            self.say(path, f'{wanted} was expected, found the {"number" if found == "scalar" else found} "{text[:60]}".{advice}')
+            wants = "fault.V050" if kind == "vector" else "fault.V051"
+            self.say(path, say(wants, text=text[:60]))
         return tree
 
     def known_point(self, path: Path, name: str) -> None:
         """Keep a fault where `name` is no point."""
         points = [point for point, kind in self.names.kinds.items() if kind == "point"]
         if self.names.canonical(name) not in points:
-            self.undeclared(path, f'the point "{name}" is not in [points].{closest(name, points)}')
+            self.undeclared(path, say("fault.V059", name=name, hint=closest(name, points)))
 
     def _resolve(self, path: Path, tree: Formula, scope: str) -> Formula:
         if tree.op != "name":
@@ -170,16 +162,14 @@ class Parts:
         kind = self.names.kinds.get(name)
         if name not in {"t", "pi"} and kind not in _SCOPES[scope]:
             if kind:
-                article = "an" if kind == "unknown" else "a"
-                text = f'symbol "{tree.name}" is {article} {kind} and cannot stand here; only {_LISTED[scope]} can.'
-                self.say(path, text, tree.column)
+                listed, its = say(f"fault.listed.{scope}"), say(f"fault.kind.{kind}")
+                self.say(path, say("fault.V052", name=tree.name, kind=its, listed=listed), tree.column)
             else:
                 # Looking for the closest name takes time; after so many faults nobody reads the advice.
                 few = len(self.faults) < _ADVISED
                 allowed = [known for known, its in self.names.kinds.items() if its in _SCOPES[scope]] if few else []
-                where = " Declare it once: in [given], [drive], [coordinates] or [unknowns]."
-                advice = closest(name, [*allowed, "t", "pi"]) or where
-                self.undeclared(path, f'symbol "{tree.name[:40]}" is not declared.{advice}', tree.column)
+                advice = closest(name, [*allowed, "t", "pi"]) or say("fault.part.declare")
+                self.undeclared(path, say("fault.V053", name=tree.name[:40], hint=advice), tree.column)
         return Formula("name", (), name, tree.column)
 
     def _kind(self, path: Path, tree: Formula) -> str:
@@ -204,7 +194,6 @@ class Parts:
         if "?" in kinds:
             return "?"
         if wrong:
-            advice = "a vector is added to a vector, multiplied by a number, and has the parts .x and .y"
-            self.say(path, f'vectors and numbers are mixed at "{tree.name or tree.op}"; {advice}.', tree.column)
+            self.say(path, say("fault.V054", name=tree.name or tree.op), tree.column)
             return "?"
         return result.get(tree.op, "vector" if "vector" in kinds else "scalar")

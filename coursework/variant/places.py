@@ -10,13 +10,13 @@ from dataclasses import dataclass
 
 from coursework.dimensions.exponents import LENGTH, NUMBER, TIME, Dimension, added, dimension_of
 from coursework.formula.tree import Formula
+from coursework.sentences import say
 from coursework.variant.record import Constraint, Group, Law, Variant
 
 Path = tuple[str | int, ...]
 _LENGTH: Dimension = {LENGTH: 1}
 _TIME: Dimension = {TIME: 1}
 _SPEED: Dimension = {LENGTH: 1, TIME: -1}
-_ONE = {"from": "point", "lengths": "length", "coordinates": "coordinate", "guides": "guide"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,7 +72,7 @@ def places(variant: Variant, names: Mapping[str, Dimension], times: Mapping[Path
 def _constraint(index: int, constraint: Constraint) -> Place:
     key = "closure" if constraint.is_closure else "equation"
     both = (constraint.left, constraint.right)
-    return Place(("constraint", index, key), both, None, f"constraint {constraint.name}", not constraint.is_closure)
+    return Place(("constraint", index, key), both, None, say("place.constraint", name=constraint.name), not constraint.is_closure)
 
 
 def _degree(tree: Formula, velocities: set[str]) -> int:
@@ -93,19 +93,19 @@ def _geometry(variant: Variant) -> Iterator[Place]:
     for index, group in enumerate(variant.groups):
         yield from _group(("group", index), group)
     for index, (through, angle) in enumerate(variant.frame.rails):
-        yield Place(("frame", "rails", index, "through"), (through,), _LENGTH, f"through of rail {index + 1}")
-        yield Place(("frame", "rails", index, "angle"), (angle,), NUMBER, f"angle of rail {index + 1}")
+        yield Place(("frame", "rails", index, "through"), (through,), _LENGTH, say("place.rail.through", number=index + 1))
+        yield Place(("frame", "rails", index, "angle"), (angle,), NUMBER, say("place.rail.angle", number=index + 1))
     for index, (center, radius) in enumerate(variant.frame.circles):
-        yield Place(("frame", "circles", index, "center"), (center,), _LENGTH, f"center of circle {index + 1}")
-        yield Place(("frame", "circles", index, "radius"), (radius,), _LENGTH, f"radius of circle {index + 1}")
+        yield Place(("frame", "circles", index, "center"), (center,), _LENGTH, say("place.circle.center", number=index + 1))
+        yield Place(("frame", "circles", index, "radius"), (radius,), _LENGTH, say("place.circle.radius", number=index + 1))
 
 
 def _group(path: Path, group: Group) -> Iterator[Place]:
     number = int(path[1]) + 1
 
     def place(key: Path, formula: Formula, wanted: Dimension) -> Place:
-        what = f"{_ONE.get(str(key[0]), key[0])}{''.join(f' {part + 1}' for part in key[1:] if isinstance(part, int))}"
-        return Place((*path, *key), (formula,), wanted, f"{what} of group {number}")
+        index = next((part + 1 for part in key if isinstance(part, int)), 0)
+        return Place((*path, *key), (formula,), wanted, say(f"place.group.{key[0]}", number=index, group=number))
 
     for index, point in enumerate(group.start_points):
         yield place(("from", index), point, _LENGTH)

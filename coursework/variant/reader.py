@@ -14,11 +14,12 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from coursework.errors import Fault, InputError, closest
+from coursework.errors import Fault, InputError
 from coursework.formula.alphabet import spell
 from coursework.formula.tree import Formula
-from coursework.formula.units import KINDS, is_quantity
+from coursework.formula.units import is_quantity, measured
 from coursework.schemes import scheme_names
+from coursework.sentences import closest, say
 from coursework.variant import schema
 from coursework.variant.at_start import faults_at_start
 from coursework.variant.bodies import read_frame, read_group, read_link
@@ -147,19 +148,19 @@ def _law(section: str, key: str, value: Any, parts: Parts) -> Law:
             for place, (at, text) in zip(places, value.pieces, strict=True)
         )
         if pieces and pieces[0][0] != 0:
-            parts.say((*places[0], 0), f'the first piece begins at t = 0: write "0 s", found {value.pieces[0][0]!r}.')
+            parts.say((*places[0], 0), say("fault.V068", pieces=value.pieces[0][0]))
         for place, ((earlier, _), (later, _)) in zip(places[1:], itertools.pairwise(pieces), strict=True):
             if later <= earlier:
-                parts.say(place, f"the times of the pieces must grow, found {later:g} s after {earlier:g} s.")
+                parts.say(place, say("fault.V074", later=later, earlier=earlier))
         return Law(name, pieces=pieces)
     if isinstance(value, schema.Table):
         table = read_table(value.table, parts.source, (*path, "table"), parts.faults)
         of = parts.names.canonical(value.of)
         known = [known for known, kind in parts.names.kinds.items() if kind == "coordinate"]
         if section == "drive" and of != "t":
-            parts.say((*path, "of"), f'a drive is tabulated over time, found of = "{value.of}". Write of = "t".')
+            parts.say((*path, "of"), say("fault.V069", of=value.of))
         elif of not in {"t", *known}:
-            parts.undeclared((*path, "of"), f'"{value.of}" is neither t nor in [coordinates].{closest(of, known)}')
+            parts.undeclared((*path, "of"), say("fault.V075", of=value.of, hint=closest(of, known)))
         return Law(name, table=table, of=of, method=value.method, file=value.table)
     return Law(name, _formula(path, value, parts, scope))
 
@@ -176,8 +177,8 @@ def _constraint(index: int, entry: schema.Constraint, parts: Parts) -> Constrain
     path = ("constraint", index, key)
     text = entry.closure if entry.closure is not None else entry.equation
     if text is None or (entry.closure is not None and entry.equation is not None):
-        both = "both" if text is not None else "neither"
-        parts.say(("constraint", index), f"a constraint has exactly one of `equation` and `closure`, found {both}.")
+        wrong = "fault.V055" if text is not None else "fault.V056"
+        parts.say(("constraint", index), say(wrong))
         text = "0 = 0"
     left, right = parts.equation(path, text, closure=entry.closure is not None)
     name = str(entry.name)[:40] or str(index + 1)
@@ -203,13 +204,13 @@ def _coordinate(key: str, entry: schema.Coordinate, parts: Parts, angles: set[st
     if entry.start is None:
         return Coordinate(name, rate, None, entry.unit or guessed, said=entry.unit is not None)
     read = parts.quantity(path, entry.start, entry.unit or "")
-    measured = {"1": "rad"}.get(read.si, read.si)
-    if measured not in {"", "rad", "m"}:
-        parts.say(path, f'a coordinate starts at an angle (rad, deg) or a length (m), found "{entry.start}".')
-    elif entry.unit and measured not in {"", entry.unit}:
-        parts.say(path, f'{KINDS[entry.unit][1]} was expected, because unit = "{entry.unit}" (found "{entry.start}").')
-    unit = entry.unit or (measured if measured in {"rad", "m"} else guessed)
-    said = entry.unit is not None or measured in {"rad", "m"}
+    found = {"1": "rad"}.get(read.si, read.si)
+    if found not in {"", "rad", "m"}:
+        parts.say(path, say("fault.V062", start=entry.start))
+    elif entry.unit and found not in {"", entry.unit}:
+        parts.say(path, say("fault.V070", measured=measured(entry.unit), unit=entry.unit, start=entry.start))
+    unit = entry.unit or (found if found in {"rad", "m"} else guessed)
+    said = entry.unit is not None or found in {"rad", "m"}
     return Coordinate(name, rate, read.value, unit, read.text, read.unit or unit, said=said, bare=not read.unit)
 
 
@@ -218,15 +219,15 @@ def _time(entry: schema.Time, parts: Parts) -> Time:
     end = parts.number(("time", "end"), entry.end, "s")
     period = None if entry.period is None else parts.number(("time", "period"), entry.period, "s")
     if step <= 0:
-        parts.say(("time", "step"), f"the step must be greater than 0, found {step:g} s.")
+        parts.say(("time", "step"), say("fault.V063", step=step))
     elif end < step * (1 - 1e-9):
-        parts.say(("time", "end"), f"the end ({end:g} s) must be at least one step ({step:g} s).")
+        parts.say(("time", "end"), say("fault.V071", end=end, step=step))
     elif MAX_ROWS < end / step < math.inf:  # what is not finite has a fault of its own
-        parts.say(("time", "end"), f"{end / step:.3g} rows are asked for; at most {MAX_ROWS} are computed. Take a larger step.")
+        parts.say(("time", "end"), say("fault.V076", number=end / step, max_rows=MAX_ROWS))
     elif entry.check_row is not None and math.isfinite(end / step) and entry.check_row > _whole_steps(step, end) + 1:
-        parts.say(("time", "check_row"), f"row {entry.check_row} is beyond the last row, {_whole_steps(step, end) + 1}.")
+        parts.say(("time", "check_row"), say("fault.V077", check_row=entry.check_row, number=_whole_steps(step, end) + 1))
     if period is not None and period <= 0:
-        parts.say(("time", "period"), f"the period must be greater than 0, found {period:g} s.")
+        parts.say(("time", "period"), say("fault.V064", period=period))
     return Time(step, end, period, entry.check_row, scheme=_scheme(entry.scheme, ("time", "scheme"), parts))
 
 
@@ -234,16 +235,16 @@ def _scheme(name: str | None, path: tuple[str | int, ...], parts: Parts) -> str:
     """Return the name of a scheme, "" for none."""
     if name is not None and name not in scheme_names():
         known = ", ".join(scheme_names())
-        parts.say(path, f'there is no scheme "{name}".{closest(name, scheme_names())} Schemes: {known}.')
+        parts.say(path, say("fault.V065", name=name, hint=closest(name, scheme_names()), known=known))
     return name or ""
 
 
 def _quote(place: int, entry: schema.Quote, columns: list[str], time: Time, parts: Parts) -> Quote:
     if time.step > 0 and math.isfinite(time.end / time.step) and entry.row > time.steps + 1:
-        parts.say(("quote", place, "row"), f"row {entry.row} is beyond the last row, {time.steps + 1}.")
+        parts.say(("quote", place, "row"), say("fault.V066", row=entry.row, number=time.steps + 1))
     column = parts.names.canonical(entry.column)
     if column not in columns:
-        parts.undeclared(("quote", place, "column"), f'"{column}" is no column of the table.{closest(column, columns)}')
+        parts.undeclared(("quote", place, "column"), say("fault.V067", column=column, hint=closest(column, columns)))
     return Quote(entry.row, column, entry.value.replace("−", "-"), _scheme(entry.scheme, ("quote", place, "scheme"), parts))
 
 
@@ -264,17 +265,17 @@ def _rules(variant: Variant, source: Source, times: Iterable[tuple[str | int, ..
     """What only the whole file can show."""
     faults = []
     if variant.sought and not (variant.constraints or variant.groups or variant.driven or variant.holds):
-        faults.append(source.fault((), "no constraint is given: write [[constraint]] or [[group]] sections."))
+        faults.append(source.fault((), say("fault.V072")))
     # A period that follows from the drive is judged where the drive is: how fast that turns says more.
     derived = {"period"} & {str(path[-1]) for path in times}
     faults += [source.fault(("time", key), text) for key, text in exceeded(variant) if key not in derived]
     in_groups = {name for group in variant.groups for name in group.coordinates}
     for coordinate in variant.coordinates:
         if coordinate.start is None and coordinate.name not in in_groups:
-            message = f'the value at t = 0 is missing. Write start = "0 {coordinate.unit}" with it.'
+            message = say("fault.V073", unit=coordinate.unit)
             faults.append(source.fault(("coordinates", coordinate.name), message))
     laws = {law.name for law in variant.drive}
     if variant.driven and (missing := [law for law in (f"V{variant.driven}{part}" for part in "xy") if law not in laws]):
-        message = f'the driven point {variant.driven} needs {" and ".join(missing)} in [drive]; "0" where it stands still.'
+        message = say("fault.V048", point=variant.driven, missing=tuple(missing))
         faults.append(source.fault(("closure", "driven"), message))
     return faults + faults_of_zero_lengths(variant, source)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from coursework.errors import InputError
 from coursework.formula.tree import Formula
+from coursework.sentences import say
 from coursework.variant.changes import Path, Values, changed_values, follow_from
 
 if TYPE_CHECKING:
@@ -303,7 +304,7 @@ class Variant:
         0.6283
         """
         if self.reread is None:
-            raise InputError(f"{self.name} was not read from a file, so it cannot be read with other data.")
+            raise InputError(say("fault.D004", name=self.name))
         asked = (("step", step), ("end", end), ("period", period), ("check_row", check_row))
         times = {key: value for key, value in asked if value is not None}
         new = changed_values(self, given, start, drive, times)

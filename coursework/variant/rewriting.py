@@ -54,7 +54,7 @@ def _replacement(text: str, found: Positions, path: Path, value: float | str | i
         at = _line_end(text, _offset(text, *found.keys[header]))
         return at, at, f"\n{key} = {written}"
     name = ".".join(str(part) for part in section)
-    raise InputError(say("rewriting.no_section", name=name, key=str(key)))
+    raise InputError(say("fault.V049", name=name, key=str(key)))
 
 
 def _removals(text: str, found: Positions, name: str) -> Iterable[tuple[int, int, str]]:

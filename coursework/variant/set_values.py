@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from coursework.errors import InputError, closest
+from coursework.errors import InputError
 from coursework.formula.alphabet import spell
 from coursework.formula.units import UnitFault, read
-from coursework.sentences import say
+from coursework.sentences import closest, say
 from coursework.variant.record import Variant
 
 # The guide numbers the rows of the check so that t = (N+1) h; row 1 of a table is t = 0.
@@ -33,17 +33,17 @@ def with_set(variant: Variant, texts: Iterable[str], check_row: int | None = Non
         written, equals, value = text.partition("=")
         name = spell(written.strip())
         if not (equals and name and value.strip()):
-            raise InputError(say("set.form", found=text[:60]))
+            raise InputError(say("fault.C041", found=text[:60]))
         if name not in kinds:
-            raise InputError(say("set.name", name=written.strip()[:40], advice=closest(name, [*kinds]), known=tuple(kinds)))
+            raise InputError(say("fault.C042", name=written.strip()[:40], advice=closest(name, [*kinds]), known=tuple(kinds)))
         if kinds[name] == "row":
             rows.append(_row(name, value.strip()))
         elif name in data[kinds[name]]:
-            raise InputError(say("set.twice", name=name))
+            raise _twice(name)
         else:
             data[kinds[name]][name] = _spaced(value.strip())
     if len(rows) > 1:
-        raise InputError(say("set.twice", name="check_row"))
+        raise _twice("check_row")
     if not (rows or any(data.values())):
         return variant
     return variant.with_data(data["given"], data["start"], data["drive"], **data["time"], check_row=rows[0] if rows else None)
@@ -58,8 +58,12 @@ def _spaced(value: str) -> str:
     return f"{quantity.text} {quantity.unit}".rstrip()
 
 
+def _twice(name: str) -> InputError:
+    return InputError(say("fault.C043", name=name))
+
+
 def _row(name: str, value: str) -> int:
     """Return the row (from 1) that is meant."""
     if not (value.isascii() and value.isdecimal() and int(value[:9]) >= 1 and len(value) < 9):
-        raise InputError(say("set.row", name=name, found=value[:40]))
+        raise InputError(say("fault.C044", name=name, found=value[:40]))
     return int(value) + (ROWS_BEFORE_N if name == "N" else 0)

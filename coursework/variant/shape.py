@@ -16,8 +16,9 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from coursework.errors import Fault, InputError, closest
+from coursework.errors import Fault, InputError
 from coursework.groups import GROUPS
+from coursework.sentences import Sentence, closest, either, load_phrases, say
 from coursework.variant import schema
 from coursework.variant.source import Source
 
@@ -122,30 +123,38 @@ def _fault(path: Path, entry: Entry, source: Source) -> Fault:
     problem = entry["type"]
     if problem == "extra_forbidden":
         known = sorted(_known_keys(path[:-1], source.data))
-        advice = closest(key, known) or f" Known keys: {', '.join(known)}."
-        return source.fault(path, f'the key "{key}" is not known here.{advice}', at_key=True)
+        advice = closest(key, known) or say("hint.known", known=", ".join(known))
+        return source.fault(path, say("fault.V011", name=key, hint=advice), at_key=True)
     if problem == "missing":
-        what, example = (f"the section [{key}]", f"[{key}]") if len(path) == 1 else (f'the key "{key}"', key)
-        return source.fault(path[:-1], f"{what} is missing. Write {_EXAMPLES.get(example, f'{key} = …')}.", at_key=True)
+        if len(path) == 1:
+            told = say("fault.V012", name=key, example=_example(key, f"[{key}]"))
+        else:
+            told = say("fault.V013", name=key, example=_example(key, _EXAMPLES.get(key, f"{key} = …")))
+        return source.fault(path[:-1], told, at_key=True)
     if key == "[key]":
         name = str(path[-2]) if len(path) > 1 else ""
-        return source.fault(path[:-2], f'"{name[:50]}" cannot be a name: 1 to 40 letters and digits were expected.', at_key=True)
-    return source.fault(path, f"{_expected(path, entry)} was expected, found {_shown(entry.get('input'))}.{_closest(entry)}")
+        return source.fault(path[:-2], say("fault.V014", name=name[:50]), at_key=True)
+    shown = _shown(entry.get("input"))
+    return source.fault(path, say("fault.V015", what=_expected(path, entry), found=shown, hint=_closest(entry)))
+
+
+def _example(key: str, plain: str) -> str:
+    """Return how a key is written, in words where the words file has some."""
+    described = f"fault.example.{'section_' if plain.startswith('[') else ''}{key}"
+    return say(described) if load_phrases().has(described) else plain
 
 
 _EXAMPLES = {
-    "[time]": '[time] with step = "0.02 s" and end = "0.48 s"',
-    "[coordinates]": '[coordinates] with a line phi1 = { start = "0 rad", rate = "w1" } for each',
-    "rate": 'rate = "w1", the name of the velocity', "step": 'step = "0.02 s"', "end": 'end = "0.48 s"',
+    "step": 'step = "0.02 s"', "end": 'end = "0.48 s"',
     "pieces": 'pieces = [["0 s", "0"], ["0.1 s", "V"]]', "table": 'table = "r.csv"', "of": 'of = "phi1"',
     "kind": f'kind = "{GROUPS[-1].name}"', "coordinates": 'coordinates = ["phi2", "phi3"]', "through": 'through = "P"',
     "row": "row = 7", "column": 'column = "w5"', "value": 'value = "-3.18045"',
     "angle": 'angle = "0 rad"', "center": 'center = "O"', "radius": 'radius = "R"',
 }  # fmt: skip
+# pydantic's kind of a fault -> the last part of the key of what was expected.
 _KINDS = {
-    "string_type": "a text in quotation marks", "int_type": "a whole number", "float_type": "a number",
-    "list_type": "a list [ … ]", "dict_type": "a section of lines key = value", "model_type": "a table { key = value }",
-    "int_from_float": "a whole number",
+    "string_type": "text", "int_type": "whole", "int_from_float": "whole", "float_type": "number",
+    "list_type": "list", "dict_type": "section", "model_type": "table",
 }  # fmt: skip
 
 
@@ -153,32 +162,37 @@ def _expected(path: Path, entry: Entry) -> str:
     context = entry.get("ctx") or {}
     problem = entry["type"]
     if problem == "literal_error":
-        return re.sub(r"'([^']*)'", r'"\1"', str(context["expected"]))
+        return either(re.split(", | or ", str(context["expected"]).replace("'", '"')))
     if "string_too_long" in entry["types"]:
-        return f"a text of at most {context.get('max_length')} letters"
+        return _wanted("text_at_most", number=context.get("max_length"))
     if "pieces" in path[2:] and len(path) == 4:
-        return 'a pair ["0.1 s", "formula"]'
+        return _wanted("pair")
     if problem in {"too_long", "too_short", "string_too_short"}:
-        bound = f"at most {context['max_length']}" if problem == "too_long" else f"at least {context['min_length']}"
         lines = len(path) == 1 and isinstance(entry.get("input"), dict)
-        return f"{bound.replace('1', 'one')} line" if lines else f"a {'text' if problem[:6] == 'string' else 'list'} of {bound}"
+        what = "lines" if lines else "text" if problem == "string_too_short" else "list"
+        bound = "at_most" if problem == "too_long" else "at_least"
+        return _wanted(f"{what}_{bound}", number=context["max_length" if problem == "too_long" else "min_length"])
     if path in {("constraint",), ("group",)}:
-        return f"a section in double brackets, [[{path[0]}]],"
+        return _wanted("sections", name=path[0])
     if problem == "greater_than_equal":
-        return f"a whole number of at least {context['ge']}"
+        return _wanted("whole_at_least", number=context["ge"])
     if path[0] in {"drive", "functions"} and len(path) == 2:
-        return 'a formula in quotation marks, { pieces = … } or { table = "r.csv", of = "phi1" }'
+        return _wanted("law")
     if {"string_type", "float_type"} <= set(entry["types"]):
-        return '"value unit", such as "0.953 m", or a number'
+        return _wanted("quantity")
     if len(path) == 1 and problem == "model_type":
-        return _KINDS["dict_type"]
-    return _KINDS.get(problem, "another value")
+        return _wanted("section")
+    return _wanted(_KINDS.get(problem, "other"))
+
+
+def _wanted(kind: str, **values: object) -> Sentence:
+    return say(f"fault.wanted.{kind}", **values)
 
 
 def _shown(value: Any) -> str:
     """Return a value as the file writes it, shortened."""
     if isinstance(value, dict):
-        return "a table { … }" if value else "nothing"
+        return say("fault.part.table") if value else say("fault.part.nothing")
     try:
         text = json.dumps(value, ensure_ascii=False)
     except (TypeError, ValueError):

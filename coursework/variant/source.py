@@ -15,6 +15,7 @@ from typing import Any
 
 from coursework.errors import Fault, InputError
 from coursework.formula.alphabet import spell
+from coursework.sentences import Sentence, say
 from coursework.variant.positions import Positions, locate
 from coursework.variant.toml_faults import explained
 
@@ -51,16 +52,18 @@ class Source:
             inner[_spelt_as(path[-1], inner)] = value
         return replace(self, data=data)
 
-    def fault(self, path: tuple[str | int, ...], message: str, column: int = 0, *, at_key: bool = False) -> Fault:
+    def fault(self, path: tuple[str | int, ...], message: Sentence, column: int = 0, *, at_key: bool = False) -> Fault:
         """Return a fault at a value, or at its key; `column` counts inside the value's text (1 = its first character)."""
         line, start = self.positions.find(path, key=at_key)
         place = ".".join(str(part + 1) if isinstance(part, int) else part for part in path)
         if len(path) > 1 and path[0] == "constraint" and isinstance(path[1], int):
-            place = f"constraint {self._name_of(path[1])}"
-            place += "".join(f", {key}" for key in path[2:] if key not in {"equation", "closure"})
+            place = say("place.constraint", name=self._name_of(path[1]))
+            if inner := ", ".join(str(key) for key in path[2:] if key not in {"equation", "closure"}):
+                place = say("place.inside", place=place, inner=inner)
         where = start + column if column else start
         # What is missing has no line of its own; the file begins at its first.
-        return Fault(message, self.file, line or 1, where if line else 0, place + (f", column {column}" if column else ""))
+        place = say("place.column", place=place, column=column) if column else place
+        return Fault(message, self.file, line or 1, where if line else 0, place)
 
     def path_of(self, path: tuple[str | int, ...]) -> tuple[str | int, ...]:
         """Return a path with names in the tool's own spelling as the file spells it; one `guide` is the first of `guides`."""
@@ -94,47 +97,36 @@ def _spelt_as(part: str | int, keys: Any) -> str | int:
 def read_bytes(path: Path) -> bytes:
     """Return the bytes of a variant file; raises `InputError` where it is missing, too large or not a file."""
     try:
+        if path.is_file() and path.stat().st_size > MAX_BYTES:
+            raise InputError([_too_large(path.stat().st_size, str(path))])
         if path.exists() and not path.is_file():
-            kind = "this is a folder. Name the file in it" if path.is_dir() else "this is not a file with text in it"
-            raise InputError([Fault(f"the file cannot be read: {kind}.", str(path))])
+            raise InputError([Fault(say("fault.V001") if path.is_dir() else say("fault.V002"), str(path))])
         with path.open("rb") as file:
-            content = file.read(MAX_BYTES + 1)
-        if len(content) > MAX_BYTES:
-            raise InputError([_too_large(path.stat().st_size, str(path), content)])
-        return content
+            return file.read(MAX_BYTES + 1)
     except (OSError, ValueError) as error:
-        reason = "there is no such file. Check the name and the folder"
-        if not isinstance(error, FileNotFoundError):
-            reason = getattr(error, "strerror", None) or str(error)
-        raise InputError([Fault(f"the file cannot be read: {reason}.", str(path))]) from error
+        reason = getattr(error, "strerror", None) or str(error)
+        missing = isinstance(error, FileNotFoundError)
+        raise InputError([Fault(say("fault.V003") if missing else say("fault.V004", reason=reason), str(path))]) from error
 
 
-def _too_large(size: int, file: str, content: bytes) -> Fault:
-    """Return the fault of a file whose beginning is `content`, at the line that is no longer read."""
-    line = content[:MAX_BYTES].count(b"\n") + 1
-    return Fault(f"the file has {size} bytes; a variant file has at most {MAX_BYTES}. Is it the right file?", file, line)
+def _too_large(size: int, file: str) -> Fault:
+    return Fault(say("fault.V006", size=size, max_bytes=MAX_BYTES), file)
 
 
 def read_source(content: bytes, file: str, folder: Path | Mapping[str, bytes]) -> Source:
     """Read TOML.  Raises `InputError` with line and column for anything that is not."""
     if len(content) > MAX_BYTES:
-        raise InputError([_too_large(len(content), file, content)])
+        raise InputError([_too_large(len(content), file)])
     try:
         text = content.decode("utf-8-sig").replace("\r\n", "\n")
     except UnicodeDecodeError as error:
         line = content[: error.start].count(b"\n") + 1
         column = error.start - (content.rfind(b"\n", 0, error.start) + 1) + 1
-        message = (
-            f"this letter is not UTF-8 text (found byte {content[error.start]:#04x}). "
-            "Save the file as UTF-8 (in Notepad: Save as, Encoding UTF-8)."
-        )
+        message = say("fault.V007", content=content[error.start])
         raise InputError([Fault(message, file, line, column)]) from error
     if line := _too_deep(text):
-        message = (
-            f"keys or lists are nested beyond what a variant needs: at most {_MAX_KEY_PARTS} parts in a key, "
-            f"{_MAX_NESTING} brackets inside each other."
-        )
-        raise InputError([Fault(message, file, line)])
+        nested = say("fault.V008", parts=_MAX_KEY_PARTS, nesting=_MAX_NESTING)
+        raise InputError([Fault(nested, file, line)])
     try:
         data = tomllib.loads(text)
     except (ValueError, RecursionError) as error:
@@ -142,8 +134,7 @@ def read_source(content: bytes, file: str, folder: Path | Mapping[str, bytes]) -
     source = Source(file, folder, data, locate(text))
     # Hexadecimal digits make numbers of any size, which Python neither prints nor turns into a float.
     if huge := [*_huge(data, ())]:
-        message = "a number of at most 1e12 was expected, found a whole number of {} digits."
-        raise InputError([source.fault(path, message.format(int(bits * 0.30103) + 1)) for path, bits in huge])
+        raise InputError([source.fault(path, say("fault.V005", digits=int(bits * 0.30103) + 1)) for path, bits in huge])
     return source
 
 

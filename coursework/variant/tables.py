@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from coursework.errors import Fault
+from coursework.sentences import Sentence, say
 from coursework.variant.source import Source
 
 MAX_TABLE_BYTES = 256 * 1024
@@ -27,34 +28,39 @@ Rows = tuple[tuple[float, float], ...]
 class TableFault(ValueError):
     """A table cannot be used; the sentence says which line and why."""
 
+    def __init__(self, message: Sentence) -> None:
+        super().__init__(message)
+        self.message = message
+
 
 def read_table(name: str, source: Source, path: tuple[str | int, ...], faults: list[Fault]) -> Rows:
     """Return the rows of a table; a fault is added to `faults` and an empty table returned."""
     try:
         return _rows(name, _text(name, source))
     except TableFault as fault:
-        faults.append(source.fault(path, str(fault)))
+        faults.append(source.fault(path, fault.message))
         return ()
 
 
 def _text(name: str, source: Source) -> str:
     if not name.lower().endswith(".csv"):
-        raise TableFault('a table is a CSV file: "NAME.csv" beside the variant file was expected.')
+        raise TableFault(say("fault.V089"))
     try:
         raw = _on_disk(name, source.folder) if isinstance(source.folder, Path) else _in_memory(name, source.folder)
         return raw.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise TableFault(f'the table "{name}" is not UTF-8 text. Save it as "CSV UTF-8".') from error
+        raise TableFault(say("fault.V097", name=name)) from error
     except (OSError, ValueError) as error:
         if isinstance(error, TableFault):
             raise
-        raise TableFault(f'the table "{name}" cannot be read: {getattr(error, "strerror", None) or error}.') from error
+        reason = getattr(error, "strerror", None) or str(error)
+        raise TableFault(say("fault.V098", name=name, reason=reason)) from error
 
 
 def _in_memory(name: str, tables: Mapping[str, bytes]) -> bytes:
     if name not in tables:
-        known = f" There are: {', '.join(sorted(tables))}." if tables else ""
-        raise TableFault(f'the table "{name}" is not among the files beside the variant.{known}')
+        known = say("hint.there_is", known=tuple(sorted(tables))) if tables else ""
+        raise TableFault(say("fault.V090", name=name, known=known))
     _require_size(name, len(tables[name]))
     return tables[name]
 
@@ -62,9 +68,9 @@ def _in_memory(name: str, tables: Mapping[str, bytes]) -> bytes:
 def _on_disk(name: str, folder: Path) -> bytes:
     file = (folder / name).resolve()
     if not file.is_relative_to(folder.resolve()):
-        raise TableFault(f'the table "{name}" lies outside the folder of the variant. Put it beside the variant file.')
+        raise TableFault(say("fault.V091", name=name))
     if not file.is_file():
-        raise TableFault(f'there is no file "{name}" in the folder of the variant.')
+        raise TableFault(say("fault.V092", name=name))
     _require_size(name, file.stat().st_size)
     with file.open("rb") as opened:
         content = opened.read(MAX_TABLE_BYTES + 1)
@@ -74,7 +80,7 @@ def _on_disk(name: str, folder: Path) -> bytes:
 
 def _require_size(name: str, size: int) -> None:
     if size > MAX_TABLE_BYTES:
-        raise TableFault(f'the table "{name}" has {size} bytes; at most {MAX_TABLE_BYTES} are read.')
+        raise TableFault(say("fault.V093", name=name, size=size, max_table_bytes=MAX_TABLE_BYTES))
 
 
 def _rows(name: str, text: str) -> Rows:
@@ -87,22 +93,21 @@ def _rows(name: str, text: str) -> Rows:
         if not line.strip(" ,\t") or (number == 1 and not any(map(_NUMBER.fullmatch, cells))):
             continue
         if len(cells) != 2 or not all(map(_NUMBER.fullmatch, cells)):
-            message = "two numbers with a comma between were expected, decimals with a point"
-            raise TableFault(f"{name}:{number}: {message}.")
+            raise TableFault(say("fault.V099", name=name, number=number))
         rows.append((float(cells[0]), float(cells[1])))
         lines.append(number)
         units.append(_last_place(cells[0]))
         if not all(map(math.isfinite, rows[-1])):
-            raise TableFault(f"{name}:{number}: finite numbers were expected.")
+            raise TableFault(say("fault.V100", name=name, number=number))
     if len(rows) > MOST_NODES:
-        raise TableFault(f"{name}: {len(rows)} nodes; at most {MOST_NODES} are read.")
+        raise TableFault(say("fault.V094", name=name, count=len(rows), most_nodes=MOST_NODES))
     if len(rows) < _FEWEST_NODES:
-        raise TableFault(f"{name}: at least {_FEWEST_NODES} nodes were expected (the five-point formulas), found {len(rows)}.")
+        raise TableFault(say("fault.V095", name=name, fewest_nodes=_FEWEST_NODES, count=len(rows)))
     steps = [later[0] - earlier[0] for earlier, later in itertools.pairwise(rows)]
     place = steps.index(min(steps)) + 1
     if min(steps) <= 0:
-        found = f"{rows[place][0]:g} after {rows[place - 1][0]:g}"
-        raise TableFault(f"{name}:{lines[place]}: the arguments must grow from line to line, found {found}.")
+        later, earlier = rows[place][0], rows[place - 1][0]
+        raise TableFault(say("fault.V096", name=name, lines=lines[place], later=later, earlier=earlier))
     _refuse_uneven(name, [row[0] for row in rows], units, lines)
     return tuple(rows)
 
@@ -127,7 +132,4 @@ def _refuse_uneven(name: str, arguments: list[float], units: list[float], lines:
             steps = [later - earlier for earlier, later in itertools.pairwise(arguments)]
             usual = sorted(steps)[len(steps) // 2]
             odd = max(range(len(steps)), key=lambda place: abs(steps[place] - usual))
-            raise TableFault(
-                f"{name}:{lines[odd + 1]}: the arguments must be equally spaced, found a step of {steps[odd]:.9g} "
-                f"where {usual:.9g} is usual."
-            )
+            raise TableFault(say("fault.V137", name=name, lines=lines[odd + 1], steps=steps[odd], usual=usual))

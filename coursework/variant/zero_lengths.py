@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from coursework.errors import Fault
 from coursework.formula.tree import Formula, FormulaFault, evaluate, spelled
+from coursework.sentences import say
 from coursework.variant.record import Variant
 from coursework.variant.source import Source
 
 Path = tuple[str | int, ...]
-_ADVICE = "so its angular velocity means nothing. Remove the link and let its two joints be one."
 
 
 def faults_of_zero_lengths(variant: Variant, source: Source) -> list[Fault]:
@@ -24,7 +24,7 @@ def faults_of_zero_lengths(variant: Variant, source: Source) -> list[Fault]:
     lengths = [(path, node.args[0]) for path, formula in places for node in formula.walk() if node.op == "@"]
     lengths += [(("group", i, "lengths", j), f) for i, group in enumerate(variant.groups) for j, f in enumerate(group.lengths)]
     found = dict.fromkeys((path, spelled(length)) for path, length in lengths if _is_zero(length, variant))
-    faults = [source.fault(path, f"the link of length {text} has zero length, {_ADVICE}") for path, text in found]
+    faults = [source.fault(path, say("fault.V087", text=text)) for path, text in found]
     return faults or _lost(variant, source)
 
 
@@ -42,7 +42,7 @@ def _lost(variant: Variant, source: Source) -> list[Fault]:
     faults = []
     for name, (zero, index) in beside.items():
         if name not in kept and name in variant.sought:
-            message = f"{name} stands only beside {zero}, which is zero: the link has no length, {_ADVICE}"
+            message = say("fault.V088", name=name, zero=zero)
             faults.append(source.fault(("constraint", index, "equation"), message))
     return faults
 

@@ -43,7 +43,7 @@ def test_an_ending_that_windows_hides_is_told(typed):
     with pytest.raises(coursework.InputError) as caught:
         find(typed)
     folder = Path(typed).parent
-    told = f'there is no file "{folder / "mine.toml"}", but there is "{folder / "mine.toml.txt"}": the editor has added .txt'
+    told = f'C013 there is no file "{folder / "mine.toml"}", but there is "{folder / "mine.toml.txt"}": the editor has added .txt'
     assert str(caught.value).startswith(told)
     assert str(caught.value).endswith('Rename it to "mine.toml" (in Explorer: View, Show, File name extensions).')
 

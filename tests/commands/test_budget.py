@@ -36,7 +36,7 @@ def test_a_run_over_its_budget_is_ended(command, folder, monkeypatch):
     monkeypatch.setattr(budget, "PACE", 0.001)
     result = call(command, "31", "--budget", "0.005")
     assert result.exit_code == 2
-    assert result.stderr.startswith("31: ended after 0.005 s of processor time, in ")
+    assert result.stderr.startswith("E001 31  ended after 0.005 s of processor time, in ")
     assert result.stderr.endswith(" (limit --budget 0.005).\n")
     assert list(folder.iterdir()) == []
 
@@ -44,12 +44,12 @@ def test_a_run_over_its_budget_is_ended(command, folder, monkeypatch):
 def test_the_sentence_says_what_was_being_done():
     with pytest.raises(BudgetSpent) as ended, watched(Budget(0.05, 1000), "31.toml"), under_way("accelerations"):
         busy(20)
-    assert str(ended.value) == "31.toml: ended after 0.05 s of processor time, in second derivatives (limit --budget 0.05)."
+    assert str(ended.value) == "E001 31.toml  ended after 0.05 s of processor time, in second derivatives (limit --budget 0.05)."
 
 
 def test_memory_beyond_the_start_is_limited():
     held = []
-    sentence = r"^m: ended, as it took more than 30 MiB of memory, in .* \(limit --memory 30\)\.$"
+    sentence = r"^E002 m  ended, as it took more than 30 MiB of memory, in .* \(limit --memory 30\)\.$"
     with pytest.raises(BudgetSpent, match=sentence), watched(Budget(60, 30), "m"):
         while True:
             held.append(b"x" * 2**20)
@@ -100,7 +100,7 @@ with budget.watched(budget.Budget(0.1, 1000), "31.toml"), working_folder(Path("o
 def test_what_does_not_answer_is_ended_from_outside(folder):
     done = subprocess.run([sys.executable, "-c", DEAF], capture_output=True, check=False, timeout=60)
     assert done.returncode == 2
-    assert done.stderr.decode().startswith("31.toml: ended after 0.1 s of processor time, in ")
+    assert done.stderr.decode().startswith("E001 31.toml  ended after 0.1 s of processor time, in ")
     assert list(Path("o").iterdir()) == []
 
 

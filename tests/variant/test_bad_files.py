@@ -49,13 +49,13 @@ def test_says_where_what_and_what_to_do(name):
     lines = text.split("\n")
     assert not JARGON.search(text)
     for line in lines:
-        where = re.match(rf"{name}\.toml:(\d+)(?::(\d+))?  \S", line)
+        where = re.match(rf"[VC]\d\d\d {name}\.toml:(\d+)(?::(\d+))?  \S", line)
         assert where, line
         assert line.endswith((".", "?")), line
         source = (BAD / f"{name}.toml").read_text(encoding="utf-8").split("\n")
         if where[2]:
             assert int(where[2]) <= len(source[int(where[1]) - 1]) + 1
-    places = [int(found[1]) for line in lines if (found := re.match(r"[\w-]+\.toml:(\d+)", line))]
+    places = [int(found[1]) for line in lines if (found := re.match(r"\w+ [\w-]+\.toml:(\d+)", line))]
     assert places == sorted(places)
 
 

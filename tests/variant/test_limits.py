@@ -46,20 +46,12 @@ def test_the_plain_file_is_read():
 
 def test_a_megabyte_is_not_read(tmp_path):
     sentence = f"the file has 1000000 bytes; a variant file has at most {MAX_BYTES}. Is it the right file?"
+    assert refused(b"#" * 1_000_000) == f"V006 f.toml  {sentence}"
     path = tmp_path / "large.toml"
-    # The line is the one that is no longer read: the first of one long line, the 6555th of lines of ten letters.
-    for content, line in ((b"#" * 1_000_000, 1), (b"#########\n" * 100_000, MAX_BYTES // 10 + 1)):
-        assert refused(content) == f"f.toml:{line}  {sentence}"
-        path.write_bytes(content)
-        with pytest.raises(coursework.InputError) as caught:
-            coursework.load(path)
-        assert str(caught.value) == f"{path}:{line}  {sentence}"
-
-
-def test_the_largest_file_is_read_and_one_letter_more_is_not():
-    full = PLAIN + "#" * (MAX_BYTES - len(PLAIN.encode()))
-    assert parse_variant(full).columns == ("q", "w", "u")
-    assert "bytes; a variant file has at most" in refused(full + "#")
+    path.write_bytes(b"#" * 1_000_000)
+    with pytest.raises(coursework.InputError) as caught:
+        coursework.load(path)
+    assert str(caught.value) == f"V006 {path}  {sentence}"
 
 
 @pytest.mark.parametrize(
@@ -77,7 +69,7 @@ def test_the_largest_file_is_read_and_one_letter_more_is_not():
     ids=["dotted", "dotted inside", "quoted", "header", "spaced", "lists", "lines of lists", "tables"],
 )
 def test_nesting(content, line):
-    assert refused(content) == f"f.toml:{line}  {NESTED}"
+    assert refused(content) == f"V008 f.toml:{line}  {NESTED}"
 
 
 @pytest.mark.parametrize(
@@ -86,12 +78,12 @@ def test_nesting(content, line):
     ids=["quotes", "apostrophes", "triple", "escapes", "open text", "letters", "equals"],
 )
 def test_texts_that_never_end_cost_nothing(content):
-    assert refused(content).startswith("f.toml:1")
+    assert refused(content)[1:].startswith(("009 f.toml:1", "010 f.toml:1"))
 
 
 def test_an_integer_of_five_thousand_digits():
     sentence = refused(PLAIN.replace('"1 m"', "1" + "0" * 5_000))
-    assert sentence == "f.toml  the file is not TOML here: a number has too many digits."
+    assert sentence == "V010 f.toml  the file is not TOML here: a number has too many digits."
 
 
 @pytest.mark.parametrize(
@@ -135,20 +127,20 @@ def test_constants_hidden_in_points():
     with pytest.raises(coursework.InputError) as caught:
         coursework.solve(parse_variant(PLAIN + points, "f.toml"), quantities=["table"]).columns()
     sentence = 'points.Q, column 2: the value of "exp(P.x/E.x)" is beyond any number that can be meant.'
-    assert str(caught.value) == f"f.toml:17  {sentence}"
+    assert str(caught.value) == f"V133 f.toml:17  {sentence}"
 
 
 def test_thousands_of_faults_are_counted_and_not_all_told():
     data = "".join(f'g{i} = "1 furlong"\n' for i in range(3_000))
     lines = refused(PLAIN.replace("[drive]", data + "[drive]")).split("\n")
     assert len(lines) == MOST_SHOWN + 1
-    assert lines[-1] == f"… and {3_000 - MOST_SHOWN} faults more."
+    assert lines[-1] == f"… +{3_000 - MOST_SHOWN}"
 
 
 def test_thousands_of_unknown_names_do_not_take_minutes():
     rows = "".join(f'[[constraint]]\nequation = "{"+".join(f"x{i}y{j}" for j in range(120))} = 0"\n' for i in range(40))
     data = "".join(f'g{i} = "1 m"\n' for i in range(1_000))
-    assert refused(PLAIN.replace("[drive]", data + "[drive]") + rows).endswith("faults more.")
+    assert re.search(r"\n… \+\d+$", refused(PLAIN.replace("[drive]", data + "[drive]") + rows))
 
 
 @pytest.mark.parametrize(
@@ -156,12 +148,12 @@ def test_thousands_of_unknown_names_do_not_take_minutes():
     [
         (
             PLAIN.replace("[given]", "# шатун\n[given]").encode("cp1251"),
-            "f.toml:1:3  this letter is not UTF-8 text (found byte 0xf8).",
+            "V007 f.toml:1:3  this letter is not UTF-8 text (found byte 0xf8).",
         ),
-        (PLAIN.encode("utf-16"), "f.toml:1:1  this letter is not UTF-8 text (found byte 0xff)."),
-        (PLAIN.encode() + b"\0", "f.toml:14:1  the file is not TOML here: a line is a [section]"),
-        (b"", "f.toml:1  the section [coordinates] is missing."),
-        (b"\x89PNG\r\n\x1a\n", "f.toml:1:1  this letter is not UTF-8 text (found byte 0x89)."),
+        (PLAIN.encode("utf-16"), "V007 f.toml:1:1  this letter is not UTF-8 text (found byte 0xff)."),
+        (PLAIN.encode() + b"\0", "V009 f.toml:14:1  the file is not TOML here: a line is a [section]"),
+        (b"", "V012 f.toml:1  the section [coordinates] is missing."),
+        (b"\x89PNG\r\n\x1a\n", "V007 f.toml:1:1  this letter is not UTF-8 text (found byte 0x89)."),
     ],
     ids=["cp1251", "UTF-16", "NUL", "empty", "picture"],
 )
@@ -211,7 +203,7 @@ def test_hexadecimal_numbers_of_any_size_wherever_a_number_may_stand(before, aft
     assert before in RICH
     said = refused(RICH.replace(before, after, 1))
     assert said.endswith("a number of at most 1e12 was expected, found a whole number of 4817 digits.")
-    assert re.match(r"f\.toml:\d+:\d+  ", said)
+    assert re.match(r"V\d+ f\.toml:\d+:\d+  ", said)
 
 
 @pytest.mark.parametrize(

@@ -81,7 +81,7 @@ def class_of_roster(source: Source, roster: Roster, file: Path, worksheet: Works
     read: dict[str, tuple[Variant, VariantSource]] = {}
     for student in roster.students:
         if not student.variant:
-            faults.append(Fault("the variant of this student is missing.", str(file), student.line))
+            faults.append(Fault(say("fault.G027"), str(file), student.line))
         elif student.variant not in read:
             try:
                 found = read_source(student.variant, file.parent)
@@ -89,7 +89,7 @@ def class_of_roster(source: Source, roster: Roster, file: Path, worksheet: Works
                 named = replace(found[1], name=student.variant) if taken else found[1]
                 read[student.variant] = found[0], named
             except InputError as error:
-                faults.append(Fault(str(error), str(file), student.line))
+                faults += [Fault(fault.message, str(file), student.line, place=student.variant) for fault in error.faults]
     if faults:
         raise InputError(faults)
     matched = match(roster, source.parcels, source.platform, worksheet)

@@ -10,12 +10,13 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from coursework.errors import Fault, InputError, closest
+from coursework.errors import Fault, InputError
 from coursework.grading.marking.grade import GRADED, points
 from coursework.grading.marking.rubric import PARTS, Rubric
 from coursework.grading.names import same_key
 from coursework.grading.platforms.cells_of_csv import read_cells
 from coursework.grading.reading.numbers import printed
+from coursework.sentences import closest, say
 
 COLUMNS = ("id", "check", "points", "reason")
 CHECKS = (*PARTS, "total")
@@ -39,7 +40,7 @@ def read_overrides(content: bytes, file: str, known: Collection[str], rubric: Ru
     cells = read_cells(content, file)
     head = [cell.value.strip().casefold() for cell in cells.records[0]] if cells.records else []
     if missing := [name for name in COLUMNS[:3] if name not in head]:
-        raise InputError([Fault(f"the column {missing[0]} is missing. The first line is {','.join(COLUMNS)}.", file, 1)])
+        raise InputError([Fault(say("fault.G028", missing=missing[0], columns=",".join(COLUMNS)), file, 1)])
     ids = {same_key(student): student for student in known}
     found: dict[str, list[Override]] = {}
     faults: list[Fault] = []
@@ -52,17 +53,17 @@ def read_overrides(content: bytes, file: str, known: Collection[str], rubric: Ru
         student = ids.get(same_key(values["id"]))
         if student is None:
             hint = closest(values["id"], list(known))
-            faults.append(Fault(f'nobody has the id "{values["id"][:80]}".{hint}', file, line))
+            faults.append(Fault(say("fault.G029", id=values["id"][:80], hint=hint), file, line))
             continue
         check = values["check"].casefold()
         if check not in CHECKS:
-            hint = closest(check, CHECKS) or f" Known: {', '.join(CHECKS)}."
-            faults.append(Fault(f'there is no part "{values["check"][:80]}".{hint}', file, line))
+            hint = closest(check, CHECKS) or say("hint.known", known=", ".join(CHECKS))
+            faults.append(Fault(say("fault.G030", check=values["check"][:80], hint=hint), file, line))
             continue
         number = printed(values["points"], "," if "," in values["points"] else ".")
         most = rubric.points if check == "total" else rubric.most(check)
         if not number.is_number or not 0 <= number.value <= most:
-            faults.append(Fault(f'points from 0 to {most:g} were expected, found "{values["points"][:80]}".', file, line))
+            faults.append(Fault(say("fault.G031", most=most, points=values["points"][:80]), file, line))
             continue
         found.setdefault(student, []).append(Override(check, float(number.value), values.get("reason", "")))
     if faults:

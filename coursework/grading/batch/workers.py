@@ -15,6 +15,7 @@ from typing import Any
 from coursework.errors import InputError
 from coursework.grading.batch.supervisor import LIMIT, Supervisor
 from coursework.grading.batch.work import Outcome, Setup, Task, outcome_from, setup_from, task_from
+from coursework.sentences import say
 
 Keyed = tuple[str, Task]
 CHUNK = 100  # submissions a cluster task: far longer than its way there and back
@@ -74,12 +75,12 @@ def on_cluster(tasks: Iterable[Keyed], setup: Setup, address: str, limit: float 
     try:
         import distributed
     except ImportError:
-        raise InputError('a cluster needs Dask. Install it with: pip install "coursework[cluster]"') from None
+        raise InputError(say("fault.G032")) from None
     cluster: Any = distributed  # its calls carry no types
     try:
         client = cluster.Client(address, timeout=PATIENCE)
     except (OSError, TimeoutError, ValueError) as error:
-        raise InputError(f"no scheduler answers at {address} ({error}). Start one with: dask scheduler") from None
+        raise InputError(say("fault.G033", address=address, error=error)) from None
     with client:
         shared = setup.plain()
         chunks = _chunks(tasks)

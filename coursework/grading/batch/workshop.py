@@ -9,7 +9,7 @@ from collections import OrderedDict
 
 import numpy as np
 
-from coursework.errors import InputError
+from coursework.errors import Fault, InputError
 from coursework.grading.batch.decisions import overridden
 from coursework.grading.batch.work import Outcome, Setup, VariantSource, failed, task_from
 from coursework.grading.expected import Expected, grid_of
@@ -58,7 +58,7 @@ class Workshop:
         variant = parse_variant(source.content, source.name, source.tables)
         key = key_of(variant)
         if not len(key.table):
-            raise InputError(f"{source.name}: the motion stops at once, so there is no table to mark. {key.stopped}")
+            raise InputError([Fault(say("fault.G006", stopped=key.stopped), source.name)])
         grid = grid_of(variant, {name: tuple(key.table[:, place].tolist()) for place, name in enumerate(key.names)})
         others = {name: table for name, table in self._tables.items() if name != source.name}
         made = Marker(key, self.rubric, others), Expected(grid, variant, tuple(a.name for a in self.rubric.answers))

@@ -11,8 +11,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from coursework.errors import Fault, InputError, closest, listing
+from coursework.errors import Fault, InputError
 from coursework.formula.units import UnitFault, read
+from coursework.sentences import closest, say
 from coursework.variant.record import Variant
 
 PARTS = ("table", "equations", "answers")
@@ -79,7 +80,7 @@ def read_rubric(text: str, name: str = "rubric.toml") -> Rubric:
     try:
         found = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise InputError([Fault(f"this is not TOML: {error}.", name)]) from error
+        raise InputError([Fault(say("fault.G046", error=error), name)]) from error
     faults: list[Fault] = []
     known = ("points", "missing_part", "parts", "table", "answers", "confusion")
     _refuse_unknown(found, known, "", name, faults)
@@ -89,10 +90,10 @@ def read_rubric(text: str, name: str = "rubric.toml") -> Rubric:
     weights = {part: _number(parts, part, default.weights[part], f"parts.{part}", name, faults, most=1e6) for part in PARTS}
     points = _number(found, "points", default.points, "points", name, faults, most=1e6)
     if not sum(weights.values()) or not points:
-        faults.append(Fault("the points and at least one part must be greater than 0.", name, place="parts"))
+        faults.append(Fault(say("fault.G034"), name, place="parts"))
     missing = found.get("missing_part", default.missing_part)
     if missing not in {"review", "zero"}:
-        faults.append(Fault(f'"review" or "zero" was expected, found {missing!r}.', name, place="missing_part"))
+        faults.append(Fault(say("fault.G035", missing=missing), name, place="missing_part"))
     answers = tuple(_answers(found.get("answers", {}), name, faults))
     confusions = tuple(_confusions(found.get("confusion", []), name, faults))
     floors = {
@@ -100,7 +101,7 @@ def read_rubric(text: str, name: str = "rubric.toml") -> Rubric:
         for key in ("carried", "misconception_floor", "own_equations_floor")
     }
     if weights["answers"] and not answers:
-        faults.append(Fault("answers have points, but none is listed. Add a section [answers].", name, place="parts.answers"))
+        faults.append(Fault(say("fault.G036"), name, place="parts.answers"))
     if faults:
         raise InputError(faults)
     return Rubric(points, missing, weights, **floors, answers=answers, confusions=confusions)
@@ -113,13 +114,11 @@ def check_rubric(rubric: Rubric, variant: Variant, name: str = "rubric.toml") ->
     known = [*variant.columns, *(f"v_{point}" for point in points)]
     for answer in rubric.answers:
         if answer.of not in known:
-            message = f'the variant has no quantity "{answer.of}".{closest(answer.of, known)} Known: {", ".join(known)}.'
+            message = say("fault.G040", of=answer.of, hint=closest(answer.of, known), known=", ".join(known))
             faults.append(Fault(message, name, place=f"answers.{answer.name}.of"))
         if answer.row is not None and answer.row > variant.time.steps + 1:
             faults.append(
-                Fault(
-                    f"the table has {variant.time.steps + 1} rows, found {answer.row}.", name, place=f"answers.{answer.name}.row"
-                )
+                Fault(say("fault.G041", number=variant.time.steps + 1, row=answer.row), name, place=f"answers.{answer.name}.row")
             )
     for entry in rubric.confusions:
         names = [given.name for given in variant.given]
@@ -128,7 +127,7 @@ def check_rubric(rubric: Rubric, variant: Variant, name: str = "rubric.toml") ->
         try:
             rubric.confused(variant)
         except UnitFault as error:
-            faults.append(Fault(str(error), name, place=f"confusion.{entry.datum}"))
+            faults.append(Fault(error.message, name, place=f"confusion.{entry.datum}"))
     if faults:
         raise InputError(faults)
 
@@ -136,13 +135,13 @@ def check_rubric(rubric: Rubric, variant: Variant, name: str = "rubric.toml") ->
 def _refuse_unknown(section: Mapping[str, Any], known: tuple[str, ...], place: str, name: str, faults: list[Fault]) -> None:
     for key in section:
         if key not in known:
-            faults.append(Fault(f'unknown key "{key}".{closest(key, known)} Known: {listing(known)}.', name, place=place))
+            faults.append(Fault(say("fault.G042", key_=key, hint=closest(key, known), known=tuple(known)), name, place=place))
 
 
 def _section(found: Mapping[str, Any], key: str, known: tuple[str, ...], name: str, faults: list[Fault]) -> Mapping[str, Any]:
     section = found.get(key, {})
     if not isinstance(section, dict):
-        faults.append(Fault(f"a section [{key}] was expected, found {section!r}.", name, place=key))
+        faults.append(Fault(say("fault.G037", key_=key, section=section), name, place=key))
         return {}
     _refuse_unknown(section, known, key, name, faults)
     return section
@@ -153,26 +152,26 @@ def _number(
 ) -> float:
     value = section.get(key, default)
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0 <= value <= most:
-        faults.append(Fault(f"a number from 0 to {most:g} was expected, found {value!r}.", name, place=place))
+        faults.append(Fault(say("fault.G038", most=most, value=value), name, place=place))
         return default
     return float(value)
 
 
 def _answers(section: Any, name: str, faults: list[Fault]) -> list[Answer]:
     if not isinstance(section, dict):
-        faults.append(Fault(f"a section [answers] was expected, found {section!r}.", name, place="answers"))
+        faults.append(Fault(say("fault.G039", section=section), name, place="answers"))
         return []
     found = []
     for key, entry in section.items():
         place = f"answers.{key}"
         if not isinstance(entry, dict) or not isinstance(entry.get("of"), str):
-            message = f'the quantity was expected, as in {key} = {{ of = "w2", row = 4 }}, found {entry!r}.'
+            message = say("fault.G043", key_=key, entry=entry)
             faults.append(Fault(message, name, place=place))
             continue
         _refuse_unknown(entry, ("of", "row", "tolerance"), place, name, faults)
         row = entry.get("row")
         if row is not None and (isinstance(row, bool) or not isinstance(row, int) or row < 1):
-            faults.append(Fault(f"a row from 1 was expected, found {row!r}.", name, place=f"{place}.row"))
+            faults.append(Fault(say("fault.G044", row=row), name, place=f"{place}.row"))
             continue
         found.append(Answer(key, entry["of"], row, _number(entry, "tolerance", READING_TOLERANCE, place, name, faults, 1.0)))
     return found
@@ -183,7 +182,7 @@ def _confusions(entries: Any, name: str, faults: list[Fault]) -> list[Confusion]
     for index, entry in enumerate(entries if isinstance(entries, list) else [entries], start=1):
         place = f"confusion.{index}"
         if not isinstance(entry, dict) or not isinstance(entry.get("datum"), str) or not isinstance(entry.get("value"), str):
-            faults.append(Fault('datum = "…" and value = "… unit" were expected.', name, place=place))
+            faults.append(Fault(say("fault.G045"), name, place=place))
             continue
         _refuse_unknown(entry, ("datum", "value", "because"), place, name, faults)
         found.append(Confusion(entry["datum"], entry["value"], str(entry.get("because", ""))))

@@ -15,6 +15,7 @@ from coursework.errors import Fault, InputError
 from coursework.grading.names import name_key, same_key
 from coursework.grading.platforms.cells_of_csv import CellText, read_cells
 from coursework.grading.reading.numbers import printed
+from coursework.sentences import say
 
 _ASSIGNMENT = re.compile(r".+ \([0-9]+\)")
 _KEYS = ("ID", "SIS User ID", "SIS Login ID")
@@ -78,16 +79,14 @@ def read_gradebook(content: bytes, file: str, points: float) -> Gradebook:
     """
     cells = read_cells(content, file)
     if len(cells.records) < 2:
-        raise InputError([Fault("the gradebook has no students. Export it again.", file)])
+        raise InputError([Fault(say("fault.G011"), file)])
     titles = [cell.value for cell in cells.records[0]]
     possible = next((k for k, record in enumerate(cells.records[1:6], start=1) if _is_possible(record[0].value)), None)
     listed = [place for place, title in enumerate(titles) if _ASSIGNMENT.fullmatch(title)]
     fitting = [place for place in listed if possible is None or _points(cells, possible, place) in (points, None)]
     known = "; ".join(titles[place] for place in listed) or "none"
     if not fitting:
-        message = (
-            f"no assignment has {points:g} points, as the rubric has (assignments: {known}). Set its points, or the rubric's."
-        )
+        message = say("fault.G012", points=points, known=known)
         raise InputError([Fault(message, file, 1)])
     students = tuple(k for k in range(1, len(cells.records)) if k > (possible or 0) and _is_student(cells, k, titles))
     if len(fitting) > 1:
@@ -98,7 +97,7 @@ def read_gradebook(content: bytes, file: str, points: float) -> Gradebook:
         ]
         if len(empty) != 1:
             names = "; ".join(titles[place] for place in fitting)
-            message = f"several assignments have {points:g} points ({names}). Leave one of these columns in the export."
+            message = say("fault.G013", points=points, names=names)
             raise InputError([Fault(message, file, 1)])
         fitting = empty
     return Gradebook(cells, fitting[0], students, _points(cells, possible, fitting[0]) if possible else None)

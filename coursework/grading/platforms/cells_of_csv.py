@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from coursework.errors import Fault, InputError
 from coursework.grading.reading.encoding import decode
+from coursework.sentences import say
 
 _SEPARATORS = (",", ";", "\t", ":")
 _MARKS = {"utf-8-sig": b"\xef\xbb\xbf", "utf-16-le": b"\xff\xfe", "utf-16-be": b"\xfe\xff"}
@@ -51,7 +52,7 @@ class CellText:
             return self.mark + whole.encode(self.encoding.removesuffix("-sig"))
         except UnicodeEncodeError as error:
             letter = whole[error.start]
-            message = f"the letter “{letter}” cannot be written in its encoding, {self.encoding}. Download it again as UTF-8."
+            message = say("fault.G016", letter=letter, encoding=self.encoding)
             raise InputError([Fault(message, self.file)]) from error
 
     def quoted(self, value: str) -> str:
@@ -64,16 +65,14 @@ class CellText:
 def read_cells(content: bytes, file: str) -> CellText:
     """Return the cells of a CSV file.  Raises `InputError` where its letters cannot be read back the same, or it is too large."""
     if len(content) > MOST_BYTES:
-        raise InputError(
-            [Fault(f"the file has {len(content)} bytes; at most {MOST_BYTES} are read. Is it the right file?", file)]
-        )
+        raise InputError([Fault(say("fault.G014", count=len(content), most_bytes=MOST_BYTES), file)])
     encoding = decode(content).encoding
     mark = _MARKS.get(encoding, b"") if content.startswith(_MARKS.get(encoding, b"-")) else b""
     name = encoding.removesuffix("-sig")
     try:
         text = content[len(mark) :].decode(name)
     except UnicodeDecodeError as error:
-        message = "its letters cannot be read. Download it again as UTF-8, or hand it over as it was downloaded."
+        message = say("fault.G015")
         raise InputError([Fault(message, file)]) from error
     separator = _separator(text)
     return CellText(file, text, name, mark, separator, tuple(_records(text, separator)))

@@ -10,9 +10,10 @@ import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from coursework.errors import Fault, InputError, closest
+from coursework.errors import Fault, InputError
 from coursework.grading.names import same_key
 from coursework.grading.platforms.cells_of_csv import read_cells
+from coursework.sentences import closest, say
 
 COLUMNS = ("id", "name", "email", "variant")
 
@@ -40,12 +41,12 @@ def read_roster(content: bytes, file: str) -> Roster:
     """Return the roster in a CSV file.  Raises `InputError` with every fault: no column id, an id missing or twice."""
     cells = read_cells(content, file)
     if not cells.records:
-        raise InputError([Fault("the roster is empty. Its first line is id,name,email,variant.", file)])
+        raise InputError([Fault(say("fault.G017"), file)])
     head = [cell.value.strip() for cell in cells.records[0]]
     places = {title.casefold(): place for place, title in reversed([*enumerate(head)])}
     if "id" not in places:
-        advice = closest("id", head) or " Its first line is id,name,email,variant."
-        raise InputError([Fault(f'there is no column "id" (found {", ".join(head[:10])}).{advice}', file, 1)])
+        advice = closest("id", head) or say("hint.first_line", line="id,name,email,variant")
+        raise InputError([Fault(say("fault.G018", head=", ".join(head[:10]), advice=advice), file, 1)])
     students: list[Student] = []
     faults: list[Fault] = []
     seen: dict[str, int] = {}
@@ -57,11 +58,9 @@ def read_roster(content: bytes, file: str) -> Roster:
             continue
         student = unicodedata.normalize("NFC", told["id"])
         if not student:
-            faults.append(Fault("the id of this student is missing.", file, line))
+            faults.append(Fault(say("fault.G019"), file, line))
         elif first := seen.get(same_key(student)):
-            faults.append(
-                Fault(f'the id "{student}" stands in line {first} already. Give each student one of their own.', file, line)
-            )
+            faults.append(Fault(say("fault.G020", student=student, first=first), file, line))
         seen.setdefault(same_key(student), line)
         more = {
             title: values[place] for place, title in enumerate(head) if title.casefold() not in COLUMNS and place < len(values)

@@ -17,6 +17,7 @@ from coursework.grading.escapes import csv_text, shown
 from coursework.grading.names import name_key
 from coursework.grading.platforms.cells_of_csv import CellText, read_cells
 from coursework.grading.reading.numbers import printed
+from coursework.sentences import say
 
 # Titles in English, Russian, Ukrainian, German, French, Spanish, Chinese, case folded.
 _TITLES = {
@@ -63,10 +64,7 @@ class Worksheet:
     def check_total(self, points: float, rubric: str) -> None:
         """Raise `InputError` where the rubric's total is not the worksheet's greatest grade: Moodle would leave grades out."""
         if abs(points - self.maximum) > 1e-9:
-            message = (
-                f"the greatest grade is {self.maximum:g}, and {rubric} gives {points:g} points. "
-                f"Set points = {self.maximum:g} in the rubric, or the greatest grade of the assignment to {points:g}."
-            )
+            message = say("fault.G025", maximum=self.maximum, rubric=rubric, points=points)
             raise InputError([Fault(message, self.cells.file)])
 
     def filled(self, marks: Mapping[int, tuple[float | None, str]]) -> bytes:
@@ -81,7 +79,7 @@ class Worksheet:
             points, comment = marks[row.record]
             if points is not None:
                 if not 0 <= points <= self.maximum:
-                    message = f"{points:g} points are outside 0 to {self.maximum:g}, which Moodle would leave out without a word."
+                    message = say("fault.G026", points=points, maximum=self.maximum)
                     raise InputError([Fault(message, self.cells.file, self.cells.records[row.record][0].line)])
                 changes[row.record, self.columns["grade"]] = self.cells.quoted(f"{points:.2f}".replace(".", self.mark))
             if "comment" not in self.columns:  # comments are switched off for the assignment
@@ -95,18 +93,16 @@ def read_worksheet(content: bytes, file: str) -> Worksheet:
     """Return a worksheet.  Columns are known by their titles, else by where they stand from the column of greatest grades."""
     cells = read_cells(content, file)
     if len(cells.records) < 2:
-        raise InputError([Fault("the worksheet has no students. Download it again from the assignment's page.", file)])
+        raise InputError([Fault(say("fault.G021"), file)])
     titles = [cell.value.strip().casefold() for cell in cells.records[0]]
     found = {name: titles.index(title) for name, known in _TITLES.items() for title in known.split(",") if title in titles}
     maximum = found.get("maximum", _column_of_maximum(cells))
     if maximum is None:
-        message = (
-            "no column of greatest grades was found. Is it the grading worksheet that Moodle offers on the assignment's page?"
-        )
+        message = say("fault.G022")
         raise InputError([Fault(message, file, 1)])
     columns = {"identifier": 0, "name": 1, "grade": maximum - 1, "maximum": maximum} | found
     if columns["grade"] < 1:
-        raise InputError([Fault("no column of grades was found before that of the greatest grades. Download it again.", file, 1)])
+        raise InputError([Fault(say("fault.G023"), file, 1)])
     if "maximum" not in found and len(titles) - 1 >= maximum + _AFTER_MAXIMUM:
         columns.setdefault("comment", len(titles) - 1)
     if "email" not in columns:
@@ -134,7 +130,7 @@ def _maximum(cells: CellText, place: int) -> tuple[float, str]:
     mark = "," if "," in first and "." not in first else "."
     number = printed(first, mark)
     if not number.is_number or number.value <= 0 or len({value for value in values if value}) != 1:
-        message = f'the greatest grade must be one positive number for all students (found "{first[:20]}").'
+        message = say("fault.G024", first=first[:20])
         raise InputError([Fault(message, cells.file, 2)])
     return number.value, mark
 
