@@ -158,6 +158,7 @@ def _limited(command: Callable[..., int]) -> Callable[..., int]:
     "--language", default="en", show_default=True, shell_complete=_offered("languages"),
     help="Language of the pages: a words file in reports/.",
 )  # fmt: skip
+@click.option("--live/--no-live", default=True, show_default=True, help="Let the mechanism move on the page of a screen.")
 @click.option("--student", help="Name for the title block.")
 @click.option("--group", help="Group for the title block.")
 @click.option("--date", help="Date for the title block.")

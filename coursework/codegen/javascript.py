@@ -27,33 +27,37 @@ def javascript_function(name: str, arguments: Mapping[str, Sequence[str]], body:
     >>> print(javascript_function("rate", {"t": (), "d": ("v_r", "v_p")}, Bound((line,), {}, {}), ["v_w"]))
     const rate = (t, d, out) => {
     const v_p = d[1];
-    const v_w = v_p*cos(t);
-    out[0] = v_w;
+    out[0] = v_p*cos(t);
     return out;
     };
     """
-    read = {word for line in body.lines for word in _NAME.findall(line.text)} | set(results)
+    inside = {word for line in body.lines for word in _NAME.findall(line.text.partition(" = ")[2])}
+    # A result that no line reads goes straight to its place.
+    direct = {result: f"out[{place}]" for place, result in enumerate(results) if result not in inside}
+    written = {target for line in body.lines for target in line.targets if len(line.targets) == 1}
     handed = [
-        f"const {inside} = {array}[{place}];"
+        f"const {one} = {array}[{place}];"
         for array, names in arguments.items()
-        for place, inside in enumerate(names)
-        if inside in read
+        for place, one in enumerate(names)
+        if one in inside or one in results
     ]
-    kept = [f"out[{place}] = {result};" for place, result in enumerate(results)]
+    kept = [f"out[{place}] = {result};" for place, result in enumerate(results) if not (result in direct and result in written)]
     head = f"const {name} = ({', '.join((*arguments, 'out'))}) => {{"
-    return "\n".join((head, *handed, *map(_statement, body.lines), *kept, "return out;", "};"))
+    return "\n".join((head, *handed, *(_statement(line, direct) for line in body.lines), *kept, "return out;", "};"))
 
 
-def javascript_tables(body: Bound) -> list[str]:
-    """Return the lines that name the tabulated laws a program calls, value and derivatives; `law` is the runtime's."""
+def called_tables(body: Bound) -> dict[str, tuple[str, int]]:
+    """Return the tabulated laws that a program calls: the name it calls them by -> name of the law, order of derivative."""
     called = {word for line in body.lines for word in _NAME.findall(line.text)}
-    keys = ((f"_table_{key}_{order}", key, order) for key in sorted(body.tables) for order in range(3))
-    return [f'const {name} = law("{key}", {order});' for name, key, order in keys if name in called]
+    known = {f"_table_{key}_{order}": (key, order) for key in body.tables for order in range(3)}
+    return {name: law for name, law in known.items() if name in called}
 
 
-def _statement(line: Line) -> str:
+def _statement(line: Line, direct: Mapping[str, str]) -> str:
     """Return one line.  Python and JavaScript write arithmetic alike; they differ in what is not computed yet and in lists."""
     _, _, value = line.text.partition(" = ")
     value = _SOLVED.sub(r"_solve([\1])", value).replace("lambda: ", "() => ")
+    if line.targets[0] in direct and len(line.targets) == 1:
+        return f"{direct[line.targets[0]]} = {value};"
     targets = line.targets[0] if len(line.targets) == 1 else f"[{', '.join(line.targets)}]"
     return f"const {targets} = {value};"

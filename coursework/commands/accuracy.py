@@ -32,7 +32,7 @@ def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...] | Non
         return 1
     study = timed_study(run)
     folder = out or Path(f"coursework-{read.name}")
-    results = StudyResults(replace(run, timed=study))
+    results = StudyResults(replace(run, timed=study), live=False)
     results.compute(pages=True)
     with working_folder(folder) as hidden:
         written = write_set(results, wanted, folder, hidden)

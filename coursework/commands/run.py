@@ -24,8 +24,8 @@ from coursework.variant.set_values import with_set
 
 def run_variant(
     variant: str, *, out: Path | None, formats: tuple[str, ...] | None, step: str | None, error: float | None, end: float | None,
-    scheme: str | None, precision: str, strict: bool, plan: bool, profile: bool, language: str, set_values: tuple[str, ...],
-    check_row: int | None, **options: Any,
+    scheme: str | None, precision: str, strict: bool, plan: bool, profile: bool, language: str, live: bool,
+    set_values: tuple[str, ...], check_row: int | None, **options: Any,
 ) -> int:  # fmt: skip
     """Return the exit status of one run."""
     wanted = chosen(formats, "run")
@@ -52,7 +52,7 @@ def run_variant(
         return 0
     folder = out or Path(f"coursework-{read.name}")
     older = earlier_files(folder)
-    written = write_all(run, folder, wanted, language)
+    written = write_all(run, folder, wanted, language, live)
     tell(run, folder, written)
     tell_older(folder, older, written)
     if profile:
@@ -141,9 +141,9 @@ def step_of(text: str | None, variant: Variant) -> float | None:
         raise InputError(told) from None
 
 
-def write_all(run: Run, folder: Path, formats: Sequence[Format], language: str) -> list[str]:
+def write_all(run: Run, folder: Path, formats: Sequence[Format], language: str, live: bool) -> list[str]:
     """Compute everything, then write the files as one set; return their names."""
-    results = Results(run, language)
+    results = Results(run, language, live)
     results.compute(any(PAGES in each.serves for each in formats))
     with working_folder(folder) as hidden:
         return write_set(results, formats, folder, hidden)

@@ -100,9 +100,10 @@ class RunTask:
     def _run(self, item: Item, hidden: Path) -> Outcome:
         formats = chosen(self.formats, "run")
         options = dict(self.options)
-        strict, read = options.pop("strict"), with_set(load(item.variant), options.pop("set_values"), options.pop("check_row"))
+        strict, live = options.pop("strict"), options.pop("live")
+        read = with_set(load(item.variant), options.pop("set_values"), options.pop("check_row"))
         run = make_run(read, **{**options, "step": step_of(options["step"], read)})
-        results = Results(run, self.language)
+        results = Results(run, self.language, live)
         results.compute(any(PAGES in each.serves for each in formats))
         unfinished = hidden / item.folder
         unfinished.mkdir(exist_ok=True)

@@ -6,11 +6,11 @@ Used by the live page and by the test that runs every variant of the catalogue i
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from coursework.codegen.javascript import javascript_function, javascript_tables
+from coursework.codegen.javascript import called_tables, javascript_function
 from coursework.codegen.names import private
 from coursework.codegen.programs import Assign, Bound, Statement
 from coursework.reduction.statements import block_statements
@@ -25,13 +25,14 @@ class Functions:
     """`text` of the functions; `numbers` the data d they take, the given ones first; `tables` the laws they call.
 
     rates(t, q, d, out): velocities, then the determinant of each block; places(t, q, d, out): the expressions asked for;
-    closing(t, q, d, out): what is zero at the start and its derivatives by the `moved` coordinates, whose start follows from
-    the data `followed`.
+    closing(t, q, d, out): the `closed` expressions that are zero at the start, and their derivatives by the `moved`
+    coordinates, whose start follows from the data `followed`.
     """
 
     text: str
     numbers: tuple[float, ...]
     tables: dict[str, dict[str, Any]]
+    closed: int
     moved: tuple[int, ...]
     followed: tuple[str, ...]
 
@@ -60,9 +61,10 @@ def live_functions(scene: Scene, places: Sequence[Any]) -> Functions:
     functions = [
         javascript_function(name, arrays, body, [f"_out{place}" for place in range(count)]) for name, body, count in programs
     ]
-    laws = sorted({line for _, body, _ in programs for line in javascript_tables(body)})
+    laws = {name: law for _, body, _ in programs for name, law in called_tables(body).items()}
+    called = [f'const {name} = law("{key}", {order});' for name, (key, order) in sorted(laws.items())]
     return Functions(
-        "\n".join((*laws, *functions)), tuple(numbers.values()), _tables(scene), moved,
+        "\n".join((*called, *functions)), tuple(numbers.values()), _tables(scene, laws.values()), len(zero), moved,
         tuple(name for name, follow in followed.items() if follow),
     )  # fmt: skip
 
@@ -72,9 +74,11 @@ def _program(scene: Scene, before: Sequence[Statement], wanted: Sequence[Any]) -
     return scene_program(scene.equations, [*before, *outs]).free()
 
 
-def _tables(scene: Scene) -> dict[str, dict[str, Any]]:
-    """Return of every tabulated law where its table begins, its step, and the coefficients of value and derivatives."""
-    return {
-        name: {"first": law.first, "step": law.step, "pieces": [level.tolist() for level in law.pieces]}
-        for name, law in scene.equations.tables.items()
-    }
+def _tables(scene: Scene, called: Iterable[tuple[str, int]]) -> dict[str, dict[str, Any]]:
+    """Return of every law that is called where its table begins, its step, and its coefficients by order of derivative."""
+    found: dict[str, dict[str, Any]] = {}
+    for name, order in called:
+        law = scene.equations.tables[name]
+        found.setdefault(name, {"first": law.first, "step": law.step, "pieces": {}})
+        found[name]["pieces"][str(order)] = law.pieces[order].tolist()
+    return found

@@ -9,11 +9,15 @@ from __future__ import annotations
 import base64
 import hashlib
 import json
+import re
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
 from coursework.data import folder
+
+_TEXT = re.compile(r"""("(?:[^"\\]|\\.)*"|`[^`]*`)""")
+_BESIDE = re.compile(r" ?([-=+*/<>?:,;{}()\[\]&|!]+) ?")
 
 
 def script_of(functions: str, pieces: Sequence[str]) -> str:
@@ -22,6 +26,7 @@ def script_of(functions: str, pieces: Sequence[str]) -> str:
     Everything stands inside one function, so that no name is left behind on the page.
     """
     first, *others = map(_piece, pieces)
+    functions = "\n".join(map(_tight, functions.splitlines()))
     reading = 'const data = JSON.parse(document.getElementById("coursework").textContent);'
     return "\n".join(("(() => {", '"use strict";', reading, first, functions, *others, "})();"))
 
@@ -45,4 +50,10 @@ def hash_of(script: str) -> str:
 def _piece(name: str) -> str:
     """Return a file of the runtime without its comment lines and margins, which only its reader needs."""
     lines = map(str.strip, (folder("reports") / "live" / f"{name}.js").read_text(encoding="utf-8").splitlines())
-    return "\n".join(line for line in lines if line and not line.startswith("//"))
+    return "\n".join(_tight(line) for line in lines if line and not line.startswith("//"))
+
+
+def _tight(line: str) -> str:
+    """Return a line without the spaces beside its operators; texts in it stay as they are."""
+    parts = _TEXT.split(line)
+    return "".join(part if place % 2 else _BESIDE.sub(r"\1", part) for place, part in enumerate(parts))

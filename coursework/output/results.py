@@ -20,14 +20,18 @@ if TYPE_CHECKING:
 
 
 class Results:
-    """A run ready to be written; `stem` names its pages and `record_name` the file that is written last."""
+    """A run ready to be written; `stem` names its pages, `record_name` the file that is written last.
+
+    With `live` the page of a screen has the part that moves.
+    """
 
     stem = "report"
     record_name = "run.json"
 
-    def __init__(self, run: Run, language: str = "en") -> None:
+    def __init__(self, run: Run, language: str = "en", live: bool = True) -> None:
         self.run = run
         self.language = language
+        self.live = live
 
     def compute(self, pages: bool) -> None:
         """Compute what is asked for and look at every number, so that a fault comes before the first file."""
@@ -47,7 +51,7 @@ class Results:
         from coursework.report import build_model
 
         with under_way("pages"):
-            return build_model(self.run, self.language, self.stamp)
+            return build_model(self.run, self.language, self.stamp, live=self.live)
 
     def tables(self) -> Iterable[tuple[str, str]]:
         """Return the CSV texts by name."""

@@ -15,16 +15,19 @@ from coursework.report.formulas import Drawn, draw
 from coursework.report.model import ReportModel
 
 
-@lru_cache(maxsize=1)
-def _stylesheet() -> str:
-    return (folder("reports") / "report.css").read_text(encoding="utf-8")
+@lru_cache
+def _stylesheet(name: str) -> str:
+    return (folder("reports") / f"{name}.css").read_text(encoding="utf-8")
 
 
 def render_html(model: ReportModel) -> str:
     """Return the report as one HTML page; equations are drawn by Typst, or stand as text where it is missing."""
     page = model.plain()
     drawn = _drawn(page)
-    return template("report.html.j2").render(page=page, style=_stylesheet(), pictures=drawn.pictures, glyphs=drawn.glyphs)
+    style = _stylesheet("report") + (_stylesheet("live") if model.live else "")
+    return template("report.html.j2").render(
+        page=page, style=style, pictures=drawn.pictures, glyphs=drawn.glyphs, live=model.live
+    )
 
 
 def _drawn(page: dict[str, Any]) -> Drawn:

@@ -9,7 +9,9 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
+from coursework.live.page import LivePart, live_part
 from coursework.page_text import clean
+from coursework.report.numbers import unit_text
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Figure, Part, Section, Table
 from coursework.report.sections import all_sections
@@ -22,7 +24,10 @@ LONGEST_RUNNING = (70, 36)  # characters of title and name above a later page: t
 
 @dataclass(frozen=True, slots=True)
 class ReportModel:
-    """One report: its language, titles, and sections in order; `running` stands above the later pages, `footer` below all."""
+    """One report: its language, titles, and sections in order; `running` stands above the later pages, `footer` below all.
+
+    `live` is the part that moves, for a screen only.
+    """
 
     language: str
     kind: str
@@ -31,6 +36,7 @@ class ReportModel:
     running: str
     footer: str
     sections: tuple[Section, ...]
+    live: LivePart | None = None
 
     def plain(self) -> dict[str, Any]:
         """Return the model as dicts, lists and strings: what JSON holds and what a golden file compares."""
@@ -45,10 +51,11 @@ class ReportModel:
         }
 
 
-def build_model(run: Run, language: str = "en", stamp: str = "") -> ReportModel:
+def build_model(run: Run, language: str = "en", stamp: str = "", *, live: bool = False) -> ReportModel:
     """Return the report of a run: the sections that have something to say, and those only if asked for.
 
-    `stamp` names the run in the footer, so that a page can be told from one of another run.  Raises `InputError` where the
+    `stamp` names the run in the footer, so that a page can be told from one of another run; `live` adds the part that moves.
+    Raises `InputError` where the
     language is not there.
     """
     words = load_words(language)
@@ -65,6 +72,7 @@ def build_model(run: Run, language: str = "en", stamp: str = "") -> ReportModel:
         running=" – ".join(running),
         footer=words("title.footer", version=run.versions["coursework"], stamp=stamp) if stamp else "",
         sections=tuple(_numbered(all_sections(context), words)),
+        live=live_part(run, words.phrases, lambda name: context.symbol(name).text, unit_text) if live else None,
     )
 
 

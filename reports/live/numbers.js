@@ -54,7 +54,7 @@ const latest = (end) => (data.breaks.some((time) => abs(end - time) <= 1e-13 * t
 // `sound` says whether every determinant kept its sign inside the step.
 const stepper = (scheme) => {
   const m = data.coordinates.length;
-  const width = data.velocities.length + data.blocks;
+  const width = data.velocities.length + data.determinants;
   const slopes = scheme.inner.map(() => new Float64Array(width));
   const inside = new Float64Array(m);
   const moved = (row, q, h, into) => {
@@ -99,7 +99,7 @@ const march = (name, h, start, d, dead) => {
   const q = [], u = [];
   let at = Float64Array.from(start);
   for (let i = 0; i <= last; i++) {
-    const row = rates(i * h, at, d, new Float64Array(k + data.blocks));
+    const row = rates(i * h, at, d, new Float64Array(k + data.determinants));
     let kept = finite(row);
     for (let b = k; b < row.length && i; b++) if (row[b] * u[i - 1][b] <= 0 && u[i - 1][b] !== 0) kept = false;
     if (!kept) break;
@@ -120,13 +120,13 @@ const follow = (h, inside, start, d, known) => {
   const k = data.velocities.length;
   const last = wholeSteps(h, data.end);
   const q = [], u = [];
-  const largest = new Float64Array(data.blocks);
+  const largest = new Float64Array(data.determinants);
   let at = Float64Array.from(start), next = new Float64Array(at.length);
-  let row = rates(0, at, d, new Float64Array(k + data.blocks)), ahead = new Float64Array(k + data.blocks);
+  let row = rates(0, at, d, new Float64Array(k + data.determinants)), ahead = new Float64Array(k + data.determinants);
   let shrunk = 1, dead = known, t = 0;
   const closeness = () => {
     let least = 1;
-    for (let b = 0; b < data.blocks; b++) {
+    for (let b = 0; b < data.determinants; b++) {
       largest[b] = Math.max(largest[b], abs(row[k + b]));
       least = Math.min(least, abs(row[k + b]) / largest[b]);
     }

@@ -1,0 +1,101 @@
+"""A run -> the part of its page that moves: labels, script with its hash, data.
+
+Enters: a `Run`, the words of a language, the writers of symbols and units.  Leaves: `LivePart`.  Used by the report.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from coursework.live.drawn import Drawn, drawn_of
+from coursework.live.frames import frames_of
+from coursework.live.functions import live_functions
+from coursework.live.numbers import live_numbers
+from coursework.live.script import embedded, hash_of, script_of
+from coursework.live.sliders import sliders_of
+from coursework.run import Run
+from coursework.schemes import SCHEMES
+from coursework.sentences import Phrases, load_phrases, title_of
+
+# Script and data of one page (bytes), and rows of a table that a laboratory computes anew at every move.
+MOST_BYTES, MOST_ROWS = 60_000, 512
+SPEEDS = (0.05, 0.1, 0.2, 1.0)
+_LABORATORY = (
+    "numbers", "laboratory_motion", "page", "drawing", "additions", "cursors", "panels", "laboratory", "stop_watch", "animation",
+)  # fmt: skip
+_RECORDED = ("recorded_motion", "page", "drawing", "additions", "cursors", "animation")
+
+
+@dataclass(frozen=True, slots=True)
+class LivePart:
+    """`words` of what stands still by key, `speeds` (value, text); `last` row from 0; `script` with its `hash`; `data` as JSON.
+
+    Without a `laboratory` the page shows a motion that was computed before.
+    """
+
+    words: dict[str, str]
+    speeds: tuple[tuple[float, str], ...]
+    last: int
+    laboratory: bool
+    script: str
+    hash: str
+    data: str
+
+    @property
+    def size(self) -> int:
+        """Return the bytes of script and data."""
+        return len(self.script.encode()) + len(self.data.encode())
+
+
+def live_part(run: Run, phrases: Phrases, label: Callable[[str], str], unit: Callable[[str], str]) -> LivePart | None:
+    """Return the live part of a run, None where there is no row to show.
+
+    `label` writes the name of a quantity or a point, `unit` a unit, both as text.
+    """
+    if not len(run.motion.t):
+        return None
+    drawn = drawn_of(run.scene)
+    said = _said(run, drawn, phrases, label, unit)
+    if len(run.motion.t) <= MOST_ROWS:
+        functions = live_functions(run.scene, drawn.places)
+        sliders = sliders_of(run, unit)
+        data = said | live_numbers(run, functions) | {"sliders": sliders, "given_order": list(run.variant.values)}
+        part = _part(run, phrases, script_of(functions.text, _LABORATORY), embedded(data | {"most_rows": MOST_ROWS}), True)
+        if part.size <= MOST_BYTES:
+            return part
+    script = script_of("", _RECORDED)
+    room = MOST_BYTES - len(script.encode()) - len(embedded(said).encode())
+    return _part(run, phrases, script, embedded(said | frames_of(run, drawn, room)), False)
+
+
+def _part(run: Run, phrases: Phrases, script: str, data: str, laboratory: bool) -> LivePart:
+    mark = phrases.template("decimal")
+    speeds = tuple((speed, phrases.template("live.speed_of").format(speed=f"{speed:g}".replace(".", mark))) for speed in SPEEDS)
+    return LivePart(_words(phrases), speeds, max(1, len(run.motion.t) - 1), laboratory, script, hash_of(script), data)
+
+
+def _said(run: Run, drawn: Drawn, phrases: Phrases, label: Callable[[str], str], unit: Callable[[str], str]) -> dict[str, Any]:
+    """Return the outline and the words of the page."""
+    variant = run.variant
+    names = ["t", *variant.columns, *variant.values, *drawn.data["shown_points"]]
+    words = _words(phrases) | {f"scheme_{scheme.name}": phrases.written(title_of(scheme)) for scheme in SCHEMES.values()}
+    return drawn.data | {
+        "words": words,
+        "labels": {name: label(name) for name in names},
+        "unit_words": {name: unit(variant.unit_of(name)) for name in ("t", *variant.columns)},
+        "decimal": phrases.template("decimal"),
+        "decimals": _decimals(run.step),
+        "language": phrases.language,
+    }
+
+
+def _decimals(step: float) -> int:
+    """Return the decimals that the times of the rows need, at most five."""
+    return next((places for places in range(5) if abs(round(step, places) - step) < 1e-9 * step), 5)
+
+
+def _words(phrases: Phrases) -> dict[str, str]:
+    """Return the words of the live part by key, their gaps open."""
+    return {key: phrases.template(f"live.{key}") for key in load_phrases().entries["live"]}

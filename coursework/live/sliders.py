@@ -1,0 +1,32 @@
+"""The data of a task sheet that a reader may move, and how far.
+
+Enters: a `Run`.  Leaves: for each such datum the ends of its slider (SI).  Used by `page.py`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+from coursework.run import Run
+
+
+def sliders_of(run: Run, unit: Callable[[str], str]) -> dict[str, dict[str, Any]]:
+    """Return the data that may be moved: an angle through its whole turn, anything else from half to one and a half of itself.
+
+    A datum that is zero has no such range, and one that moves the times at which a law changes would need another law.
+    """
+    variant = run.variant
+    formulas = [formula for path, formula in variant.times.items() if path[0] != "time"]
+    timed = {name for formula in formulas for name in formula.names()}
+    found = {}
+    for given in variant.given:
+        if given.name in timed or not (given.value or given.si == "rad"):
+            continue
+        low, high = sorted((0.5 * given.value, 1.5 * given.value))
+        if given.si == "rad":
+            low = math.tau * math.floor(given.value / math.tau)
+            high = low + math.tau
+        found[given.name] = {"low": low, "high": high, "unit": unit(given.si)}
+    return found

@@ -1,0 +1,99 @@
+// The clock: play, speed, scrub and keys; it moves drawing, cursors, rows and what is told beside them.
+// Enters: `motion`, `drawing`, `cursors` and, where there is a laboratory, `laboratory`.  The last piece: it starts the page.
+const scrub = byId("scrub"), play = byId("play");
+const still = matchMedia("(prefers-reduced-motion: reduce)");
+let now = 0, playing = false, begun = 0, asked = 0, lit = null;
+
+// Show the time t (s); the scrub stands at the row, counted from 0 with a fraction.
+const show = (t) => {
+  now = Math.min(Math.max(t, 0), motion.duration);
+  const row = motion.h > 0 ? now / motion.h : 0, nearest = Math.round(row) + 1;
+  live.dataset.row = nearest;
+  scrub.value = row;
+  const told = say("clock", { row: nearest, t: fixed(now, data.decimals + (playing ? 1 : 0)) });
+  scrub.setAttribute("aria-valuetext", told);
+  tell("live-clock", told);
+  const places_ = drawing.draw(now);
+  cursors.place(now);
+  if (byId("lab-table")) {
+    const next = byId("lab-table").tBodies[0].rows[nearest - 1] ?? null;
+    if (lit !== next) lit?.classList.remove("live-now");
+    next?.classList.add("live-now");
+    if (next && lit !== next) {
+      const box = next.closest(".live-scroll"), top = next.offsetTop;
+      if (top < box.scrollTop + 45 || top > box.scrollTop + box.clientHeight - 45) box.scrollTop = top - box.clientHeight / 2;
+    }
+    lit = next;
+  }
+  const { right, ghost } = places_ ?? {};
+  const rail = ghost && offRail(ghost), away = ghost && right && offPlace(ghost, right);
+  const mm = (found) => (found.distance < 5e-8 ? "0" : shown(found.distance * 1000, 3));
+  tell("live-rail", rail ? say("off_rail", { point: label(rail.point), distance: mm(rail) }) : "", rail ? String(rail.distance) : "");
+  tell("live-away", away ? say("off_place", { point: label(away.point), distance: mm(away) }) : ghost ? "" : data.words.no_ghost);
+};
+
+// After the laboratory has changed the motion: the same time, other rows.
+const changed = () => {
+  scrub.max = Math.max(motion.count - 1, 1e-9);
+  drawing.refit();
+  tell("live-ghost", say("ghost", { scheme: data.words["scheme_" + (motion.rows?.name ?? data.scheme)], h: plain(motion.rows?.h ?? data.step, 4) }));
+  show(now);
+};
+
+const frame = (stamp) => {
+  if (!playing) return;
+  const past = Math.min(stamp - begun, 100) / 1000;
+  begun = stamp;
+  const t = now + past * Number(byId("speed").value);
+  show(t >= motion.duration ? t % (motion.duration || 1) : t);
+  asked = requestAnimationFrame(frame);
+};
+// Where motion on the screen is not wanted: row by row, once a second.
+const tick = () => {
+  if (playing) show(now >= motion.duration * (1 - 1e-9) ? 0 : (Math.floor(now / motion.h + 1e-6) + 1) * motion.h);
+};
+const run = (on) => {
+  playing = on;
+  play.setAttribute("aria-pressed", String(on));
+  tell("play-text", data.words[on ? "pause" : "play"]);
+  live.classList.toggle("live-playing", on);
+  cancelAnimationFrame(asked);
+  clearInterval(asked);
+  if (on && still.matches) asked = setInterval(tick, 1000);
+  else if (on) {
+    begun = performance.now();
+    asked = requestAnimationFrame(frame);
+  }
+};
+
+const KEYS = {
+  " ": () => run(!playing),
+  ArrowLeft: () => show((Math.ceil(now / motion.h - 1e-6) - 1) * motion.h),
+  ArrowRight: () => show((Math.floor(now / motion.h + 1e-6) + 1) * motion.h),
+  Home: () => show(0),
+  End: () => show(motion.duration),
+};
+live.addEventListener("keydown", (event) => {
+  const own = event.target.closest("input, select, textarea, .live-scroll") || (event.key === " " && event.target.closest("button, summary"));
+  if (own || event.ctrlKey || event.altKey || event.metaKey || !KEYS[event.key]) return;
+  event.preventDefault();
+  KEYS[event.key]();
+});
+play.addEventListener("click", () => run(!playing));
+scrub.addEventListener("input", () => show(Number(scrub.value) * motion.h));
+for (const name of Object.keys(additions.on)) {
+  const button = byId(`live-${name}`);
+  button.addEventListener("click", () => {
+    additions.on[name] = !additions.on[name];
+    button.setAttribute("aria-pressed", String(additions.on[name]));
+    additions.renew();
+    show(now);
+  });
+}
+
+live.hidden = false;
+document.documentElement.classList.add("live-on");
+start();
+drawing.prepare();
+cursors.find();
+changed();

@@ -1,0 +1,223 @@
+// The mechanism on the screen: the true one solid, the one of the table dashed over it, what a switch adds to them.
+// Enters: `motion` and the outline in `data` (names of points).  Leaves: `drawing`, redrawn for any time.
+const X = (place, name) => place[2 * data.points.indexOf(name)];
+const Y = (place, name) => place[2 * data.points.indexOf(name) + 1];
+const along = (place, base, toward) => {
+  const x = X(place, toward) - X(place, base), y = Y(place, toward) - Y(place, base);
+  const size = Math.hypot(x, y) || 1;
+  return [x / size, y / size];
+};
+
+const drawing = {
+  field: byId("live-field"),
+  WIDE: 640,
+  prepare() {
+    if (!data.points.length) return;
+    this.layers = Object.fromEntries(
+      ["ground", "traces", "ghost", "body", "pins", "arrows", "centres", "words"].map((name) => [
+        name, svg("g", { class: `live-${name}` }, this.field),
+      ]),
+    );
+    const line = (layer) => svg("path", {}, this.layers[layer]);
+    this.paths = { ghost: line("ghost"), body: line("body"), pins: line("pins"), filled: line("pins") };
+    this.paths.filled.setAttribute("class", "live-filled");
+    this.numbers = data.links.map((link) => {
+      const text = svg("text", { class: "live-link" }, this.layers.words);
+      text.textContent = link.name;
+      return text;
+    });
+    this.names = data.shown_points.map((name) => {
+      const text = svg("text", {}, this.layers.words);
+      symbolic(text, label(name));
+      return text;
+    });
+  },
+  // Choose the window so that both motions fit, and draw what stands still.
+  refit() {
+    if (!data.points.length) return;
+    const box = [Infinity, Infinity, -Infinity, -Infinity];
+    const take = (x, y, room = 0) => {
+      box[0] = Math.min(box[0], x - room);
+      box[1] = Math.min(box[1], y - room);
+      box[2] = Math.max(box[2], x + room);
+      box[3] = Math.max(box[3], y + room);
+    };
+    const drawn = data.shown_points.map((name) => data.points.indexOf(name));
+    const radii = data.wheels.map(() => 0);
+    this.samples = [true, false].map((true_) => {
+      const rows = [];
+      for (let i = 0; i < motion.count; i += Math.ceil(motion.count / 150)) {
+        const place = motion.at(true_, i * motion.h);
+        if (!place || !place.every(Number.isFinite)) continue;
+        rows.push(place);
+        for (const at of drawn) take(place[2 * at], place[2 * at + 1]);
+        data.wheels.forEach((wheel, k) => {
+          radii[k] = Math.hypot(X(place, wheel.contact) - X(place, wheel.centre), Y(place, wheel.contact) - Y(place, wheel.centre));
+          take(X(place, wheel.centre), Y(place, wheel.centre), radii[k]);
+        });
+      }
+      return rows;
+    });
+    this.first = motion.at(true, 0);
+    if (!this.first) return;
+    for (const track of data.tracks) {
+      const radius = Math.hypot(X(this.first, track.rim) - X(this.first, track.centre), Y(this.first, track.rim) - Y(this.first, track.centre));
+      take(X(this.first, track.centre), Y(this.first, track.centre), radius);
+    }
+    this.turns = {};
+    this.scale = Math.min((this.WIDE - 90) / Math.max(box[2] - box[0], 1e-12), 330 / Math.max(box[3] - box[1], 1e-12));
+    const high = (box[3] - box[1]) * this.scale + 80;
+    this.origin = [(this.WIDE - (box[0] + box[2]) * this.scale) / 2, high - 40 + box[1] * this.scale];
+    this.field.setAttribute("viewBox", `0 0 ${this.WIDE} ${f1(high)}`);
+    this.high = high;
+    this.samples[0].unshift(this.first);
+    this.slots = data.slots.map((slot) => this.reach(slot));
+    this.ground();
+    additions.renew();
+  },
+  x(value) {
+    return this.origin[0] + value * this.scale;
+  },
+  y(value) {
+    return this.origin[1] - value * this.scale;
+  },
+  put(place, name) {
+    return [this.x(X(place, name)), this.y(Y(place, name))];
+  },
+  // Rails, fixed circles and hinges, hatched where they are held.
+  ground() {
+    const layer = this.layers.ground;
+    layer.replaceChildren();
+    const hatch = (x1, y1, x2, y2, leanX, leanY) => {
+      const count = Math.max(2, Math.round(Math.hypot(x2 - x1, y2 - y1) / 8));
+      let path = "";
+      for (let i = 0; i < count; i++) {
+        const share = (i + 0.5) / count, x = x1 + share * (x2 - x1), y = y1 + share * (y2 - y1);
+        path += `M${f1(x)} ${f1(y)}l${f1(leanX)} ${f1(leanY)}`;
+      }
+      svg("path", { d: path, class: "live-hatch" }, layer);
+    };
+    for (const rail of data.rails) {
+      const [ux, uy] = along(this.first, rail.base, rail.toward), [x0, y0] = this.put(this.first, rail.at);
+      let low = -25, high = 25;
+      for (const row of rail.rider ? this.samples.flat() : []) {
+        const [x, y] = this.put(row, rail.rider);
+        const s = (x - x0) * ux - (y - y0) * uy;
+        low = Math.min(low, s - 25);
+        high = Math.max(high, s + 25);
+      }
+      const ends = [x0 + low * ux, y0 - low * uy, x0 + high * ux, y0 - high * uy];
+      // A pin slides on the line itself, a wheel and a block stand beside it: the hatching is below or to the right.
+      const side = ux < 0 || (ux === 0 && uy > 0) ? -1 : 1, gap = rail.rolls ? 0 : 7;
+      const ox = uy * gap * side, oy = ux * gap * side;
+      svg("path", { d: `M${f1(ends[0] + ox)} ${f1(ends[1] + oy)}L${f1(ends[2] + ox)} ${f1(ends[3] + oy)}` }, layer);
+      hatch(ends[0] + ox, ends[1] + oy, ends[2] + ox, ends[3] + oy, (uy * side - ux * 0.7) * 6, (ux * side + uy * 0.7) * 6);
+    }
+    for (const track of data.tracks) {
+      const [x, y] = this.put(this.first, track.centre), [rx, ry] = this.put(this.first, track.rim);
+      svg("circle", { cx: f1(x), cy: f1(y), r: f1(Math.hypot(rx - x, ry - y)) }, layer);
+    }
+    for (const name of data.hinges) {
+      const [x, y] = this.put(this.first, name);
+      svg("path", { d: `M${f1(x)} ${f1(y)}l-9 15h18z` }, layer);
+      hatch(x - 13, y + 15, x + 13, y + 15, -5, 6);
+    }
+  },
+  // One mechanism as a path: bars through their corners, slots, blocks, wheels with a spoke.
+  outline(place, true_, t) {
+    let path = "";
+    for (const bar of data.links) {
+      if (bar.points.length < 2) continue;
+      bar.points.forEach((name, i) => {
+        const [x, y] = this.put(place, name);
+        path += `${i ? "L" : "M"}${f1(x)} ${f1(y)}`;
+      });
+    }
+    this.slots.forEach(({ slot, beside, low, high }) => {
+      const [ux, uy] = along(place, slot.base, slot.toward), [x, y] = this.put(place, slot.at);
+      const on = (s, n) => `${f1(x + s * ux - n * uy)} ${f1(y - s * uy - n * ux)}`;
+      path += `M${on(low, beside)}L${on(high, beside)}`;
+      if (Math.abs(beside) > 1) path += `M${on(0, 0)}L${on(0, beside)}`;
+    });
+    for (const block of data.blocks) {
+      const [ux, uy] = along(place, block.base, block.toward), [x, y] = this.put(place, block.at);
+      const corner = (a, b) => `${f1(x + a * ux - b * uy)} ${f1(y - a * uy - b * ux)}`;
+      path += block.open
+        ? `M${corner(-14, 7)}L${corner(14, 7)}M${corner(-14, -7)}L${corner(14, -7)}`
+        : `M${corner(-12, 7)}L${corner(12, 7)}L${corner(12, -7)}L${corner(-12, -7)}Z`;
+    }
+    for (const wheel of data.wheels) {
+      const [x, y] = this.put(place, wheel.centre), [px, py] = this.put(place, wheel.contact);
+      const r = Math.round(10 * Math.hypot(px - x, py - y)) / 10, turned = this.turned(wheel, true_, t);
+      path += `M${f1(x - r)} ${f1(y)}a${f1(r)} ${f1(r)} 0 1 0 ${f1(2 * r)} 0a${f1(r)} ${f1(r)} 0 1 0 ${f1(-2 * r)} 0`;
+      if (turned !== null) path += `M${f1(x)} ${f1(y)}l${f1(r * Math.cos(turned))} ${f1(-r * Math.sin(turned))}`;
+    }
+    return path;
+  },
+  // How far (px) a slot reaches from its point along its line, so that every rider stays on it, and how far beside it lies.
+  reach(slot) {
+    const found = { slot, beside: 0, low: 0, high: 0 };
+    for (const row of this.samples.flat()) {
+      const [ux, uy] = along(row, slot.base, slot.toward), [x0, y0] = this.put(row, slot.at);
+      for (const rider of slot.riders) {
+        const [x, y] = this.put(row, rider);
+        found.low = Math.min(found.low, (x - x0) * ux - (y - y0) * uy - 10);
+        found.high = Math.max(found.high, (x - x0) * ux - (y - y0) * uy + 10);
+        if (row === this.first) found.beside = -(x - x0) * uy - (y - y0) * ux;
+      }
+    }
+    return found;
+  },
+  // The angle by which a wheel has turned at t: its rate summed over the rows; null where no rate is known.
+  turned(wheel, true_, t) {
+    const rate = data.links.find((bar) => bar.name === wheel.link)?.rate;
+    if (!rate || motion.rate(true_, 0, rate) === null) return null;
+    const key = `${wheel.link} ${true_}`, parts = 8 * motion.count, h = motion.duration / parts;
+    if (!this.turns[key]) {
+      // The spoke begins at the contact.
+      let total = Math.atan2(Y(this.first, wheel.contact) - Y(this.first, wheel.centre), X(this.first, wheel.contact) - X(this.first, wheel.centre));
+      this.turns[key] = [total];
+      for (let i = 0; i < parts; i++) this.turns[key].push((total += h * motion.rate(true_, (i + 0.5) * h, rate)));
+    }
+    const row = this.turns[key], i = Math.min(Math.floor(t / h), parts - 1);
+    return h > 0 ? row[i] + (t / h - i) * (row[i + 1] - row[i]) : 0;
+  },
+  // Redraw both mechanisms at t (s).
+  draw(t) {
+    if (!data.points.length || !this.first) return;
+    const right = motion.at(true, t), ghost = motion.at(false, t);
+    this.paths.body.setAttribute("d", right ? this.outline(right, true, t) : "");
+    this.paths.ghost.setAttribute("d", ghost ? this.outline(ghost, false, t) : "");
+    if (right) this.joints(right);
+    additions.draw(right, t);
+    return { right, ghost };
+  },
+  joints(place) {
+    let rings = "", dots = "";
+    const ring = (x, y, r) => `M${f1(x - r)} ${f1(y)}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0`;
+    data.shown_points.forEach((name, i) => {
+      const [x, y] = this.put(place, name);
+      if (data.rings.includes(name)) rings += ring(x, y, 4);
+      else dots += ring(x, y, 3);
+      this.names[i].setAttribute("x", f1(x + 9));
+      this.names[i].setAttribute("y", f1(y - 8));
+    });
+    data.links.forEach((link, i) => {
+      let longest = -1;
+      for (let k = 1; k < link.points.length; k++) {
+        const [x1, y1] = this.put(place, link.points[k - 1]), [x2, y2] = this.put(place, link.points[k]);
+        const size = Math.hypot(x2 - x1, y2 - y1);
+        if (size <= longest) continue;
+        longest = size;
+        this.numbers[i].setAttribute("x", f1((x1 + x2) / 2 + (9 * (y2 - y1)) / (size || 1)));
+        this.numbers[i].setAttribute("y", f1((y1 + y2) / 2 - (9 * (x2 - x1)) / (size || 1) + 4));
+      }
+      if (longest >= 0 || !link.points.length) return;
+      const [x, y] = this.put(place, link.points[0]);
+      this.numbers[i].setAttribute("x", f1(x - 16));
+      this.numbers[i].setAttribute("y", f1(y - 6));
+    });
+    this.paths.pins.setAttribute("d", rings);
+    this.paths.filled.setAttribute("d", dots);
+  },
+};

@@ -1,0 +1,49 @@
+// What every part of the page needs: elements, numbers in the reader's language, sentences with gaps.
+// Enters: `data`.  Leaves: functions; text enters the page by textContent alone.
+const live = document.getElementById("live");
+const byId = (id) => document.getElementById(id);
+const svg = (name, attributes, into) => {
+  const made = document.createElementNS("http://www.w3.org/2000/svg", name);
+  for (const key in attributes) made.setAttribute(key, attributes[key]);
+  if (into) into.append(made);
+  return made;
+};
+const written = (text) => text.replace("-", "−").replace(".", data.decimal);
+const raised = (number) => String(number).replace(/[-\d]/g, (sign) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(sign)]);
+// A number with so many significant digits, in powers of ten where small or large.
+const shown = (value, digits) => {
+  if (!Number.isFinite(value)) return "–";
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  if (size >= 1e-3 && size < 1e5) {
+    const exponent = Number(size.toExponential(digits - 1).split("e")[1]);
+    return written(value.toFixed(Math.max(0, digits - 1 - exponent)));
+  }
+  const [head, power] = value.toExponential(Math.min(digits, 3) - 1).split("e");
+  return `${written(head)}·10${raised(Number(power))}`;
+};
+// The same without zeros at the end.
+const plain = (value, digits) => written(String(Number(value.toPrecision(digits))));
+const fixed = (value, decimals) => written(value.toFixed(decimals));
+const say = (key, values) => data.words[key].replace(/\{(\w+)\}/g, (_, gap) => values[gap]);
+const label = (name) => data.labels[name] ?? name;
+// A symbol with its subscript lowered: "φ_c", "V_Mx".
+const symbolic = (place, text) => {
+  const [head, low, rest] = text.split(/_([^\s,]+)/);
+  place.textContent = head;
+  if (!low) return;
+  const drawn = place instanceof SVGElement;
+  const below = drawn ? svg("tspan", { dy: 4, "font-size": "75%" }) : document.createElement("sub");
+  below.textContent = low;
+  place.append(below);
+  if (!rest) return;
+  const after = drawn ? svg("tspan", { dy: -4 }) : document.createTextNode("");
+  after.textContent = rest;
+  place.append(after);
+};
+const tell = (id, text, value) => {
+  const place = byId(id);
+  if (place.textContent !== text) place.textContent = text;
+  if (value !== undefined) place.dataset.value = value;
+};
+const f1 = (value) => value.toFixed(1);

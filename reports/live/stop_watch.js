@@ -1,0 +1,76 @@
+// The time that a table takes on this very machine, and the diagram of error against time in which each try leaves a mark.
+// Enters: `motion`.  Leaves: `watch`.  Nothing here is ever printed, and no number of the report depends on it.
+const MARKS = {
+  euler: "M-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0", midpoint: "M-4 4h8l-4 -8z", heun: "M-4 -4h8v8h-8z",
+  ralston: "M-4 -4h8l-4 8z", rk4: "M0 -5l5 5l-5 5l-5 -5z",
+};
+const OTHER_MARK = "M-4 -4l8 8m-8 0l8 -8";
+
+const watch = {
+  tries: [],
+  waiting: 0,
+  // Wait until nothing moves any more, then measure.
+  later() {
+    clearTimeout(this.waiting);
+    tell("lab-time", "…", "");
+    this.waiting = setTimeout(() => this.measure(), 200);
+  },
+  // The best of some rounds, each of so many tables that the clock of a browser can tell.
+  measure() {
+    if (!motion.rows.q.length) return tell("lab-time", "–", "");
+    let many = 1, best = Infinity;
+    for (let round = 0; round < 6; ) {
+      const begun = performance.now();
+      for (let i = 0; i < many; i++) motion.again();
+      const took = performance.now() - begun;
+      if (took < 4) many *= 2;
+      else {
+        best = Math.min(best, took / many);
+        round++;
+      }
+    }
+    tell("lab-time", this.duration(best), String(best / 1000));
+    this.first ??= best;
+    tell("lab-time-ratio", say("time_ratio", { ratio: plain(best / this.first, 2) }));
+    const error = motion.worst.value;
+    if (!(error > 0)) return;
+    const known = (one) => one.error === error && one.scheme === tried.scheme && one.h === motion.h;
+    this.tries = [...this.tries.filter((one) => !known(one)).slice(-59), { scheme: tried.scheme, h: motion.h, error, time: best }];
+    this.draw();
+  },
+  duration: (ms) => (ms < 1 ? `${plain(ms * 1000, 3)} ${data.words.us}` : `${plain(ms, 3)} ${data.words.ms}`),
+  draw() {
+    const field = byId("lab-diagram"), left = 62, right = 330, top = 16, bottom = 170;
+    const powers = (values) => {
+      const low = Math.floor(Math.log10(Math.min(...values)) - 0.05), high = Math.ceil(Math.log10(Math.max(...values)) + 0.05);
+      return [low, high];
+    };
+    const [t0, t1] = powers(this.tries.map((one) => one.time)), [e0, e1] = powers(this.tries.map((one) => one.error));
+    const x = (time) => left + ((right - left) * (Math.log10(time) - t0)) / (t1 - t0);
+    const y = (error) => bottom - ((bottom - top) * (Math.log10(error) - e0)) / (e1 - e0);
+    field.replaceChildren();
+    let path = `M${left} ${top}V${bottom}H${right}`;
+    for (let power = t0; power <= t1; power++) {
+      path += `M${f1(x(10 ** power))} ${bottom}v4`;
+      svg("text", { x: f1(x(10 ** power)), y: bottom + 17, "text-anchor": "middle" }, field).textContent = this.duration(10 ** power);
+    }
+    for (let power = e0; power <= e1; power += Math.ceil((e1 - e0) / 6)) {
+      path += `M${left - 4} ${f1(y(10 ** power))}h4`;
+      svg("text", { x: left - 7, y: f1(y(10 ** power) + 4), "text-anchor": "end" }, field).textContent = `10${raised(power)}`;
+    }
+    svg("path", { d: path, class: "live-axes" }, field);
+    const title = (text, x, y, anchor) => (svg("text", { x, y, "text-anchor": anchor, class: "live-title" }, field).textContent = text);
+    title(say("error_axis", { unit: data.unit_words[data.coordinates[motion.worst.place]] }), left + 6, 12, "start");
+    title(data.words.time_axis, right, bottom + 34, "end");
+    this.tries.forEach((one, i) => {
+      const now = i === this.tries.length - 1;
+      const mark = svg("path", { d: MARKS[one.scheme] ?? OTHER_MARK, class: now ? "live-mark live-last" : "live-mark" }, field);
+      mark.setAttribute("transform", `translate(${f1(x(one.time))} ${f1(y(one.error))})`);
+      mark.dataset.scheme = one.scheme;
+      const told = svg("title", {}, mark);
+      const name = data.words["scheme_" + one.scheme];
+      told.textContent = `${name}, h = ${plain(one.h, 4)} ${data.words.s}: ${shown(one.error, 3)}, ${this.duration(one.time)}`;
+    });
+    tell("lab-key", [...new Set(this.tries.map((one) => one.scheme))].map((name) => data.words["scheme_" + name]).join(", "));
+  },
+};

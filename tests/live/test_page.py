@@ -1,0 +1,233 @@
+"""The live page in a real browser: every hook, without a word, a request or a trace; away where it may not be."""
+
+from __future__ import annotations
+
+import csv
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pymupdf
+import pytest
+
+import coursework
+from coursework.live.page import MOST_BYTES, MOST_ROWS
+
+pytestmark = pytest.mark.browser
+PHASE = 0.1168893  # s: where variant 31 with alpha = 0.02 stops, from the closed form of its driven point
+
+
+def rows_of(path: Path) -> list[dict[str, float]]:
+    with path.open(encoding="utf-8", newline="") as file:
+        return [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
+
+
+def test_it_opens_from_disk_without_a_word_and_fetches_nothing(written: Any, opened: Any) -> None:
+    folder = written("31")
+    page = opened(folder)
+    page.page.wait_for_timeout(300)
+    assert page.page.is_visible("#live")
+    page.page.click("#play")
+    page.page.wait_for_selector("#live:not([data-row='1'])")
+    page.page.click("#play")
+    assert page.page.get_attribute("#play", "aria-pressed") == "false"
+    assert page.said == []
+    assert page.fetched == [(folder / "report.html").as_uri()]
+
+
+def test_it_leaves_no_name_and_keeps_nothing(written: Any, opened: Any) -> None:
+    known = "Object.keys(window).sort().join()"
+    with_it, without = (opened(written("31", live=live)).page.evaluate(known) for live in (True, False))
+    assert with_it == without
+
+
+def test_it_is_hidden_without_scripts_and_in_print(written: Any, opened: Any) -> None:
+    silent = opened(written("31"), java_script_enabled=False).page
+    assert not silent.is_visible("#live")
+    page = opened(written("31")).page
+    page.emulate_media(media="print")
+    assert not page.is_visible("#live")
+    title = page.inner_text("#live h2") or "Watch it move"
+    with pymupdf.open(stream=page.pdf(prefer_css_page_size=True), filetype="pdf") as printed:
+        assert title not in "".join(sheet.get_text() for sheet in printed)
+
+
+def test_the_scrub_and_the_keys_go_by_rows(written: Any, opened: Any) -> None:
+    page = opened(written("31"))
+    assert page.row == 1
+    most = float(page.page.get_attribute("#scrub", "max"))
+    page.set("#scrub", most * 18 / 24)
+    assert page.row == 19
+    assert page.page.inner_text("#live-clock") == "row 19, t = 0.36 s"
+    assert page.page.get_attribute("#lab-table tr.live-now", "data-row") == "19"
+    # Euler's wheel stands 23 mm beside its rail.
+    assert page.page.inner_text("#live-rail") == "P of the dashed mechanism is 23.3 mm off its rail."
+    page.page.focus("#live")
+    for key, row in (("ArrowRight", 20), ("ArrowLeft", 19), ("Home", 1), ("ArrowLeft", 1), ("End", 25), ("ArrowRight", 25)):
+        page.page.keyboard.press(key)
+        assert page.row == row, key
+    page.page.keyboard.press(" ")
+    assert page.page.get_attribute("#play", "aria-pressed") == "true"
+    page.page.keyboard.press(" ")
+    assert page.page.get_attribute("#play", "aria-pressed") == "false"
+    # A key that an input needs is left to it.
+    page.set("#scrub", 5)
+    page.page.focus("#lab-step")
+    page.page.keyboard.press("ArrowRight")
+    assert (page.row, page.page.input_value("#lab-step")) == (6 * 2 - 1, "1")
+
+
+def test_a_cursor_goes_through_every_graph(written: Any, opened: Any) -> None:
+    page = opened(written("31"))
+    places = "all => all.map(one => Number(one.querySelector('.live-cursor').getAttribute('x1')))"
+    before = page.page.eval_on_selector_all("[data-panel]", places)
+    page.set("#scrub", 12)
+    after = page.page.eval_on_selector_all("[data-panel]", places)
+    assert len(after) >= 7
+    assert all(b > a for a, b in zip(before, after, strict=True))
+
+
+@pytest.mark.parametrize(
+    ("name", "table"),
+    [("31", "table.csv"), ("robot-arm", "table.csv"), ("v107", "table.csv"), ("example-3", "table-euler.csv"),
+     ("variable-crank-table", "table-euler.csv"), ("peaucellier", "table-euler.csv")],
+)  # fmt: skip
+def test_the_laboratory_gives_the_table_of_the_run(written: Any, opened: Any, name: str, table: str) -> None:
+    folder = written(name)
+    page = opened(folder).page
+    read = "all => all.map(row => Object.fromEntries([...row.cells].map(at => [at.dataset.column, at.dataset.value])))"
+    found = page.eval_on_selector_all("#lab-table tbody tr", read)
+    right = rows_of(folder / table)
+    assert [int(row) for row in page.eval_on_selector_all("#lab-table tr[data-row]", "all => all.map(r => r.dataset.row)")] == [
+        *range(1, len(right) + 1)
+    ]
+    largest = {name: max(1.0, *(abs(row[name]) for row in right)) for name in right[0]}
+    motion = coursework.solve(name).motion
+    assert [*found[0]] == ["t", *motion.names]
+    for there, here in zip(right, found, strict=True):
+        for column, value in here.items():
+            assert abs(float(value) - there[column]) <= 1e-12 * largest[column], column
+
+
+def test_a_better_scheme_and_a_smaller_step_cost_what_they_cost(written: Any, opened: Any) -> None:
+    page = opened(written("31"))
+    first = float(page.value("#lab-error"))
+    assert first == pytest.approx(0.1520, abs=5e-5)
+    assert page.value("#lab-evaluations") == "24"
+    page.set("#lab-step", 1)
+    half = float(page.value("#lab-error"))
+    assert page.value("#lab-evaluations") == "48"
+    assert 1.7 < first / half < 2.3
+    assert page.page.inner_text("#lab-ratio") == f"{half / first:.2g} times the error for 2 times the work."
+    page.set("#lab-step", 0)
+    page.set("#lab-scheme", "rk4", "change")
+    assert float(page.value("#lab-error")) == pytest.approx(1.07e-5, rel=0.01)
+    assert page.value("#lab-evaluations") == "96"
+    assert page.page.inner_text("#lab-ratio") == "14000 times less error for 4 times the work."
+    # With the smallest step the true motion is still far better than the table that is measured by it.
+    page.set("#lab-step", 3)
+    eighth = float(page.value("#lab-error"))
+    page.set("#lab-step", 4)
+    assert eighth / float(page.value("#lab-error")) == pytest.approx(16, rel=0.1)
+    page.page.click("#lab-reset")
+    assert float(page.value("#lab-error")) == first
+
+
+def test_each_try_leaves_a_mark_with_the_time_it_took(written: Any, opened: Any) -> None:
+    page = opened(written("31"))
+    for halvings in (0, 1, 2):
+        page.set("#lab-step", halvings)
+        page.page.wait_for_selector("#lab-time:not([data-value=''])")
+    page.set("#lab-scheme", "heun", "change")
+    page.page.wait_for_selector("#lab-time:not([data-value=''])")
+    assert 0 < float(page.value("#lab-time")) < 1
+    marks = page.page.eval_on_selector_all("#lab-diagram [data-scheme]", "all => all.map(one => one.dataset.scheme)")
+    assert marks == ["euler", "euler", "euler", "heun"]
+    assert page.said == []
+
+
+def test_a_dead_point_appears_when_it_is_dragged_into(written: Any, opened: Any) -> None:
+    page = opened(written("31"))
+    assert page.value("#lab-dead") == ""
+    page.set("#lab-datum-name", "alpha", "change")
+    page.set("#lab-datum", 0.02)
+    assert float(page.value("#lab-dead")) == pytest.approx(PHASE, abs=1e-4)
+    assert page.page.inner_text("#lab-dead") == "Dead point at t = 0.11689 s."
+    assert page.page.locator("#lab-table tbody tr").count() == 6
+    assert float(page.page.get_attribute("#scrub", "max")) == 5
+    page.set("#lab-datum", 4.35)
+    assert page.value("#lab-dead") == ""
+    assert page.page.locator("#lab-table tbody tr").count() == 25
+
+
+def test_a_run_that_stops_shows_its_own_dead_point(written: Any, opened: Any) -> None:
+    stopped = coursework.load("31").with_data(given={"alpha": 0.02})
+    page = opened(written(stopped))
+    assert float(page.value("#lab-dead")) == coursework.solve(stopped).stop.time
+    page.page.focus("#live")
+    page.page.keyboard.press("End")
+    assert page.row == 6
+
+
+def test_the_start_follows_a_length_until_the_links_do_not_close(written: Any, opened: Any) -> None:
+    page = opened(written("example-1"))
+    page.set("#lab-datum-name", "r3", "change")
+    longer = coursework.load("example-1")
+    value = 1.1 * longer.values["r3"]
+    page.set("#lab-datum", value)
+    right = coursework.solve(longer.with_data(given={"r3": value}), scheme="euler").motion
+    read = "all => all.map(row => [...row.cells].slice(1).map(at => Number(at.dataset.value)))"
+    found = page.page.eval_on_selector_all("#lab-table tbody tr", read)
+    assert len(found) == len(right.t)
+    assert abs(np.array(found) - right.rows).max() < 1e-9
+    page.set("#lab-datum-name", "r1", "change")
+    page.set("#lab-datum", 9 * longer.values["r1"])
+    assert page.said == []
+
+
+def test_motion_is_not_forced_on_anyone(written: Any, opened: Any) -> None:
+    page = opened(written("31"), before=lambda page: page.clock.install(time=0), reduced_motion="reduce")
+    page.page.clock.pause_at(60_000)
+    page.page.click("#play")
+    page.page.clock.run_for(900)
+    assert page.row == 1
+    page.page.clock.run_for(200)
+    assert page.row == 2
+    page.page.clock.run_for(2000)
+    assert page.row == 4
+
+
+@pytest.mark.parametrize("name", ["31", "walschaerts"])
+def test_a_phone_shows_it_whole(written: Any, opened: Any, name: str) -> None:
+    page = opened(written(name), viewport={"width": 390, "height": 800}).page
+    assert page.evaluate("document.documentElement.scrollWidth") <= 390
+    assert page.eval_on_selector("#play", "at => at.getBoundingClientRect().right") <= 390
+
+
+def test_it_can_be_left_out(written: Any, opened: Any) -> None:
+    text = (written("31", live=False) / "report.html").read_text(encoding="utf-8")
+    assert "<script" not in text
+    assert "script-src" not in text
+    assert 'id="live"' not in text
+
+
+def test_a_table_too_long_for_a_laboratory_still_moves(written: Any, opened: Any) -> None:
+    few = 0.48 / (MOST_ROWS - 1)
+    assert 'id="lab-table"' in (written("31", step=few) / "report.html").read_text(encoding="utf-8")
+    folder = written("31", step=0.48 / MOST_ROWS)
+    page = opened(folder)
+    assert page.page.locator("#lab-table").count() == 0
+    assert "The laboratory is left out" in page.page.inner_text("#live")
+    text = (folder / "report.html").read_text(encoding="utf-8")
+    parts = re.findall(r"<script[^>]*>(.*?)</script>", text, re.S)
+    assert sum(len(part.encode()) for part in parts) <= MOST_BYTES
+    page.page.focus("#live")
+    path = "document.querySelector('.live-body path').getAttribute('d')"
+    first = page.page.evaluate(path)
+    page.page.keyboard.press("ArrowRight")
+    page.page.keyboard.press("End")
+    assert page.page.evaluate(path) != first
+    page.page.click("#live-velocities")
+    assert page.page.locator(".live-arrows path").count() > 0
+    assert page.said == []
