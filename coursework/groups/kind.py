@@ -77,7 +77,7 @@ class GroupKind:
     solve: Callable[[Known, int], GroupMotion] | None
     joints: Joints
     angles: int = 0
-    modes: Mapping[int, str] = field(default_factory=dict, hash=False)
+    modes: Mapping[int, str] = field(default_factory=dict)
     usual_mode: int = 0
     meaning: str = ""
     carries: tuple[int, ...] = (0, 1)
