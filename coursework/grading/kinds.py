@@ -9,7 +9,9 @@ from __future__ import annotations
 import re
 from pathlib import PurePosixPath
 
-TABLE_ENDINGS = {".csv", ".tsv", ".txt", ".prn", ".dat", ".xls", ".xlsx", ".ods", ".zip"}
+TABLE_ENDINGS = {
+    ".csv", ".tsv", ".txt", ".prn", ".dat", ".xls", ".xlsx", ".xlsm", ".xlsb", ".ods", ".numbers", ".xmcd", ".mcdx", ".zip",
+}  # fmt: skip
 _IGNORED = {"__macosx", "desktop.ini", "thumbs.db"}
 _MAGIC = (
     (b"%PDF", "PDF"), (b"\xff\xd8\xff", "JPEG"), (b"\x89PNG", "PNG"), (b"GIF8", "GIF"), (b"{\\rtf", "RTF"), (b"Rar!", "RAR"),

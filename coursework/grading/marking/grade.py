@@ -26,7 +26,7 @@ from coursework.grading.marking.points import TablePoints, table_points
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.verdicts import Verdicts, verdicts
 from coursework.grading.submission import Note, note
-from coursework.sentences import Sentence
+from coursework.sentences import Sentence, say
 
 Array = NDArray[np.float64]
 GRADED = ("graded", "graded-with-notes")
@@ -198,7 +198,7 @@ class Marker:
         absent = [part for part, share in shares.items() if share is None and self.rubric.weights[part]]
         if not absent:
             return "graded", None, ()
-        notes = tuple(note("empty_part", part=part) for part in absent)
+        notes = tuple(note("empty_part", "no_part", part=say(f"feedback.part.{part}")) for part in absent)
         if self.rubric.missing_part == "zero":
             shares.update(dict.fromkeys(absent, 0.0))
             return "graded", None, notes

@@ -25,9 +25,11 @@ def unit_of_column(column: GridColumn, head: str, values: Sequence[float]) -> st
         return head
     if column.unit == "1/s" and head in {"deg", "rad"}:
         return {"deg": "deg/s", "rad": "1/s"}[head]
-    for ratio in (_ratio(column.values, values), _ratio(_increments(column.values), _increments(values))):
+    ratios = _ratios(column.values, values)
+    # What begins as the task begins is in that unit; a wrong table may grow to any multiple of the right one later.
+    for seen in (ratios, _ratios(_increments(column.values), _increments(values)), ratios[:1]):
         for unit, factor in known.items():
-            if ratio and abs(ratio * factor - 1) <= _WIDTH:
+            if seen and 2 * sum(abs(ratio * factor - 1) <= _WIDTH for ratio in seen) > len(seen):
                 return unit
     return next(iter(known))
 
@@ -49,12 +51,12 @@ def _increments(values: Sequence[float]) -> list[float]:
     return [value - start for value in values]
 
 
-def _ratio(key: Sequence[float], own: Sequence[float]) -> float | None:
-    """Return the median ratio of a column to the key over its larger cells, None where there are too few."""
+def _ratios(key: Sequence[float], own: Sequence[float]) -> list[float]:
+    """Return the ratios of a column to the key over its larger cells, nothing where there are too few."""
     largest = max((abs(value) for value in key if math.isfinite(value)), default=0.0)
     ratios = [
         mine / right
         for mine, right in zip(own, key, strict=True)
         if math.isfinite(mine) and math.isfinite(right) and abs(right) > _LARGE * largest
     ]
-    return median(ratios) if len(ratios) >= 2 and largest else None
+    return ratios if len(ratios) >= 2 else []
