@@ -329,9 +329,9 @@ def test_formulas_of_a_spreadsheet_program_stay_text() -> None:
 def test_a_wrong_table_that_grows_beyond_all_bounds_is_not_taken_for_degrees() -> None:
     """Angles in radians that begin as the task's and run away: their median is 57 times the key's, their beginning is not."""
     rows = cells()
-    for k, row in enumerate(rows[1:], start=1):
-        row[1] = f"{float(row[1]) * (1 if k == 1 else 30 + 2.2 * k):.3f}"
+    for k, row in enumerate(rows):
+        row[1] = f"{float(row[1]) * (30 + 2.2 * k if k else 1):.3f}"
     assert read(csv(rows)).column("phi1").unit == "rad"  # type: ignore[union-attr]
-    for k, row in enumerate(rows[1:], start=1):
+    for row in rows:
         row[1] = f"{float(row[1]) * 57.29578:.3f}"
     assert read(csv(rows)).column("phi1").unit == "deg"  # type: ignore[union-attr]
