@@ -16,6 +16,7 @@ from coursework.grading.reading.headers import PRINTED
 _LARGE = 0.05  # of the column's largest value: smaller cells say nothing about a ratio
 _WIDTH = 0.12
 _TURN = 2 * math.pi
+_BEGINS = 0.05  # rad
 
 
 def unit_of_column(column: GridColumn, head: str, values: Sequence[float]) -> str:
@@ -40,9 +41,15 @@ def factor_of(column: GridColumn, unit: str) -> float:
 
 
 def whole_turns(column: GridColumn, values: Sequence[float]) -> int:
-    """Return how many whole turns an angle (rad) stands beside the key, one number for the whole column."""
+    """Return how many whole turns an angle (rad) stands beside the key, one number for the whole column.
+
+    Where it begins as the task begins, the beginning tells; a wrong table may be turns away later.
+    """
     apart = [own - key for own, key in zip(values, column.values, strict=True) if math.isfinite(own) and math.isfinite(key)]
-    return round(median(apart) / _TURN) if column.unit == "rad" and apart else 0
+    if column.unit != "rad" or not apart:
+        return 0
+    at_first = round(apart[0] / _TURN)
+    return at_first if abs(apart[0] - at_first * _TURN) < _BEGINS else round(median(apart) / _TURN)
 
 
 def _increments(values: Sequence[float]) -> list[float]:
