@@ -1,7 +1,7 @@
 """`name = number unit` -> the answers a student measured in a drawing.
 
 Enters: a line of text and the names of the rubric.  Leaves: `AnswerLine`, None where the line is no answer.
-Used by `understand.py`.
+Used by `lines.py`.
 """
 
 from __future__ import annotations

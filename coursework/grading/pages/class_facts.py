@@ -17,7 +17,7 @@ SAME_FILE_KINDS = ("table", "equations", "answers", "variant", "attachment")
 
 @dataclass
 class ClassFacts:
-    """Counts over the class; ids are listed only where a person must look."""
+    """Counts over the class; `names` and `pages` by id; `everyone` (id, state, points, first wrong cell)."""
 
     states: Counter[str] = field(default_factory=Counter)
     scores: list[float] = field(default_factory=list)
@@ -29,10 +29,18 @@ class ClassFacts:
     files: dict[str, list[str]] = field(default_factory=lambda: defaultdict(list))
     other_data: list[tuple[str, str]] = field(default_factory=list)
     to_look_at: list[tuple[str, str, str]] = field(default_factory=list)
+    names: dict[str, str] = field(default_factory=dict)
+    pages: dict[str, str] = field(default_factory=dict)
+    everyone: list[tuple[str, str, float | None, str]] = field(default_factory=list)
+    file_names: dict[str, str] = field(default_factory=dict)
 
     def add(self, entry: Mapping[str, Any], reason: str = "") -> None:
         """Count one submission as grades.json says it."""
         self.states[entry["status"]] += 1
+        self.names[entry["id"]] = entry["name"] or entry["id"]
+        if entry["page"]:
+            self.pages[entry["id"]] = entry["page"]
+        self.everyone.append((entry["id"], entry["status"], entry["score"], entry["table"]["first_wrong"] or ""))
         self.most = max(self.most, float(entry["max"] or 0.0))
         if entry["score"] is not None:
             self.scores.append(entry["score"])
@@ -49,12 +57,21 @@ class ClassFacts:
         for file in entry["files"]:
             if file["kind"] in SAME_FILE_KINDS and file["bytes"]:
                 self.files[file["sha256"]].append(entry["id"])
+                self.file_names.setdefault(file["sha256"], file["name"])
 
     @property
     def same_files(self) -> list[list[str]]:
         """Return the ids that handed in the same bytes, each group once."""
-        groups = {tuple(sorted(set(ids))) for ids in self.files.values() if len(set(ids)) > 1}
-        return [list(group) for group in sorted(groups)]
+        return [list(group) for group in sorted(self.shared)]
+
+    @property
+    def shared(self) -> dict[tuple[str, ...], list[str]]:
+        """Return the names of the files that some ids share, by those ids."""
+        groups: dict[tuple[str, ...], list[str]] = {}
+        for sha256, ids in self.files.items():
+            if len(set(ids)) > 1:
+                groups.setdefault(tuple(sorted(set(ids))), []).append(self.file_names[sha256])
+        return groups
 
     @property
     def hardest_column(self) -> str | None:

@@ -6,16 +6,19 @@ Enters: `ClassFacts`, changes since the last run.  Leaves: HTML without script. 
 from __future__ import annotations
 
 import statistics
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Mapping, Sequence
 
 from coursework.grading.pages.bars import bars
 from coursework.grading.pages.class_facts import ClassFacts
 from coursework.grading.pages.feedback import misconception_sentence, shown_points
 from coursework.page_text import clean, template
-from coursework.sentences import ENGLISH, say
+from coursework.sentences import ENGLISH, Sentence, say
 
 PARTS = 10  # of the distribution
 MOST_LISTED = 200
+# A file that more than this part of a class shares was given to it, so those who have it are counted, not listed.
+GIVEN, FEW = 0.25, 6
 
 
 def class_page(
@@ -25,11 +28,12 @@ def class_page(
     first, last = (min(facts.first_rows), max(facts.first_rows)) if facts.first_rows else (1, 0)
     named = sorted(facts.misconceptions.items(), key=lambda item: (-len(item[1]), item[0]))
     variants = sorted(facts.by_variant.items())
+    called = _called(facts)
     return template("class.html.j2").render(
         say=say,
         language=ENGLISH,
         count=sum(facts.states.values()),
-        states=[(say(f"feedback.state.{state.replace('-', '_')}"), number) for state, number in sorted(facts.states.items())],
+        states=[(_state(state), number) for state, number in sorted(facts.states.items())],
         graded=len(facts.scores),
         mean=shown_points(round(statistics.fmean(facts.scores), 2)) if facts.scores else "–",
         median=shown_points(round(statistics.median(facts.scores), 2)) if facts.scores else "–",
@@ -38,21 +42,41 @@ def class_page(
         first_rows=bars([(str(row), facts.first_rows[row]) for row in range(first, last + 1)]),
         hardest=facts.hardest_column,
         columns=[(name, number) for name, number in facts.first_columns.most_common()],
-        misconceptions=[(misconception_sentence(code), len(ids), _listed(ids)) for code, ids in named],
-        to_look_at=[
-            (clean(i), say(f"feedback.state.{s.replace('-', '_')}"), clean(r)) for i, s, r in facts.to_look_at[:MOST_LISTED]
+        misconceptions=[(misconception_sentence(code), len(ids), _listed([called[who] for who in ids])) for code, ids in named],
+        to_look_at=[(called[who], facts.pages.get(who), _state(s), clean(why)) for who, s, why in facts.to_look_at[:MOST_LISTED]],
+        same_files=[_same(files, ids, called) for ids, files in sorted(facts.shared.items())[:MOST_LISTED]],
+        other_data=[(called[who], clean(whose)) for who, whose in facts.other_data[:MOST_LISTED]],
+        everyone=[
+            (called[who], facts.pages.get(who), _state(state), shown_points(score), clean(first))
+            for who, state, score, first in facts.everyone
         ],
-        same_files=[_listed(ids) for ids in facts.same_files[:MOST_LISTED]],
-        other_data=[(clean(who), clean(whose)) for who, whose in facts.other_data[:MOST_LISTED]],
         variants=[
             (clean(name), len(scores), shown_points(round(statistics.fmean(scores), 2)))
             for name, scores in variants[:MOST_LISTED]
         ]
         if len(variants) > 1
         else [],
-        changes=[tuple(clean(part) for part in change) for change in changes[:MOST_LISTED]],
+        changes=[(called.get(who, clean(who)), *map(clean, change)) for who, *change in changes[:MOST_LISTED]],
         not_on_roster=[(clean(name), _listed(files)) for name, files in not_on_roster[:MOST_LISTED]],
     )
+
+
+def _state(state: str) -> Sentence:
+    return say(f"feedback.state.{state.replace('-', '_')}")
+
+
+def _called(facts: ClassFacts) -> dict[str, str]:
+    """Return what each id is called: by name, by id where there is none or two have the same."""
+    times = Counter(facts.names.values())
+    return {who: clean(name if times[name] == 1 else who, 80) for who, name in facts.names.items()}
+
+
+def _same(files: Sequence[str], ids: Sequence[str], called: Mapping[str, str]) -> Sentence:
+    """Return who shares files; of one that much of the class has only how many."""
+    named = ", ".join(clean(name, 80) for name in sorted(set(files)))
+    if len(ids) > max(FEW, GIVEN * len(called)):
+        return say("class.same_given", files=named, number=len(ids))
+    return say("class.same", files=named, who=_listed([called[who] for who in ids]))
 
 
 def _tenths(facts: ClassFacts) -> list[tuple[str, int]]:

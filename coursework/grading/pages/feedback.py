@@ -20,6 +20,7 @@ from coursework.sentences import ENGLISH, Sentence, load_phrases, say
 FIRST_ROWS, MOST_ROWS = 25, 60
 LONGEST_TEXT = 300
 LONGEST_CELL = 24
+_RATES = {"1/s": "rad/s"}  # as the heads of the table say it
 # The sign of a mark and the class of its cell.
 _SIGNS = {
     WRONG: ("✗", "wrong"), MISSING: ("–", ""), KEY: ("", ""), GIVEN: ("", ""),
@@ -67,8 +68,8 @@ def _page(final: Mapping[str, Any], student: str, name: str | None, **content: A
     return template("feedback.html.j2").render(
         say=say,
         language=ENGLISH,
-        student=clean(student, LONGEST_TEXT),
-        name=clean(name or "", LONGEST_TEXT),
+        student="" if name and student.startswith(name) else clean(student, LONGEST_TEXT),
+        name=clean(name or student, LONGEST_TEXT),
         status=say(f"feedback.status.{final['status'].replace('-', '_')}"),
         reason=clean(reason, 2 * LONGEST_TEXT),
         points=shown_points(final["score"]),
@@ -132,7 +133,12 @@ def _table(grade: Grade, marked: TableMarks) -> dict[str, Any]:
         for place, name in enumerate(key.velocities)
     ]  # fmt: skip
     read = [
-        {"name": name, "at": entry["at"], "by": say(f"feedback.by.{entry['by']}"), "unit": entry["unit"]}
+        {
+            "name": name,
+            "at": entry["at"],
+            "by": say(f"feedback.by.{entry['by']}"),
+            "unit": _RATES.get(entry["unit"], entry["unit"]),
+        }
         for name, entry in reading.columns.items()
     ]
     return {
@@ -143,7 +149,7 @@ def _table(grade: Grade, marked: TableMarks) -> dict[str, Any]:
         },
         "file": clean(reading.file, LONGEST_TEXT), "reading": reading, "read": read, "names": key.names,
         "units": [key.variant.unit_of(name) for name in key.names], "rows": rows,
-        "left_out": len(key.table) - len(chosen), "panels": panels, "least": key.least_decimals,
+        "left_out": len(key.table) - len(chosen), "end": f"{key.t[-1]:.6g}", "panels": panels, "least": key.least_decimals,
     }  # fmt: skip
 
 

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -242,3 +243,20 @@ def test_hostile_names_stay_inside_out_and_are_escaped(tmp_path):
     page = (out / "class.html").read_text(encoding="utf-8")
     assert "<img src" not in page
     assert "'=cmd|calc" in (out / "grades.csv").read_text(encoding="utf-8-sig")
+
+
+def test_the_class_page_calls_people_by_name_and_leads_to_their_pages(tmp_path):
+    source = tmp_path / "in"
+    for number in range(8):
+        hand_in(
+            source / f"Ann {number}_70{number}_assignsubmission_file_", students.table() if number else students.slip(9, 0, 1.2)
+        )
+    hand_in(source / "Ann 1_799_assignsubmission_file_", students.slip(8, 1, 1.2))
+    assert grade(source, tmp_path / "out").exit_code == 0
+    page = (tmp_path / "out" / "class.html").read_text(encoding="utf-8")
+    assert re.search(r'<a href="feedback/x-[0-9a-f]{16}\.html">Ann 0</a></td><td>9\d\.\d+</td>', page)
+    assert "row 10 w1" in page
+    assert page.count("Ann 1_799") == page.count("Ann 1_701")  # two of one name keep what tells them apart
+    assert "came from 9 people" in page  # the equations, which all have
+    found = json.loads((tmp_path / "out" / "grades.json").read_text(encoding="utf-8"))["class"]["same_files"]
+    assert sorted(map(len, found)) == [7, 9]
