@@ -17,8 +17,9 @@ if TYPE_CHECKING:
     from jinja2 import Template
 
 LONGEST = 2000  # characters of one text: a word of 1 MB would take Typst half a minute
-_UNBROKEN = re.compile(r"(\S{12})(?=\S{12})")
+_UNBROKEN = re.compile(r"\S{25,}")
 _SHORT = 24  # characters, below which no word needs a place to break
+_PIECE = re.compile(r"\S{1,12}")
 _INVISIBLE = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
 
 
@@ -48,4 +49,4 @@ def clean(text: str, longest: int = LONGEST) -> str:
     plain = "".join(letter for letter in spaced if unicodedata.category(letter) not in _INVISIBLE).strip()
     if len(plain) > longest:
         plain = plain[: longest - 1].rstrip() + "…"
-    return _UNBROKEN.sub("\\1\u200b", plain)
+    return _UNBROKEN.sub(lambda word: "\u200b".join(_PIECE.findall(word[0])), plain)

@@ -76,6 +76,8 @@ class Run:
     group: str | None = None
     date: str | None = None
     timed: AccuracyStudy | None = None
+    teacher: str | None = None
+    institution: str | None = None
 
     @property
     def variant(self) -> Variant:

@@ -15,7 +15,7 @@ from coursework.cli import main
 from coursework.report import build_model
 from coursework.schemes import EXACT
 from coursework.variant.reader import parse_variant
-from tests.report.test_model import text_of
+from tests.report.real import text_of
 
 ROOT = Path(__file__).parents[1]
 PAGE = (ROOT / "tests" / "reference" / "format_page_31.toml").read_text(encoding="utf-8")

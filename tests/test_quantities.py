@@ -17,8 +17,7 @@ from coursework.graph import computed
 from coursework.kinematics.extra import ExtraTable
 from coursework.quantities import QUANTITIES, Columns, OwnFigure, OwnSection, OwnTable, Quantity
 from coursework.report import build_model
-from coursework.report.sections import CLOSING, OPENING
-from coursework.run import Run
+from coursework.report.sections import APPENDIX, NUMBERED, PAPER
 from coursework.variant.record import Variant
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="50mm" viewBox="0 0 100 50"><path d="M0 0L9 9"/></svg>'
@@ -95,7 +94,7 @@ def test_a_table_of_any_motion_has_the_columns_of_the_record(monkeypatch):
 
 
 def test_every_record_is_shown_somewhere():
-    written = {quantity.name for _, quantity in (*OPENING, *CLOSING) if quantity is not None}
+    written = {quantity.name for _, quantity in (*NUMBERED, *PAPER, *APPENDIX) if quantity is not None}
     assert written == {one.name for one in QUANTITIES if isinstance(one.shows, OwnSection)}
     assert all(one.compute.__doc__ for one in QUANTITIES)
 
@@ -105,14 +104,6 @@ def strings(path):
     tree = ast.parse(path.read_text(encoding="utf-8"))
     prose = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
     return {node.value for node in ast.walk(tree) if isinstance(node, ast.Constant) and id(node) not in prose}
-
-
-def test_the_stand_in_of_a_run_has_what_a_run_has():
-    source = (Path(__file__).parent / "report" / "stand_in.py").read_text(encoding="utf-8")
-    stand_in = next(node for node in ast.parse(source).body if isinstance(node, ast.ClassDef) and node.name == "Run")
-    names = {node.target.id for node in stand_in.body if isinstance(node, ast.AnnAssign)}
-    names |= {node.name for node in stand_in.body if isinstance(node, ast.FunctionDef)}
-    assert names <= {*dir(Run), *Run.__dataclass_fields__}
 
 
 # What is shown by its record alone; "points" is a section of a file too, and read by that name.

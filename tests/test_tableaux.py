@@ -18,7 +18,7 @@ from coursework.integration.loops import generate_loop
 from coursework.report import build_model
 from coursework.report.lecture import lines
 from coursework.schemes import SCHEMES, Scheme, _density, _trees
-from tests.report.test_model import text_of
+from tests.report.real import text_of
 
 ROOT = Path(__file__).parents[1]
 HALF, SIXTH = Fraction(1, 2), Fraction(1, 6)

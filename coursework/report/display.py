@@ -10,12 +10,14 @@ import re
 from collections.abc import Iterator
 
 from coursework.formula.tree import Formula
-from coursework.report.equations import Setter
+from coursework.page_text import clean
+from coursework.report.equations import Setter, text_equation
+from coursework.report.parts import Display, Runs
 
 LINE = 60  # characters of text form (spaces and subscripts not counted) that fit a line of the printed page
 INDENT = 4  # the same measure: what a continued line loses on the left
 
-Part = tuple[int, str]  # width, source
+Piece = tuple[int, str]  # width, source
 
 
 def math_equation(left: Formula, right: Formula, rates: frozenset[str] = frozenset()) -> str:
@@ -37,7 +39,16 @@ def math_equation(left: Formula, right: Formula, rates: frozenset[str] = frozens
     return _folded([*parts, *found[1:-1], (found[-1][0] + 1, f"{found[-1][1]} ]")])
 
 
-def _terms(tree: Formula, typst: Setter, plain: Setter) -> Iterator[Part]:
+def display(
+    left: Formula, right: Formula, rates: frozenset[str] = frozenset(), name: str = "", before: Runs | None = None
+) -> Display:
+    """Return "left = right" with its number at the margin and the words before it."""
+    return Display(
+        math_equation(left, right, rates), text_equation(left, right, rates), name=clean(name, 40), before=before or []
+    )
+
+
+def _terms(tree: Formula, typst: Setter, plain: Setter) -> Iterator[Piece]:
     """Yield the terms of a sum, each with its sign."""
     measured = plain.terms(tree)
     for position, (sign, piece) in enumerate(typst.terms(tree)):
@@ -74,7 +85,7 @@ def _factors(tree: Formula) -> Iterator[Formula]:
         yield tree
 
 
-def _folded(parts: list[Part]) -> str:
+def _folded(parts: list[Piece]) -> str:
     lines: list[list[str]] = [[]]
     room = LINE
     for width, source in parts:

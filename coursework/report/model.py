@@ -13,7 +13,7 @@ from coursework.live.page import LivePart, live_part
 from coursework.page_text import clean
 from coursework.report.numbers import unit_text
 from coursework.report.page_context import PageContext
-from coursework.report.parts import Figure, Part, Section, Table
+from coursework.report.parts import Beside, Figure, Panels, Part, Section, Table
 from coursework.report.sections import all_sections
 from coursework.report.text_runs import LONGEST_NAME
 from coursework.report.words import Words, load_words
@@ -24,9 +24,10 @@ LONGEST_RUNNING = (70, 36)  # characters of title and name above a later page: t
 
 @dataclass(frozen=True, slots=True)
 class ReportModel:
-    """One report: its language, titles, and sections in order; `running` stands above the later pages, `footer` below all.
+    """One report: its language, titles, and sections in order.
 
-    `live` is the part that moves, for a screen only.
+    `running` stands above the later pages, `footer` below all, `contents` is what the list of sections is called; `live` is
+    the part that moves, for a screen only.
     """
 
     language: str
@@ -35,6 +36,7 @@ class ReportModel:
     author: str
     running: str
     footer: str
+    contents: str
     sections: tuple[Section, ...]
     live: LivePart | None = None
 
@@ -47,6 +49,7 @@ class ReportModel:
             "author": self.author,
             "running": self.running,
             "footer": self.footer,
+            "contents": self.contents,
             "sections": [section.plain() for section in self.sections],
         }
 
@@ -71,6 +74,7 @@ def build_model(run: Run, language: str = "en", stamp: str = "", *, live: bool =
         author=author,
         running=" – ".join(running),
         footer=words("title.footer", version=run.versions["coursework"], stamp=stamp) if stamp else "",
+        contents=words("title.contents"),
         sections=tuple(_numbered(all_sections(context), words)),
         live=live_part(run, words.phrases, lambda name: context.symbol(name).text, unit_text) if live else None,
     )
@@ -83,16 +87,18 @@ def heading_of(context: PageContext) -> str:
 
 
 def _numbered(sections: Iterable[Section], words: Words) -> Iterator[Section]:
-    """Give sections with a title, and tables and figures with a caption, their numbers."""
-    counts = {"section": 0, "table": 0, "figure": 0}
+    """Give tables and figures with a caption their numbers."""
+    counts = {"table": 0, "figure": 0}
 
     def labelled(part: Part) -> Part:
-        if isinstance(part, Table | Figure) and part.caption:
-            counts[part.kind] += 1
-            return replace(part, label=words(f"label.{part.kind}", number=counts[part.kind]))
+        if isinstance(part, Beside):
+            left = labelled(part.left)
+            return replace(part, left=left) if isinstance(left, Table) else part
+        if isinstance(part, Table | Figure | Panels) and part.caption:
+            kind = "table" if isinstance(part, Table) else "figure"
+            counts[kind] += 1
+            return replace(part, label=words(f"label.{kind}", number=counts[kind]))
         return part
 
     for section in sections:
-        counts["section"] += bool(section.title)
-        number = str(counts["section"]) if section.title else ""
-        yield replace(section, number=number, parts=[labelled(part) for part in section.parts])
+        yield replace(section, parts=[labelled(part) for part in section.parts])

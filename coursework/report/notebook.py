@@ -12,12 +12,13 @@ from typing import Any
 from coursework.page_text import template
 from coursework.quantities import CHECKS, GRAPH_CHECK, Quantity
 from coursework.report.checks import checks
+from coursework.report.dead_point import dead_point
 from coursework.report.figures import true_to_scale
+from coursework.report.graphs import graphs
 from coursework.report.model import heading_of
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Part
-from coursework.report.plots import plots
-from coursework.report.sections import Writer, dead_point, method_line
+from coursework.report.sections import Writer
 from coursework.report.text_runs import runs
 from coursework.report.words import load_words
 from coursework.run import Run
@@ -33,8 +34,15 @@ def drawing(context: PageContext) -> list[Part]:
     return [replace(true_to_scale(svg, say("graph.alt", row=row or ""), context.say("notebook.drawing", row=row)), exact=False)]
 
 
+def method_line(context: PageContext) -> str:
+    """Return scheme, step and end in one line."""
+    run = context.run
+    step, end = context.quantity(run.step, "s"), context.quantity(run.end, "s")
+    return context.words("title.method_text", scheme=context.told(run.scheme_title), step=step, end=end)
+
+
 SHOWN: tuple[tuple[Writer, Quantity[Any] | None], ...] = (
-    (dead_point, None), (drawing, GRAPH_CHECK), (plots, None), (checks, CHECKS),
+    (dead_point, None), (drawing, GRAPH_CHECK), (graphs, None), (checks, CHECKS),
 )  # fmt: skip
 
 

@@ -19,7 +19,8 @@ TABLE_DIGITS = 5  # significant digits of the largest entry of a column: what a 
 SMALLEST_DECIMAL = 1e-3  # below this a fixed number shows mostly zeros, so powers of ten take over
 LARGEST_DECIMAL = 1e5
 MOST_DECIMALS = 8
-ROUND_OFF = 1e-14  # of the largest entry of a column: what is left of a zero after some operations with sixteen digits
+ROUND_OFF = 1e-12  # of the largest entry of a column: below it stands what is left of a zero
+NOISE = 1e-9  # of a difference of two rows: what a motion that returns leaves behind
 _SUPERSCRIPTS = str.maketrans("0123456789-−", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁻")
 
 
@@ -81,6 +82,10 @@ class Numbers:
         """Return a count; from five digits on in groups of three."""
         text = f"{value:,}".replace(",", THIN) if abs(value) >= 10_000 else str(value)
         return self._dress(text)
+
+    def without_noise(self, value: float, size: float) -> float:
+        """Return a difference of numbers of a `size`, 0 where it is round-off."""
+        return 0.0 if abs(value) < NOISE * max(abs(size), 1.0) else value
 
     def column(self, values: Iterable[float]) -> list[str]:
         """Return a column of a table, all entries with the same decimals (see `TABLE_DIGITS`); round-off of zero is "0"."""

@@ -18,6 +18,7 @@ from coursework.report.text_runs import derivative, printed, runs
 from coursework.report.words import Words
 from coursework.run import Run
 
+STOP_DIGITS = 8  # a dead point is located to 1e-8 s
 DATUM_DIGITS = 6  # digits of a converted datum or of a time: more than a task sheet ever gives
 
 

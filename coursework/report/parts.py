@@ -1,12 +1,12 @@
 """What a page is built of: a few kinds of part, the same for HTML and PDF.
 
 Every number in them is already a string.  To add a kind: one record here, one macro of the same name in
-`reports/report.html.j2`, one function of the same name in `reports/report.typ`.
+`reports/parts.html.j2`, one function of the same name in `reports/report.typ`.
 """
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from typing import Any
 
 from coursework.report.text_runs import Run
@@ -42,6 +42,31 @@ class Facts:
 
 
 @dataclass(frozen=True, slots=True)
+class TitleBlock:
+    """Words with what stands behind them, side by side; where nothing does, a line to write on."""
+
+    items: list[tuple[str, Runs]]
+    kind: str = field(default="title_block", init=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """The framed answer of the first page: a title and its sentences."""
+
+    title: str
+    items: list[Runs]
+    kind: str = field(default="result", init=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Claims:
+    """One line a check: mark, verdict in a word, claim in plain words, one number."""
+
+    items: list[tuple[str, str, Runs, Cell]]
+    kind: str = field(default="claims", init=False)
+
+
+@dataclass(frozen=True, slots=True)
 class Display:
     """One displayed equation: Typst `math`, plain `text`, its `name` at the margin, words `before` and `after`."""
 
@@ -73,7 +98,8 @@ class Column:
 class Table:
     """Rows of strings; `strong` rows (counted from 0) are set bold, after `rules` a thin line is drawn.
 
-    `note` stands below; `whole` tables are kept on one page; `label` is "Table 1".
+    `note` stands below; `whole` tables are kept on one page; `label` is "Table 1"; `id` is that of the element; `places`
+    are the rows of the run (from 1) that the rows show, where they show some.
     """
 
     columns: list[Column]
@@ -84,12 +110,26 @@ class Table:
     note: Runs = field(default_factory=list)
     whole: bool = True
     label: str = ""
+    id: str = ""
+    places: list[int] = field(default_factory=list)
     kind: str = field(default="table", init=False)
 
 
 @dataclass(frozen=True, slots=True)
+class Beside:
+    """A table with the answer at its side where the page is wide enough."""
+
+    left: Table
+    right: Result
+    kind: str = field(default="beside", init=False)
+
+
+@dataclass(frozen=True, slots=True)
 class Figure:
-    """A drawing: SVG, its size in mm, words for those who cannot see it, a caption; `exact` = true to scale; `id` for links."""
+    """A drawing: SVG, its size in mm, the words for those who cannot see it, a caption; `exact` = true to scale.
+
+    `id` is that of the element on the page; `landscape`: wider than the column, so that paper is turned for it.
+    """
 
     svg: str
     width: float
@@ -99,7 +139,31 @@ class Figure:
     exact: bool = False
     label: str = ""
     id: str = ""
+    landscape: bool = False
     kind: str = field(default="figure", init=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Panel:
+    """One small graph: the column it shows, SVG, words for those who cannot see it."""
+
+    name: str
+    svg: str
+    alt: str
+
+
+@dataclass(frozen=True, slots=True)
+class Panels:
+    """Small graphs of one size (mm), two beside each other, under one `legend` of (SVG, words) and above one caption."""
+
+    id: str
+    width: float
+    height: float
+    legend: list[tuple[str, Runs]]
+    items: list[Panel]
+    caption: Runs
+    label: str = ""
+    kind: str = field(default="panels", init=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,17 +195,21 @@ class Checks:
     kind: str = field(default="checks", init=False)
 
 
-Part = Paragraph | Bullets | Facts | Equations | Table | Figure | Checks
+Part = Paragraph | Bullets | Facts | TitleBlock | Result | Claims | Equations | Table | Beside | Figure | Panels | Checks
 
 
 @dataclass(frozen=True, slots=True)
 class Section:
-    """One section of the report; `name` is that of the function that wrote it."""
+    """One section of the report; `name` is that of the function that wrote it, `number` stands before the title."""
 
     name: str
     title: str
     parts: list[Part]
     number: str = ""
+
+    def labelled(self, number: str) -> Section:
+        """Return the section with its number."""
+        return replace(self, number=number)
 
     def plain(self) -> dict[str, Any]:
         """Return the section as dicts, lists and strings."""

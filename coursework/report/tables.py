@@ -116,13 +116,13 @@ def _by_row(context: PageContext, grid: Grid, t: Any, caption: str, note: str) -
     if pace_of(len(t)) > 1:
         rows_of = {"step": pace_of(len(t)), "printed": len(kept), "rows": context.numbers.whole(len(t))}
         parts.append(Paragraph(context.say("table.thinned", **rows_of)))
-    pieces = _pieces(grid.names)
-    for number, (first, last) in enumerate(pieces, start=1):
+    parted = pieces(grid.names)
+    for number, (first, last) in enumerate(parted, start=1):
         heads, texts = _columns(context, grid.part(first, last), kept)
         columns = [Column(runs(context.words("table.row"))), Column(context.symbol_runs(["t"]), "s"), *heads]
         rows = [list(row) for row in zip(labels, times, *texts, strict=True)]
-        which = context.words("table.part", part=number, parts=len(pieces)) if len(pieces) > 1 else ""
-        below = runs(note) if number == len(pieces) else []
+        which = context.words("table.part", part=number, parts=len(parted)) if len(parted) > 1 else ""
+        below = runs(note) if number == len(parted) else []
         parts.append(
             Table(
                 columns,
@@ -132,12 +132,13 @@ def _by_row(context: PageContext, grid: Grid, t: Any, caption: str, note: str) -
                 rules_for(len(rows)),
                 below,
                 whole=len(rows) <= ONE_PAGE,
+                places=[row + 1 for row in kept],
             )
         )
     return parts
 
 
-def _pieces(names: Sequence[str]) -> list[tuple[int, int]]:
+def pieces(names: Sequence[str]) -> list[tuple[int, int]]:
     """Return (first, last) of the columns of each table: about alike in width, those of a point ("A.x", "A.vx") together."""
     owners = [name.partition(".")[0] if "." in name else "" for name in names]
     begins = [i for i, owner in enumerate(owners) if i == 0 or not owner or owner != owners[i - 1]]

@@ -132,9 +132,10 @@ def _lines(source: Source) -> dict[tuple[str | int, ...], int]:
     return {tuple(spell(part) if isinstance(part, str) else part for part in path): line for path, line in lines.items()}
 
 
-def _given(key: str, value: Any, parts: Parts) -> Given:
+def _given(key: str, entry: Any, parts: Parts) -> Given:
+    value, means = (entry.value, entry.means) if isinstance(entry, schema.Datum) else (entry, "")
     read = parts.quantity(("given", key), value)
-    return Given(parts.names.canonical(key), read.value, read.si, read.text, read.unit)
+    return Given(parts.names.canonical(key), read.value, read.si, read.text, read.unit, means)
 
 
 def _law(section: str, key: str, value: Any, parts: Parts) -> Law:

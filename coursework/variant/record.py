@@ -26,13 +26,14 @@ MOST_PERIODS = 10_000  # of one run
 
 @dataclass(frozen=True, slots=True)
 class Given:
-    """One datum of the task sheet: `value` in SI (`si` its unit), `text` and `unit` as written."""
+    """One datum of the task sheet: `value` in SI (`si` its unit), `text` and `unit` as written, what the file says it `means`."""
 
     name: str
     value: float
     si: str
     text: str
     unit: str
+    means: str = ""
 
 
 @dataclass(frozen=True, slots=True)

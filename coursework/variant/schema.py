@@ -31,6 +31,13 @@ class _Section(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, strict=True)
 
 
+class Datum(_Section):
+    """A datum of the task sheet with what it means: { value = "0.953 m", means = "DA" }."""
+
+    value: Value
+    means: Short = ""
+
+
 class Pieces(_Section):
     """A drive or function given piece by piece; the integration is split at the times between them."""
 
@@ -158,7 +165,7 @@ class VariantFile(_Section):
     teaches: Short = ""
     remarks: Annotated[list[Text], Field(max_length=20, description="paragraphs printed on the page of this variant")] = []
     quote: Annotated[list[Quote], Field(max_length=100)] = []
-    given: dict[Name, Value] = {}
+    given: dict[Name, Value | Datum] = {}
     drive: dict[Name, Value | Pieces | Table] = {}
     coordinates: Annotated[dict[Name, Coordinate], Field(min_length=1, max_length=200)]
     unknowns: dict[Name, Short] = {}

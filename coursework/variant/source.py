@@ -49,7 +49,10 @@ class Source:
             inner: Any = data
             for part in path[:-1]:
                 inner = inner[_spelt_as(part, inner)]
-            inner[_spelt_as(path[-1], inner)] = value
+            key = _spelt_as(path[-1], inner)
+            if path[0] == "given" and isinstance(inner[key], dict):  # what the datum means stays
+                inner, key = inner[key], "value"
+            inner[key] = value
         return replace(self, data=data)
 
     def fault(self, path: tuple[str | int, ...], message: Sentence, column: int = 0, *, at_key: bool = False) -> Fault:

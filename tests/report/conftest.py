@@ -1,4 +1,4 @@
-"""Fixtures of the report's tests: the hand-made run and readers of pages."""
+"""Fixtures of the report's tests: real runs and readers of pages."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ def _load(name: str) -> ModuleType:
 
 
 @pytest.fixture(scope="session")
-def stand_in() -> ModuleType:
-    """The hand-made run of variant 31."""
-    return _load("stand_in")
+def real() -> ModuleType:
+    """Real runs, and readers of their model."""
+    return _load("real")
 
 
 @pytest.fixture(scope="session")

@@ -132,25 +132,28 @@ class _Reader:
 
 
 class _Text(HTMLParser):
-    """Collects what a reader sees; pictures are left out."""
+    """Collects what a reader sees; of pictures the words."""
 
-    BREAKS = frozenset({"td", "th", "p", "div", "li", "dt", "dd", "h1", "h2", "tr", "figcaption", "span", "br", "table"})
+    BREAKS = frozenset({"td", "th", "p", "div", "li", "dt", "dd", "h1", "h2", "tr", "figcaption", "span", "br", "text", "table"})
 
     def __init__(self) -> None:
         super().__init__(convert_charrefs=True)
         self.parts: list[str] = []
         self.hidden = 0
+        self.lettered = 0
 
     def handle_starttag(self, tag: str, attrs: Any) -> None:
         self.hidden += tag in {"svg", "style", "title", "script"}
+        self.lettered += tag == "text"
         self.parts += [" "] if tag in self.BREAKS else []
 
     def handle_endtag(self, tag: str) -> None:
         self.hidden -= tag in {"svg", "style", "title", "script"}
+        self.lettered -= tag == "text"
         self.parts += [" "] if tag in self.BREAKS else []
 
     def handle_data(self, data: str) -> None:
-        if not self.hidden:
+        if not self.hidden or self.lettered:
             self.parts.append(data)
 
 

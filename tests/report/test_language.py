@@ -19,7 +19,8 @@ from coursework.report import build_model, words
 from coursework.run import Run
 from coursework.sentences import Phrases, Sentence, joined, load_phrases, say
 from coursework.variant.reader import parse_variant
-from tests.report.test_model import FINDINGS, keys, text_of
+from tests.report.real import text_of
+from tests.report.test_model import FINDINGS, keys
 
 ROOT = Path(__file__).parents[2]
 V31 = (ROOT / "variants" / "31.toml").read_text(encoding="utf-8")

@@ -46,7 +46,7 @@ def shown(run):
 def test_drawing_plots_and_checks():
     run = coursework.solve("31")
     page = shown(run)
-    assert page.count("<svg") == 1 + 2, "the drawing, the velocities and the angles"
+    assert page.count("<svg") == 1 + 7 + 2, "the drawing, a panel a column, the two lines of the key"
     assert "The mechanism in row 4 of the table" in page
     for check in run.checks:
         assert f'<span class="code">{check.code}</span>' in page
@@ -67,7 +67,7 @@ def test_a_run_without_drawing_and_one_of_a_column():
     page = shown(coursework.solve("example-1", quantities=["table", "checks"]))
     assert "The mechanism in row" not in page
     assert page.count("<svg") >= 1
-    assert shown(coursework.solve("31", quantities=["phi3"])).count("<svg") == 2
+    assert shown(coursework.solve("31", quantities=["phi3"])).count("<svg") == 3
 
 
 def test_a_motion_that_stops_says_why(tmp_path):

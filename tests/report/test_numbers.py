@@ -71,8 +71,8 @@ def test_units() -> None:
 
 
 def test_what_round_off_leaves_of_a_zero_is_zero_in_a_column() -> None:
-    """sin of pi beside 0.6: a hundredth of the last of sixteen digits; just above it a number stands as it is."""
+    """sin of pi beside 0.6: the twelfth digit of its column; just above it a number stands as it is."""
     numbers = Numbers()
-    assert numbers.column([0.6, 1.2e-16, -7.7e-17, 0.9e-14 * 0.6]) == ["0.60000", "0", "0", "0"]
-    assert numbers.column([0.6, 1.1e-14 * 0.6]) == ["0.60000", "6.60·10⁻¹⁵"]
+    assert numbers.column([0.6, 1.2e-16, -7.7e-17, 0.9e-12 * 0.6]) == ["0.60000", "0", "0", "0"]
+    assert numbers.column([0.6, 1.1e-12 * 0.6]) == ["0.60000", "6.60·10⁻¹³"]
     assert numbers.column([1.2e-16, 2.4e-16]) == ["1.20·10⁻¹⁶", "2.40·10⁻¹⁶"]

@@ -49,7 +49,7 @@ def test_everything_that_can_be_asked_for_has_a_page(reading: ModuleType) -> Non
     everything = coursework.solve("31", quantities=(*ASKED, "accelerations", "points", "accuracy"))
     model = build_model(everything)
     names = [section.name for section in model.sections]
-    assert names[-4:] == ["accelerations", "points", "accuracy", "method"]
+    assert names[-4:] == ["points", "checks", "accuracy", "method"]
     assert reading.numbers(reading.html_text(render_html(model))) == reading.numbers(reading.pdf_text(render_pdf(model)))
 
 

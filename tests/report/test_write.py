@@ -22,9 +22,9 @@ def test_suffix_decides(tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.rglob("*")) == ["a.html", "b.PDF", "deep"]
 
 
-def test_another_suffix_is_refused_before_anything_is_written(stand_in: ModuleType, tmp_path: Path) -> None:
+def test_another_suffix_is_refused_before_anything_is_written(real: ModuleType, tmp_path: Path) -> None:
     with pytest.raises(OutputError, match=r"ends in \.html or \.pdf \(found \.docx\)"):
-        write_report(stand_in.run(), tmp_path / "a.html", tmp_path / "a.docx")
+        write_report(real.full(), tmp_path / "a.html", tmp_path / "a.docx")
     assert not list(tmp_path.iterdir())
 
 

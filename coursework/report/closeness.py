@@ -1,0 +1,114 @@
+"""How far a table is from the motion, as numbers that several places of a page say.
+
+Enters: a `PageContext` whose run asks for checks.  Leaves: `Split`, `LargestError`, `LocalError`.
+Used by `statement.py` and `results.py`.  Of an exact table it speaks of the scheme's rows that stand beside it.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from coursework.checks.evidence import Evidence
+from coursework.checks.period import Split, mismatch
+from coursework.report.numbers import with_unit
+from coursework.report.page_context import PageContext
+from coursework.schemes import SCHEMES
+
+SEEN = 1e-9  # of the scale of a column: a smaller error is none to speak of
+
+
+@dataclass(frozen=True, slots=True)
+class LargestError:
+    """The largest error of the coordinates of one unit: `value` (SI) of `column` in `row` (from 1), made by `scheme`."""
+
+    scheme: str
+    column: str
+    unit: str
+    value: float
+    row: int
+
+    def told(self, context: PageContext) -> dict[str, str]:
+        """Return the error as words for a sentence."""
+        amount = with_unit(context.numbers.scalar(self.value, 3), self.unit)
+        if self.unit == "rad":
+            degrees = with_unit(context.numbers.scalar(math.degrees(self.value), 2), "°")
+            amount = context.words("result.angle", amount=amount, degrees=degrees)
+        symbol = context.symbol(self.column).text
+        return {"scheme": self.scheme, "amount": amount, "symbol": symbol, "row": str(self.row)}
+
+
+@dataclass(frozen=True, slots=True)
+class LocalError:
+    """The one step of Euler that leaves the curve most: from `row` (from 1) of the exact motion, `gap` (SI) of `column`.
+
+    `rate` and `bend` are the rate and its change per second at the beginning of the step.
+    """
+
+    column: str
+    rate_name: str
+    unit: str
+    row: int
+    gap: float
+
+
+def evidence(context: PageContext) -> Evidence:
+    """Return rows of a scheme beside the exact ones."""
+    return context.run.scene.by_scheme.evidence
+
+
+def splits(context: PageContext) -> tuple[Split, ...]:
+    """Return last minus first row of every column of the table itself, nothing where the run reaches no period."""
+    return mismatch(context.run.results.evidence) or ()
+
+
+def largest_errors(context: PageContext) -> list[LargestError]:
+    """Return the largest error of the coordinates of each unit, those below `SEEN` left out."""
+    found = evidence(context)
+    if not found.compared or found.exact is None or len(found.motion.t) > found.compared:
+        return []
+    scheme = SCHEMES.get(found.motion.scheme)
+    title = context.told(_title(context, scheme is None or context.run.tableau is not None))
+    sizes = np.abs(found.errors) * found.scales
+    largest: dict[str, LargestError] = {}
+    for place, name in enumerate(found.names):
+        if name not in found.motion.coordinate_names:
+            continue
+        row, unit = int(np.argmax(sizes[:, place])), found.unit(name)
+        value = float(sizes[row, place])
+        if value > SEEN * found.scales[place] and (unit not in largest or value > largest[unit].value):
+            largest[unit] = LargestError(title, name, unit, value, row + 1)
+    return list(largest.values())
+
+
+def _title(context: PageContext, own: bool) -> str:
+    from coursework.schemes import DEFAULT_SCHEME
+    from coursework.sentences import title_of
+
+    return context.run.scheme_title if own else title_of(DEFAULT_SCHEME)
+
+
+def largest_step_error(context: PageContext) -> LocalError | None:
+    """Return the step of Euler that leaves the exact curve most; None where no such curve is known over two rows."""
+    exact = evidence(context).exact
+    if exact is None or len(exact.t) < 2:
+        return None
+    worst: LocalError | None = None
+    steps = np.diff(exact.t)
+    judged = evidence(context)
+    best = 0.0
+    for coordinate in context.run.variant.coordinates:
+        if coordinate.name not in exact.names or coordinate.rate not in exact.names or coordinate.name not in judged.scale:
+            continue
+        if coordinate.rate in context.run.variant.known_rates:
+            continue
+        q, rate = exact.column(coordinate.name), exact.column(coordinate.rate)
+        gaps = np.diff(q) - steps * rate[:-1]
+        row = int(np.argmax(np.abs(gaps)))
+        share = abs(float(gaps[row])) / (1.0 if coordinate.unit == "rad" else judged.scale[coordinate.name])
+        if share > best:
+            best = share
+            worst = LocalError(coordinate.name, coordinate.rate, coordinate.unit, row + 1, float(gaps[row]))
+    return worst

@@ -1,0 +1,57 @@
+"""The control of the solution: one line a check, in plain words, with one number.
+
+Enters: a `PageContext`.  Leaves: `Claims`.  Used by `sections.py`; codes and limits stand in the appendix (`checks.py`).
+"""
+
+from __future__ import annotations
+
+from coursework.checks.result import Finding
+from coursework.report.numbers import ROUND_OFF, with_unit
+from coursework.report.page_context import PageContext
+from coursework.report.parts import Cell, Claims, Paragraph, Part
+from coursework.report.text_runs import numeral
+from coursework.sentences import Sentence
+
+DIGITS = 3
+SHARES = {"unit.of_the_scale", "unit.of_power"}  # parts of a whole are told in percent
+BARE = {"unit.relative"}  # says nothing to a reader beyond "nought"
+
+
+def control(context: PageContext) -> list[Part]:
+    """Return a line for every check that could be judged, and where the details stand."""
+    judged = [finding for finding in context.run.checks if finding.verdict != "SKIP"]
+    if not judged:
+        return []
+    lines = [
+        (
+            context.words(f"checks.mark.{finding.verdict}"),
+            context.words(f"checks.word.{finding.verdict}"),
+            context.lettered(_claim(context, finding)),
+            _number(context, finding),
+        )
+        for finding in judged
+    ]
+    return [Paragraph(context.say("control.intro")), Claims(lines)]
+
+
+def _claim(context: PageContext, finding: Finding) -> str:
+    say = context.words
+    key = f"control.{finding.code}.{'right' if finding.verdict == 'PASS' else 'wrong'}"
+    if not say.has(key):
+        return context.told(finding.title)
+    symbol = context.symbol(finding.column).text if finding.column in context.run.variant.columns else ""
+    return say(key, symbol=symbol or say("control.column"), row=finding.row or 1)
+
+
+def _number(context: PageContext, finding: Finding) -> Cell:
+    """Return the one number of a line; what is round-off of nought is 0."""
+    numbers, value = context.numbers, finding.value
+    if value is None:
+        return ""
+    key = finding.unit.key if isinstance(finding.unit, Sentence) else ""
+    if key in BARE:
+        return "0" if abs(value) < ROUND_OFF else numeral(numbers.scalar(value, DIGITS))
+    if key in SHARES:
+        return with_unit(numbers.scalar(100 * value if abs(value) > ROUND_OFF else 0.0, DIGITS), "%")
+    shown = numbers.whole(int(value)) if value.is_integer() and abs(value) >= 1 else numbers.scalar(value, DIGITS)
+    return numeral(with_unit(shown, context.told(finding.unit)))

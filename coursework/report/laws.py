@@ -1,0 +1,61 @@
+"""The laws of a file as a page shows them: drives, functions of the configuration, tables.
+
+Enters: a `PageContext` and `Law` records.  Leaves: displayed equations, sentences.  Used by `statement.py`.
+"""
+
+from __future__ import annotations
+
+from coursework.formula.tree import Formula
+from coursework.page_text import clean
+from coursework.report import equations
+from coursework.report.display import display
+from coursework.report.page_context import PageContext
+from coursework.report.parts import Display, Equations, Paragraph, Part
+from coursework.report.text_runs import runs
+from coursework.variant.record import Law
+
+SHORT = 26  # characters of a law that shares its line with others
+
+
+def laws_shown(context: PageContext, laws: tuple[Law, ...]) -> list[Part]:
+    """Return the laws, short ones beside each other, each table as a sentence."""
+    tabulated = [Paragraph(runs(_tabulated(context, law))) for law in laws if law.table]
+    shown = _joined([_law(context, law) for law in laws if not law.table])
+    return [*([Equations(shown)] if shown else []), *tabulated]
+
+
+def _joined(laws: list[Display]) -> list[Display]:
+    """Return two laws on one line where both are short."""
+    lines: list[Display] = []
+    for law in laws:
+        if lines and len(lines[-1].text) + len(law.text) <= 2 * SHORT and "cases" not in lines[-1].math + law.math:
+            lines[-1] = Display(f"{lines[-1].math}, quad {law.math}", f"{lines[-1].text}, {law.text}")
+        else:
+            lines.append(law)
+    return lines
+
+
+def _law(context: PageContext, law: Law) -> Display:
+    if law.formula is not None:
+        return display(Formula("name", name=law.name), law.formula, context.rates)
+    symbol = context.symbol(law.name)
+    lines, texts = [], []
+    for start, formula in law.pieces:
+        when = context.words("drive.pieces", time=context.quantity(start, "s"))
+        lines.append(f'{equations.math(formula, context.rates)} quad "{when}"')
+        texts.append(f"{equations.text(formula, context.rates)} {when}")
+    return Display(f"{symbol.typst} = cases({', '.join(lines)})", f"{symbol.text} = {'; '.join(texts)}")
+
+
+def _tabulated(context: PageContext, law: Law) -> str:
+    say = context.words
+    known = f"drive.method.{law.method}"
+    return say(
+        "drive.table",
+        symbol=context.symbol(law.name).text,
+        of=context.symbol(law.of).text,
+        count=len(law.table),
+        first=context.numbers.plain(law.table[0][0]),
+        last=context.numbers.plain(law.table[-1][0]),
+        method=say(known) if say.has(known) else clean(law.method),
+    )

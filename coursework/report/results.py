@@ -1,0 +1,104 @@
+"""The table of results, its first row beside the last, and why they differ.
+
+Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
+"""
+
+from __future__ import annotations
+
+from coursework.checks.period import Split
+from coursework.quantities import CHECKS
+from coursework.report.closeness import LocalError, evidence, largest_step_error, splits
+from coursework.report.numbers import deserved_decimals, unit_text, with_unit
+from coursework.report.page_context import PageContext
+from coursework.report.parts import Cell, Column, Paragraph, Part, Table
+from coursework.report.tables import motion_parts, pieces
+from coursework.report.tangent import tangent_figure
+from coursework.report.text_runs import numeral, runs
+from coursework.schemes import SCHEMES, Scheme
+
+PARTS = ("first", "last", "total", "scheme", "period")
+FINE = 1  # decimals that a difference is printed with beyond those of its column
+
+
+def results(context: PageContext) -> list[Part]:
+    """Every row of the motion, or enough of them to read; then the first beside the last, and the reason."""
+    parts = motion_parts(context)
+    if not context.run.asks(CHECKS) or not len(context.run.motion.t):
+        return parts
+    found = [split for split in splits(context) if split.name not in context.run.variant.known_rates]
+    for first, last in pieces([split.name for split in found]) if found else []:
+        parts.append(_first_last(context, found[first:last], is_first=first == 0))
+    step = largest_step_error(context) if _scheme(context) is not None else None
+    parts += _why(context, found, step)
+    if step is not None and _scheme(context).slopes == 1 and (figure := tangent_figure(context, step)):  # type: ignore[union-attr]
+        parts.append(figure)
+    return parts
+
+
+def _scheme(context: PageContext) -> Scheme | None:
+    return SCHEMES.get(evidence(context).motion.scheme)
+
+
+def _first_last(context: PageContext, found: list[Split], *, is_first: bool) -> Table:
+    """Return first row, last row, difference, and the two parts of the difference, a column for each of the table's."""
+    say, numbers, motion = context.words, context.numbers, context.run.motion
+    row = context.run.results.evidence.period_row or 0
+    heads = {
+        "first": say("first_last.first", row=1, time=context.quantity(float(motion.t[0]), "s")),
+        "last": say("first_last.last", row=row + 1, time=context.quantity(float(motion.t[row]), "s")),
+        **{part: say(f"first_last.{part}") for part in PARTS[2:]},
+    }
+    decimals = {split.name: deserved_decimals(map(float, motion.column(split.name))) for split in found}
+    rows: list[list[Cell]] = []
+    for part in PARTS:
+        cells: list[Cell] = [runs(heads[part])]
+        for split in found:
+            value = getattr(split, part) + (split.roundoff if part == "scheme" else 0.0)
+            fine = 0 if part in {"first", "last"} else FINE
+            cells.append(numeral(numbers.fixed(numbers.without_noise(value, split.first), decimals[split.name] + fine)))
+        rows.append(cells)
+    columns = [Column([], words=True)]
+    columns += [Column(context.symbol_runs([split.name]), unit_text(split.unit)) for split in found]
+    turned = [say("first_last.turns", symbol=context.symbol(s.name).text, turns=abs(s.turns)) for s in found if s.turns]
+    note = runs(say("first_last.taken_off", turned="; ".join(turned))) if turned else []
+    return Table(columns, rows, context.say("first_last.caption"), strong=[2], note=note, id="first-last" if is_first else "")
+
+
+def _why(context: PageContext, found: list[Split], step: LocalError | None) -> list[Part]:
+    """Return the sentences: along the tangent; half the step; what the period adds."""
+    say, scheme = context.words, _scheme(context)
+    told: list[str] = []
+    if step is not None and scheme is not None:
+        gap = with_unit(context.numbers.scalar(abs(step.gap), 3), step.unit)
+        values = {"symbol": context.symbol(step.column).text, "rate": context.symbol(step.rate_name).text, "gap": gap}
+        values |= {"row": str(step.row), "next": str(step.row + 1)}
+        title = context.told(scheme.title)
+        if scheme.order == 1:
+            told.append(say("why.tangent", scheme=title[:1].upper() + title[1:], **values))
+            told.append(say("why.half"))
+        else:
+            told.append(say("why.order", scheme=title[:1].upper() + title[1:], order=scheme.order, less=2**scheme.order))
+    if context.run.tableau is None and context.run.lesson is not None:
+        told.append(say("why.exact", sentence=context.told(context.run.lesson.sentence)))
+    told += _period(context, found)
+    return [Paragraph(context.lettered(" ".join(told)))] if told else []
+
+
+def _period(context: PageContext, found: list[Split]) -> list[str]:
+    """Return the sentence about a run that does not end with its period, for the coordinate that is moved most."""
+    period, say = context.run.variant.time.period, context.words
+    coordinates = [split for split in found if split.name in context.run.motion.coordinate_names]
+    if period is None or not coordinates:
+        return []
+    row = context.run.results.evidence.period_row or 0
+    end = float(context.run.motion.t[row])
+    if abs(end - round(end / period) * period) < 1e-9 * period:
+        return [say("why.period_met", period=context.quantity(period, "s"))]
+    most = max(coordinates, key=lambda split: abs(split.period))
+    part, whole = (context.numbers.scalar(value, 2 if value is most.period else 3) for value in (most.period, most.total))
+    return [
+        say(
+            "why.period", end=context.quantity(end, "s"), period=context.quantity(period, "s"), part=part,
+            whole=with_unit(whole, most.unit), symbol=context.symbol(most.name).text,
+        )
+    ]  # fmt: skip

@@ -1,0 +1,217 @@
+"""The first page: whose work it is, what is given, what is sought, and the answer in a box.
+
+Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
+"""
+
+from __future__ import annotations
+
+from coursework.formula.tree import Formula
+from coursework.page_text import clean
+from coursework.quantities import CHECKS, TABLE
+from coursework.report.closeness import largest_errors, splits
+from coursework.report.figures import drawn
+from coursework.report.laws import laws_shown
+from coursework.report.numbers import NOTHING, with_unit
+from coursework.report.page_context import STOP_DIGITS, PageContext
+from coursework.report.parts import Beside, Cell, Column, Paragraph, Part, Result, Runs, Table, TitleBlock
+from coursework.report.text_runs import LONGEST_NAME, runs
+from coursework.variant.record import Given
+
+MOST_REMARKS = 12  # on the first page, on which the results begin
+USUAL_ROW = 4  # the row that is compared where a file names none
+SHOWN_DIGITS = 5
+
+
+def statement(context: PageContext) -> list[Part]:
+    """Title block, what drives what, the mechanism, its data beside the answer, remarks."""
+    data, answer = _data(context), _answer(context)
+    return [
+        _title_block(context),
+        *_task(context),
+        *_mechanism(context),
+        *([Beside(data, answer)] if data.rows else [answer]),
+        *[Paragraph(context.rich(text), style="note") for text in context.run.variant.remarks],
+        *_set(context),
+        *_plausibility(context),
+    ]
+
+
+def _mechanism(context: PageContext) -> list[Part]:
+    found = context.run.mechanism()
+    return [drawn(context, found)] if found is not None else []
+
+
+def _set(context: PageContext) -> list[Part]:
+    """Return what the command line has set, other than in the file."""
+    values = context.run.variant.set_values
+    if not values:
+        return []
+    pairs = [f"{name} = {_written(text)}" for name, text in values.items()]
+    return [Paragraph(context.lettered(context.words("given.set", listed=context.words.listing(pairs))))]
+
+
+def _title_block(context: PageContext) -> TitleBlock:
+    run, say = context.run, context.words
+    lines = [
+        ("institution", run.institution), ("student", run.student), ("group", run.group), ("teacher", run.teacher),
+        ("date", run.date), ("mark", None), ("signature", None),
+    ]  # fmt: skip
+    return TitleBlock([(say(f"title.{key}"), _plain(value or "")) for key, value in lines if value or key != "date"])
+
+
+def _plain(text: str) -> Runs:
+    return [{"t": clean(text, LONGEST_NAME)}] if text else []
+
+
+def _task(context: PageContext) -> list[Part]:
+    """Return what is driven and how, which points the frame holds, and what is sought."""
+    variant, say = context.run.variant, context.words
+    parts: list[Part] = []
+    if variant.source:
+        parts.append(Paragraph(runs(say("statement.source", source=clean(variant.source, LONGEST_NAME))), style="note"))
+    if variant.drive:
+        key = "drive.point" if variant.driven else "drive.rates"
+        parts += [Paragraph(context.say(key, point=clean(variant.driven or ""))), *laws_shown(context, variant.drive)]
+    else:
+        parts.append(Paragraph(context.say("drive.none")))
+    if variant.functions:
+        parts += [Paragraph(context.say("drive.functions")), *laws_shown(context, variant.functions)]
+    return [*parts, Paragraph(context.lettered(" ".join([*_held(context), *_sought(context)])))]
+
+
+def _held(context: PageContext) -> list[str]:
+    """Return what the frame and the wheels hold."""
+    variant, say = context.run.variant, context.words
+    told = []
+    if hinges := [clean(name) for name in variant.frame.hinges]:
+        told.append(say.count("statement.hinges", len(hinges), points=say.listing(hinges)))
+    for link in variant.links:
+        if link.wheel and link.contact:
+            wheel = {"link": clean(link.name), "centre": clean(link.wheel), "point": clean(link.contact)}
+            told.append(say("statement.wheel", **wheel))
+        if link.slides:
+            told.append(say("statement.sleeve", link=clean(link.name), bar=clean(link.slides)))
+    contacts = {link.contact for link in variant.links}
+    guided = [clean(t.name) for t, _ in variant.frame.rails if t.op == "name" and t.name not in contacts]
+    if guided:
+        told.append(say.count("statement.guided", len(guided), points=say.listing(guided)))
+    return told
+
+
+def _sought(context: PageContext) -> list[str]:
+    run, say = context.run, context.words
+    end, step = context.quantity(run.end, "s"), context.quantity(run.step, "s")
+    told = [say("statement.find", unknowns=context.symbol_list(run.variant.sought), end=end, step=step)]
+    time = run.variant.time
+    if time.period is not None:
+        told.append(say("statement.period", period=context.quantity(time.period, "s")))
+    told.append(say("statement.method", scheme=context.told(run.scheme_title)))
+    if time.check_row is not None:
+        when = context.quantity((time.check_row - 1) * time.step, "s")
+        told.append(say("statement.check_row", row=time.check_row, time=when))
+    return told
+
+
+def _data(context: PageContext) -> Table:
+    """The data of the task sheet as written, and the start."""
+    variant = context.run.variant
+    rows: list[list[Cell]] = [
+        [context.symbol_runs([g.name]), context.quoted(_meaning(context, g)), with_unit(_written(g.text), g.unit)]
+        for g in variant.given
+    ]
+    for c in variant.coordinates:
+        head = context.symbol_runs([c.name])
+        if c.start is None:
+            how = context.say("given.from_groups" if c.near is None else "given.follows")
+            rows.append([head, how, _first(context, c.name, c.unit)])
+        else:
+            rows.append([head, context.say("given.at_start"), with_unit(_written(c.text), c.written)])
+    columns = [Column(context.say(f"given.{key}"), words=key != "written") for key in ("quantity", "meaning", "written")]
+    return Table(columns, rows, context.say("given.data" if variant.given else "given.coordinates"))
+
+
+def _meaning(context: PageContext, given: Given) -> str:
+    """Return what the file says a datum means; else the two points that it keeps apart."""
+    if given.means:
+        return clean(given.means, LONGEST_NAME)
+    for name, formula in context.run.scene.mechanism.points:
+        if formula.op != "+" or formula.args[1].op != "@":
+            continue
+        begin, length = formula.args[0], formula.args[1].args[0]
+        if begin.op == "name" and length == Formula("name", name=given.name):
+            return clean(begin.name + name)
+    return ""
+
+
+def _first(context: PageContext, name: str, unit: str) -> str:
+    """Return a coordinate of the first row; a restricted table may not have it."""
+    motion = context.run.motion
+    known = name in motion.coordinate_names and len(motion.t) > 0
+    return context.quantity(float(motion.column(name)[0]), unit) if known else NOTHING
+
+
+def _written(text: str) -> str:
+    return clean(text, LONGEST_NAME).replace("-", "−")
+
+
+def _answer(context: PageContext) -> Result:
+    """The box: how it came out, the velocities of the row that is checked, last minus first row, the largest error."""
+    run, say = context.run, context.words
+    told = [context.rich(run.summary)] if run.summary else []
+    if run.stop is not None:
+        time = context.quantity(run.stop.time, "s", STOP_DIGITS)
+        kept = say.count("count.rows", len(run.motion.t))
+        told.append(context.lettered(say("result.stopped", time=time, kind=context.event(run.stop.kind), rows=kept)))
+    if run.asks(TABLE) and len(run.motion.t):
+        told.append(runs(_checked(context)))
+    if run.asks(CHECKS):
+        told += _misses(context)
+    if not told:
+        told.append(runs(say.count("count.rows", len(run.motion.t))))
+    return Result(say("result.title"), told)
+
+
+def _checked(context: PageContext) -> str:
+    """Return the velocities of the row that is checked."""
+    motion, variant = context.run.motion, context.run.variant
+    row = min(variant.time.check_row or USUAL_ROW, len(motion.t))
+    sought = [name for name in motion.velocity_names if name not in variant.known_rates] or motion.velocity_names
+    values = ", ".join(
+        f"{context.symbol(name).text} = "
+        + with_unit(context.numbers.scalar(float(motion.column(name)[row - 1]), SHOWN_DIGITS), variant.unit_of(name))
+        for name in sought
+    )
+    time = context.quantity(float(motion.t[row - 1]), "s")
+    return context.words("result.row", row=row, time=time, values=values)
+
+
+def _misses(context: PageContext) -> list[Runs]:
+    """Return last minus first row of the coordinates, and the scheme's largest error for each unit."""
+    say, told = context.words, []
+    variant = context.run.variant
+    if found := [split for split in splits(context) if split.name in context.run.motion.coordinate_names]:
+        gaps = ", ".join(
+            f"{context.symbol(s.name).text} {with_unit(context.numbers.scalar(s.total, 3), s.unit)}"
+            for s in found
+            if variant.columns.index(s.name) >= 0 and s.name not in _driven(context)
+        )
+        if gaps:
+            told.append(runs(say("result.misses", gaps=gaps)))
+    for error in largest_errors(context):
+        told.append(runs(say("result.error", **error.told(context))))
+    return told
+
+
+def _driven(context: PageContext) -> set[str]:
+    """Return the coordinates whose rate is driven: they return by themselves."""
+    variant = context.run.variant
+    return {c.name for c in variant.coordinates if c.rate in variant.known_rates}
+
+
+def _plausibility(context: PageContext) -> list[Part]:
+    say, plausibility = context.words, context.run.variant.plausibility
+    told = [(remark.line, context.told(remark.sentence)) for remark in plausibility[:MOST_REMARKS]]
+    notes = [say("remark.line", line=line, sentence=sentence) for line, sentence in told]
+    if len(plausibility) > MOST_REMARKS:
+        notes.append(say("remark.more", number=len(plausibility) - MOST_REMARKS))
+    return [Paragraph(runs(note), style="note") for note in notes]

@@ -1,0 +1,67 @@
+"""The picture of why: one step of Euler along the tangent, and the curve that bends away from it.
+
+Enters: a `PageContext`.  Leaves: `figure#tangent`.  Used by `results.py`.
+"""
+
+from __future__ import annotations
+
+from html import escape
+
+import numpy as np
+
+from coursework.report import graph_paper
+from coursework.report.closeness import LocalError, evidence
+from coursework.report.graph_paper import EXACT_PEN, SCHEME_INK, Field, axes, field_for, letters, sheet, smooth, words
+from coursework.report.numbers import unit_text, with_unit
+from coursework.report.page_context import PageContext
+from coursework.report.parts import Figure
+
+SIZE = (120.0, 52.0)  # mm
+LETTER = 1.9  # mm, the mean width of a letter
+BESIDE = 0.35  # of a step, shown before and behind it
+TANGENT_PEN = f'class="rows" fill="none" stroke="{SCHEME_INK}" stroke-width="0.42" stroke-dasharray="2.4 1.2"'
+GAP_PEN = 'class="gap" fill="none" stroke="#111" stroke-width="0.3"'
+
+
+def tangent_figure(context: PageContext, step: LocalError) -> Figure | None:
+    """Return the step enlarged; None where the exact motion is not known around it."""
+    exact = evidence(context).exact
+    if exact is None:
+        return None
+    say = context.words
+    begin, end = step.row - 1, step.row
+    rows = slice(max(begin - 1, 0), min(end + 2, len(exact.t)))
+    q, rate = exact.column(step.column), exact.column(step.rate_name)
+    t, curve = smooth(exact.t[rows], q[rows], rate[rows])
+    h = float(exact.t[end] - exact.t[begin])
+    kept = (t >= exact.t[begin] - BESIDE * h) & (t <= exact.t[end] + BESIDE * h)
+    t, curve = t[kept], curve[kept]
+    foot, top = (float(exact.t[begin]), float(q[begin])), (float(exact.t[end]), float(q[begin] + h * rate[begin]))
+    field = field_for(SIZE, [t], [curve, np.array([foot[1], top[1]])])
+    unit = unit_text(step.unit)
+    symbol = context.symbol(step.column)
+    label = letters(symbol) + (f", {escape(unit)}" if unit else "")
+    inside = axes(field, context.numbers, label)
+    inside += f'<path {EXACT_PEN} d="{field.path(t, curve)}"/>'
+    line = field.path(np.array([foot[0], top[0]]), np.array([foot[1], top[1]]))
+    inside += f'<path {TANGENT_PEN} d="{line}"/>'
+    inside += _gap(field, float(exact.t[end]), float(q[end]), top[1])
+    gap = with_unit(context.numbers.scalar(abs(step.gap), 3), step.unit)
+    inside += _gap_words(field, float(exact.t[end]), 0.5 * (float(q[end]) + top[1]), gap)
+    for at, value in (foot, top):
+        inside += f'<circle class="dots" cx="{field.x(at):.2f}" cy="{field.y(value):.2f}" r="0.9" fill="{SCHEME_INK}"/>'
+    told = {"symbol": symbol.text, "row": step.row, "next": step.row + 1, "gap": gap}
+    alt, caption = say("tangent.alt", **told), context.lettered(say("tangent.caption", **told))
+    return Figure(sheet(field, inside), *SIZE, alt, caption, id="tangent")
+
+
+def _gap(field: Field, t: float, curve: float, tangent: float) -> str:
+    """Return the line from the tangent to the curve at the end of the step, with a bar at each end."""
+    x, first, last = field.x(t), field.y(tangent), field.y(curve)
+    return f'<path {GAP_PEN} d="M{x - 1:.2f} {first:.2f}h2M{x:.2f} {first:.2f}V{last:.2f}M{x - 1:.2f} {last:.2f}h2"/>'
+
+
+def _gap_words(field: Field, t: float, value: float, gap: str) -> str:
+    x, y = field.x(t), field.y(value) + graph_paper.LETTERS / 3
+    fits = x + 1.8 + LETTER * len(gap) < field.width
+    return words(x + 1.8, y, escape(gap)) if fits else words(x - 1.8, y, escape(gap), "end")

@@ -1,0 +1,96 @@
+"""Small graphs: true curves, round ticks, words that are never parsed, the same bytes."""
+
+from __future__ import annotations
+
+import re
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+from coursework.report import build_model
+from coursework.report.figures import label_text, true_to_scale
+from coursework.report.graph_paper import BETWEEN, field_for, round_ticks, smooth, sparse, tick_texts
+from coursework.report.numbers import Numbers
+from coursework.report.symbols import symbol
+
+T = np.linspace(0, 0.48, 25)
+
+
+def test_the_exact_curve_has_eight_points_a_row_and_follows_the_motion() -> None:
+    t, curve = smooth(T, np.sin(13 * T), 13 * np.cos(13 * T))
+    assert len(t) == BETWEEN * 24 + 1
+    assert BETWEEN >= 8
+    # Cubic Hermite: h^4/384 of the fourth derivative.
+    assert np.max(np.abs(curve - np.sin(13 * t))) < 0.02**4 / 384 * 13**4 * 1.01
+    assert np.all(np.diff(t) > 0)
+
+
+def test_many_rows_take_no_more_points_than_a_printer_sees() -> None:
+    t = np.linspace(0, 1, 100_000)
+    assert len(smooth(t, t, np.ones(100_000))[0]) <= 2001
+    kept = sparse(np.arange(100_000.0), 2000)
+    assert len(kept) <= 2001
+    assert kept[-1] == 99_999
+    assert sparse(np.zeros(0), 10).size == 0
+
+
+@pytest.mark.parametrize(("low", "high"), [(-2.4, 1.5), (0.0, 0.48), (1.5, 1.7), (-16.7, 13.6), (3e-7, 4e-7), (99_990, 100_030)])
+def test_ticks_are_round_numbers_inside(low: float, high: float) -> None:
+    ticks, decimals = round_ticks(low, high, 5)
+    assert 2 <= len(ticks) <= 6
+    assert low - 1e-9 <= min(ticks)
+    assert max(ticks) <= high + 1e-9 * abs(high)
+    texts = tick_texts(ticks, decimals, Numbers(","))
+    assert len(set(texts)) == len(ticks)
+    assert all("." not in text for text in texts)
+
+
+def test_constant_and_single_points_have_room() -> None:
+    for t, values in ((np.zeros(1), np.ones(1)), (T, np.zeros(25)), (T, np.full(25, np.nan)), (T, np.full(25, 1e-300))):
+        field = field_for((82, 42), [t], [values])
+        assert field.high > field.low
+        assert field.last > field.first
+        assert "nan" not in field.path(t, values)
+
+
+def test_a_panel_for_every_column_with_unit_and_symbol(real: ModuleType) -> None:
+    panels = real.parts(real.full(), "graphs")[0]
+    assert [item["name"] for item in panels["items"]] == ["w1", "w2", "w3", "w4", "phi1", "phi2", "phi3"]
+    first = panels["items"][0]["svg"]
+    assert 'width="82mm" height="42mm"' in first
+    assert re.search(r">ω</tspan><tspan[^>]*>1</tspan>.*, rad/s</text>", first)
+    assert "stop" not in first
+    assert [real.text_of(words) for _, words in panels["legend"]] == ["explicit Euler, h = 0.02\u00a0s", "exact motion"]
+    assert first.count("M") > 25
+
+
+def test_a_stop_is_a_broken_line_in_every_panel(real: ModuleType) -> None:
+    for panels in real.parts(real.stopped(), "graphs"):
+        assert all(item["svg"].count('class="stop"') == 1 for item in panels["items"])
+
+
+def test_more_than_eight_panels_take_another_figure(real: ModuleType) -> None:
+    import coursework
+
+    figures = real.parts(coursework.solve("jansen", quantities=["table", "plots"]), "graphs")
+    assert [len(part["items"]) for part in figures] == [8, 6]
+
+
+def test_the_same_model_twice_is_the_same_bytes(real: ModuleType) -> None:
+    first = build_model(real.full()).plain()
+    build_model(real.stopped())
+    assert build_model(real.full()).plain() == first
+
+
+def test_symbols_without_a_unicode_subscript_are_set_by_our_own_table() -> None:
+    assert label_text(symbol("w3")) == "ω₃"
+    assert label_text(symbol("VMx")) == r"$V_{\mathrm{Mx}}$"
+    assert "$" not in label_text(symbol("speed"))
+
+
+def test_a_drawing_to_scale_names_its_size() -> None:
+    figure = true_to_scale('<?xml?><svg width="170mm" height="110mm" viewBox="0 0 170 110"></svg>', "alt", [])
+    assert (figure.width, figure.height, figure.exact) == (170.0, 110.0, True)
+    with pytest.raises(ValueError, match="in mm"):
+        true_to_scale('<svg width="100%" height="50"></svg>', "alt", [])
