@@ -9,7 +9,7 @@ Heavy imports stand inside.  Steps on the way that nobody may ask for are proper
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from coursework.drawing.record import Drawing
     from coursework.kinematics.extra import ExtraTable
     from coursework.plans.graph_check import GraphCheck
+    from coursework.plans.plans import Plans
 
 T = TypeVar("T")
 
@@ -47,10 +48,23 @@ class OwnTable(Generic[T]):
 
 
 @dataclass(frozen=True, slots=True)
+class Listing:
+    """A CSV file beside the table: its name, its head, its rows of numbers and words."""
+
+    file: str
+    head: tuple[str, ...]
+    rows: Iterable[tuple[object, ...]]
+
+
+@dataclass(frozen=True, slots=True)
 class OwnFigure(Generic[T]):
-    """Shown as drawings; `of` also takes the function that puts a sentence into the language of the page."""
+    """Shown as drawings; `of` also takes the function that puts a sentence into the language of the page.
+
+    `listing` is the file in which their numbers stand with every digit, None where they have none of their own.
+    """
 
     of: Callable[[MotionResults, T, Callable[[str], str]], tuple[Drawing, ...]]
+    listing: Callable[[T], Listing] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -157,6 +171,22 @@ def hodographs(results: MotionResults) -> tuple[Drawing, ...]:
     return draw_hodographs(scene.mechanism, scene.equations, scene.one_period, scene.exact)
 
 
+@computed("mechanism", "equations", "motion", "accelerations", "exact", "exact_accelerations")
+def plans(results: MotionResults) -> Plans:
+    """Plans of velocities and accelerations of every row, one row on paper."""
+    from coursework.plans.plans import make_plans
+
+    scene = results.scene
+    table, exact = (results.motion, results.accelerations), (scene.exact, scene.exact_accelerations)
+    return make_plans(scene.mechanism, scene.equations, table, exact)
+
+
+def _plans_listing(found: Plans) -> Listing:
+    from coursework.plans.plans import HEAD
+
+    return Listing("polygons.csv", HEAD, found.rows())
+
+
 def _acceleration_columns(results: MotionResults, rows: Any) -> ExtraTable:
     from coursework.kinematics.extra import ExtraTable
 
@@ -216,10 +246,11 @@ INVARIANTS = Quantity(invariants, OwnTable(_itself))
 ACCURACY = Quantity(accuracy, OwnSection())
 GRAPH_CHECK = Quantity(graph_check, OwnSection())
 TRAJECTORIES = Quantity(trajectories, OwnFigure(_drawings), refuses=_refuse_no_points)
+PLANS = Quantity(plans, OwnFigure(lambda _, found, written: found.drawings(written), _plans_listing), refuses=_refuse_no_points)
 HODOGRAPHS = Quantity(hodographs, OwnFigure(_drawings), refuses=_refuse_no_points)
 
 QUANTITIES: tuple[Quantity[Any], ...] = (
-    TABLE, PLOTS, CHECKS, ACCELERATIONS, POINTS, ANALOGS, INVARIANTS, ACCURACY, GRAPH_CHECK, TRAJECTORIES, HODOGRAPHS,
+    TABLE, PLOTS, CHECKS, ACCELERATIONS, POINTS, ANALOGS, INVARIANTS, ACCURACY, GRAPH_CHECK, PLANS, TRAJECTORIES, HODOGRAPHS,
 )  # fmt: skip
 
 

@@ -23,6 +23,7 @@ from coursework.quantities import (
     CHECKS,
     GRAPH_CHECK,
     Columns,
+    Listing,
     OwnFigure,
     OwnTable,
     Quantity,
@@ -240,6 +241,12 @@ class Run:
         return {
             quantity.name: shows.of(self.results, self.of(quantity)) for quantity, shows in shown if isinstance(shows, OwnTable)
         }
+
+    @property
+    def listings(self) -> tuple[Listing, ...]:
+        """Return the files in which drawings that were asked for keep their numbers."""
+        shown = ((one, one.shows) for one in quantities_for(self.asked).values())
+        return tuple(s.listing(self.of(one)) for one, s in shown if isinstance(s, OwnFigure) and s.listing is not None)
 
     def mechanism(self) -> Drawing | None:
         """Return the mechanism in its start position with names, lengths and drive, None where the file places no points."""

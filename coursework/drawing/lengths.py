@@ -1,7 +1,7 @@
 """Lengths that a file gives between two points, found in its formulas.
 
 Enters: a `Mechanism`.  Leaves: formulas by pairs of points.
-Used by `drawing/outline.py` and `drawing/figures.py`.
+Used by `drawing/outline.py`, `drawing/figures.py` and `plans/plans.py`.
 """
 
 from __future__ import annotations
@@ -32,7 +32,6 @@ def arm_base(formula: Formula, coordinate: str) -> str:
 def lengths(mechanism: Mechanism) -> dict[frozenset[str], Formula]:
     """Return the length between two points wherever the file says it: "B = A + r2 @ phi2", "P = C - (0, R)", a group."""
     variant = mechanism.variant
-    changing = {coordinate.name for coordinate in variant.coordinates}
     minus = [Formula("-", (Formula("name", name=name), formula)) for name, formula in mechanism.points]
     for group in variant.groups:
         met = Formula("name", name=group.meets or "")
@@ -44,9 +43,16 @@ def lengths(mechanism: Mechanism) -> dict[frozenset[str], Formula]:
         parts = [*terms(formula)]
         ends = frozenset(part.name for part in parts if part.op == "name")
         said = [length for part in parts if part.op != "name" and (length := _length(part)) is not None]
-        if len(parts) == 3 and len(ends) == 2 and len(said) == 1 and not changing & set(said[0].names()):
+        if len(parts) == 3 and len(ends) == 2 and len(said) == 1:
             found.setdefault(ends, said[0])
     return found
+
+
+def stretching(mechanism: Mechanism) -> frozenset[frozenset[str]]:
+    """Return the pairs of points whose distance the file lets change: by a coordinate or a function."""
+    variant = mechanism.variant
+    changing = {c.name for c in variant.coordinates} | {law.name for law in (*variant.functions, *variant.drive)} | {"t"}
+    return frozenset(ends for ends, length in lengths(mechanism).items() if changing & set(length.names()))
 
 
 def _length(part: Formula) -> Formula | None:

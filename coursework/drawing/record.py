@@ -14,6 +14,7 @@ class Drawing:
     """One figure: `id` for links, `svg` (one unit = 1 mm) of `width` by `height` mm, `caption`, and `alt` for who cannot see it.
 
     `wide` drawings need a landscape page of their own; `exact` ones are printed at exactly their size, which carries a scale.
+    `steps` are sentences to be numbered below it.
     """
 
     id: str
@@ -23,6 +24,7 @@ class Drawing:
     caption: str
     alt: str
     exact: bool = False
+    steps: tuple[str, ...] = ()
 
     @property
     def wide(self) -> bool:

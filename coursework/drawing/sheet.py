@@ -102,7 +102,7 @@ class Sheet:
         neck = b - along * min(head, abs(b - a))
         self.line(a, neck, pen, data)
         side = 0.32 * head * 1j * along
-        self.path([b, neck + side, neck - side], 'fill="black" stroke="none"', closed=True)
+        self.path([b, neck + side, neck - side], f'fill="black" stroke="none"{data}', closed=True)
 
     def axes(self, length: float = 7.0) -> None:
         """Draw the directions of x and y in the corner where they cover least."""

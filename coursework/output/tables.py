@@ -28,6 +28,8 @@ def run_tables(run: Run) -> Iterator[tuple[str, str]]:
         yield f"table-{lesson.scheme}.csv", _csv(["t", *lesson.names], rows)
     for name, table in run.own_tables.items():
         yield f"{name}.csv", _csv(table.names, table.rows.tolist())
+    for listing in run.listings:
+        yield listing.file, _csv(listing.head, listing.rows)
 
 
 def table_csv(run: Run) -> str:

@@ -14,15 +14,14 @@ from dataclasses import replace
 
 from coursework.drawing.sheet import BOLD, PITCH, Place, Sheet, Word, inside, middle_of, plain
 from coursework.drawing.symbols import decimal
+from coursework.plans.foot import draw_foot
 from coursework.plans.graph_words import centre_letter
 from coursework.plans.instant_centres import Body, Centre, Findings, cross, dot
-from coursework.plans.layout import FOOT, Layout, lay_out
+from coursework.plans.layout import Layout, lay_out
 from coursework.plans.sketch import Rail, Sketch, Track
 from coursework.sentences import say
 from coursework.variant.record import Link
 
-BAR = 100.0  # mm, printed; a test reads it back from the PDF
-BAR_PEN = 'stroke="#010101" stroke-width="0.5" stroke-linecap="butt"'  # a colour of its own, so that it can be found
 LINK = 'stroke="black" stroke-width="0.8"'
 FRAME = 'stroke="black" stroke-width="0.35"'
 VELOCITY = 'stroke="black" stroke-width="0.4"'
@@ -47,7 +46,7 @@ def draw(
     """
     layout = lay_out(sketch, findings)
     layout = replace(layout, turned=layout.turned and not upright)
-    return _Drawing(sketch, findings, layout, written).svg(written(say("drawing.title", row=row, time=time)))
+    return _Drawing(sketch, findings, layout, written).svg(say("drawing.title", row=row, time=time))
 
 
 class _Drawing:
@@ -260,26 +259,9 @@ class _Drawing:
     def foot(self, title: str) -> None:
         """Draw the bar by which a print is checked, and say the scales."""
         layout = self.layout
-        left, base = 3.0, layout.height - 5.0
-        bar = (complex(left, base), complex(left + BAR, base))
-        self.sheet.field = (0.0, 0.0, layout.width, layout.height)
-        self.sheet.line(*bar, BAR_PEN, ' data-bar="100"')
-        for k in range(11):
-            tick = 2.4 if k % 5 == 0 else 1.4
-            self.sheet.line(complex(left + 10 * k, base), complex(left + 10 * k, base - tick), FRAME)
-        self.sheet.text(complex(left, base - 4.2), (self.written(say("drawing.bar", length=f"{BAR:g}")), "", ""), size=2.9)
         moving = any(self.findings.velocities.values())
-        speeds = self.written(say("drawing.speeds", speed=decimal(layout.speed))) if moving else ""
-        lines = (self.written(say("drawing.scale", scale=layout.scale_text)), speeds, title)
-        for k, line in enumerate(lines):
-            self.sheet.text(complex(left + BAR + 7, layout.height - FOOT + 4.6 + 4.2 * k), (line, "", ""), size=2.9)
-        self.axes(complex(layout.width - 12, layout.height - 4.5))
-
-    def axes(self, at: complex) -> None:
-        """Draw the directions of x and y."""
-        for way, name, shift in ((8 + 0j, "x", 0.6 + 0.8j), (-8j, "y", -2.6 + 0.5j)):
-            self.sheet.arrow(at, at + way, 'stroke="black" stroke-width="0.2"', head=1.6)
-            self.sheet.text(at + way + shift, (name, "", ""), look='font-style="italic"', size=2.6)
+        speeds = say("drawing.speeds", speed=decimal(layout.speed)) if moving else ""
+        draw_foot(self.sheet, [say("drawing.scale", scale=layout.scale_text), speeds, title], self.written)
 
 
 def _around(at: complex, half: float) -> tuple[float, float, float, float]:

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from coursework.plans.foot import FOOT
 from coursework.plans.instant_centres import Findings
 from coursework.plans.sketch import Sketch
 
 PAGE = (170.0, 220.0)  # mm: the text width of A4 with margins of 20 mm, and room for a caption
 EDGE = 3.0  # mm
-FOOT = 17.0  # mm for the bar and the scales
 SCALES = tuple(sorted(m * 10.0**k for k in range(-2, 9) for m in (1.0, 2.0, 2.5, 4.0, 5.0)))
 ARROWS = (45.0, 30.0, 20.0)  # mm: the longest velocity is at most as long
 ROUND = tuple(sorted(m * 10.0**k for k in range(-9, 9) for m in (1.0, 2.0, 5.0)))

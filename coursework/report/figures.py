@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from coursework.drawing import record
 from coursework.report.page_context import PageContext
-from coursework.report.parts import Figure, Runs
+from coursework.report.parts import Bullets, Figure, Part, Runs
 from coursework.report.symbols import Symbol
 
 if TYPE_CHECKING:
@@ -77,6 +77,13 @@ def drawn(context: PageContext, drawing: record.Drawing) -> Figure:
     """Return a drawing as a figure of the page, its words in the page's language."""
     caption, alt = context.rich(drawing.caption), context.told(drawing.alt)
     return Figure(drawing.svg, drawing.width, drawing.height, alt, caption, drawing.exact, id=drawing.id)
+
+
+def drawn_parts(context: PageContext, drawing: record.Drawing) -> list[Part]:
+    """Return a drawing with the steps in which it was made."""
+    figure = drawn(context, drawing)
+    numbered = [context.rich(f"{number}. {context.told(step)}") for number, step in enumerate(drawing.steps, start=1)]
+    return [figure, Bullets(numbered)] if numbered else [figure]
 
 
 _SIZE = re.compile(r'<svg\b[^>]*?\swidth="([\d.]+)mm"[^>]*?\sheight="([\d.]+)mm"')

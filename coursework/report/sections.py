@@ -16,7 +16,7 @@ from coursework.report.checks import checks
 from coursework.report.construction import graph_check
 from coursework.report.control import control
 from coursework.report.dead_point import dead_point
-from coursework.report.figures import drawn
+from coursework.report.figures import drawn_parts
 from coursework.report.graphs import graphs
 from coursework.report.method import method
 from coursework.report.motion_equations import equations
@@ -51,7 +51,7 @@ def all_sections(context: PageContext) -> Iterator[Section]:
         yield Section(quantity, _heading(context, quantity, extra.title), extra_parts(context, extra))
     for quantity, drawings in context.run.figures(context.words.written).items():
         if drawings:
-            yield Section(quantity, _heading(context, quantity, quantity), [drawn(context, drawing) for drawing in drawings])
+            yield Section(quantity, _heading(context, quantity, quantity), [part for one in drawings for part in drawn_parts(context, one)])
     for place, section in enumerate(_written_by(APPENDIX, context)):
         yield section.labelled(context.words("section.appendix", letter="ABCDEFGH"[place]))
 

@@ -1,0 +1,82 @@
+"""The quantity `plans`: plans of velocities and accelerations of every row, one row of them on paper.
+
+Enters: a mechanism, its equations, the rows of a table and the exact rows with their accelerations.  Leaves: `Plans`.
+Used by `quantities.py`; the sheets are drawn when somebody looks at them (`polygon_sheet.py`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.drawing.lengths import stretching
+from coursework.drawing.outline import Outline, read_outline
+from coursework.drawing.poses import all_rows
+from coursework.drawing.record import Drawing
+from coursework.errors import Fault, InputError
+from coursework.integration.motion import Motion
+from coursework.mechanism import Mechanism
+from coursework.plans.polygons import ACCELERATION, UNITS, VELOCITY, Polygons, polygons
+from coursework.reduction.equations import VelocityEquations
+from coursework.sentences import say
+
+HEAD = ("row", "t", "motion", "plan", "kind", "from", "to", "x", "y", "unit")
+USUAL_ROW = 4  # of a file that names no check_row: neither the start nor a symmetric position
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Plans:
+    """The polygons of the student's rows (`table`) and of the `exact` motion; `row` (from 1) is the one on paper.
+
+    A chain is drawn in its exact position, any other mechanism as the table has it, which is where the student checks it.
+    """
+
+    outline: Outline
+    row: int
+    table: Polygons
+    exact: Polygons
+    chain: bool
+
+    @property
+    def shown(self) -> Polygons:
+        """Return the polygons that are drawn."""
+        return self.exact if self.chain else self.table
+
+    def rows(self) -> Iterator[tuple[object, ...]]:
+        """Yield the lines of `polygons.csv` (`HEAD`), row by row; SI."""
+        for name, found in (("table", self.table), ("exact", self.exact)):
+            for row, t in enumerate(found.t.tolist()):
+                for one in found.segments:
+                    vector = complex(one.vector[row])
+                    yield row + 1, t, name, one.plan, one.kind, one.start, one.end, vector.real, vector.imag, UNITS[one.plan]
+
+    def drawings(self, written: Callable[[str], str]) -> tuple[Drawing, ...]:
+        """Return `figure#velocity-plan` and `figure#acceleration-plan`; `written` puts words into the language of a page."""
+        from coursework.plans.polygon_sheet import draw_plan
+
+        if not len(self.shown.t):
+            return ()
+        return tuple(draw_plan(self.shown, plan, self.outline.hinges, self.row, written) for plan in (VELOCITY, ACCELERATION))
+
+
+def make_plans(
+    mechanism: Mechanism, equations: VelocityEquations, table: tuple[Motion, Array], exact: tuple[Motion, Array]
+) -> Plans:
+    """Return the plans of a motion and its accelerations, of the table and exact.
+
+    Raises `InputError` where the file places no points, or the table has only some of the columns.
+    """
+    variant = equations.variant
+    outline = read_outline(mechanism)
+    if outline is None or not outline.bars:
+        raise InputError([Fault(say("fault.V523"), str(variant.path or variant.name))])
+    if not all_rows(equations, table[0]):
+        raise InputError([Fault(say("fault.V524"), str(variant.path or variant.name))])
+    pairs = stretching(mechanism)
+    rows, true = (polygons(outline, equations, motion, second, pairs) for motion, second in (table, exact))
+    row = min(variant.time.check_row or USUAL_ROW, max(1, min(len(rows.t), len(true.t))))
+    return Plans(outline, row, rows, true, chain=bool(variant.groups))
