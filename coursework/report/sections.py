@@ -51,7 +51,9 @@ def all_sections(context: PageContext) -> Iterator[Section]:
         yield Section(quantity, _heading(context, quantity, extra.title), extra_parts(context, extra))
     for quantity, drawings in context.run.figures(context.words.written).items():
         if drawings:
-            yield Section(quantity, _heading(context, quantity, quantity), [part for one in drawings for part in drawn_parts(context, one)])
+            yield Section(
+                quantity, _heading(context, quantity, quantity), [part for one in drawings for part in drawn_parts(context, one)]
+            )
     for place, section in enumerate(_written_by(APPENDIX, context)):
         yield section.labelled(context.words("section.appendix", letter="ABCDEFGH"[place]))
 
