@@ -52,7 +52,7 @@ def live_numbers(run: Run, functions: Functions) -> dict[str, Any]:
 def _tableau(scheme: Scheme) -> dict[str, Any]:
     """Return a tableau with the common factor of each row taken out, fractions as pairs of whole numbers."""
     nodes = [[node.numerator, node.denominator] for node in scheme.nodes]
-    return {"nodes": nodes, "inner": [*map(_row, scheme.inner)], "outer": _row(scheme.outer)}
+    return {"order": scheme.order, "nodes": nodes, "inner": [*map(_row, scheme.inner)], "outer": _row(scheme.outer)}
 
 
 def _row(row: Sum) -> dict[str, Any]:

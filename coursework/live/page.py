@@ -21,6 +21,7 @@ from coursework.sentences import Phrases, load_phrases, title_of
 
 # Script and data of one page (bytes), and rows of a table that a laboratory computes anew at every move.
 MOST_BYTES, MOST_ROWS = 60_000, 512
+MOST_CELLS = 2000  # of a table finer than the file's that are written out
 SPEEDS = (0.05, 0.1, 0.2, 1.0)
 _LABORATORY = (
     "numbers", "laboratory_motion", "page", "drawing", "additions", "cursors", "panels", "laboratory", "stop_watch", "animation",
@@ -62,7 +63,7 @@ def live_part(run: Run, phrases: Phrases, label: Callable[[str], str], unit: Cal
         functions = live_functions(run.scene, drawn.places)
         sliders = sliders_of(run, unit)
         data = said | live_numbers(run, functions) | {"sliders": sliders, "given_order": list(run.variant.values)}
-        part = _part(run, phrases, script_of(functions.text, _LABORATORY), embedded(data | {"most_rows": MOST_ROWS}), True)
+        part = _part(run, phrases, script_of(functions.text, _LABORATORY), embedded(data | {"most_cells": MOST_CELLS}), True)
         if part.size <= MOST_BYTES:
             return part
     script = script_of("", _RECORDED)

@@ -43,7 +43,7 @@ const additions = {
       for (const name of data.shown_points) {
         // A contact is another point of the wheel at every moment; the one that touches is at rest.
         if (data.wheels.some((wheel) => wheel.contact === name)) continue;
-        const [x, y] = drawing.put(place, name), long = 130 / this.fastest;
+        const [x, y] = drawing.put(place, name), long = 80 / this.fastest;
         this.arrow(arrows, x, y, X(speeds, name) * long, -Y(speeds, name) * long);
       }
     }

@@ -9,7 +9,7 @@ const show = (t) => {
   now = Math.min(Math.max(t, 0), motion.duration);
   const row = motion.h > 0 ? now / motion.h : 0, nearest = Math.round(row) + 1;
   live.dataset.row = nearest;
-  scrub.value = row;
+  if (Number(scrub.value) !== row) scrub.value = row;
   const told = say("clock", { row: nearest, t: fixed(now, data.decimals + (playing ? 1 : 0)) });
   scrub.setAttribute("aria-valuetext", told);
   tell("live-clock", told);
@@ -19,7 +19,7 @@ const show = (t) => {
     const next = byId("lab-table").tBodies[0].rows[nearest - 1] ?? null;
     if (lit !== next) lit?.classList.remove("live-now");
     next?.classList.add("live-now");
-    if (next && lit !== next) {
+    if (next && playing && lit !== next) {
       const box = next.closest(".live-scroll"), top = next.offsetTop;
       if (top < box.scrollTop + 45 || top > box.scrollTop + box.clientHeight - 45) box.scrollTop = top - box.clientHeight / 2;
     }
@@ -90,6 +90,10 @@ for (const name of Object.keys(additions.on)) {
     show(now);
   });
 }
+addEventListener("resize", () => {
+  drawing.refit();
+  show(now);
+});
 
 live.hidden = false;
 document.documentElement.classList.add("live-on");

@@ -1,7 +1,8 @@
 // The mechanism on the screen: the true one solid, the one of the table dashed over it, what a switch adds to them.
 // Enters: `motion` and the outline in `data` (names of points).  Leaves: `drawing`, redrawn for any time.
-const X = (place, name) => place[2 * data.points.indexOf(name)];
-const Y = (place, name) => place[2 * data.points.indexOf(name) + 1];
+const index = new Map(data.points.map((name, i) => [name, 2 * i]));
+const X = (place, name) => place[index.get(name)];
+const Y = (place, name) => place[index.get(name) + 1];
 const along = (place, base, toward) => {
   const x = X(place, toward) - X(place, base), y = Y(place, toward) - Y(place, base);
   const size = Math.hypot(x, y) || 1;
@@ -10,7 +11,6 @@ const along = (place, base, toward) => {
 
 const drawing = {
   field: byId("live-field"),
-  WIDE: 640,
   prepare() {
     if (!data.points.length) return;
     this.layers = Object.fromEntries(
@@ -35,6 +35,8 @@ const drawing = {
   // Choose the window so that both motions fit, and draw what stands still.
   refit() {
     if (!data.points.length) return;
+    // On a small screen the drawing has fewer units, so that its letters keep their size.
+    this.WIDE = innerWidth < 600 ? 380 : 640;
     const box = [Infinity, Infinity, -Infinity, -Infinity];
     const take = (x, y, room = 0) => {
       box[0] = Math.min(box[0], x - room);
@@ -42,15 +44,14 @@ const drawing = {
       box[2] = Math.max(box[2], x + room);
       box[3] = Math.max(box[3], y + room);
     };
-    const drawn = data.shown_points.map((name) => data.points.indexOf(name));
     const radii = data.wheels.map(() => 0);
     this.samples = [true, false].map((true_) => {
       const rows = [];
-      for (let i = 0; i < motion.count; i += Math.ceil(motion.count / 150)) {
+      for (let i = 0; i < motion.count; i += Math.ceil(motion.count / 100)) {
         const place = motion.at(true_, i * motion.h);
         if (!place || !place.every(Number.isFinite)) continue;
         rows.push(place);
-        for (const at of drawn) take(place[2 * at], place[2 * at + 1]);
+        for (const name of data.shown_points) take(X(place, name), Y(place, name));
         data.wheels.forEach((wheel, k) => {
           radii[k] = Math.hypot(X(place, wheel.contact) - X(place, wheel.centre), Y(place, wheel.contact) - Y(place, wheel.centre));
           take(X(place, wheel.centre), Y(place, wheel.centre), radii[k]);
@@ -65,7 +66,7 @@ const drawing = {
       take(X(this.first, track.centre), Y(this.first, track.centre), radius);
     }
     this.turns = {};
-    this.scale = Math.min((this.WIDE - 90) / Math.max(box[2] - box[0], 1e-12), 330 / Math.max(box[3] - box[1], 1e-12));
+    this.scale = Math.min((this.WIDE - 90) / Math.max(box[2] - box[0], 1e-12), (0.2 * this.WIDE + 200) / Math.max(box[3] - box[1], 1e-12));
     const high = (box[3] - box[1]) * this.scale + 80;
     this.origin = [(this.WIDE - (box[0] + box[2]) * this.scale) / 2, high - 40 + box[1] * this.scale];
     this.field.setAttribute("viewBox", `0 0 ${this.WIDE} ${f1(high)}`);
@@ -148,8 +149,8 @@ const drawing = {
     }
     for (const wheel of data.wheels) {
       const [x, y] = this.put(place, wheel.centre), [px, py] = this.put(place, wheel.contact);
-      const r = Math.round(10 * Math.hypot(px - x, py - y)) / 10, turned = this.turned(wheel, true_, t);
-      path += `M${f1(x - r)} ${f1(y)}a${f1(r)} ${f1(r)} 0 1 0 ${f1(2 * r)} 0a${f1(r)} ${f1(r)} 0 1 0 ${f1(-2 * r)} 0`;
+      const r = f1(Math.hypot(px - x, py - y)), turned = this.turned(wheel, true_, t);
+      path += `M${f1(x - r)} ${f1(y)}a${r} ${r} 0 1 0 ${f1(2 * r)} 0a${r} ${r} 0 1 0 ${f1(-2 * r)} 0`;
       if (turned !== null) path += `M${f1(x)} ${f1(y)}l${f1(r * Math.cos(turned))} ${f1(-r * Math.sin(turned))}`;
     }
     return path;

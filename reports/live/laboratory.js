@@ -75,10 +75,11 @@ const laboratory = {
     const error = worst.value / first.error, work = rows.evaluations / first.evaluations;
     if (!tried.halvings && tried.scheme === data.scheme && tried.value === null) return data.words.same;
     if (!Number.isFinite(error) || !Number.isFinite(work) || error === 0) return "";
-    if (error < 0.1) return say("less", { error: shown(Number((1 / error).toPrecision(2)), 2), work: plain(work, 3) });
-    return say("more", { error: plain(error, 2), work: plain(work, 3) });
+    if (error < 0.1) return say("less", { error: shown(Number((1 / error).toPrecision(2)), 2), work: plain(work, 2) });
+    return say("more", { error: plain(error, 2), work: plain(work, 2) });
   },
   columns: ["t", ...data.shown],
+  kept: [],
   head() {
     const row = document.createElement("tr");
     for (const name of this.columns) {
@@ -91,31 +92,37 @@ const laboratory = {
       row.append(cell);
     }
     byId("lab-head").replaceChildren(row);
+    this.blank = document.createElement("tr");
+    for (const name of this.columns) {
+      const cell = this.blank.appendChild(document.createElement("td"));
+      cell.setAttribute("data-column", name);
+      cell.append(" ");
+    }
   },
-  // One row of the page for each row of the motion, cells kept from the last time; no more than can be read.
+  // One row of the page for each row of the motion, elements kept from the last time.
+  // Of a table finer than that of the file no more is written out than can be read.
   table() {
-    const body = byId("lab-table").tBodies[0], count = Math.min(motion.rows.q.length, data.most_rows);
-    while (body.rows.length > count) body.lastElementChild.remove();
+    const body = byId("lab-table").tBodies[0], all = motion.rows.q.length;
+    const count = Math.min(all, Math.max(data.rows, Math.floor(data.most_cells / this.columns.length)));
+    while (body.rows.length > count) this.kept.push(body.removeChild(body.lastElementChild));
     const values = this.columns.map((name) => (name === "t" ? motion.rows.q.map((_, i) => i * motion.h) : motion.column(false, name)));
     const decimals = values.map((column, c) => {
-      if (!c) return data.decimals;
+      if (!c) return data.decimals + Math.max(0, tried.halvings);
       const largest = column.reduce((most, value) => Math.max(most, abs(value)), 0);
       return largest > 0 ? Math.min(8, Math.max(0, 4 - Math.floor(Math.log10(largest)))) : 0;
     });
-    if (count < motion.rows.q.length) tell("lab-more", say("first_rows", { rows: count, all: motion.rows.q.length }));
-    else tell("lab-more", "");
-    for (let i = 0; i < count; i++) {
-      let row = body.rows[i];
+    tell("lab-more", count < all ? say("first_rows", { rows: count, all }) : "");
+    let row = body.firstElementChild;
+    for (let i = 0; i < count; i++, row = row.nextElementSibling) {
       if (!row) {
-        row = document.createElement("tr");
-        row.dataset.row = i + 1;
-        for (const name of this.columns) row.appendChild(document.createElement("td")).dataset.column = name;
-        body.append(row);
+        row = this.kept.pop() ?? this.blank.cloneNode(true);
+        row.setAttribute("data-row", i + 1);
+        body.appendChild(row);
       }
       let cell = row.firstChild;
       for (let c = 0; c < values.length; c++, cell = cell.nextSibling) {
-        cell.dataset.value = values[c][i];
-        cell.textContent = fixed(values[c][i], decimals[c]);
+        cell.setAttribute("data-value", values[c][i]);
+        cell.firstChild.data = fixed(values[c][i], decimals[c]);
       }
     }
   },

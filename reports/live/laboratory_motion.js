@@ -70,8 +70,8 @@ const motion = {
   compute() {
     const d = Float64Array.from(data.numbers);
     if (tried.value !== null) d[data.given_order.indexOf(tried.datum)] = tried.value;
-    // A step as small as the points of the true motion needs these made with still smaller ones.
-    const inside = Math.max(1, 2 ** (tried.halvings - 2));
+    // What is as good as the true motion at its own points is measured by one made with still smaller steps.
+    const inside = data.schemes[tried.scheme].order < 4 ? 1 : Math.max(1, 2 ** (tried.halvings - 2));
     const key = `${tried.value === null ? "" : tried.datum} ${tried.value} ${inside}`;
     if (key !== this.made) {
       this.made = key;

@@ -48,7 +48,10 @@ const law = (name, order) => {
 
 const part = (share, h) => (share[0] * h) / share[1];
 // A step that ends at a break of the drive still sees the old formula there.
-const latest = (end) => (data.breaks.some((time) => abs(end - time) <= 1e-13 * time) ? end * (1 - 1e-13) : Infinity);
+const latest = (end) => {
+  for (const time of data.breaks) if (abs(end - time) <= 1e-13 * time) return end * (1 - 1e-13);
+  return Infinity;
+};
 
 // Returns a stepper: step(t, q, h, first, d, into) writes the position after h; `first` are the slopes at (t, q).
 // `sound` says whether every determinant kept its sign inside the step.
@@ -86,7 +89,10 @@ const stepper = (scheme) => {
 
 const rowsBefore = (time, step) => Math.max(0, Math.ceil((time / step) * (1 - 1e-9) - 1e-9));
 const wholeSteps = (step, end) => Math.trunc((end / step) * (1 + 1e-12) + 1e-9);
-const finite = (values) => values.every(Number.isFinite);
+const finite = (values) => {
+  for (let i = 0; i < values.length; i++) if (values[i] - values[i] !== 0) return false;
+  return true;
+};
 
 // The rows of a scheme with a step h (s): positions q[i], velocities and determinants u[i] at t = i h.
 // They end before `dead` (s), and where the scheme itself leaves the motion: then `lost` is true.
@@ -142,7 +148,8 @@ const follow = (h, inside, start, d, known) => {
     if (known !== null && end >= known * (1 - 1e-9)) break;
     let tries = 0;
     while (t < end) {
-      const goal = data.breaks.find((time) => time > t * (1 + 1e-13) && time < end) ?? end;
+      let goal = end;
+      for (const time of data.breaks) if (time > t * (1 + 1e-13) && time < goal) goal = time;
       const near = closeness();
       const full = (h / inside) * Math.min(1, 10 * near) * shrunk;
       // What round-off leaves of an interval is no step of its own.

@@ -46,4 +46,4 @@ const tell = (id, text, value) => {
   if (place.textContent !== text) place.textContent = text;
   if (value !== undefined) place.dataset.value = value;
 };
-const f1 = (value) => value.toFixed(1);
+const f1 = (value) => Math.round(10 * value) / 10;

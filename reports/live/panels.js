@@ -28,34 +28,59 @@ const panels = {
     });
   },
   draw() {
-    const last = data.end, x = (t) => LEFT + ((RIGHT - LEFT) * t) / last;
-    const h = data.step / FINE, stride = 2;
+    const last = data.end, x = (t) => f1(LEFT + ((RIGHT - LEFT) * t) / last);
     for (const one of this.all) {
       one.panel.dataset.time = `0 ${last}`;
-      const right = motion.column(true, one.name), rows = motion.column(false, one.name);
-      let low = Infinity, high = -Infinity;
-      // Beside a dead point a velocity grows beyond bounds: the middle nine tenths of the rows say what is worth seeing.
-      const sorted = [...right, ...rows].filter(Number.isFinite).sort((a, b) => a - b), cut = motion.dead === null ? 0 : 0.03;
-      low = sorted[Math.floor(cut * (sorted.length - 1))] ?? 0;
-      high = sorted[Math.ceil((1 - cut) * (sorted.length - 1))] ?? 1;
+      if (one.truth !== motion.truth) this.truth(one, x);
+      const rows = motion.column(false, one.name);
+      let [low, high] = this.range(motion.dead === null ? [one.range, rows] : [one.range]);
       const room = 0.06 * (high - low) || Math.max(0.5, 0.1 * Math.abs(high));
       low -= room;
       high += room;
-      const y = (value) => BOTTOM - ((BOTTOM - TOP) * (value - low)) / (high - low);
-      const clip = (value) => Math.max(-999, Math.min(999, y(value))).toFixed(1);
-      let path = "", dotted = "", joined = "";
-      for (let i = 0; i < right.length; i += stride) path += `${i ? "L" : "M"}${x(i * h).toFixed(1)} ${clip(right[i])}`;
-      rows.forEach((value, i) => {
-        const at = `${x(i * motion.h).toFixed(1)} ${clip(value)}`;
+      const y = (value) => f1(Math.max(-999, Math.min(999, BOTTOM - ((BOTTOM - TOP) * (value - low)) / (high - low))));
+      // The line of the true motion is kept; what changes is how its range lies in the panel.
+      const [from, to] = [y(one.range[0]), y(one.range[1])];
+      one.line.setAttribute("transform", `translate(0 ${from}) scale(1 ${(to - from) / 1000})`);
+      const stride = Math.ceil(rows.length / 200);
+      let joined = "", dotted = "";
+      for (let i = 0; i < rows.length; i += stride) {
+        const at = `${x(i * motion.h)} ${y(rows[i])}`;
         joined += `${i ? "L" : "M"}${at}`;
-        if (rows.length <= 200) dotted += `M${at}h0`;
-      });
-      one.line.setAttribute("d", path);
+        if (rows.length <= 80) dotted += `M${at}h0`;
+      }
       one.rows.setAttribute("d", joined);
       one.dots.setAttribute("d", dotted);
-      one.dead.setAttribute("d", motion.dead === null ? "" : `M${x(motion.dead).toFixed(1)} ${TOP}V${BOTTOM}`);
+      one.dead.setAttribute("d", motion.dead === null ? "" : `M${x(motion.dead)} ${TOP}V${BOTTOM}`);
       this.scale(one, `${low} ${high}`, low, high, y, x);
     }
+  },
+  range(columns) {
+    let low = Infinity, high = -Infinity;
+    for (const column of columns) {
+      for (const value of column) {
+        if (value < low) low = value;
+        if (value > high) high = value;
+      }
+    }
+    return low <= high ? [low, high] : [0, 1];
+  },
+  // The line of the true motion, its range one thousand high.
+  truth(one, x) {
+    one.truth = motion.truth;
+    const right = motion.column(true, one.name), stride = Math.max(2, Math.ceil(right.length / 160));
+    one.range = this.range([right]);
+    if (motion.dead !== null && right.length) {
+      // Beside a dead point a velocity grows beyond bounds: nearly all of the rows say what is worth seeing.
+      const sorted = [...right].sort((a, b) => a - b), cut = 0.03 * (sorted.length - 1);
+      one.range = [sorted[Math.floor(cut)], sorted[Math.ceil(sorted.length - 1 - cut)]];
+    }
+    const [low, high] = one.range, whole = high - low || 1;
+    let path = "";
+    for (let i = 0; i < right.length; i += stride) {
+      const share = Math.max(-9, Math.min(9, (right[i] - low) / whole));
+      path += `${i ? "L" : "M"}${x((i * data.step) / FINE)} ${Math.round(1000 * share)}`;
+    }
+    one.line.setAttribute("d", path);
   },
   // Axes and their numbers, written anew only where they have changed.
   scale(one, key, low, high, y, x) {
@@ -67,14 +92,14 @@ const panels = {
       svg("text", { x, y, "text-anchor": anchor }, one.axes).textContent = text;
     };
     for (const [value, text] of ticks(low, high, 3)) {
-      path += `M${LEFT - 3} ${f1(y(value))}h3`;
-      number(text, LEFT - 5, f1(y(value) + 4), "end");
+      path += `M${LEFT - 3} ${y(value)}h3`;
+      number(text, LEFT - 5, y(value) + 4, "end");
     }
     for (const [value, text] of ticks(0, data.end, 4)) {
-      path += `M${f1(x(value))} ${BOTTOM}v3`;
-      number(value ? text : "0", f1(x(value)), BOTTOM + 15, value ? "middle" : "start");
+      path += `M${x(value)} ${BOTTOM}v3`;
+      number(value ? text : "0", x(value), BOTTOM + 15, value ? "middle" : "start");
     }
     svg("path", { d: path }, one.axes);
-    if (low < 0 && high > 0) svg("path", { d: `M${LEFT} ${f1(y(0))}H${RIGHT}`, class: "live-zero" }, one.axes);
+    if (low < 0 && high > 0) svg("path", { d: `M${LEFT} ${y(0)}H${RIGHT}`, class: "live-zero" }, one.axes);
   },
 };
