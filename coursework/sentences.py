@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import difflib
 import tomllib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from typing import TYPE_CHECKING, Any
@@ -21,6 +21,15 @@ if TYPE_CHECKING:
     from coursework.schemes import Scheme
 
 ENGLISH = "en"
+# Name of a rule -> the form beside a whole number; of what the words file does not have, the form "other" serves.
+PLURALS: dict[str, Callable[[int], str]] = {
+    "one-other": lambda n: "one" if n == 1 else "other",
+    "one-few-many": lambda n: (
+        "one" if n % 10 == 1 and n % 100 != 11 else "few" if n % 10 in {2, 3, 4} and n % 100 not in {12, 13, 14} else "many"
+    ),
+    "other": lambda n: "other",
+}
+FORMS = frozenset({"one", "few", "many", "other"})
 
 
 class Sentence(str):
@@ -54,7 +63,18 @@ class Phrases:
 
     def has(self, key: str) -> bool:
         """Return whether there is such a sentence."""
-        return isinstance(self._found(key), str)
+        found = self._found(key)
+        return isinstance(found, str) or (isinstance(found, dict) and not FORMS.isdisjoint(found))
+
+    def beside(self, key: str, number: object) -> str:
+        """Return the key of the form of a sentence that stands beside a whole number, the key itself where it has no forms."""
+        forms = self._found(key)
+        if forms is None and self.language != ENGLISH:
+            return load_phrases().beside(key, number)
+        if not isinstance(forms, dict) or not isinstance(number, int):
+            return key
+        form = PLURALS[self.template("plural")](abs(number))
+        return f"{key}.{form if form in forms else 'other'}"
 
     def template(self, key: str) -> str:
         """Return a sentence with its gaps, in English where this language has none yet.  Raises `KeyError` for an unknown key."""
@@ -86,7 +106,7 @@ class Phrases:
 
     def composed(self, key: str, values: Mapping[str, object]) -> str:
         """Return the sentence of a key with its gaps filled."""
-        template = self.template(key)
+        template = self.template(self.beside(key, values.get("number")))
         parts = values.get("parts")
         if isinstance(parts, tuple):
             return template.join(map(self.written, parts))
@@ -168,8 +188,8 @@ def title_of(scheme: Scheme) -> Sentence:
 
 
 def say_count(key: str, number: int, /, **values: object) -> Sentence:
-    """Return the finding for one or for many ("key.one", "key.many"), with {number}."""
-    return say(f"{key}.{'one' if number == 1 else 'many'}", number=number, **values)
+    """Return the finding in the form that stands beside a number ("key.one", "key.other" …), with {number}."""
+    return say(key, number=number, **values)
 
 
 def joined(parts: Iterable[str], between: str = "join.sentences") -> Sentence:

@@ -35,8 +35,8 @@ class Words:
         return self.phrases.written(text)
 
     def count(self, key: str, number: int, **values: object) -> str:
-        """Return the sentence for one or for many ("key.one", "key.many"), with {number}."""
-        return self(f"{key}.{'one' if number == 1 else 'many'}", number=self.numbers.whole(number), **values)
+        """Return the sentence in the form that stands beside a number ("key.one", "key.other" …), with {number}."""
+        return self(self.phrases.beside(key, number), number=self.numbers.whole(number), **values)
 
     def listing(self, words: list[str]) -> str:
         """Return "a, b and c"."""

@@ -17,8 +17,9 @@ from coursework import sentences
 from coursework.cli import main
 from coursework.report import build_model, words
 from coursework.run import Run
-from coursework.sentences import Phrases, Sentence, joined, load_phrases, say
+from coursework.sentences import PLURALS, Phrases, Sentence, joined, load_phrases, say, say_count
 from coursework.variant.reader import parse_variant
+from tests.report import words_missing
 from tests.report.real import text_of
 from tests.report.test_model import keys
 
@@ -36,7 +37,7 @@ ALL = ["table", "plots", "checks", "graph_check", "accelerations", "points", "ac
 def shouted(entry: Any) -> Any:
     """Return words in capitals, with their gaps and single italic letters as they are, and a decimal comma."""
     if isinstance(entry, dict):
-        return {key: "," if key == "decimal" else shouted(value) for key, value in entry.items()}
+        return {key: "," if key == "decimal" else value if key == "plural" else shouted(value) for key, value in entry.items()}
     return "".join(part if part[:1] in "{*" else part.upper() for part in re.split(r"(\{[^}]*\}|\*\w\*)", entry) if part)
 
 
@@ -132,7 +133,7 @@ def test_every_finding_of_the_words_file_is_said_somewhere() -> None:
     for path in (ROOT / "coursework").rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Constant) and isinstance(node.value, str):
-                spoken.add(re.escape(node.value) + r"(\.(one|many|plain|timed))?")
+                spoken.add(re.escape(node.value) + r"(\.(one|other|plain|timed))?")
             elif isinstance(node, ast.JoinedStr):
                 parts = (re.escape(v.value) if isinstance(v, ast.Constant) else r"[\w -]+" for v in node.values)
                 spoken.add("".join(parts))
@@ -168,3 +169,29 @@ def test_a_page_in_another_language_by_its_words_file(tmp_path: Path, monkeypatc
         assert not (tmp_path / "out").exists()
     finally:
         load_phrases.cache_clear()
+
+
+@pytest.mark.parametrize("language", words_missing.languages())
+def test_every_language_has_the_keys_and_gaps_of_english(language: str) -> None:
+    assert [*words_missing.complaints(language)] == []
+
+
+@pytest.mark.parametrize(
+    ("rule", "numbers"),
+    [
+        ("one-other", {"one": [1], "other": [0, 2, 5, 11, 21, 101]}),
+        (
+            "one-few-many",
+            {"one": [1, 21, 101, 1001], "few": [2, 3, 4, 22, 104], "many": [0, 5, 11, 12, 13, 14, 20, 111]},
+        ),
+        ("other", {"other": [0, 1, 2, 5]}),
+    ],
+)
+def test_words_beside_a_number_follow_the_language(rule: str, numbers: dict[str, list[int]]) -> None:
+    """Source: Unicode CLDR, plural rules of en, ru and uk (whole numbers), zh."""
+    for form, listed in numbers.items():
+        assert {PLURALS[rule](number) for number in listed} == {form}
+    forms = {form: f"{{number}} {form}" for form in numbers}
+    other = Phrases("yy", {"plural": rule, "count": {"rows": forms}})
+    for form, listed in numbers.items():
+        assert [other.written(say_count("count.rows", number)) for number in listed] == [f"{number} {form}" for number in listed]
