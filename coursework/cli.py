@@ -16,6 +16,7 @@ import click
 
 from coursework.errors import CourseworkError
 from coursework.output.formats import formats_for
+from coursework.sentences import say
 from coursework.standard_streams import patient_streams
 
 PASSED, FAILED, WRONG_INPUT, OUR_FAULT, INTERRUPTED = 0, 1, 2, 3, 130
@@ -39,7 +40,7 @@ class Program(click.Group):
         try:
             return super().invoke(ctx)
         except KeyboardInterrupt:
-            click.echo("Interrupted: nothing unfinished is left behind.", err=True)
+            _tell("screen.interrupted")
             return INTERRUPTED
 
     def _status(self, *args: Any, **options: Any) -> int:
@@ -47,22 +48,32 @@ class Program(click.Group):
         try:
             return int(super().main(*args, **options) or PASSED)
         except CourseworkError as error:
-            click.echo(str(error), err=True)
+            from coursework.commands.screen import tell_faults
+
+            tell_faults(error)
             return WRONG_INPUT
         except click.ClickException as error:
-            error.show()
-            return error.exit_code
+            from coursework.commands.misuse import tell_misuse
+
+            tell_misuse(error, list(args[0] if args and args[0] else options.get("args") or sys.argv[1:]))
+            return WRONG_INPUT
         except (click.Abort, KeyboardInterrupt):
             return INTERRUPTED
         except MemoryError:
-            click.echo("The memory of this machine does not suffice. Take fewer rows, or close other programs.", err=True)
+            _tell("screen.memory")
             return WRONG_INPUT
         except Exception:
             import traceback
 
             traceback.print_exc()
-            click.echo("This is a fault of the tool, not of your file. Please report it with the lines above.", err=True)
+            _tell("screen.our_fault")
             return OUR_FAULT
+
+
+def _tell(key: str) -> None:
+    from coursework.commands.screen import tell
+
+    tell(say(key), err=True)
 
 
 class Formats(click.ParamType):  # type: ignore[type-arg]  # generic only in the newest click
@@ -115,6 +126,24 @@ class _Scheme(click.Option):
 
 
 _VARIANT = click.argument("variant", shell_complete=_offered("variants"))
+
+
+def _speaks(_context: click.Context, _option: click.Parameter, language: str) -> str:
+    from coursework.commands.screen import speak
+
+    speak(language)
+    return language
+
+
+def _spoken(*, passed_on: bool) -> Callable[[Callable[..., int]], Callable[..., int]]:
+    """Add the option of every command that says in which language it speaks; `passed_on` to one that makes pages."""
+    return click.option(
+        "--language", envvar="COURSEWORK_LANGUAGE", default="en", show_default=True, is_eager=True, expose_value=passed_on,
+        callback=_speaks, shell_complete=_offered("languages"),
+        help="Language of pages and messages: a words file in reports/.",
+    )  # fmt: skip
+
+
 _SET = click.option(
     "--set", "set_values", multiple=True, metavar="NAME=VALUE",
     help="Other data, such as r1=0.91m; start values; step, end, period; N=3 (the guide's row of the check). Again for more.",
@@ -154,10 +183,7 @@ def _limited(command: Callable[..., int]) -> Callable[..., int]:
 @click.option("--strict", is_flag=True, help="End with status 1 also where a check only needs a finer step (COARSE).")
 @click.option("--plan", is_flag=True, help="Print what would be computed and what is left out, and stop.")
 @click.option("--profile", is_flag=True, help="Print calls and time of every quantity.")
-@click.option(
-    "--language", default="en", show_default=True, shell_complete=_offered("languages"),
-    help="Language of the pages: a words file in reports/.",
-)  # fmt: skip
+@_spoken(passed_on=True)
 @click.option("--live/--no-live", default=True, show_default=True, help="Let the mechanism move on the page of a screen.")
 @click.option("--student", help="Name for the title block.")
 @click.option("--group", help="Group for the title block.")
@@ -174,16 +200,19 @@ def run_command(variants: tuple[str, ...], **options: Any) -> int:
 @main.command("check")
 @_VARIANT
 @_limited
+@_spoken(passed_on=False)
 def check_command(variant: str, budget: float, memory: float) -> int:
     """Look at VARIANT: its faults, mobility, blocks, and whether the whole motion is possible."""
     from coursework.budget import Budget, watched
     from coursework.commands.check import check_variant
+    from coursework.commands.screen import tell_last
 
-    with watched(Budget(budget, memory), variant):
+    with watched(Budget(budget, memory), variant, tell_last):
         return check_variant(variant)
 
 
 @main.command("variants")
+@_spoken(passed_on=False)
 def variants_command() -> int:
     """List the catalogue."""
     from coursework.catalogue import entries
@@ -199,6 +228,7 @@ def variants_command() -> int:
 @click.argument("name")
 @click.option("--from", "original", shell_complete=_offered("variants"), help="Copy this variant, with the tables it reads.")
 @_SET
+@_spoken(passed_on=False)
 def new_command(name: str, original: str | None, set_values: tuple[str, ...]) -> int:
     """Write NAME.toml, a commented variant file to fill in, or a copy of another."""
     from coursework.commands.new import new_variant
@@ -211,13 +241,17 @@ def new_command(name: str, original: str | None, set_values: tuple[str, ...]) ->
 @click.option("--out", type=click.Path(path_type=Path), help="Folder for the page (default: coursework-NAME).")
 @click.option("--format", "formats", type=Formats("accuracy"), help="Files to write (default: all of these).")
 @_limited
-def accuracy_command(variant: str, out: Path | None, formats: tuple[str, ...] | None, budget: float, memory: float) -> int:
+@_spoken(passed_on=True)
+def accuracy_command(
+    variant: str, out: Path | None, formats: tuple[str, ...] | None, budget: float, memory: float, language: str
+) -> int:
     """Show what accuracy costs in time for VARIANT."""
     from coursework.budget import Budget, watched
     from coursework.commands.accuracy import accuracy_page
+    from coursework.commands.screen import tell_last
 
-    with watched(Budget(budget, memory), variant):
-        return accuracy_page(variant, out, formats)
+    with watched(Budget(budget, memory), variant, tell_last):
+        return accuracy_page(variant, out, formats, language)
 
 
 @main.command("grade")
@@ -235,6 +269,7 @@ def accuracy_command(variant: str, out: Path | None, formats: tuple[str, ...] | 
 @click.option("--scheduler", help="Address of a Dask scheduler: the same on a cluster.")
 @click.option("--limit", type=click.FloatRange(0.1, 3600), default=10.0, show_default=True, help="Seconds a submission may take.")
 @click.option("--memory", type=click.IntRange(256, 65536), default=1024, show_default=True, help="MiB a submission may take.")
+@_spoken(passed_on=False)
 def grade_command(source: Path, **options: Any) -> int:
     """Grade SOURCE, a folder or zip of submissions."""
     from coursework.commands.grade import grade_source
@@ -245,6 +280,7 @@ def grade_command(source: Path, **options: Any) -> int:
 @main.command("precheck")
 @click.argument("files", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option("--variant", shell_complete=_offered("variants"), help="The variant you were given.")
+@_spoken(passed_on=False)
 def precheck_command(files: tuple[Path, ...], variant: str | None) -> int:
     """See how FILES of yours would be read, before you hand them in; no number of the key is shown."""
     from coursework.commands.precheck import precheck_files

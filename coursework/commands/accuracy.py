@@ -13,6 +13,7 @@ from coursework.accuracy.problem import Problem
 from coursework.accuracy.record import AccuracyStudy
 from coursework.accuracy.study import make_study, time_of
 from coursework.api import load, solve
+from coursework.commands.screen import in_language, tell
 from coursework.errors import InputError
 from coursework.file_set import working_folder
 from coursework.output.formats import chosen
@@ -22,29 +23,29 @@ from coursework.run import Run
 from coursework.sentences import say
 
 
-def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...] | None) -> int:
+def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...] | None, language: str) -> int:
     """Return 0 after writing it, 1 where the motion stops and there is nothing to study."""
     wanted = chosen(formats, "accuracy")
     read = load(variant)
     run = solve(read, quantities=("accuracy",))
     if run.stop is not None:
-        click.echo(f"The motion stops, so there is no accuracy to study: {run.stop.sentence}")
+        tell(say("screen.nothing_to_study", sentence=run.stop.sentence))
         return 1
     study = timed_study(run)
     folder = out or Path(f"coursework-{read.name}")
-    results = StudyResults(replace(run, timed=study), live=False)
+    results = StudyResults(replace(run, timed=study), language, live=False)
     results.compute(pages=True)
     with working_folder(folder) as hidden:
         written = write_set(results, wanted, folder, hidden)
-    click.echo(f"{run.variant.title}  ({run.variant.name}): error against cost")
+    tell(say("screen.error_against_cost", title=run.variant.title, name=run.variant.name))
     for sentence in (*study.sentences, *study.left_out):
-        click.echo(f"  {sentence}")
+        tell(say("screen.note", sentence=sentence))
     for name, order in study.orders.items():
-        click.echo(f"  measured order of {name}: {order:.2f}")
+        tell(say("screen.measured_order", name=name, order=order))
     for label, spent in study.overhead:
-        click.echo(f"  {label}: {spent:.2f} s")
-    click.echo(f"Reference: {study.reference_label}")
-    click.echo(f"Written to {folder}: {', '.join(written)}")
+        tell(say("screen.spent", label=label, seconds=spent))
+    tell(say("screen.reference", label=study.reference_label))
+    tell(say("screen.written_to", out=folder, files=", ".join(written)))
     return 0
 
 
@@ -65,7 +66,7 @@ def timed_study(run: Run) -> AccuracyStudy:
         ),
     )
     made = scene.by_scheme
-    with click.progressbar(length=45, label="Measuring", file=sys.stderr) as bar:
+    with click.progressbar(length=45, label=in_language(say("screen.progress.measure")), file=sys.stderr) as bar:
         return make_study(
             problem, run.exact, made.mismatch, made.motion.scheme,
             timed=True, overhead=overhead, progress=lambda _label: bar.update(1),

@@ -2,54 +2,57 @@
 
 from __future__ import annotations
 
-import click
-
 from coursework.api import load, solve
 from coursework.commands.run import tell_remarks
+from coursework.commands.screen import tell
 from coursework.formula.tree import spelled
 from coursework.run import Run
-from coursework.sentences import listing, say
+from coursework.sentences import say, say_count
 
 
 def check_variant(variant: str) -> int:
     """Return 0 where the whole motion is possible, 1 where it stops."""
     run = solve(load(variant))
     chosen = run.variant
-    click.echo(f"{chosen.title}  ({chosen.name}, {chosen.path})")
+    tell(f"{chosen.title}  ({chosen.name}, {chosen.path})")
     tell_remarks(run)
     scene = run.scene
     equations, reduction = scene.equations, scene.reduction
     count = len(chosen.sought)
-    click.echo(
-        f"{count} unknown velocities ({', '.join(chosen.sought)}), {len(equations.equations)} equations, "
-        f"{len(chosen.drive)} drive(s)"
+    tell(
+        say(
+            "screen.counts",
+            count=count,
+            unknowns=", ".join(chosen.sought),
+            equations=len(equations.equations),
+            drives=len(chosen.drive),
+        )
     )
     _tell_mobility(run)
     closure = scene.closure
     for note in reduction.notes:
-        click.echo(note)
+        tell(note)
     for block, solution in zip(reduction.blocks, scene.solutions, strict=True):
-        click.echo(f"  {listing(block.unknowns)} from {listing(block.equations)}:")
+        tell(say("screen.block", unknowns=tuple(block.unknowns), equations=tuple(block.equations)))
         for name, formula in solution:
-            click.echo(f"    {name} = {spelled(formula)}")
-        determinant = spelled(block.determinant) if block.determinant is not None else "numerical"
-        click.echo(
-            f"    determinant {determinant}: zero when {block.meaning}"
-            if block.meaning != say("determinant.never")
-            else f"    determinant {determinant}: never zero"
-        )
+            tell(f"    {name} = {spelled(formula)}")
+        determinant = spelled(block.determinant) if block.determinant is not None else say("screen.numerical")
+        if block.meaning != say("determinant.never"):
+            tell(say("screen.determinant", determinant=determinant, meaning=block.meaning))
+        else:
+            tell(say("screen.never_zero", determinant=determinant))
     if closure is None:
-        click.echo("No position equations: the exact motion comes from a refined scheme.")
+        tell(say("screen.no_positions"))
     else:
-        state = "determine every coordinate" if closure.complete else "do not determine every coordinate"
-        click.echo(f"{len(closure.names)} position equation(s) {state}.")
+        key = "screen.closed" if closure.complete else "screen.open"
+        tell(say_count(key, len(closure.names)))
     stop = scene.stop
     if stop is None:
-        click.echo(f"The whole motion, 0 to {chosen.time.end:g} s, is possible: no dead point.")
+        tell(say("screen.possible", end=chosen.time.end))
         return 0
-    click.echo(f"Not the whole motion is possible ({stop.kind}): {stop.sentence}")
+    tell(say("screen.not_possible", kind=stop.kind, sentence=stop.sentence))
     if scene.phases:
-        click.echo(scene.phases)
+        tell(scene.phases)
     return 1
 
 
@@ -59,12 +62,9 @@ def _tell_mobility(run: Run) -> None:
         return
     sum_of = f"3·{mobility.links} − 2·{mobility.lower_pairs} − {mobility.higher_pairs}"
     drives = (2 if run.variant.driven else 0) + len(run.variant.known_rates)
-    verdict = f"as many as the {drives} freedom(s) driven"
+    verdict = say("screen.driven", drives=drives)
     if drives and mobility.degrees != drives:
-        verdict = (
-            f"but {drives} are driven. The equations decide and determine every velocity; either [links] and [frame] leave out a "
-            "pair (a sleeve, a rack), or the mechanism moves only by its special dimensions"
-        )
+        verdict = say("screen.driven_otherwise", drives=drives)
     if not drives:
-        verdict = "of the links as listed"
-    click.echo(f"Mobility W = {sum_of} = {mobility.degrees}, {verdict}.")
+        verdict = say("screen.as_listed")
+    tell(say("screen.mobility", sum_of=sum_of, degrees=mobility.degrees, verdict=verdict))

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import click
 
+from coursework.commands.screen import in_language, tell
 from coursework.errors import Fault, InputError, OutputError
 from coursework.grading.batch.class_list import ClassList, class_of_one, class_of_roster, read_source
 from coursework.grading.batch.decisions import Override, read_overrides
@@ -24,7 +25,7 @@ from coursework.grading.marking.rubric import Rubric, check_rubric, read_rubric
 from coursework.grading.platforms.canvas import read_gradebook
 from coursework.grading.platforms.roster import read_roster
 from coursework.grading.platforms.worksheet import Worksheet, read_worksheet
-from coursework.sentences import say
+from coursework.sentences import joined, say
 
 
 def grade_source(
@@ -52,7 +53,10 @@ def grade_source(
         decided = _decided(overrides, listed, marking)
         setup = Setup(text, not no_pages, class_tables(listed.variants), memory)
         _prepare(out)
-        with Journal(out) as journal, click.progressbar(length=len(listed.places), label="Grading", width=30) as bar:
+        with (
+            Journal(out) as journal,
+            click.progressbar(length=len(listed.places), label=in_language(say("screen.progress.grade")), width=30) as bar,
+        ):
             graded = grade_class(
                 listed, opened, setup, journal, out, Options(jobs, scheduler, limit), decided, lambda: bar.update(1)
             )
@@ -106,12 +110,14 @@ def _bytes(path: Path) -> bytes:
 
 def _tell(listed: ClassList, fresh: int, changed: int, out: Path, written: list[str], states: dict[str, str]) -> None:
     counts = {state: sum(found == state for found in states.values()) for state in sorted(set(states.values()))}
-    told = ", ".join(f"{number} {state}" for state, number in counts.items()) or "nobody"
-    click.echo(f"{len(listed.places)} submissions: {told}. Marked now: {fresh}; taken from the last run: {len(states) - fresh}.")
+    told = joined(
+        [say("screen.state", count=number, state=say(f"feedback.state.{state}")) for state, number in counts.items()],
+        "join.comma",
+    )
+    told = told if counts else say("screen.nobody")
+    tell(say("screen.submissions", count=len(listed.places), told=told, fresh=fresh, kept=len(states) - fresh))
     if changed:
-        click.echo(f"{changed} grade(s) changed since the last run: changes.csv.")
+        tell(say("screen.changed", changed=changed))
     if listed.not_on_roster:
-        click.echo(
-            f"{len(listed.not_on_roster)} submission(s) of people not on the roster have no grade; grades.json lists them."
-        )
-    click.echo(f"Written to {out}: {', '.join(written)}")
+        tell(say("screen.not_on_roster", count=len(listed.not_on_roster)))
+    tell(say("screen.written_to", out=out, files=", ".join(written)))

@@ -11,15 +11,14 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-import click
-
 from coursework.api import load
 from coursework.catalogue import find, names
+from coursework.commands.screen import tell
 from coursework.data import folder
 from coursework.errors import InputError
 from coursework.files import write_bytes
 from coursework.model.variant_text import variant_text
-from coursework.sentences import listing, say
+from coursework.sentences import say, say_count
 from coursework.variant.set_values import with_set
 
 
@@ -39,10 +38,8 @@ def new_variant(name: str, original: str | None = None, set_values: Sequence[str
             raise InputError(say("fault.C027", path=path))
     for path, content in contents.items():
         write_bytes(path, content)
-    listed = listing([str(path) for path in contents])
-    verb = "is" if len(contents) == 1 else "are"
-    then = "." if set_values else ". Fill it in with any text editor, then:"
-    click.echo(f"{listed} {verb} written{then} coursework run {stem}")
+    key = "screen.new_set" if set_values else "screen.new"
+    tell(say_count(key, len(contents), listed=tuple(map(str, contents)), name=stem))
     return 0
 
 

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import click
 import numpy as np
 
 from coursework.api import load
+from coursework.commands.screen import tell
 from coursework.errors import InputError
 from coursework.grading.contents import Contents
 from coursework.grading.expected import Expected, grid_of
@@ -33,36 +33,34 @@ def precheck_files(files: tuple[Path, ...], variant: str | None) -> int:
     grid = grid_of(key.variant, {name: tuple(key.table[:, place].tolist()) for place, name in enumerate(key.names)})
     contents = understand(collect_files(files), Expected(grid, key.variant))
     for entry in contents.files:
-        click.echo(f"{entry.name}: {entry.kind}, {entry.bytes} bytes")
+        tell(say("screen.file", name=entry.name, kind=entry.kind, bytes=entry.bytes))
     fine = _tell_table(key, contents)
     fine &= _tell_equations(contents)
     for found in contents.notes:
-        click.echo(f"  {found.text}")
+        tell(f"  {found.text}")
     return 0 if fine else 1
 
 
 def _tell_table(key: Key, contents: Contents) -> bool:
     if contents.table is None:
         reason = contents.trouble.text if contents.trouble else ""
-        click.echo(f"Table: not read. {reason}")
+        tell(say("screen.table_not_read", reason=reason))
         return False
     table = contents.table
     reading = table.reading
-    click.echo(
-        f'Table in {reading.file}: {reading.encoding}, cells separated by "{reading.separator}", decimal mark "{reading.decimal}"'
-        f"{', turned' if reading.transposed else ''}."
-    )
+    known = {"file": reading.file, "encoding": reading.encoding, "separator": reading.separator, "decimal": reading.decimal}
+    tell(say("screen.turned" if reading.transposed else "screen.not_turned", **known))
     for column in table.columns:
-        told = "its head" if column.by == "header" else "its place"
-        click.echo(f"  {column.name:<8} column {column.at}, told by {told}, {column.unit}, {column.decimals} decimals")
+        told = "screen.column_by_head" if column.by == "header" else "screen.column_by_place"
+        tell(say(told, name=f"{column.name:<8}", at=column.at, unit=column.unit, decimals=column.decimals))
     missing = [name for name in key.names if table.column(name) is None]
     if missing:
-        click.echo(f"  Missing columns: {', '.join(missing)}.")
-    click.echo(f"  Rows: {sum(table.rows_present)} of {len(key.table)}. At least {key.least_decimals} decimals are asked for.")
+        tell(say("screen.missing_columns", missing=", ".join(missing)))
+    tell(say("screen.rows_found", found=sum(table.rows_present), count=len(key.table), least=key.least_decimals))
     cells = mark_cells(key, student_of(key, table))
     coarse = int(cells.too_coarse.sum())
     if coarse:
-        click.echo(f"  {coarse} cells have too few decimals to be marked.")
+        tell(say("screen.coarse_cells", coarse=coarse))
     _tell_steps(key, cells)
     return not missing and not coarse and all(table.rows_present) and not cells.missing.any()
 
@@ -74,28 +72,38 @@ def _tell_steps(key: Key, cells: Cells) -> None:
     speaks = np.isfinite(values[1:, :m]) & np.isfinite(values[:-1, :m]) & np.isfinite(values[:-1, m : 2 * m])
     against = speaks & ~true_steps(key, cells)
     if not against.any():
-        click.echo("  Every step of the angles follows from your own row before.")
+        tell(say("screen.steps_follow"))
         return
     row = int(np.argmax(against.any(axis=1)))
     place = int(np.argmax(against[row]))
     name, rate = key.names[place], key.velocities[place]
     before, speed = values[row, place], values[row, m + place]
     after, found = before + key.step * speed, values[row + 1, place]
-    click.echo(
-        f"  Row {row + 2}: {name} does not follow from your own row {row + 1} and its {rate}: "
-        f"{before:.6g} + {key.step:g}·({speed:.6g}) = {after:.6g}, but {found:.6g} stands there."
+    tell(
+        say(
+            "screen.row_not_followed",
+            row=row + 2,
+            name=name,
+            last=row + 1,
+            rate=rate,
+            before=float(before),
+            step=key.step,
+            speed=float(speed),
+            after=float(after),
+            found=float(found),
+        )
     )
 
 
 def _tell_equations(contents: Contents) -> bool:
     if contents.equations is None:
-        click.echo("Equations: none handed in.")
+        tell(say("screen.no_equations"))
         return True
     unread = [line for line in contents.equations if line.left is None]
-    click.echo(f"Equations: {len(contents.equations)} lines, {len(unread)} that cannot be read.")
+    tell(say("screen.equations_read", count=len(contents.equations), unread=len(unread)))
     for line in contents.equations:
         if line.left is None:
-            click.echo(f"  line {line.line}: {line.fault.message if line.fault else 'not an equation'}")
+            tell(say("screen.line", line=line.line, why=line.fault.message if line.fault else say("screen.not_equation")))
         elif line.repaired:
-            click.echo(f"  line {line.line} is read as {line.repaired}")
+            tell(say("screen.line_read_as", line=line.line, repaired=line.repaired))
     return not unread

@@ -6,10 +6,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-import click
-
 from coursework.api import load, solve
 from coursework.checks.result import GROUPS
+from coursework.commands.screen import in_language, tell
 from coursework.errors import InputError
 from coursework.file_set import files_of, working_folder
 from coursework.output.formats import FORMATS, PAGES, Format, chosen
@@ -17,7 +16,7 @@ from coursework.output.results import Results
 from coursework.output.write import write_set
 from coursework.run import Run
 from coursework.schemes import DEFAULT_SCHEME, EXACT, PRECISE, SCHEMES
-from coursework.sentences import listing, load_phrases, say
+from coursework.sentences import Sentence, joined, say
 from coursework.variant.record import Variant
 from coursework.variant.set_values import with_set
 
@@ -39,27 +38,29 @@ def run_variant(
         scheme = _stepping(read, scheme)
         found = solve(read, scheme, end=end, quantities=("table",))
         if found.scene.stop is not None:
-            return tell_stop(found, "no step makes this motion possible")
+            return tell_stop(found, say("screen.no_step"))
         h = auto_step(found, error)
     run = make_run(read, step=h, end=end, scheme=scheme, **options)
     if plan:
         on_pages = ("solutions",) if any(PAGES in each.serves for each in wanted) else ()
-        click.echo("\n".join(run.plan_with(*on_pages).lines()))
+        tell("\n".join(run.plan_with(*on_pages).lines()))
         used, left = run.blocks_evaluated()
-        cost = f", {run.tableau.slopes} evaluations a step" if run.tableau else ""
-        click.echo(f"Scheme: {run.scheme_title}{cost}.")
-        click.echo(f"In each row: the velocities {listing(used)}; left out: {listing(left) or 'nothing'}.")
+        title = run.scheme_title
+        tell(
+            say("screen.evaluations", title=title, count=run.tableau.slopes) if run.tableau else say("screen.scheme", title=title)
+        )
+        tell(say("screen.each_row", used=tuple(used), left=tuple(left) or say("screen.nothing")))
         return 0
     folder = out or Path(f"coursework-{read.name}")
     older = earlier_files(folder)
     written = write_all(run, folder, wanted, language, live)
-    tell(run, folder, written)
+    tell_run(run, folder, written)
     tell_older(folder, older, written)
     if profile:
-        click.echo("\nquantity              calls      ms")
+        tell(say("screen.profile_head"))
         ledger = run.scene.ledger
         for name, seconds in ledger.seconds.items():
-            click.echo(f"{name:<20} {ledger.calls[name]:>6} {seconds * 1e3:>8.2f}")
+            tell(f"{name:<20} {ledger.calls[name]:>6} {seconds * 1e3:>8.2f}")
     return run.status(strict)
 
 
@@ -81,10 +82,10 @@ def _stepping(variant: Variant, scheme: str | None) -> str:
     return scheme or (variant.time.scheme if variant.time.scheme in SCHEMES else DEFAULT_SCHEME.name)
 
 
-def tell_stop(run: Run, consequence: str) -> int:
+def tell_stop(run: Run, consequence: Sentence) -> int:
     """Say why a motion stops and what therefore cannot be had; return the exit status of a stopped motion."""
     assert run.stop is not None
-    click.echo(f"Stopped ({run.stop.kind}), so {consequence}. {run.stop.sentence}")
+    tell(say("screen.stopped_so", kind=run.stop.kind, consequence=consequence, sentence=run.stop.sentence))
     return 1
 
 
@@ -101,7 +102,7 @@ def auto_step(run: Run, error: float | None) -> float:
         step_rules(scene.equations, scene.search), lambda scheme, step: scene.rerun(scheme, step) is not None,
     )  # fmt: skip
     for sentence in choice.sentences:
-        click.echo(sentence)
+        tell(sentence)
     return choice.step
 
 
@@ -110,19 +111,19 @@ def tell_round_off(run: Run) -> int:
     from coursework.accuracy.round_off import round_off_curve
 
     if run.stop is not None:
-        return tell_stop(run, "there is no error to show")
-    click.echo("Largest error of the last row (rad or m), against the exact motion:")
-    click.echo(f"{'steps':>8} {'double':>12} {'single':>12} {'single, t += h':>15}")
+        return tell_stop(run, say("screen.no_error"))
+    tell(say("screen.largest_error"))
+    tell(f"{'steps':>8} {'double':>12} {'single':>12} {'single, t += h':>15}")
     rows = len(run.motion.t) - 1
     exact = run.exact.coordinates[-1]
     curve = []
     for row in round_off_curve(run.scene.rates, run.scheme, run.scene.start, run.step, rows, exact):
         curve.append(row)
-        click.echo(f"{row.steps:>8} {row.double:>12.2e} {row.single:>12.2e} {row.running:>15.2e}")
+        tell(f"{row.steps:>8} {row.double:>12.2e} {row.single:>12.2e} {row.running:>15.2e}")
     best, spoilt = min(curve, key=lambda row: row.single), min(curve, key=lambda row: row.running)
     worse = curve[-1].running / curve[-1].double
-    click.echo(f"Single precision is best with {best.steps} steps ({best.single:.1e}); with t += h already with {spoilt.steps}")
-    click.echo(f"({spoilt.running:.1e}), and with {curve[-1].steps} steps t += h is {worse:.0f} times worse than doubles.")
+    counts = {"best": best.steps, "spoilt": spoilt.steps, "most": curve[-1].steps}
+    tell(say("screen.round_off", **counts, least=best.single, running=spoilt.running, worse=worse))
     return 0
 
 
@@ -162,60 +163,60 @@ def earlier_files(folder: Path) -> tuple[str, ...] | None:
 def tell_older(folder: Path, older: tuple[str, ...] | None, written: list[str]) -> None:
     """Say which files in the folder are not of this run."""
     if older is None:
-        click.echo(f"{folder} held an unfinished set: an earlier run was ended before it had written its {Results.record_name}.")
+        tell(say("screen.held_unfinished", folder=folder, record=Results.record_name))
         older = tuple(f"{Results.stem}.{each.suffix}" for each in FORMATS)
     if left := [name for name in older if name not in written and (folder / name).exists()]:
-        click.echo(f"From an earlier run, and not of this one: {listing(left)}")
+        tell(say("screen.from_earlier_run", left=tuple(left)))
 
 
 def tell_remarks(run: Run) -> None:
     """Print what looks like a slip of the pen in the file."""
     for remark in run.variant.plausibility:
-        click.echo(f"  {remark.code}: {say('remark.line', line=remark.line, sentence=remark.sentence)}")
+        tell(say("screen.check", code=remark.code, sentence=say("remark.line", line=remark.line, sentence=remark.sentence)))
 
 
-def tell(run: Run, folder: Path, written: list[str]) -> None:
+def tell_run(run: Run, folder: Path, written: list[str]) -> None:
     """Print the result, its summary first."""
     motion = run.motion
     if run.summary:
-        click.echo(run.summary)
-    click.echo(f"{run.variant.title}  ({run.variant.name})")
+        tell(run.summary)
+    tell(f"{run.variant.title}  ({run.variant.name})")
     if run.variant.set_values:
-        click.echo(say("run.set", listed=tuple(f"{name} = {value}" for name, value in run.variant.set_values.items())))
-    click.echo(f"{run.scheme_title}, h = {motion.step:g} s, {len(motion.t)} rows")
+        tell(say("run.set", listed=tuple(f"{name} = {value}" for name, value in run.variant.set_values.items())))
+    tell(say("screen.scheme_step_rows", scheme=run.scheme_title, step=motion.step, count=len(motion.t)))
     if run.lesson is not None:
-        click.echo(run.lesson.sentence)
+        tell(run.lesson.sentence)
     if gain := run.settings.gain:
         share = gain * motion.step
-        told = f"gain·step = {share:.3g}, a position error becomes {1 - share:.3g} of itself a step"
-        click.echo(f"Baumgarte's gain {gain:g} 1/s: {told}")
+        tell(say("screen.gain", gain=gain, share=share, kept=1 - share))
     names: tuple[Any, ...] = motion.names
     if len(motion.t):
-        for label, row in (("first", 0), ("last", -1)):
+        for key, row in (("screen.first", 0), ("screen.last", -1)):
             values = ", ".join(f"{name} {value:.5g}" for name, value in zip(names, motion.rows[row], strict=True))
-            click.echo(f"  {label:<5} t = {motion.t[row]:.6g} s: {values}")
+            tell(say(key, time=float(motion.t[row]), values=values))
     if run.stop is not None:
-        click.echo(f"Stopped ({run.stop.kind}): {run.stop.sentence}")
+        tell(say("screen.stopped_by", kind=run.stop.kind, sentence=run.stop.sentence))
         if run.scene.phases:
-            click.echo(run.scene.phases)
+            tell(run.scene.phases)
     tell_remarks(run)
     if "checks" in run.asked:
         tell_checks(run)
-    click.echo(f"Written to {folder}: {', '.join(written)}")
+    tell(say("screen.written_to", out=folder, files=", ".join(written)))
 
 
 def tell_checks(run: Run) -> None:
     """Print what every check has found, group by group, and the sentences of those that did not pass."""
-    words = load_phrases()
     for group in GROUPS:
-        click.echo(words.template(f"checks.group.{group}"))
+        tell(say(f"checks.group.{group}"))
         for check in (check for check in run.checks if check.group == group):
-            value = "" if check.value is None else f" {check.value:.3g}"
-            limit = "" if check.limit is None else f" (limit {check.limit:.3g})"
-            unit = f" {check.unit}" if check.unit and value else ""
-            where = "".join(f", {part}" for part in (check.column, f"row {check.row}" if check.row else "") if part)
-            mark = words.template(f"checks.mark.{check.verdict}")
-            click.echo(f"  {mark} {check.verdict:<6} {check.code:<16}{value}{unit}{limit}{where}")
+            parts = [f"  {in_language(say(f'checks.mark.{check.verdict}'))} {check.verdict:<6} {check.code:<16}"]
+            if check.value is not None:
+                parts.append(say("screen.value", value=check.value, unit=f" {check.unit}" if check.unit else ""))
+            if check.limit is not None:
+                parts.append(say("screen.limit", limit=check.limit))
+            parts += [f", {check.column}"] if check.column else []
+            parts += [say("screen.row", row=check.row)] if check.row else []
+            tell(joined(parts, "join.nothing"))
     for check in run.checks:
         if check.verdict in {"COARSE", "FAIL", "ERROR"} and check.code != "STOP":
-            click.echo(f"  {check.code}: {check.sentence}")
+            tell(say("screen.check", code=check.code, sentence=check.sentence))

@@ -25,6 +25,7 @@ from coursework.budget import Budget, watched
 from coursework.catalogue import find
 from coursework.checks.result import Verdict
 from coursework.commands.run import make_run, run_variant, step_of
+from coursework.commands.screen import in_language, tell, tell_last
 from coursework.commands.workers import outcomes
 from coursework.errors import CourseworkError, InputError
 from coursework.file_set import clear_leftovers, working_folder
@@ -33,7 +34,7 @@ from coursework.output.formats import PAGES, chosen
 from coursework.output.results import Results
 from coursework.output.write import write_set
 from coursework.quantities import CHECKS
-from coursework.sentences import load_phrases, say
+from coursework.sentences import joined, load_phrases, say
 from coursework.variant.set_values import with_set
 
 SUMMARY = "summary.csv"
@@ -85,17 +86,22 @@ class RunTask:
 
     def lost(self, item: Item) -> Outcome:
         """Return the outcome of a variant whose process died."""
-        return Outcome(item, WRONG_INPUT, told=f"{item.variant}: its process ended before it was done.")
+        return Outcome(item, WRONG_INPUT, told=say("screen.lost", variant=item.variant))
 
     def _outcome(self, item: Item, hidden: Path) -> Outcome:
         try:
             with watched(self.budget, item.variant):
                 return self._run(item, hidden)
         except (CourseworkError, MemoryError) as error:
-            return Outcome(item, WRONG_INPUT, told=str(error) or "the memory of this machine does not suffice.")
+            return Outcome(item, WRONG_INPUT, told=self._told(error))
         except Exception as error:
-            told = f"{item.variant}: a fault of the tool ({type(error).__name__}: {error}).\n{traceback.format_exc()}"
+            crashed = say("screen.crashed", variant=item.variant, kind=type(error).__name__, error=str(error))
+            told = f"{crashed}\n{traceback.format_exc()}"
             return Outcome(item, OUR_FAULT, told=told)
+
+    def _told(self, error: CourseworkError | MemoryError) -> str:
+        written = load_phrases(self.language).written
+        return error.told(written) if isinstance(error, CourseworkError) else written(say("screen.memory"))
 
     def _run(self, item: Item, hidden: Path) -> Outcome:
         formats = chosen(self.formats, "run")
@@ -109,9 +115,10 @@ class RunTask:
         unfinished.mkdir(exist_ok=True)
         write_set(results, formats, self.out / item.folder, unfinished)
         checks = run.checks if run.asks(CHECKS) else ()
-        stop = "" if run.stop is None else f"stopped ({run.stop.kind}) at t = {run.stop.time:.6g} s"
+        written = load_phrases(self.language).written
+        stop = "" if run.stop is None else written(say("screen.stopped", kind=run.stop.kind, time=run.stop.time))
         wrong = {"FAIL", "ERROR", *(["COARSE"] if strict else [])}
-        failed = "; ".join(f"{check.code}: {check.sentence}" for check in checks if check.verdict in wrong)
+        failed = "; ".join(f"{check.code}: {written(check.sentence)}" for check in checks if check.verdict in wrong)
         return Outcome(item, run.status(strict), len(run.motion.t), stop, Counter(c.verdict for c in checks), failed)
 
 
@@ -120,10 +127,9 @@ def run_variants(
     language: str, **options: Any,
 ) -> int:  # fmt: skip
     """Return the exit status of one run, or the worst of several."""
-    load_phrases(language)
     limits = Budget(budget, memory)
     if not is_several(variants):
-        with watched(limits, variants[0]):
+        with watched(limits, variants[0], tell_last):
             return run_variant(variants[0], out=out, formats=formats, language=language, **options)
     for_one = {name: options.pop(name) for name in ("plan", "profile", "precision", "error")}
     if for_one["plan"] or for_one["profile"] or for_one["error"] or for_one["precision"] == "single" or options["step"] == "auto":
@@ -142,7 +148,11 @@ def run_several(variants: Sequence[str], jobs: int, task: RunTask) -> int:
     items = _items(variants)
     done: dict[int, Outcome] = {}
     shows = sys.stderr is not None and sys.stderr.isatty()
-    bar = click.progressbar(length=len(items), label="Running", file=sys.stderr) if shows else nullcontext()
+    bar = (
+        click.progressbar(length=len(items), label=in_language(say("screen.progress.run")), file=sys.stderr)
+        if shows
+        else nullcontext()
+    )
     try:
         with bar as progress:
             for index, outcome in outcomes(task, items, min(jobs, MOST_JOBS)):
@@ -156,10 +166,10 @@ def run_several(variants: Sequence[str], jobs: int, task: RunTask) -> int:
     write_bytes(task.out / SUMMARY, summary_csv(ordered).encode("utf-8", "backslashreplace"))
     for outcome in ordered:
         if outcome.status >= WRONG_INPUT:
-            click.echo(outcome.told.rstrip(), err=True)
+            tell(outcome.told.rstrip(), err=True)
     for line in summary_lines(ordered):
-        click.echo(line)
-    click.echo(f"Written to {task.out}: {SUMMARY}, and a folder each")
+        tell(line)
+    tell(say("screen.written_folders", out=task.out, file=SUMMARY))
     return max(outcome.status for outcome in ordered)
 
 
@@ -184,7 +194,8 @@ def summary_lines(ordered: Sequence[Outcome]) -> Iterator[str]:
         why = "" if not each.status else f"  {each.sentence[:100]}"
         yield f"{each.item.folder:<{width}}  {each.status:>6}  {each.rows:>6}  {counts}{why}"
     counted = Counter(each.status for each in ordered)
-    yield f"{len(ordered)} variants: " + ", ".join(f"{counted[status]} with status {status}" for status in sorted(counted))
+    found = [say("screen.counted", count=counted[status], status=status) for status in sorted(counted)]
+    yield say("screen.summary", count=len(ordered), counts=joined(found, "join.comma"))
 
 
 def _items(variants: Sequence[str]) -> list[Item]:

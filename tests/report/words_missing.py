@@ -66,9 +66,7 @@ def complaints(language: str) -> Iterator[str]:
     for key, sentence in wanted.items():
         if key not in own:
             yield f"{key} = {sentence!r}"
-        elif gaps(own[key]) - gaps(sentence) or gaps(sentence) - gaps(own[key]) - (
-            {"number"} if _is_form(key, plural) else set()
-        ):
+        elif (gaps(own[key]) ^ gaps(sentence)) - ({"number"} if key.rpartition(".")[0] in plural else set()):
             yield f"{key}: gaps {sorted(gaps(own[key]))}, in English {sorted(gaps(sentence))}"
     for key in own:
         if key not in wanted and not key.startswith(UNLISTED):

@@ -1,0 +1,68 @@
+"""A command line that cannot be understood -> a fault with a code, in the language of the command.
+
+Enters: what click refuses.  Leaves: a line on standard error, under the usage of the command.  Used by `cli.py`.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+
+import click
+
+from coursework.commands.screen import in_language, speak
+from coursework.errors import Fault, InputError
+from coursework.sentences import ENGLISH, Sentence, closest, either, say
+
+VARIABLE = "COURSEWORK_LANGUAGE"
+
+
+def tell_misuse(error: click.ClickException, words: Sequence[str]) -> None:
+    """Print what is wrong with a command line, `words`, which may itself name the language."""
+    try:
+        speak(_asked_for(words))
+    except InputError:
+        speak(ENGLISH)
+    if isinstance(error, click.UsageError) and error.ctx is not None:
+        click.echo(error.ctx.get_usage(), err=True)
+    click.echo(Fault(fault_of(error)).told(in_language), err=True)
+
+
+def fault_of(error: click.ClickException) -> Sentence:
+    """Return the sentence for a kind of misuse; what click says of a rare one stands in it as it is."""
+    if isinstance(error, click.NoSuchOption):
+        hint = closest(error.option_name, list(error.possibilities or ()))
+        return say("fault.C051", name=error.option_name, hint=hint)
+    if isinstance(error, click.MissingParameter):
+        return say("fault.C052", name=_name(error))
+    if name := getattr(error, "command_name", None):
+        group = getattr(error, "ctx", None)
+        known = group.command.list_commands(group) if group is not None and isinstance(group.command, click.Group) else []
+        return say("fault.C053", name=name, hint=closest(name, known), known=tuple(known))
+    kind = error.param.type if isinstance(error, click.BadParameter) and error.param else None
+    if isinstance(error, click.BadParameter) and isinstance(kind, click.Choice):
+        return say("fault.C054", name=_name(error), choices=either([f'"{choice}"' for choice in kind.choices]))
+    if isinstance(error, click.BadParameter) and isinstance(kind, (click.IntRange, click.FloatRange)):
+        if kind.max is None:
+            return say("fault.C055", name=_name(error), least=kind.min)
+        return say("fault.C056", name=_name(error), least=kind.min, most=kind.max)
+    if isinstance(error, click.BadParameter) and kind in {click.FLOAT, click.INT}:
+        return say("fault.C057", name=_name(error))
+    return say("fault.C058", reason=error.format_message())
+
+
+def _name(error: click.BadParameter) -> str:
+    """Return an option, or what stands for an argument, as the help writes it."""
+    if error.param is None or error.ctx is None:
+        return str(error.param_hint or "")
+    return error.param.get_error_hint(error.ctx).strip("'")
+
+
+def _asked_for(words: Sequence[str]) -> str:
+    """Return the language that a command line asks for, else that of the environment."""
+    for place, word in enumerate(words):
+        if word.startswith("--language="):
+            return word.partition("=")[2]
+        if word == "--language" and place + 1 < len(words):
+            return words[place + 1]
+    return os.environ.get(VARIABLE) or ENGLISH

@@ -1,0 +1,42 @@
+"""What is said on the screen, in the language of the command.
+
+Enters: sentences, and faults.  Leaves: lines on standard output or standard error.
+Used by the other commands and `cli.py`.
+"""
+
+from __future__ import annotations
+
+from contextvars import ContextVar
+
+import click
+
+from coursework.errors import CourseworkError, Fault
+from coursework.sentences import ENGLISH, load_phrases
+
+_SPOKEN: ContextVar[str] = ContextVar("language", default=ENGLISH)
+
+
+def speak(language: str) -> None:
+    """Say what follows in a language.  Raises `InputError` where it has no words file."""
+    load_phrases(language)
+    _SPOKEN.set(language)
+
+
+def in_language(text: str) -> str:
+    """Return a sentence in the language of the command; any other text as it is."""
+    return load_phrases(_SPOKEN.get()).written(text)
+
+
+def tell(text: str, *, err: bool = False) -> None:
+    """Print a line."""
+    click.echo(in_language(text), err=err)
+
+
+def tell_faults(error: CourseworkError) -> None:
+    """Print every fault of an error, a line each."""
+    click.echo(error.told(in_language), err=True)
+
+
+def tell_last(fault: Fault) -> None:
+    """Print why the process is ended from outside."""
+    click.echo(fault.told(in_language), err=True)
