@@ -120,7 +120,7 @@ WRONG = {
     "too many rows": (["run", "31", "--step", "4.8e-10"], "1e+09 rows are asked for; at most 200000 are computed."),
     "end before step": (["run", "31", "--end", "0.001"], "the end (0.001 s) must be at least one step (0.02 s)."),
     "end nan": (["run", "31", "--end", "nan"], "the end must be a number of seconds, found nan."),
-    "end text": (["run", "31", "--end", "abc"], "'abc' is not a valid float."),
+    "end text": (["run", "31", "--end", "abc"], "C057 --end takes a number."),
     "aliasing": (["run", "31", "--step", "0.3"], "The step 0.3 s is too large for this drive"),
     "format": (["run", "31", "--format", "docx"], '"docx" is not a format of the report. Formats: html, pdf, csv.'),
     "format closest": (["run", "31", "--format", "htm"], 'Did you mean "html"?'),
