@@ -7,6 +7,7 @@ import pytest
 
 import coursework
 from coursework.data import folder
+from coursework.reduction.structure import forget_structures
 from tests.benchmarks.timer import ratio
 
 
@@ -22,6 +23,7 @@ def test_a_long_table_costs_little_more_than_a_short_one(nodes, method, tmp_path
     (tmp_path / "long.csv").write_text(rows, encoding="utf-8")
 
     def whole(path):
+        forget_structures()
         run = coursework.solve(path, quantities=["table", "checks"])
         return run.columns(), run.checks
 
