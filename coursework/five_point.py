@@ -40,6 +40,9 @@ def derivative(nodes: ArrayLike, values: ArrayLike) -> Array:
     `nodes` x (n,), growing and equally spaced; `values` y (n,).
     Raises `ValueError` for fewer than five nodes, nodes that do not grow or are not equally spaced, lengths
     that differ, and entries that are not finite numbers.
+
+    >>> derivative([0.0, 0.5, 1.0, 1.5, 2.0], [0.0, 0.25, 1.0, 2.25, 4.0]).round(9).tolist()
+    [0.0, 1.0, 2.0, 3.0, 4.0]
     """
     y, h = _table(nodes, values)
     return five_point_derivative(y, h)
@@ -55,12 +58,20 @@ def five_point_derivative(values: Array, step: float) -> Array:
 
 
 def second_derivative(nodes: ArrayLike, values: ArrayLike) -> Array:
-    """Return d2y/dx2 (n,) by applying `derivative` twice; the error is of order h^4, near the ends h^3."""
+    """Return d2y/dx2 (n,) by applying `derivative` twice; the error is of order h^4, near the ends h^3.
+
+    >>> second_derivative([0.0, 1.0, 2.0, 3.0, 4.0], [0.0, 1.0, 8.0, 27.0, 64.0]).round(9).tolist()
+    [0.0, 6.0, 12.0, 18.0, 24.0]
+    """
     return derivative(nodes, derivative(nodes, values))
 
 
 def rounding_error(digit: float) -> float:
-    """Return the standard deviation digit/sqrt(12) of a table rounded to multiples of `digit`."""
+    """Return the standard deviation digit/sqrt(12) of a table rounded to multiples of `digit` (the unit of its values).
+
+    >>> round(rounding_error(0.0001), 8)
+    2.887e-05
+    """
     return digit / math.sqrt(12.0)
 
 
@@ -83,6 +94,11 @@ def best_spacing(sigma: float, fifth: float) -> float:
     There the noise is four times the truncation: a closer table has more noise, a wider one more truncation (hard
     case H24).  `sigma` of the values, `fifth` the size of the fifth derivative.  Raises `ValueError` unless both are
     finite and different from zero.
+
+    A length printed with four decimals, 0.5 + 0.05 sin(2 pi t) m: nodes closer than 0.053 s add more noise than they help.
+
+    >>> round(best_spacing(rounding_error(1e-4), 0.05 * (2 * math.pi) ** 5), 3)
+    0.053
     """
     if not (math.isfinite(sigma) and sigma > 0.0 and math.isfinite(fifth) and fifth != 0.0):
         raise ValueError(

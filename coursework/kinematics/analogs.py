@@ -1,7 +1,7 @@
 """Velocity and acceleration analogs: derivatives by the crank angle, and the way back to seconds.
 
 Enters: velocities and accelerations with the crank's omega_1, epsilon_1, or a `GroupMotion`.
-Leaves: the same in analogs, or back.  Used by the report and by `invariants`.
+Leaves: the same in analogs, or back.  Used by `invariants.py`, `extra.py` and, through `procedures.py`, by students.
 
 A group computed with crank rate 1 and angular acceleration 0 *is* in analogs, because then time and crank
 angle are the same number.  Every motion that drives the group must come from that crank.
@@ -59,6 +59,11 @@ def in_seconds(analogs: GroupMotion, omega_1: ArrayLike, epsilon_1: ArrayLike = 
 
     `omega_1` (rad/s), `epsilon_1` (rad/s^2) of the crank, a number or one a row.
     Raises `ValueError` when only positions were computed.
+
+    >>> from coursework.groups import crank
+    >>> turned = crank(Pair([0.0, 0.0]), length=0.1, angle=[0.0, 1.0], rate=1.0)
+    >>> in_seconds(turned, omega_1=[5.0, 10.0]).meets.velocity.round(3).tolist()
+    [[0.0, 0.5], [-0.841, 0.54]]
     """
     return _translated(
         analogs,
@@ -70,6 +75,11 @@ def in_analogs(motion: GroupMotion, omega_1: ArrayLike, epsilon_1: ArrayLike = 0
     """Return the analogs of a group's true motion, the point it meets included.
 
     Raises `ValueError` where the crank stands still, and when only positions were computed.
+
+    >>> from coursework.groups import crank
+    >>> turned = crank(Pair([0.0, 0.0]), length=0.1, angle=[0.0, 1.0], rate=[5.0, 10.0])
+    >>> in_analogs(turned, omega_1=[5.0, 10.0]).rates.tolist()
+    [[1.0], [1.0]]
     """
     return _translated(
         motion,

@@ -1,8 +1,7 @@
 """Invariants of a stroke: displacement, velocity and acceleration without metres and without seconds.
 
-Enters: analogs or true values of one stroke, its length S and crank angle Phi.  Leaves: a_k, b_k, c_k, or
-back.
-Used by the report.  Source: [Pasika], (6)-(8), with the stroke put right.
+Enters: analogs or true values of one stroke, its length S and crank angle Phi.  Leaves: a_k, b_k, c_k, or back.
+Used by `extra.py` and, through `procedures.py`, by students.  Source: [Pasika], (6)-(8), with the stroke put right.
 
 With k from 0 to 1 along the stroke, phi = phi_0 + k Phi:  a_k = s / S,  b_k = da_k/dk,  c_k = db_k/dk.
 
@@ -64,6 +63,10 @@ def crank_stroke(rod: float, offset: float = 0.0, crank: float = 1.0) -> Stroke:
     `rod` l2, `offset` e of the slider's line, `crank` l1: in one unit; with crank 1 the result is in analogs.
     S = sqrt((l2+l1)^2 - e^2) - sqrt((l2-l1)^2 - e^2),  Phi = pi + arcsin(e/(l2-l1)) - arcsin(e/(l2+l1)).
     Raises `ValueError` unless the crank can turn fully, l2 - l1 > |e|.
+
+    >>> stroke = crank_stroke(0.4, offset=0.05, crank=0.1)
+    >>> round(stroke.length, 4), round(math.degrees(stroke.angle), 2)
+    (0.2017, 183.85)
     """
     if not (math.isfinite(rod + offset + crank) and crank > 0.0 and rod - crank > abs(offset)):
         raise ValueError(
@@ -117,7 +120,12 @@ def from_true(
 
 
 def to_true(invariants: Invariants, omega_1: ArrayLike, epsilon_1: ArrayLike = 0.0) -> tuple[Array, Array, Array]:
-    """Return s (m), V = b_k S/T (m/s), A = c_k S/T^2 (m/s^2) with T = Phi/omega_1, for a stroke in metres."""
+    """Return s (m), V = b_k S/T (m/s), A = c_k S/T^2 (m/s^2) with T = Phi/omega_1, for a stroke in metres.
+
+    >>> even = from_analogs([0.0, 0.1, 0.2], [0.1, 0.1, 0.1], [0.0, 0.0, 0.0], stroke=0.2, angle=2.0)
+    >>> [part.round(9).tolist() for part in to_true(even, omega_1=5.0)]
+    [[0.0, 0.1, 0.2], [0.5, 0.5, 0.5], [0.0, 0.0, 0.0]]
+    """
     s, first, second = to_analogs(invariants)
     return s, true_velocity(first, omega_1), true_acceleration(first, second, omega_1, epsilon_1)
 

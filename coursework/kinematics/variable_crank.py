@@ -1,9 +1,7 @@
 """The slider-crank whose crank changes its length: its analogs, and the crank for constant slider speed.
 
-Enters: crank angle, crank length and derivatives, rod, offset.  Leaves: analogs of slider and rod, or the
-length.
-Used by students as procedures; the tool itself has no need of it, as
-`variants/variable-crank.toml` shows the general way.
+Enters: crank angle, crank length and derivatives, rod, offset.  Leaves: analogs of slider and rod, or the length.
+Used by students, through `procedures.py`; the tool itself goes the general way of `variants/variable-crank.toml`.
 Source: [Pasika], formulas (5), (9)-(12) with the printing repaired.
 
 Lengths are divided by l1 unless said: lr = r/l1, l2 the rod, l3 the offset of the slider's line; lr', lr''
@@ -70,6 +68,9 @@ def slider_crank(
     rod, `l3` the offset; `outer` the position displacements are counted from, by default S_a with the first
     crank length.
     Raises `CannotAssemble` and `AtDeadPoint` as `rod_angle`.
+
+    >>> slider_crank([0.0, 1.0, 2.0], 1.0, l2=4.0).v.round(4).tolist()
+    [0.0, 0.9577, 0.8122]
     """
     f, r, dr, ddr = np.broadcast_arrays(*(numbers("slider-crank", part) for part in (phi, lr, first, second)))
     for name, value in (("rod", l2), ("offset", l3)):
@@ -165,6 +166,9 @@ def constant_speed_crank(
     Raises `CannotAssemble` where the crank's line passes the slider at more than the rod, `AtDeadPoint` where
     it touches that circle (dr/dphi grows beyond bounds), `ValueError` where the mode does not give `crank` at
     phi[0], or the crank would shrink to nothing.
+
+    >>> constant_speed_crank([1.34, 1.44, 1.54], speed=0.65, omega_1=6.28, crank=0.1, rod=0.4).r.round(4).tolist()
+    [0.1, 0.1005, 0.1011]
     """
     owner = "crank for constant speed"
     require_mode(owner, mode, MODES)
