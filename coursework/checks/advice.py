@@ -14,9 +14,9 @@ from coursework.checks.evidence import LIMIT, Evidence
 from coursework.checks.result import Finding, percent
 from coursework.checks.rows import parts_at_breaks
 from coursework.integration.finer import finer
-from coursework.schemes import SCHEMES
+from coursework.schemes import EXACT, SCHEMES, scheme_names
 from coursework.sentences import Sentence, joined, say
-from coursework.variant.record import MAX_ROWS
+from coursework.variant.record import MAX_ROWS, whole_steps
 
 Judge = Callable[[Evidence], Sequence[Finding]]
 # What the next step aims at, so that a step that is a little off the order of its scheme is still inside the limit.
@@ -69,7 +69,7 @@ def _curable(finding: Finding) -> bool:
 
 def _advice(evidence: Evidence, coarse: list[Finding], judge: Judge) -> Advice | None:
     own = evidence.motion.scheme
-    if evidence.rerun is None or evidence.exact is None or own not in SCHEMES:
+    if evidence.rerun is None or evidence.exact is None or own not in scheme_names():
         return None
     scheme, share = _better_scheme(evidence, own, judge)
     parts = _step(evidence, own, coarse, judge)
@@ -82,7 +82,7 @@ def _advice(evidence: Evidence, coarse: list[Finding], judge: Judge) -> Advice |
 def _better_scheme(evidence: Evidence, own: str, judge: Judge) -> tuple[str, float]:
     """Return the scheme of highest order where it does at the run's own step, and by how much its table is off; "" if not."""
     best = max(SCHEMES, key=lambda name: SCHEMES[name].order)
-    if SCHEMES[best].order <= SCHEMES[own].order or (tried := _tried(evidence, best, 1)) is None:
+    if own == EXACT or SCHEMES[best].order <= SCHEMES[own].order or (tried := _tried(evidence, best, 1)) is None:
         return "", 0.0
     findings = judge(tried)
     closeness = next((one.value for one in findings if one.code == "ACCURACY"), None)
@@ -91,7 +91,7 @@ def _better_scheme(evidence: Evidence, own: str, judge: Judge) -> tuple[str, flo
 
 def _step(evidence: Evidence, own: str, coarse: list[Finding], judge: Judge) -> int:
     """Return the parts of the step with which every motion check passes, 0 where that takes more rows than are computed."""
-    order = SCHEMES[own].order
+    order = SCHEMES[own].order if own in SCHEMES else 1  # exact rows have no error: what they lack they gain row by row
     parts = 1
     for _ in range(_TRIES):
         needed = max(parts + 1, math.ceil(parts * max(_growth(one, order) for one in coarse)))
@@ -121,12 +121,15 @@ def _tried(evidence: Evidence, scheme: str, parts: int) -> Evidence | None:
     """Return the evidence about the same run with another scheme or a part of the step, None where it does not end well."""
     assert evidence.rerun is not None and evidence.exact is not None
     step = evidence.motion.step if parts == 1 else _spelled(evidence, parts)[1]
-    if (motion := evidence.rerun(scheme, step)) is None:
+    rows = whole_steps(step, evidence.variant.time.end) + 1
+    if scheme == EXACT:
+        motion = exact = finer(evidence.exact, evidence.rates, parts, rows)
+    else:
+        motion = evidence.rerun(scheme, step)
+        exact = finer(evidence.exact, evidence.rates, parts, rows) if parts > 1 else evidence.exact
+    if motion is None or exact is None:
         return None
-    exact = finer(evidence.exact, evidence.rates, parts, len(motion.t)) if parts > 1 else evidence.exact
-    return (
-        None if exact is None else replace(evidence, motion=motion, exact=exact, extended_precision=None, replay=None, rerun=None)
-    )
+    return replace(evidence, motion=motion, exact=exact, extended_precision=None, replay=None, rerun=None)
 
 
 def _spelled(evidence: Evidence, parts: int) -> tuple[str, float]:

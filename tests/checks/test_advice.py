@@ -72,6 +72,20 @@ def test_a_thousand_periods_of_euler():
     assert accuracy.step is None or run.end / accuracy.step <= 200_000
 
 
+@pytest.mark.parametrize(("name", "rows"), [("31", 7), ("example-1", 11), ("robot-arm", 19), ("v110", 5)])
+def test_exact_rows_too_far_apart_are_told_a_step_that_does(name, rows):
+    """So few rows a run are exact and too far apart; the step advised passes when run, and no scheme is named."""
+    end = coursework.load(name).time.end
+    run = solve(name, "exact", step=end / rows)
+    told = [one for one in run.checks if one.verdict == "COARSE"]
+    assert {"STEP"} <= {one.code for one in told} <= {"STEP", "PEAK", "SINUSOID"}
+    assert all(one.step and f"Take {one.option}" in one.sentence and "--scheme" not in one.sentence for one in told)
+    again = solve(name, "exact", step=told[0].step)
+    assert motion_verdicts(again) <= {"PASS", "SKIP"}
+    parts = round(run.step / told[0].step)
+    assert np.allclose(again.motion.rows[::parts][: len(run.motion.t)], run.motion.rows, rtol=1e-9, atol=1e-9)
+
+
 def test_the_best_scheme_has_no_better_one():
     run = solve("31", "rk4", step=0.06)
     told = found(run, "STEP")
