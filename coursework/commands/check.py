@@ -36,7 +36,7 @@ def check_variant(variant: str) -> int:
         tell(say("screen.block", unknowns=tuple(block.unknowns), equations=tuple(block.equations)))
         for name, formula in solution:
             tell(f"    {name} = {spelled(formula)}")
-        determinant = spelled(block.determinant) if block.determinant is not None else say("screen.numerical")
+        determinant = spelled(block.determinant) if solution and block.determinant is not None else say("screen.numerical")
         if block.meaning != say("determinant.never"):
             tell(say("screen.determinant", determinant=determinant, meaning=block.meaning))
         else:

@@ -110,7 +110,11 @@ def refuse_aliasing(equations: VelocityEquations, step: float) -> None:
     """Raise `InputError` where the step misses the drive's oscillation altogether (less than two rows a period)."""
     frequency = fastest(equations)
     if frequency * step >= np.pi * (1 - 1e-12):
-        raise InputError(say("fault.C021", step=step, turned=frequency * step, most=float(np.pi / 10 / frequency)))
+        variant = equations.variant
+        own = variant.time.own_step in {None, step}
+        line = variant.nearest_line("time", "step") if own else 0  # a step of the command line stands in no file
+        told = say("fault.C021", step=step, turned=frequency * step, most=float(np.pi / 10 / frequency))
+        raise InputError([Fault(told, str(variant.path or variant.name), line)])
 
 
 def refuse_endless(equations: VelocityEquations, time: float) -> None:

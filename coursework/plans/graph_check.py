@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from coursework.errors import InputError
+from coursework.errors import Fault, InputError
 from coursework.geometry.time_derivatives import jets
 from coursework.integration.motion import Motion
 from coursework.plans.graph_words import centre_letter, drift, how_found, omega_name
@@ -99,7 +99,9 @@ def _required_row(variant: Variant, motion: Motion) -> int:
     )
     missing = [name for name, there in wanted if not there]
     if missing:
-        raise InputError(say("fault.V516", missing=missing))
+        asked = "graph_check" in variant.ask
+        line = variant.nearest_line("ask", "quantities") if asked else 0  # asked for by the command line it stands in no file
+        raise InputError([Fault(say("fault.V516", missing=missing), str(variant.path or variant.name), line)])
     if len(motion.coordinate_names) < len(variant.coordinates):
         raise InputError(say("fault.V517"))
     assert variant.time.check_row is not None

@@ -7,19 +7,21 @@ from __future__ import annotations
 
 import sympy as sp
 
-from coursework.formula.tree import Formula, number
+from coursework.formula.tree import Formula, number, spelled
 from coursework.reduction.blocks import Reduction
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import expanded, symbol
 from coursework.reduction.tidy import product, quotient
 
 Solution = tuple[tuple[str, Formula], ...]
+# Letters of the longest formula that anyone reads; a page says "solved numerically" in place of a longer one.
+MOST_LETTERS = 2000
 
 
 def solutions(equations: VelocityEquations, reduction: Reduction) -> tuple[Solution, ...]:
-    """Return (velocity, its formula) for every block, nothing for blocks of three and more, which are solved numerically.
+    """Return (velocity, its formula) for every block, nothing for blocks that are solved numerically on a page.
 
-    Earlier velocities stay names, or are put in where the formula becomes shorter so.
+    Those are blocks of three and more, and blocks with a formula of more than `MOST_LETTERS` letters.  Earlier velocities stay names, or are put in where the formula becomes shorter so.
     """
     order = equations.order
     before: dict[sp.Symbol, sp.Expr] = {}
@@ -39,7 +41,8 @@ def solutions(equations: VelocityEquations, reduction: Reduction) -> tuple[Solut
             shown.append((name, plain))
             if block.size == 1 and not _divisor(plain).names():
                 before[symbol(name)] = expanded(numerator / determinant)
-        found.append(tuple(shown))
+        is_short = all(len(spelled(formula)) <= MOST_LETTERS for _, formula in shown)
+        found.append(tuple(shown) if is_short else ())
     return tuple(found)
 
 

@@ -56,13 +56,13 @@ def _vanishing(context: PageContext, meaning: str) -> Runs:
 
 
 def _numeric(context: PageContext, block: Block) -> list[Part]:
-    sentence = context.words(
-        "derivation.numeric",
-        count=len(block.unknowns),
-        unknowns=context.symbol_list(block.unknowns),
-        equations=_names(context, block),
-    )
-    if meaning := context.told(block.meaning).rstrip("."):
+    named = {"unknowns": context.symbol_list(block.unknowns), "equations": _names(context, block)}
+    if block.size > 2:
+        sentence = context.words("derivation.numeric", count=block.size, **named)
+    else:
+        sentence = context.words.count("derivation.long", block.size, **named)
+    meaning = context.told(block.meaning).rstrip(".")
+    if meaning and block.meaning != say("determinant.never"):
         sentence += " " + context.words("derivation.numeric_vanishes", meaning=meaning)
     return [Paragraph(context.lettered(sentence))]
 

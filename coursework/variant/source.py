@@ -100,26 +100,28 @@ def _spelt_as(part: str | int, keys: Any) -> str | int:
 def read_bytes(path: Path) -> bytes:
     """Return the bytes of a variant file; raises `InputError` where it is missing, too large or not a file."""
     try:
-        if path.is_file() and path.stat().st_size > MAX_BYTES:
-            raise InputError([_too_large(path.stat().st_size, str(path))])
         if path.exists() and not path.is_file():
             raise InputError([Fault(say("fault.V001") if path.is_dir() else say("fault.V002"), str(path))])
         with path.open("rb") as file:
-            return file.read(MAX_BYTES + 1)
+            content = file.read(MAX_BYTES + 1)
+        if len(content) > MAX_BYTES:
+            raise InputError([_too_large(path.stat().st_size, str(path), content)])
+        return content
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         missing = isinstance(error, FileNotFoundError)
         raise InputError([Fault(say("fault.V003") if missing else say("fault.V004", reason=reason), str(path))]) from error
 
 
-def _too_large(size: int, file: str) -> Fault:
-    return Fault(say("fault.V006", size=size, max_bytes=MAX_BYTES), file)
+def _too_large(size: int, file: str, content: bytes) -> Fault:
+    """Return the fault of a file whose beginning is `content`, at the line that is no longer read."""
+    return Fault(say("fault.V006", size=size, max_bytes=MAX_BYTES), file, content[:MAX_BYTES].count(b"\n") + 1)
 
 
 def read_source(content: bytes, file: str, folder: Path | Mapping[str, bytes]) -> Source:
     """Read TOML.  Raises `InputError` with line and column for anything that is not."""
     if len(content) > MAX_BYTES:
-        raise InputError([_too_large(len(content), file)])
+        raise InputError([_too_large(len(content), file, content)])
     try:
         text = content.decode("utf-8-sig").replace("\r\n", "\n")
     except UnicodeDecodeError as error:

@@ -112,6 +112,10 @@ def test_a_drive_may_be_a_value_with_its_unit(written, value):
 
 
 def test_a_folder_a_missing_file_and_a_device_are_refused(tmp_path):
+    """These have no text, so no line can be named: the file stands alone before the sentence."""
+    with pytest.raises(coursework.InputError) as caught:
+        coursework.load(tmp_path / "none.toml")
+    assert [(fault.file, fault.line) for fault in caught.value.faults] == [(str(tmp_path / "none.toml"), 0)]
     with pytest.raises(coursework.InputError, match=r"this is a folder\. Name the file in it\."):
         coursework.load(tmp_path)
     with pytest.raises(coursework.InputError, match=r"there is no such file\. Check the name and the folder\."):

@@ -46,12 +46,20 @@ def test_the_plain_file_is_read():
 
 def test_a_megabyte_is_not_read(tmp_path):
     sentence = f"the file has 1000000 bytes; a variant file has at most {MAX_BYTES}. Is it the right file?"
-    assert refused(b"#" * 1_000_000) == f"V006 f.toml  {sentence}"
     path = tmp_path / "large.toml"
-    path.write_bytes(b"#" * 1_000_000)
-    with pytest.raises(coursework.InputError) as caught:
-        coursework.load(path)
-    assert str(caught.value) == f"V006 {path}  {sentence}"
+    # The line is the one that is no longer read: the first of one long line, the 6555th of lines of ten letters.
+    for content, line in ((b"#" * 1_000_000, 1), (b"#########\n" * 100_000, MAX_BYTES // 10 + 1)):
+        assert refused(content) == f"V006 f.toml:{line}  {sentence}"
+        path.write_bytes(content)
+        with pytest.raises(coursework.InputError) as caught:
+            coursework.load(path)
+        assert str(caught.value) == f"V006 {path}:{line}  {sentence}"
+
+
+def test_the_largest_file_is_read_and_one_letter_more_is_not():
+    full = PLAIN + "#" * (MAX_BYTES - len(PLAIN.encode()))
+    assert parse_variant(full).columns == ("q", "w", "u")
+    assert "bytes; a variant file has at most" in refused(full + "#")
 
 
 @pytest.mark.parametrize(
