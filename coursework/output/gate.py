@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from coursework.checks.result import Finding
 from coursework.errors import Fault, InputError
 from coursework.output.reason import Formulas, Reason
 from coursework.quantities import CHECKS, PLOTS
@@ -40,10 +41,24 @@ def pass_gate(run: Run, pages: bool) -> None:
         spoilt = ~np.isfinite(block.rows)
         if spoilt.any():
             raise InputError(list(_faults(run, block, spoilt)))
-    for check in run.checks if run.asks(CHECKS) else ():
-        numbers = [number for number in (check.value, check.limit) if number is not None]
+    if (stop := run.stop) is not None:
+        numbers = [
+            stop.time,
+            stop.row,
+            *stop.coordinates.values(),
+            *(value for found in stop.branches for value in found.values()),
+        ]
         if not np.isfinite(numbers).all():
+            raise InputError([_fault(run.variant, "stop", 0, say("fault.V606"))])
+    for check in run.checks if run.asks(CHECKS) else ():
+        if not np.isfinite(_numbers(check)).all():
             raise InputError([_fault(run.variant, f"checks.{check.code}", 0, say("fault.V601"))])
+
+
+def _numbers(check: Finding) -> list[float]:
+    """Return every number of a finding that is written or shown."""
+    listed = (check.value, check.limit, check.first, check.last, check.step, *(value for _, value, _ in check.rows))
+    return [number for number in listed if number is not None]
 
 
 def _blocks(run: Run, pages: bool) -> Iterator[Block]:
@@ -65,7 +80,7 @@ def _blocks(run: Run, pages: bool) -> Iterator[Block]:
 
 def _faults(run: Run, block: Block, spoilt: NDArray[np.bool_]) -> Iterator[Fault]:
     """Yield a fault for each quantity of a block that is not finite; the two components of a point are one quantity."""
-    variant, formulas = run.variant, Formulas(run.variant, run.motion)
+    variant = run.variant
     points = dict(variant.points)
     told: set[str] = set()
     for index in np.flatnonzero(spoilt.any(axis=0)).tolist():
@@ -77,20 +92,32 @@ def _faults(run: Run, block: Block, spoilt: NDArray[np.bool_]) -> Iterator[Fault
             continue
         told.add(what)
         rows = _rows(np.flatnonzero(spoilt[:, index]))
-        if block.of:
+        reason = None if block.of else _reason(run, owner if is_point else "")
+        if reason is not None:
+            yield _because(variant, what, reason, rows)
+        elif block.of:
             yield _fault(variant, f"{block.of}, {name}", 0, say("fault.V603", rows=rows))
-            continue
-        reason = formulas.of_point(owner) if is_point else formulas.of_motion()
-        place = ("points", owner) if is_point else reason.place if reason else ("coordinates", name)
-        why = say("fault.V602", rows=rows) if reason is None else _because(reason, rows)
-        label = ".".join(str(part) for part in place)
-        yield _fault(variant, label if is_point or reason is None else f"{label}, {name}", variant.line_of(*place), why)
+        else:
+            section = "points" if is_point else "coordinates"
+            yield _fault(variant, f"{section}.{what}", variant.line_of(section, what), say("fault.V602", rows=rows))
 
 
-def _because(reason: Reason, rows: str) -> Sentence:
-    key = f"gate.advice.{reason.kind}"
-    advice = say(key, names=", ".join(reason.names))
-    return say("fault.V604", rows=rows, node=reason.node, advice=advice)
+def _reason(run: Run, point: str) -> Reason | None:
+    """Return what has no value in a point, or in the motion; where everything has one, what changes at no finite rate."""
+    for rates in (False, True):
+        formulas = Formulas(run.variant, run.motion, rates)
+        if reason := formulas.of_point(point) if point else formulas.of_motion():
+            return reason
+    return None
+
+
+def _because(variant: Variant, what: str, reason: Reason, rows: str) -> Fault:
+    kind = f"slope.{reason.kind}" if reason.of_slope else reason.kind
+    advice = say(f"gate.advice.{kind}", names=", ".join(reason.names))
+    known = {"rows": rows, "node": reason.node, "advice": advice}
+    text = say("fault.V605", **known) if reason.of_slope else say("fault.V604", **known)
+    label = reason.label if reason.label == f"points.{what}" else f"{reason.label}, {what}"
+    return _fault(variant, label, variant.nearest_line(*reason.path), text)
 
 
 def _fault(variant: Variant, place: str, line: int, message: Sentence) -> Fault:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import hashlib
 import json
-import math
 from dataclasses import asdict, replace
 from typing import TYPE_CHECKING, Any
 
@@ -57,14 +56,14 @@ def _finding(finding: Finding) -> dict[str, Any]:
         "code": finding.code,
         "group": finding.group,
         "verdict": finding.verdict,
-        "value": _finite(finding.value),
+        "value": finding.value,
         "unit": finding.unit,
-        "limit": _finite(finding.limit),
+        "limit": finding.limit,
         "column": finding.column,
         "row": finding.row,
         "sentence": finding.sentence,
     }
-    more = {name: _finite(getattr(finding, name)) for name in ("step", "first", "last")}
+    more = {name: getattr(finding, name) for name in ("step", "first", "last")}
     return found | {name: value for name, value in more.items() if value is not None}
 
 
@@ -75,7 +74,7 @@ def study_record(run: Run) -> dict[str, Any]:
 
 def as_json(content: dict[str, Any]) -> bytes:
     """Return a record as the bytes of its file."""
-    return (json.dumps(content, indent=1, ensure_ascii=False) + "\n").encode("utf-8", "backslashreplace")
+    return (json.dumps(content, indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode("utf-8", "backslashreplace")
 
 
 def _stop(run: Run) -> dict[str, Any] | None:
@@ -92,7 +91,3 @@ def _stop(run: Run) -> dict[str, Any] | None:
         "meaning": stop.meaning,
         "branches": list(stop.branches),
     }
-
-
-def _finite(value: float | None) -> float | None:
-    return value if value is not None and math.isfinite(value) else None

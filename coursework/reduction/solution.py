@@ -21,7 +21,8 @@ MOST_LETTERS = 2000
 def solutions(equations: VelocityEquations, reduction: Reduction) -> tuple[Solution, ...]:
     """Return (velocity, its formula) for every block, nothing for blocks that are solved numerically on a page.
 
-    Those are blocks of three and more, and blocks with a formula of more than `MOST_LETTERS` letters.  Earlier velocities stay names, or are put in where the formula becomes shorter so.
+    Those are blocks of three and more, and blocks with a formula of more than `MOST_LETTERS` letters.
+    Earlier velocities stay names, or are put in where the formula becomes shorter so.
     """
     order = equations.order
     before: dict[sp.Symbol, sp.Expr] = {}

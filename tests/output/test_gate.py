@@ -1,5 +1,6 @@
 """Nothing absurd is written: a number that is none is a fault with quantity, rows, line and reason."""
 
+import json
 import subprocess
 import sys
 from dataclasses import replace
@@ -10,9 +11,11 @@ import pytest
 from click.testing import CliRunner
 
 import coursework
+from coursework.checks import check
 from coursework.cli import main
 from coursework.errors import InputError
 from coursework.output.gate import pass_gate
+from tests.hard.scenes import V31_IMPOSSIBLE, solve
 
 PAGE = (Path(__file__).parents[1] / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
 POINTS = ["--quantities", "table,points", "--format", "csv"]
@@ -105,13 +108,109 @@ class _Spoilt:
         return getattr(self._run, name)
 
 
-def test_checks_are_seen(monkeypatch):
-    run = coursework.solve("31", quantities=["table", "checks"])
-    checks = (*run.checks[:-1], replace(run.checks[-1], value=float("nan")))
+def with_checks(run, **changed):
     spoilt = _Spoilt(run, *run.columns())
-    spoilt.checks = checks
-    with pytest.raises(InputError, match=rf"checks\.{checks[-1].code}: its value is no finite number"):
+    spoilt.checks = (*run.checks[:-1], replace(run.checks[-1], **changed))
+    return spoilt
+
+
+@pytest.mark.parametrize("number", [np.nan, np.inf, -np.inf])
+@pytest.mark.parametrize("place", ["value", "limit", "first", "last", "step", "rows"])
+def test_every_number_of_a_check_is_seen(place, number):
+    run = coursework.solve("31", quantities=["table", "checks"])
+    inside, outside = (
+        {place: (("a line", 1.0, "m"), ("another", size, "m")) if place == "rows" else size} for size in (1e300, number)
+    )
+    pass_gate(with_checks(run, **inside), pages=False)
+    with pytest.raises(InputError, match=rf"checks\.{run.checks[-1].code}: its value is no finite number"):
+        pass_gate(with_checks(run, **outside), pages=False)
+
+
+@pytest.mark.parametrize("where", ["time", "row", "coordinates", "branches"])
+def test_the_numbers_of_a_stop_are_seen(where):
+    run = solve(V31_IMPOSSIBLE)
+    pass_gate(run, pages=False)
+    spoilt = _Spoilt(run, *run.columns())
+    changed = {"coordinates": {"phi1": np.nan}, "branches": ({"w1": np.inf},)}.get(where, np.nan)
+    spoilt.stop = replace(run.stop, **{where: changed})
+    with pytest.raises(InputError, match="stop: the numbers of its end are not all finite"):
         pass_gate(spoilt, pages=False)
+
+
+SINE = 'VMy = "V1*sin(p*t + alpha)"'
+RATES = {
+    "a formula": ('VMy = "V1*(sin(p*t + alpha) + sqrt(p*t))"', "row 1: sqrt(0)"),
+    "a piece": (
+        'VMy = { pieces = [["0 s", "V1*sin(p*t + alpha)"], ["0.1 s", "V1*(sin(p*t + alpha) + sqrt(p*t - 1.308))"]] }',
+        "row 6: sqrt(0)",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", RATES)
+def test_an_acceleration_without_a_value_is_told_with_the_law_that_has_no_rate(case, folder):
+    """sqrt(p*t) has a value at t = 0, and its time derivative has none: the velocities stand, the accelerations do not."""
+    law, node = RATES[case]
+    text = PAGE.replace(SINE, law)
+    Path("root.toml").write_text(text, encoding="utf-8")
+    line = text[: text.index("VMy = ")].count("\n") + 1
+    assert call("run", "root.toml", "--quantities", "table", "--format", "csv", "--out", "plain").exit_code in {0, 1}
+    result = call("run", "root.toml", "--quantities", "table,accelerations", "--format", "csv")
+    assert result.exit_code == 2
+    told = result.stderr.splitlines()
+    assert [line.split(": ")[0].rpartition(" ")[2] for line in told] == ["dw1", "dw2", "dw3", "dw4"]
+    assert told[0].startswith(f"root.toml:{line}  drive.VMy, dw1: no finite value in {node} does not change at a finite rate")
+    assert told[0].endswith("A square root rises without bound from zero; see p, t.")
+    assert sorted(path.name for path in folder.iterdir()) == ["plain", "root.toml"]
+
+
+def test_a_law_by_pieces_is_looked_at_piece_by_piece(folder):
+    """The first piece would have no value where the second holds, and is not asked for one."""
+    pieces = '{ pieces = [["0 s", "sqrt(0.3 - p*t/13.08)"], ["0.2 s", "acos(p*t - 3)"]] }'
+    text = PAGE.replace("[points]", f'[functions]\nk = {pieces}\n\n[points]\nF = "r1 @ k"', 1)
+    Path("k.toml").write_text(text, encoding="utf-8")
+    line = text[: text.index("k = ")].count("\n") + 1
+    result = call("run", "k.toml", *POINTS)
+    assert result.exit_code == 2
+    assert result.stderr.startswith(f"k.toml:{line}  ")
+    assert "acos(" in result.stderr
+    assert "sqrt" not in result.stderr
+
+
+def test_a_law_by_a_table_is_known_to_the_formulas_behind_it(folder):
+    """k falls along a table of phi1; the root of it is charged to the point, with the number of the table."""
+    rows = [(round(0.5 * place - 1, 2), 1.4 - 0.5 * place) for place in range(13)]
+    Path("k.csv").write_text("".join(f"{at},{value:.3f}\n" for at, value in rows), encoding="utf-8")
+    laws = '[functions]\nk = { table = "k.csv", of = "phi1", method = "spline" }\n\n[points]\nF = "r1*sqrt(k) @ phi1"'
+    text = PAGE.replace("[points]", laws, 1)
+    Path("k.toml").write_text(text, encoding="utf-8")
+    line = text[: text.index("F = ")].count("\n") + 1
+    result = call("run", "k.toml", *POINTS)
+    phi1 = coursework.solve("k.toml", quantities=["table"]).motion.column("phi1")
+    k = 0.4 - phi1  # 1.4 at phi1 = -1, and one less a radian
+    first = float(k[k < 0][0])
+    assert result.exit_code == 2
+    assert result.stderr.startswith(f"k.toml:{line}  points.F: no real value in ")
+    assert f"sqrt({first:.3g}). There is no square root of a negative number; see k." in result.stderr
+
+
+@pytest.mark.parametrize("strict", [[], ["--strict"]])
+def test_a_check_that_breaks_is_our_fault_and_the_others_still_judge(strict, folder, monkeypatch):
+    def broken(evidence):
+        raise RuntimeError("a judge fell ill")
+
+    usual = {one.code: one.verdict for one in coursework.solve("31").checks}
+    ill = tuple(replace(one, judge=broken) if one.code == "DRIFT" else one for one in check.CHECKS)
+    monkeypatch.setattr(check, "CHECKS", ill)
+    result = call("run", "31", "--out", "o", *strict)
+    assert result.exit_code == 3
+    assert result.stdout.splitlines()[0].endswith("The tool could not judge DRIFT.")
+    written = json.loads(Path("o/run.json").read_text(encoding="utf-8"))
+    found = {one["code"]: one["verdict"] for one in written["checks"]}
+    assert found == usual | {"DRIFT": "ERROR"}
+    sentence = next(one["sentence"] for one in written["checks"] if one["code"] == "DRIFT")
+    assert "RuntimeError" in sentence
+    assert "a judge fell ill" in Path("o/report.html").read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize("name", ["31", "example-6", "stephenson", "v107"])
