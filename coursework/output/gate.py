@@ -112,10 +112,11 @@ def _reason(run: Run, point: str) -> Reason | None:
 
 
 def _because(variant: Variant, what: str, reason: Reason, rows: str) -> Fault:
-    kind = f"slope.{reason.kind}" if reason.of_slope else reason.kind
-    advice = say(f"gate.advice.{kind}", names=", ".join(reason.names))
-    known = {"rows": rows, "node": reason.node, "advice": advice}
-    text = say("fault.V605", **known) if reason.of_slope else say("fault.V604", **known)
+    names = ", ".join(reason.names)
+    if reason.of_slope:
+        text = say("fault.V605", rows=rows, node=reason.node, advice=say(f"gate.advice.slope.{reason.kind}", names=names))
+    else:
+        text = say("fault.V604", rows=rows, node=reason.node, advice=say(f"gate.advice.{reason.kind}", names=names))
     label = reason.label if reason.label == f"points.{what}" else f"{reason.label}, {what}"
     return _fault(variant, label, variant.nearest_line(*reason.path), text)
 

@@ -141,8 +141,8 @@ def test_h27_more_than_a_drive_period_a_step_is_refused():
     with pytest.raises(InputError) as caught:
         _ = solve(V31.replace('"0.02 s"', '"0.3 s"').replace('"0.48 s"', '"1.2 s"')).motion
     line = V31[: V31.index("\nstep ")].count("\n") + 2
-    assert str(caught.value).startswith(f"variant:{line}  The step 0.3 s is too large for this drive")
-    with pytest.raises(InputError, match=r"^31.*\.toml  The step 0.3 s"):  # a step of the command line stands in no file
+    assert str(caught.value).startswith(f"C021 variant:{line}  The step 0.3 s is too large for this drive")
+    with pytest.raises(InputError, match=r"^C021 .*31\.toml  The step 0.3 s"):  # a step of the command line stands in no file
         _ = coursework.solve("31", step=0.3).motion
     # Without that guard the width of the first step speaks.
     scene = coursework.solve("31").scene

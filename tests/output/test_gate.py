@@ -159,7 +159,7 @@ def test_an_acceleration_without_a_value_is_told_with_the_law_that_has_no_rate(c
     assert result.exit_code == 2
     told = result.stderr.splitlines()
     assert [line.split(": ")[0].rpartition(" ")[2] for line in told] == ["dw1", "dw2", "dw3", "dw4"]
-    assert told[0].startswith(f"root.toml:{line}  drive.VMy, dw1: no finite value in {node} does not change at a finite rate")
+    assert told[0].startswith(f"V605 root.toml:{line}  drive.VMy, dw1: no finite value in {node} does not change at a finite rate")
     assert told[0].endswith("A square root rises without bound from zero; see p, t.")
     assert sorted(path.name for path in folder.iterdir()) == ["plain", "root.toml"]
 
@@ -172,7 +172,7 @@ def test_a_law_by_pieces_is_looked_at_piece_by_piece(folder):
     line = text[: text.index("k = ")].count("\n") + 1
     result = call("run", "k.toml", *POINTS)
     assert result.exit_code == 2
-    assert result.stderr.startswith(f"k.toml:{line}  ")
+    assert result.stderr.startswith(f"V604 k.toml:{line}  ")
     assert "acos(" in result.stderr
     assert "sqrt" not in result.stderr
 
@@ -190,7 +190,7 @@ def test_a_law_by_a_table_is_known_to_the_formulas_behind_it(folder):
     k = 0.4 - phi1  # 1.4 at phi1 = -1, and one less a radian
     first = float(k[k < 0][0])
     assert result.exit_code == 2
-    assert result.stderr.startswith(f"k.toml:{line}  points.F: no real value in ")
+    assert result.stderr.startswith(f"V604 k.toml:{line}  points.F: no real value in ")
     assert f"sqrt({first:.3g}). There is no square root of a negative number; see k." in result.stderr
 
 
