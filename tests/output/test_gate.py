@@ -159,7 +159,9 @@ def test_an_acceleration_without_a_value_is_told_with_the_law_that_has_no_rate(c
     assert result.exit_code == 2
     told = result.stderr.splitlines()
     assert [line.split(": ")[0].rpartition(" ")[2] for line in told] == ["dw1", "dw2", "dw3", "dw4"]
-    assert told[0].startswith(f"V605 root.toml:{line}  drive.VMy, dw1: no finite value in {node} does not change at a finite rate")
+    assert told[0].startswith(
+        f"V605 root.toml:{line}  drive.VMy, dw1: no finite value in {node} does not change at a finite rate"
+    )
     assert told[0].endswith("A square root rises without bound from zero; see p, t.")
     assert sorted(path.name for path in folder.iterdir()) == ["plain", "root.toml"]
 
