@@ -144,6 +144,30 @@ def _spoken(*, passed_on: bool) -> Callable[[Callable[..., int]], Callable[..., 
     )  # fmt: skip
 
 
+class _WithTemplates(click.Command):
+    """A command with `--templates`: the pieces stand before anything is said, wherever in the line the option is."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        given = [after for word, after in zip(args, args[1:], strict=False) if word == "--templates"]
+        given += [word.partition("=")[2] for word in args if word.startswith("--templates=")]
+        if given:
+            from coursework.commands.templates import with_templates
+
+            ctx.with_resource(with_templates(Path(given[-1])))
+        try:
+            return super().parse_args(ctx, args)
+        except BaseException:
+            ctx.close()
+            raise
+
+
+def _templates(*, passed_on: bool) -> Callable[[Callable[..., int]], Callable[..., int]]:
+    return click.option(
+        "--templates", type=click.Path(path_type=Path), expose_value=passed_on,
+        help="Folder of your own pieces of pages; each stands before the piece of reports/ of the same name.",
+    )  # fmt: skip
+
+
 _SET = click.option(
     "--set", "set_values", multiple=True, metavar="NAME=VALUE",
     help="Other data, such as r1=0.91m; start values; step, end, period; N=3 (the guide's row of the check). Again for more.",
@@ -162,7 +186,7 @@ def _limited(command: Callable[..., int]) -> Callable[..., int]:
     return seconds(memory(command))
 
 
-@main.command("run")
+@main.command("run", cls=_WithTemplates)
 @click.argument("variants", nargs=-1, required=True, metavar="VARIANT...", shell_complete=_offered("variants"))
 @click.option(
     "--out",
@@ -187,7 +211,11 @@ def _limited(command: Callable[..., int]) -> Callable[..., int]:
 @click.option("--live/--no-live", default=True, show_default=True, help="Let the mechanism move on the page of a screen.")
 @click.option("--student", help="Name for the title block.")
 @click.option("--group", help="Group for the title block.")
+@click.option("--teacher", help="Teacher for the title block.")
+@click.option("--institution", help="Institution for the title block.")
 @click.option("--date", help="Date for the title block.")
+@_templates(passed_on=True)
+@click.option("--combined", is_flag=True, help="All variants in one PDF too: combined.pdf.")
 @click.option("--jobs", type=click.IntRange(min=1), default=1, show_default=True, help="Processes that share several variants.")
 @_limited
 def run_command(variants: tuple[str, ...], **options: Any) -> int:
@@ -236,10 +264,11 @@ def new_command(name: str, original: str | None, set_values: tuple[str, ...]) ->
     return new_variant(name, original, set_values)
 
 
-@main.command("accuracy")
+@main.command("accuracy", cls=_WithTemplates)
 @_VARIANT
 @click.option("--out", type=click.Path(path_type=Path), help="Folder for the page (default: coursework-NAME).")
 @click.option("--format", "formats", type=Formats("accuracy"), help="Files to write (default: all of these).")
+@_templates(passed_on=False)
 @_limited
 @_spoken(passed_on=True)
 def accuracy_command(

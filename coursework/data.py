@@ -1,11 +1,19 @@
-"""Where the files that are no code lie: the variants and the looks of a page.
+"""Where the files that are no code lie: the variants and the looks of a page, and an instructor's own pieces before these.
 
-Enters: the name of a folder.  Leaves: its path.  Any floor may ask.
+Enters: the name of a folder; a folder of own pieces.  Leaves: a path.  Any floor may ask.
 """
 
 from __future__ import annotations
 
+import hashlib
+import shutil
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+
+REPORTS = "reports"
+_standing_in: list[Path] = []
 
 
 def folder(name: str) -> Path:
@@ -13,8 +21,50 @@ def folder(name: str) -> Path:
 
     Raises `FileNotFoundError` where neither exists (a broken installation).
     """
+    if name == REPORTS and _standing_in:
+        return _standing_in[-1]
     package = Path(__file__).resolve().parent
     for place in (package / name, package.parent / name):
         if place.is_dir():
             return place
     raise FileNotFoundError(f'the folder "{name}" is missing beside {package}. Install the package again.')
+
+
+@contextmanager
+def own_pieces(own: Path | None) -> Iterator[None]:
+    """Let the files of a folder stand before those of `reports/` of the same name; what it does not have stays as it is.
+
+    Templates include each other by name, and Typst reads from one folder only, so both are laid together for as long as this
+    lasts.  Own pieces are the instructor's, and trusted; the folder itself is only read.
+    """
+    if own is None:
+        yield
+        return
+    with tempfile.TemporaryDirectory(prefix="coursework-templates-") as place:
+        together = Path(place) / REPORTS
+        shutil.copytree(folder(REPORTS), together)
+        for path in pieces_in(own):
+            target = together / path.relative_to(own)
+            target.parent.mkdir(exist_ok=True)
+            shutil.copyfile(path, target)
+        _standing_in.append(together)
+        try:
+            yield
+        finally:
+            _standing_in.remove(together)
+
+
+def pieces_in(own: Path) -> list[Path]:
+    """Return the files of a folder of own pieces, and of the folders in it that `reports/` has too."""
+    parts = [own, *(own / part.name for part in sorted(folder(REPORTS).iterdir()) if part.is_dir())]
+    return sorted(path for part in parts if part.is_dir() for path in part.iterdir() if path.is_file())
+
+
+def stamp_of_pieces() -> str:
+    """Return a hash of the pieces in use, "" for those of the package: what is written with others is another page."""
+    if not _standing_in:
+        return ""
+    digest = hashlib.sha256()
+    for path in pieces_in(_standing_in[-1]):
+        digest.update(path.name.encode() + b"\0" + path.read_bytes())
+    return digest.hexdigest()

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from functools import lru_cache
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from coursework.data import folder
@@ -23,13 +24,17 @@ _PIECE = re.compile(r"\S{1,12}")
 _INVISIBLE = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
 
 
-@lru_cache
 def template(name: str) -> Template:
     """Return a template of `reports/`; what is filled in is escaped, and a gap that nothing fills is an error."""
+    return _template(folder("reports"), name)
+
+
+@lru_cache
+def _template(place: Path, name: str) -> Template:
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
     looks = Environment(
-        loader=FileSystemLoader(folder("reports"), encoding="utf-8"),
+        loader=FileSystemLoader(place, encoding="utf-8"),
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,

@@ -147,10 +147,13 @@ class _Number(float):
         return super().__format__(spec).replace(".", self.mark)
 
 
-@cache
 def load_phrases(language: str = ENGLISH) -> Phrases:
     """Return the words of a language.  Raises `InputError` where there is no such file."""
-    place = folder("reports")
+    return _phrases(folder("reports"), language)
+
+
+@cache
+def _phrases(place: Path, language: str) -> Phrases:
     path = place / f"words.{language}.toml"
     if not path.is_file():
         known = sorted(file.name.split(".")[1] for file in place.glob("words.*.toml"))

@@ -66,12 +66,11 @@ def run_variant(
 
 def make_run(
     read: Variant, *, step: float | None, end: float | None, scheme: str | None, quantities: tuple[str, ...], project: bool,
-    gain: float, student: str | None, group: str | None, date: str | None,
+    gain: float, **title: str | None,
 ) -> Run:  # fmt: skip
-    """Return the run that the options of the command line ask for."""
+    """Return the run that the options of the command line ask for; `title` goes to the title block."""
     return solve(
-        read, scheme, step, end, quantities=quantities or None, project=int(project), gain=gain,
-        student=student, group=group, date=date,
+        read, scheme, step, end, quantities=quantities or None, project=int(project), gain=gain, **title,
     )  # fmt: skip
 
 

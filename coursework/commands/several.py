@@ -1,6 +1,6 @@
 """`coursework run A B C …`: several variants in one process or a few, a folder each, a summary at the end.
 
-Enters: names, paths and patterns.  Leaves: folders, `summary.csv`, the worst exit status (3 before 2 before 1 before 0).
+Enters: names, paths and patterns.  Leaves: folders, `summary.csv`, `combined.pdf` where asked for, the worst exit status (3 before 2 before 1 before 0).
 Used by `cli.py`; one faulty file never stops the rest.
 """
 
@@ -26,6 +26,7 @@ from coursework.catalogue import find
 from coursework.checks.result import Verdict
 from coursework.commands.run import make_run, run_variant, step_of
 from coursework.commands.screen import in_language, tell, tell_last
+from coursework.commands.templates import with_templates
 from coursework.commands.workers import outcomes
 from coursework.errors import CourseworkError, InputError
 from coursework.file_set import clear_leftovers, working_folder
@@ -38,6 +39,7 @@ from coursework.sentences import joined, load_phrases, say
 from coursework.variant.set_values import with_set
 
 SUMMARY = "summary.csv"
+COMBINED = "combined.pdf"
 VERDICTS: tuple[str, ...] = get_args(Verdict)
 MOST_JOBS = 64
 OUR_FAULT, WRONG_INPUT = 3, 2
@@ -53,7 +55,10 @@ class Item:
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What became of one variant; `verdicts` counts its checks, `told` is everything that went wrong."""
+    """What became of one variant; `verdicts` counts its checks, `told` is everything that went wrong.
+
+    `page` is what its report says, where all are to be printed together.
+    """
 
     item: Item
     status: int
@@ -61,6 +66,7 @@ class Outcome:
     stop: str = ""
     verdicts: Counter[str] = field(default_factory=Counter)
     told: str = ""
+    page: dict[str, Any] | None = None
 
     @property
     def sentence(self) -> str:
@@ -70,18 +76,20 @@ class Outcome:
 
 @dataclass(frozen=True, slots=True)
 class RunTask:
-    """How every variant is run: where to, in which formats and language, with which options and budget."""
+    """How every variant is run: where to, in which formats and language, with which options, templates and budget."""
 
     out: Path
     formats: tuple[str, ...] | None
     language: str
     options: dict[str, Any]
     budget: Budget
+    templates: Path | None = None
+    combined: bool = False
 
     @contextmanager
     def ready(self) -> Iterator[Callable[[Item], Outcome]]:
         """Open the folder for what is unfinished; yield what runs one variant."""
-        with working_folder(self.out) as hidden:
+        with with_templates(self.templates), working_folder(self.out) as hidden:
             yield lambda item: self._outcome(item, hidden)
 
     def lost(self, item: Item) -> Outcome:
@@ -110,7 +118,7 @@ class RunTask:
         read = with_set(load(item.variant), options.pop("set_values"), options.pop("check_row"))
         run = make_run(read, **{**options, "step": step_of(options["step"], read)})
         results = Results(run, self.language, live)
-        results.compute(any(PAGES in each.serves for each in formats))
+        results.compute(self.combined or any(PAGES in each.serves for each in formats))
         unfinished = hidden / item.folder
         unfinished.mkdir(exist_ok=True)
         write_set(results, formats, self.out / item.folder, unfinished)
@@ -119,22 +127,24 @@ class RunTask:
         stop = "" if run.stop is None else written(say("screen.stopped", kind=run.stop.kind, time=run.stop.time))
         wrong = {"FAIL", "ERROR", *(["COARSE"] if strict else [])}
         failed = "; ".join(f"{check.code}: {written(check.sentence)}" for check in checks if check.verdict in wrong)
-        return Outcome(item, run.status(strict), len(run.motion.t), stop, Counter(c.verdict for c in checks), failed)
+        page = results.model.plain() if self.combined else None
+        return Outcome(item, run.status(strict), len(run.motion.t), stop, Counter(c.verdict for c in checks), failed, page)
 
 
 def run_variants(
     variants: tuple[str, ...], *, out: Path | None, formats: tuple[str, ...] | None, jobs: int, budget: float, memory: float,
-    language: str, **options: Any,
+    language: str, templates: Path | None, combined: bool, **options: Any,
 ) -> int:  # fmt: skip
     """Return the exit status of one run, or the worst of several."""
     limits = Budget(budget, memory)
-    if not is_several(variants):
+    if not is_several(variants) and not combined:
         with watched(limits, variants[0], tell_last):
             return run_variant(variants[0], out=out, formats=formats, language=language, **options)
     for_one = {name: options.pop(name) for name in ("plan", "profile", "precision", "error")}
     if for_one["plan"] or for_one["profile"] or for_one["error"] or for_one["precision"] == "single" or options["step"] == "auto":
         raise InputError(say("fault.C032"))
-    return run_several(variants, jobs, RunTask(out or Path("coursework-runs"), formats, language, options, limits))
+    task = RunTask(out or Path("coursework-runs"), formats, language, options, limits, templates, combined)
+    return run_several(variants, jobs, task)
 
 
 def is_several(variants: Sequence[str]) -> bool:
@@ -164,12 +174,18 @@ def run_several(variants: Sequence[str], jobs: int, task: RunTask) -> int:
             clear_leftovers(task.out)
     ordered = [done[index] for index in range(len(items))]
     write_bytes(task.out / SUMMARY, summary_csv(ordered).encode("utf-8", "backslashreplace"))
+    written = [SUMMARY]
+    if pages := [outcome.page for outcome in ordered if outcome.page is not None]:
+        from coursework.report.pdf import render_pages
+
+        write_bytes(task.out / COMBINED, render_pages(pages))
+        written.append(COMBINED)
     for outcome in ordered:
         if outcome.status >= WRONG_INPUT:
             tell(outcome.told.rstrip(), err=True)
     for line in summary_lines(ordered):
         tell(line)
-    tell(say("screen.written_folders", out=task.out, file=SUMMARY))
+    tell(say("screen.written_folders", out=task.out, file=", ".join(written)))
     return max(outcome.status for outcome in ordered)
 
 
@@ -202,7 +218,7 @@ def _items(variants: Sequence[str]) -> list[Item]:
     """Return what is to be run, each file once, with folders that are different on every system."""
     items: list[Item] = []
     seen: set[str] = set()
-    taken: set[str] = {SUMMARY}
+    taken: set[str] = {SUMMARY, COMBINED}
     for variant in (found for word in variants for found in _expanded(word)):
         try:
             path = find(variant)

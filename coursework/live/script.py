@@ -12,6 +12,7 @@ import json
 import re
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
+from pathlib import Path
 from typing import Any
 
 from coursework.data import folder
@@ -46,10 +47,14 @@ def hash_of(script: str) -> str:
     return "sha256-" + base64.b64encode(hashlib.sha256(script.encode("utf-8")).digest()).decode("ascii")
 
 
-@lru_cache
 def _piece(name: str) -> str:
     """Return a file of the runtime without its comment lines and margins, which only its reader needs."""
-    lines = map(str.strip, (folder("reports") / "live" / f"{name}.js").read_text(encoding="utf-8").splitlines())
+    return _text(folder("reports") / "live" / f"{name}.js")
+
+
+@lru_cache
+def _text(path: Path) -> str:
+    lines = map(str.strip, path.read_text(encoding="utf-8").splitlines())
     return "\n".join(_tight(line) for line in lines if line and not line.startswith("//"))
 
 

@@ -11,6 +11,7 @@ import json
 from dataclasses import asdict, replace
 from typing import TYPE_CHECKING, Any
 
+from coursework.data import stamp_of_pieces
 from coursework.run import Run
 
 if TYPE_CHECKING:
@@ -21,7 +22,8 @@ STAMP_LENGTH = 16  # letters of the hash: enough that two runs never meet by cha
 
 def stamp_of(run: Run, language: str = "en") -> str:
     """Return the stamp of a run: a hash of its variant, its options and the tool's version, wherever the file lies."""
-    settings = (run.settings, run.asked, run.student, run.group, run.date, language, run.versions["coursework"])
+    named = (run.student, run.group, run.teacher, run.institution, run.date)
+    settings = (run.settings, run.asked, named, language, stamp_of_pieces(), run.versions["coursework"])
     content = repr((replace(run.variant, path=None), settings))
     return hashlib.sha256(content.encode("utf-8", "backslashreplace")).hexdigest()[:STAMP_LENGTH]
 

@@ -6,6 +6,7 @@ Enters: a `ReportModel`.  Leaves: HTML that fetches nothing and prints on A4.  W
 from __future__ import annotations
 
 from functools import lru_cache
+from pathlib import Path
 from typing import Any
 
 from coursework.data import folder
@@ -15,9 +16,13 @@ from coursework.report.formulas import Drawn, draw
 from coursework.report.model import ReportModel
 
 
-@lru_cache
 def _stylesheet(name: str) -> str:
-    return (folder("reports") / f"{name}.css").read_text(encoding="utf-8")
+    return _text(folder("reports") / f"{name}.css")
+
+
+@lru_cache
+def _text(path: Path) -> str:
+    return path.read_text(encoding="utf-8")
 
 
 def render_html(model: ReportModel) -> str:

@@ -5,6 +5,9 @@ Enters: a `ReportModel`.  Leaves: the bytes of a tagged PDF (PDF/UA-1), the same
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import Any
+
 from coursework.errors import OutputError
 from coursework.report.model import ReportModel
 from coursework.report.typesetting import typeset
@@ -17,11 +20,15 @@ WAYS = (("ua-1", False), ("ua-1", True), (None, True))
 
 def render_pdf(model: ReportModel) -> bytes:
     """Return the report as PDF.  Raises `OutputError` where Typst is missing or refuses the page."""
-    data = model.plain()
+    return render_pages([model.plain()])
+
+
+def render_pages(reports: Sequence[dict[str, Any]]) -> bytes:
+    """Return reports, each as its model says it in plain data, one behind the other in one PDF.  Raises `OutputError`."""
     refused = ""
     for standard, everything in WAYS:
         try:
-            return bytes(typeset("report.typ", data, "pdf", standard=standard, everything=everything))
+            return bytes(typeset("report.typ", list(reports), "pdf", standard=standard, everything=everything))
         except RuntimeError as error:  # typst.TypstError, which cannot be named before Typst is loaded
             refused = getattr(error, "diagnostic", "") or str(error)
             if "could not be displayed" not in str(error):

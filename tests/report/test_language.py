@@ -13,8 +13,8 @@ import pytest
 from click.testing import CliRunner
 
 import coursework
-from coursework import sentences
 from coursework.cli import main
+from coursework.data import own_pieces
 from coursework.report import build_model, words
 from coursework.run import Run
 from coursework.sentences import PLURALS, Phrases, Sentence, joined, load_phrases, say, say_count
@@ -150,15 +150,11 @@ def test_a_language_may_be_half_done_and_its_slips_are_told() -> None:
         half.written(say("event.rows_kept", step=0.02))
 
 
-def test_a_page_in_another_language_by_its_words_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_page_in_another_language_by_its_words_file(tmp_path: Path) -> None:
     """A file beside words.en.toml is a language; an unknown one is refused before anything is computed."""
-    for name in ("words.en.toml", "report.html.j2", "report.css"):
-        (tmp_path / name).write_bytes((ROOT / "reports" / name).read_bytes())
     words_file = (ROOT / "reports" / "words.en.toml").read_text(encoding="utf-8")
     (tmp_path / "words.de.toml").write_text(words_file.replace('decimal = "."', 'decimal = ","'), encoding="utf-8")
-    monkeypatch.setattr(sentences, "folder", lambda _name: tmp_path)
-    load_phrases.cache_clear()
-    try:
+    with own_pieces(tmp_path):
         page = tmp_path / "page.html"
         coursework.write_report(coursework.solve("31", quantities=["table", "checks"]), page, language="de")
         assert "0,48" in page.read_text(encoding="utf-8")
@@ -167,8 +163,6 @@ def test_a_page_in_another_language_by_its_words_file(tmp_path: Path, monkeypatc
         assert 'no words for the language "dee"' in result.stderr
         assert 'Did you mean "de"?' in result.stderr
         assert not (tmp_path / "out").exists()
-    finally:
-        load_phrases.cache_clear()
 
 
 @pytest.mark.parametrize("language", words_missing.languages())

@@ -1,0 +1,35 @@
+"""`--templates DIR`: an instructor's own pieces of pages, looked at before they are used.
+
+Enters: a folder, or None.  Leaves: a block in which they stand in.  Raises `InputError`.  Used by `cli.py` and `several.py`.
+"""
+
+from __future__ import annotations
+
+from contextlib import AbstractContextManager
+from pathlib import Path
+
+from coursework.data import REPORTS, folder, own_pieces, pieces_in
+from coursework.errors import Fault, InputError
+from coursework.sentences import closest, say
+
+MOST_BYTES = 4 * 2**20  # of one piece: a page with more does not open well anywhere
+
+
+def with_templates(own: Path | None) -> AbstractContextManager[None]:
+    """Return the block in which the pieces of `own` stand before those of the package; nothing changes for None."""
+    if own is not None:
+        _look_at(own)
+    return own_pieces(own)
+
+
+def _look_at(own: Path) -> None:
+    if not own.is_dir():
+        raise InputError([Fault(say("fault.C061"), str(own))])
+    found = [path.relative_to(own).as_posix() for path in pieces_in(own)]
+    place = folder(REPORTS)
+    known = [path.relative_to(place).as_posix() for path in pieces_in(place)]
+    if not set(found) & set(known):
+        advice = next((hint for name in found if (hint := closest(name, known))), "")
+        raise InputError([Fault(say("fault.C062", advice=advice, known=tuple(sorted(known))), str(own))])
+    if large := [name for name in found if (own / name).stat().st_size > MOST_BYTES]:
+        raise InputError([Fault(say("fault.C063", most=MOST_BYTES // 2**20), str(own / large[0]))])
