@@ -13,6 +13,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 REPORTS = "reports"
+PACKAGE = "package"  # in the names that own templates extend or import
 _standing_in: list[Path] = []
 
 
@@ -21,8 +22,10 @@ def folder(name: str) -> Path:
 
     Raises `FileNotFoundError` where neither exists (a broken installation).
     """
-    if name == REPORTS and _standing_in:
-        return _standing_in[-1]
+    return _standing_in[-1] if name == REPORTS and _standing_in else _of_package(name)
+
+
+def _of_package(name: str) -> Path:
     package = Path(__file__).resolve().parent
     for place in (package / name, package.parent / name):
         if place.is_dir():
@@ -35,14 +38,16 @@ def own_pieces(own: Path | None) -> Iterator[None]:
     """Let the files of a folder stand before those of `reports/` of the same name; what it does not have stays as it is.
 
     Templates include each other by name, and Typst reads from one folder only, so both are laid together for as long as this
-    lasts.  Own pieces are the instructor's, and trusted; the folder itself is only read.
+    lasts.  The pieces of the package stand in "package/" beside them, to be extended.  Own pieces are the instructor's, and
+    trusted; the folder itself is only read.
     """
     if own is None:
         yield
         return
     with tempfile.TemporaryDirectory(prefix="coursework-templates-") as place:
         together = Path(place) / REPORTS
-        shutil.copytree(folder(REPORTS), together)
+        shutil.copytree(_of_package(REPORTS), together)
+        shutil.copytree(_of_package(REPORTS), together / PACKAGE)
         for path in pieces_in(own):
             target = together / path.relative_to(own)
             target.parent.mkdir(exist_ok=True)
@@ -56,7 +61,7 @@ def own_pieces(own: Path | None) -> Iterator[None]:
 
 def pieces_in(own: Path) -> list[Path]:
     """Return the files of a folder of own pieces, and of the folders in it that `reports/` has too."""
-    parts = [own, *(own / part.name for part in sorted(folder(REPORTS).iterdir()) if part.is_dir())]
+    parts = [own, *(own / part.name for part in sorted(_of_package(REPORTS).iterdir()) if part.is_dir())]
     return sorted(path for part in parts if part.is_dir() for path in part.iterdir() if path.is_file())
 
 

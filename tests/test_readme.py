@@ -48,6 +48,21 @@ def test_instructors_commands_run_from_a_download_of_moodle_to_grades(tmp_path, 
     assert (tmp_path / "marks" / "class.html").stat().st_size > 1000
 
 
+def test_own_templates_stand_before_those_of_the_package(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    section = TEXT.partition("`--templates DIR`")[2]
+    (tmp_path / "looks").mkdir()
+    (tmp_path / "looks" / "report.html.j2").write_text(re.search(r"```jinja\n(.*?)```", section, re.S)[1], encoding="utf-8")
+    command = re.search(r"```sh\n(.*?)```", section, re.S)[1].strip()
+    result = CliRunner().invoke(main, shlex.split(command)[1:])
+    assert result.exit_code == 0, result.output
+    for name in ("31", "v101"):
+        page = (tmp_path / "coursework-runs" / name / "report.html").read_text(encoding="utf-8")
+        assert page.index("Department of Mechanics, spring term") < page.index("<h1>")
+        assert "Prof. B" in page
+    assert (tmp_path / "coursework-runs" / "combined.pdf").read_bytes().startswith(b"%PDF")
+
+
 def moodle_download(folder):
     """Two submissions and the worksheet as Moodle gives them, and the files that the commands of README name."""
     with zipfile.ZipFile(folder / "submissions.zip", "w") as download:

@@ -1,6 +1,6 @@
 """`coursework run A B C …`: several variants in one process or a few, a folder each, a summary at the end.
 
-Enters: names, paths and patterns.  Leaves: folders, `summary.csv`, `combined.pdf` where asked for, the worst exit status (3 before 2 before 1 before 0).
+Enters: names, paths and patterns.  Leaves: folders, `summary.csv`, perhaps `combined.pdf`; the worst exit status (3, 2, 1, 0).
 Used by `cli.py`; one faulty file never stops the rest.
 """
 

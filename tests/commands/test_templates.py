@@ -1,0 +1,109 @@
+"""Own templates and one PDF for several variants: what stands in, what falls back, what is refused."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pymupdf
+import pytest
+from click.testing import CliRunner, Result
+
+from coursework.cli import main
+from coursework.data import folder, own_pieces
+
+PLAIN = folder("reports")
+
+
+def run(*words: object) -> Result:
+    return CliRunner().invoke(main, ["run", *map(str, words)])
+
+
+def test_a_piece_stands_in_and_the_others_fall_back(tmp_path: Path) -> None:
+    looks = tmp_path / "looks"
+    looks.mkdir()
+    (looks / "report.css").write_text("body { color: #123456 }")
+    typ = (PLAIN / "report.typ").read_text(encoding="utf-8")
+    (looks / "report.typ").write_text(typ + "\n#text[the last word is mine]\n", encoding="utf-8")
+    before = {path: path.read_bytes() for path in PLAIN.rglob("*") if path.is_file()}
+    options = ("--quantities", "table,checks", "--format", "html,pdf")
+    assert run("31", "--templates", looks, "--out", tmp_path / "own", *options).exit_code == 0
+    page = (tmp_path / "own" / "report.html").read_text(encoding="utf-8")
+    assert "#123456" in page
+    assert "<h1>" in page  # the template is still the package's
+    assert "the last word is mine" in pymupdf.open(tmp_path / "own" / "report.pdf")[-1].get_text()
+    assert run("31", "--out", tmp_path / "plain", *options).exit_code == 0
+    assert "#123456" not in (tmp_path / "plain" / "report.html").read_text(encoding="utf-8")
+    stamps = [next(line for line in (tmp_path / name / "run.json").read_text().splitlines() if "stamp" in line) for name in
+              ("own", "plain")]  # fmt: skip
+    assert stamps[0] != stamps[1]
+    assert {path: path.read_bytes() for path in PLAIN.rglob("*") if path.is_file()} == before
+    assert folder("reports") == PLAIN
+
+
+@pytest.mark.parametrize(
+    ("files", "told"),
+    [
+        (None, "there is no such folder of templates"), ({}, "no file in it has the name of a piece"),
+        ({"report.htm.j2": ""}, 'Did you mean "report.html.j2"?'), ({"report.css": "a" * (4 * 2**20 + 1)}, "at most 4 MiB"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_meant_is_refused_before_anything_is_computed(
+    tmp_path: Path, files: dict[str, str] | None, told: str
+) -> None:
+    looks = tmp_path / "looks"
+    for name, text in (files or {}).items():
+        looks.mkdir(exist_ok=True)
+        (looks / name).write_text(text)
+    if files == {}:
+        looks.mkdir()
+    found = run("31", "--templates", looks, "--out", tmp_path / "out")
+    assert found.exit_code == 2
+    assert told in found.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_piece_of_four_mib_is_taken(tmp_path: Path) -> None:
+    (tmp_path / "report.css").write_text("a" * (4 * 2**20))
+    assert run("31", "--templates", tmp_path, "--quantities", "table", "--plan").exit_code == 0
+
+
+def test_several_variants_are_one_pdf_each_with_pages_of_its_own(tmp_path: Path) -> None:
+    options = ("--student", "Ada", "--teacher", "Prof. B", "--institution", "Our university", "--quantities", "table")
+    bad = tmp_path / "bad.toml"
+    bad.write_text("format = 1\n")
+    done = run("31", bad, "example-1", *options, "--combined", "--format", "csv", "--out", tmp_path / "out")
+    assert done.exit_code == 2  # the faulty file stops none of the others
+    document = pymupdf.open(tmp_path / "out" / "combined.pdf")
+    firsts = [page.number for page in document if "Kinematic analysis" in page.get_text()[:60]]
+    assert len(firsts) == 2
+    counts = [firsts[1], len(document) - firsts[1]]
+    for first, count in zip(firsts, counts, strict=True):
+        for number in range(count):
+            assert f"{number + 1} / {count}" in document[first + number].get_text()
+        assert all(word in document[first].get_text() for word in ("Ada", "Prof. B", "Our university"))
+    assert document.metadata["title"].count(";") == 1
+    assert not (tmp_path / "out" / "31" / "report.pdf").exists()
+    assert "combined.pdf" in done.output
+
+
+def test_the_same_bytes_from_processes_of_their_own(tmp_path: Path) -> None:
+    (tmp_path / "looks").mkdir()
+    (tmp_path / "looks" / "report.css").write_text("body { color: #123456 }")
+    for jobs in (1, 2):
+        options = ("--templates", tmp_path / "looks", "--quantities", "table", "--combined", "--format", "html")
+        done = run("31", "example-1", *options, "--jobs", jobs, "--out", tmp_path / str(jobs))
+        assert done.exit_code == 0, done.output
+    for name in ("combined.pdf", "31/report.html", "example-1/report.html"):
+        assert (tmp_path / "1" / name).read_bytes() == (tmp_path / "2" / name).read_bytes()
+    assert "#123456" in (tmp_path / "2" / "31" / "report.html").read_text(encoding="utf-8")
+
+
+def test_own_pieces_come_and_go_in_one_process(tmp_path: Path) -> None:
+    (tmp_path / "report.css").write_text("mine")
+    with own_pieces(tmp_path):
+        inside = folder("reports")
+        assert (inside / "report.css").read_text() == "mine"
+        assert (inside / "package" / "report.css").read_bytes() == (PLAIN / "report.css").read_bytes()
+        with own_pieces(None):
+            assert folder("reports") == inside
+    assert not inside.exists()
