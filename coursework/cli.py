@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -148,7 +149,7 @@ class _WithTemplates(click.Command):
     """A command with `--templates`: the pieces stand before anything is said, wherever in the line the option is."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        given = [after for word, after in zip(args, args[1:], strict=False) if word == "--templates"]
+        given = [after for word, after in pairwise(args) if word == "--templates"]
         given += [word.partition("=")[2] for word in args if word.startswith("--templates=")]
         if given:
             from coursework.commands.templates import with_templates
