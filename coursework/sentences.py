@@ -111,12 +111,16 @@ class Phrases:
         parts = values.get("parts")
         if isinstance(parts, tuple):
             return template.join(map(self.written, parts))
-        return self.filled(key, template, {name: self._filling(value) for name, value in values.items()})
+        return self.filled(key, template, {name: self._filling(name, value) for name, value in values.items()})
 
     def listing(self, parts: Sequence[str]) -> str:
         """Return "a, b and c"."""
         *first, last = parts or [""]
         return f" {self.template('and')} ".join([", ".join(first), last] if first else [last])
+
+    def unit(self, unit: str) -> str:
+        """Return a unit such as "rad/s" as this language writes it; one that the words file does not have as it is."""
+        return str(self.entries.get("units", {}).get(unit, unit))
 
     def _found(self, key: str) -> object:
         entry: Any = self.entries
@@ -126,11 +130,13 @@ class Phrases:
             entry = entry[part]
         return entry
 
-    def _filling(self, value: object) -> object:
+    def _filling(self, name: str, value: object) -> object:
         if isinstance(value, tuple):
             return self.listing([self.written(part) for part in value])
         if isinstance(value, float):
             return _Number(value, self.template("decimal"))
+        if name == "unit" and isinstance(value, str):
+            return self.unit(self.written(value))
         return self.written(value) if isinstance(value, str) else value
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from coursework.accuracy.record import AccuracyStudy, StudyRow
 from coursework.report.accuracy_figures import Bar, Method, Panels, bars, panels
 from coursework.report.figures import WIDTH
-from coursework.report.numbers import NOTHING, with_unit
+from coursework.report.numbers import NOTHING
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Bullets, Cell, Column, Figure, Paragraph, Part, Table
 from coursework.report.tables import MARK, ONE_PAGE
@@ -34,7 +34,7 @@ def accuracy(context: PageContext) -> list[Part]:
 
 
 def _unit(context: PageContext) -> str:
-    units = dict.fromkeys(c.unit for c in context.run.variant.coordinates)
+    units = dict.fromkeys(context.unit(c.unit) for c in context.run.variant.coordinates)
     return context.words.listing(list(units)) if len(units) < 2 else f" {context.words('or')} ".join(units)
 
 
@@ -56,7 +56,7 @@ def _figure(context: PageContext, study: AccuracyStudy) -> Figure:
     labels = {key: say(f"accuracy.{key}") for key in ("evaluations", "seconds", "end_legend", "own_legend", "floor_legend")}
     own = (study.own[1], study.own[3] if study.seconds_shown else None, study.own[2]) if study.own else None
     page = Panels(tuple(methods), own, study.floor, say("accuracy.error", unit=_unit(context)), labels)
-    floor = with_unit(context.numbers.scalar(study.floor, 2), _unit(context))
+    floor = context.with_unit(context.numbers.scalar(study.floor, 2), _unit(context))
     caption = say("accuracy.caption_two" if page.timed else "accuracy.caption_one")
     caption += " " + say("accuracy.caption_rest", floor=floor)
     caption += " " + say("accuracy.reference", label=printed(context.told(study.reference_label)).rstrip("."))
@@ -133,7 +133,9 @@ def _budget(context: PageContext, study: AccuracyStudy) -> list[Part]:
     columns = [Column(context.say(f"accuracy.{key}"), words=key == "coordinate") for key in heads]
     rows: list[list[Cell]] = []
     for line in study.budget:
-        amounts = [numeral(with_unit(numbers.scalar(value, 4), line[1])) for value in (line[2], line[3], line[4], line[5])]
+        amounts = [
+            numeral(context.with_unit(numbers.scalar(value, 4), line[1])) for value in (line[2], line[3], line[4], line[5])
+        ]
         rows.append([context.symbol_runs([line[0]]), *amounts])
     return [*parts, Table(columns, rows)]
 

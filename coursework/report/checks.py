@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from coursework.checks.result import GROUPS, VERDICTS, Finding
 from coursework.page_text import clean
-from coursework.report.numbers import unit_text, with_unit
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Cell, Checks, Judged, Paragraph, Part, Runs
 from coursework.report.tables import thinned
@@ -53,9 +52,9 @@ def _judged(context: PageContext, check: Finding) -> Judged:
         code=clean(check.code),
         title=context.rich(check.title),
         sentence=context.rich(check.sentence),
-        value=numeral(with_unit(numbers.limit(check.value) if is_count else numbers.scalar(check.value), behind)),
-        limit=numeral(with_unit(numbers.limit(check.limit), behind)),
-        unit="" if is_short or check.value is None else unit_text(unit),
+        value=numeral(context.with_unit(numbers.limit(check.value) if is_count else numbers.scalar(check.value), behind)),
+        limit=numeral(context.with_unit(numbers.limit(check.limit), behind)),
+        unit="" if is_short or check.value is None else context.unit(unit),
         heads=heads,
         lines=lines,
     )
@@ -74,7 +73,7 @@ def _lines(context: PageContext, check: Finding) -> tuple[list[str], list[list[C
     if complete and all(len(found) == 1 for found in units.values()):
         table: list[list[Cell]] = []
         for head in rows:
-            unit = unit_text(context.told(next(iter(units[head]))))
+            unit = context.unit(context.told(next(iter(units[head]))))
             label = [*_label(context, head), *([{"t": f", {unit}"}] if unit else [])]
             table.append([label, *(values[head, tail] for tail in columns)])
         return ["", *(clean(column) for column in columns)], table
@@ -89,4 +88,4 @@ def _label(context: PageContext, label: str) -> Runs:
 
 
 def _amount(context: PageContext, row: tuple[str, float, str]) -> Cell:
-    return numeral(with_unit(context.numbers.scalar(row[1]), context.told(row[2])))
+    return numeral(context.with_unit(context.numbers.scalar(row[1]), context.told(row[2])))

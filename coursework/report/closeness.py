@@ -13,9 +13,9 @@ import numpy as np
 
 from coursework.checks.evidence import Evidence
 from coursework.checks.period import Split, mismatch
-from coursework.report.numbers import with_unit
 from coursework.report.page_context import PageContext
 from coursework.schemes import SCHEMES
+from coursework.sentences import title_of
 
 SEEN = 1e-9  # of the scale of a column: a smaller error is none to speak of
 
@@ -32,9 +32,9 @@ class LargestError:
 
     def told(self, context: PageContext) -> dict[str, str]:
         """Return the error as words for a sentence."""
-        amount = with_unit(context.numbers.scalar(self.value, 3), self.unit)
+        amount = context.with_unit(context.numbers.scalar(self.value, 3), self.unit)
         if self.unit == "rad":
-            degrees = with_unit(context.numbers.scalar(math.degrees(self.value), 2), "°")
+            degrees = context.with_unit(context.numbers.scalar(math.degrees(self.value), 2), "°")
             amount = context.words("result.angle", amount=amount, degrees=degrees)
         symbol = context.symbol(self.column).text
         return {"scheme": self.scheme, "amount": amount, "symbol": symbol, "row": str(self.row)}
@@ -85,7 +85,6 @@ def largest_errors(context: PageContext) -> list[LargestError]:
 
 def _title(context: PageContext, own: bool) -> str:
     from coursework.schemes import DEFAULT_SCHEME
-    from coursework.sentences import title_of
 
     return context.run.scheme_title if own else title_of(DEFAULT_SCHEME)
 

@@ -6,7 +6,6 @@ Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
 from __future__ import annotations
 
 from coursework.report.figures import true_to_scale
-from coursework.report.numbers import with_unit
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Bullets, Cell, Column, Part, Table
 from coursework.report.text_runs import numeral
@@ -25,13 +24,13 @@ def graph_check(context: PageContext) -> list[Part]:
         Column(context.say(f"graph.{key}"), words=key == "quantity") for key in ("quantity", "measured", "tabled", "difference")
     ]
     rows: list[list[Cell]] = [
-        [context.rich(name), *(numeral(with_unit(numbers.scalar(value), unit)) for value in values)]
+        [context.rich(name), *(numeral(context.with_unit(numbers.scalar(value), unit)) for value in values)]
         for name, *values, unit in ((r[0], r[1], r[2], r[3], r[4]) for r in graph.rows)
     ]
     parts: list[Part] = [figure, *([Table(heads, rows)] if rows else [])]
     if graph.exact:
         errors: list[list[Cell]] = [
-            [context.rich(name), *(numeral(with_unit(numbers.scalar(value), unit)) for value in (exact, gap))]
+            [context.rich(name), *(numeral(context.with_unit(numbers.scalar(value), unit)) for value in (exact, gap))]
             for name, exact, gap, unit in graph.exact
         ]
         names = [Column(context.say(f"graph.{key}"), words=key == "quantity") for key in ("quantity", "exact", "error")]

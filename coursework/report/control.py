@@ -6,7 +6,7 @@ Enters: a `PageContext`.  Leaves: `Claims`.  Used by `sections.py`; codes and li
 from __future__ import annotations
 
 from coursework.checks.result import Finding
-from coursework.report.numbers import ROUND_OFF, with_unit
+from coursework.report.numbers import ROUND_OFF
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Cell, Claims, Paragraph, Part
 from coursework.report.text_runs import numeral
@@ -52,6 +52,6 @@ def _number(context: PageContext, finding: Finding) -> Cell:
     if key in BARE:
         return "0" if abs(value) < ROUND_OFF else numeral(numbers.scalar(value, DIGITS))
     if key in SHARES:
-        return with_unit(numbers.scalar(100 * value if abs(value) > ROUND_OFF else 0.0, DIGITS), "%")
+        return context.with_unit(numbers.scalar(100 * value if abs(value) > ROUND_OFF else 0.0, DIGITS), "%")
     shown = numbers.whole(int(value)) if value.is_integer() and abs(value) >= 1 else numbers.scalar(value, DIGITS)
-    return numeral(with_unit(shown, context.told(finding.unit)))
+    return numeral(context.with_unit(shown, context.told(finding.unit)))

@@ -25,7 +25,6 @@ from coursework.report.graph_paper import (
     sheet,
     smooth,
 )
-from coursework.report.numbers import unit_text
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Panel, Panels, Part
 from coursework.schemes import DEFAULT_SCHEME
@@ -113,7 +112,7 @@ def _figure(context: PageContext, shown: Sequence[Rows], number: int) -> Panels:
 
 def _panel(context: PageContext, rows: Rows) -> Panel:
     run, say = context.run, context.words
-    unit = unit_text(run.variant.unit_of(rows.name))
+    unit = context.unit(run.variant.unit_of(rows.name))
     symbol = context.symbol(rows.name)
     stop = [np.array([run.stop.time])] if run.stop is not None else []
     field = field_for(SIZE, [rows.t, rows.curve_t, *stop], [rows.values, rows.curve])

@@ -11,7 +11,6 @@ from typing import Any
 
 from coursework.live.page import LivePart, live_part
 from coursework.page_text import clean
-from coursework.report.numbers import unit_text
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Beside, Figure, Panels, Part, Section, Table
 from coursework.report.sections import all_sections
@@ -76,7 +75,7 @@ def build_model(run: Run, language: str = "en", stamp: str = "", *, live: bool =
         footer=words("title.footer", version=run.versions["coursework"], stamp=stamp) if stamp else "",
         contents=words("title.contents"),
         sections=tuple(_numbered(all_sections(context), words)),
-        live=live_part(run, words.phrases, lambda name: context.symbol(name).text, unit_text) if live else None,
+        live=live_part(run, words.phrases, lambda name: context.symbol(name).text, context.unit) if live else None,
     )
 
 

@@ -6,8 +6,8 @@ Enters: floats in SI and their units.  Leaves: strings for a reader.  Used by th
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 
 MINUS = "−"
 NOTHING = "–"  # no number: a check that was skipped, a method that failed
@@ -31,9 +31,10 @@ def superscript(text: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Numbers:
-    """The writer of numbers of one language; `mark` is its decimal sign."""
+    """The writer of numbers of one language; `mark` is its decimal sign, `units` how it writes units, where otherwise."""
 
     mark: str = "."
+    units: Mapping[str, str] = field(default_factory=dict)
 
     def fixed(self, value: float, decimals: int) -> str:
         """Return `value` with so many decimals; 0 is "0", what would round to 0.00 takes a power of ten."""
@@ -104,7 +105,7 @@ class Numbers:
         """Return a running time in s, ms or µs with three significant digits."""
         for factor, unit in ((1.0, "s"), (1e3, "ms"), (1e6, "µs")):
             if abs(seconds) * factor >= 1 or unit == "µs":
-                return with_unit(self.scalar(seconds * factor, 3), unit)
+                return with_unit(self.scalar(seconds * factor, 3), self.units.get(unit, unit))
         raise AssertionError("the last unit takes every duration")
 
     def _dress(self, text: str) -> str:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from coursework.integration.motion import Motion
 from coursework.page_text import LONGEST, clean
 from coursework.quantities import PLOTS
-from coursework.report.numbers import Numbers, with_unit
+from coursework.report.numbers import Numbers, unit_text, with_unit
 from coursework.report.parts import Runs
 from coursework.report.symbols import Symbol, symbol
 from coursework.report.text_runs import derivative, printed, runs
@@ -100,4 +100,12 @@ class PageContext:
 
     def quantity(self, value: float, unit: str, digits: int = DATUM_DIGITS) -> str:
         """Return a datum with its unit."""
-        return with_unit(self.numbers.plain(value, digits), unit)
+        return self.with_unit(self.numbers.plain(value, digits), unit)
+
+    def unit(self, unit: str) -> str:
+        """Return a unit as the language of the page writes it."""
+        return unit_text(self.words.phrases.unit(unit))
+
+    def with_unit(self, number: str, unit: str) -> str:
+        """Return a number with its unit behind it, as the language of the page writes it."""
+        return with_unit(number, self.words.phrases.unit(unit))

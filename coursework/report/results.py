@@ -8,7 +8,7 @@ from __future__ import annotations
 from coursework.checks.period import Split
 from coursework.quantities import CHECKS
 from coursework.report.closeness import LocalError, evidence, largest_step_error, splits
-from coursework.report.numbers import deserved_decimals, unit_text, with_unit
+from coursework.report.numbers import deserved_decimals
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Cell, Column, Paragraph, Part, Table
 from coursework.report.tables import motion_parts, pieces
@@ -58,7 +58,7 @@ def _first_last(context: PageContext, found: list[Split], *, is_first: bool) -> 
             cells.append(numeral(numbers.fixed(numbers.without_noise(value, split.first), decimals[split.name] + fine)))
         rows.append(cells)
     columns = [Column([], words=True)]
-    columns += [Column(context.symbol_runs([split.name]), unit_text(split.unit)) for split in found]
+    columns += [Column(context.symbol_runs([split.name]), context.unit(split.unit)) for split in found]
     turned = [say("first_last.turns", symbol=context.symbol(s.name).text, turns=abs(s.turns)) for s in found if s.turns]
     note = runs(say("first_last.taken_off", turned="; ".join(turned))) if turned else []
     return Table(columns, rows, context.say("first_last.caption"), strong=[2], note=note, id="first-last" if is_first else "")
@@ -69,7 +69,7 @@ def _why(context: PageContext, found: list[Split], step: LocalError | None) -> l
     say, scheme = context.words, _scheme(context)
     told: list[str] = []
     if step is not None and scheme is not None:
-        gap = with_unit(context.numbers.scalar(abs(step.gap), 3), step.unit)
+        gap = context.with_unit(context.numbers.scalar(abs(step.gap), 3), step.unit)
         values = {"symbol": context.symbol(step.column).text, "rate": context.symbol(step.rate_name).text, "gap": gap}
         values |= {"row": str(step.row), "next": str(step.row + 1)}
         title = context.told(scheme.title)
@@ -99,6 +99,6 @@ def _period(context: PageContext, found: list[Split]) -> list[str]:
     return [
         say(
             "why.period", end=context.quantity(end, "s"), period=context.quantity(period, "s"), part=part,
-            whole=with_unit(whole, most.unit), symbol=context.symbol(most.name).text,
+            whole=context.with_unit(whole, most.unit), symbol=context.symbol(most.name).text,
         )
     ]  # fmt: skip

@@ -11,7 +11,7 @@ from coursework.quantities import CHECKS, TABLE
 from coursework.report.closeness import largest_errors, splits
 from coursework.report.figures import drawn
 from coursework.report.laws import laws_shown
-from coursework.report.numbers import NOTHING, with_unit
+from coursework.report.numbers import NOTHING
 from coursework.report.page_context import STOP_DIGITS, PageContext
 from coursework.report.parts import Beside, Cell, Column, Paragraph, Part, Result, Runs, Table, TitleBlock
 from coursework.report.text_runs import LONGEST_NAME, runs
@@ -116,7 +116,7 @@ def _data(context: PageContext) -> Table:
     """The data of the task sheet as written, and the start."""
     variant = context.run.variant
     rows: list[list[Cell]] = [
-        [context.symbol_runs([g.name]), context.quoted(_meaning(context, g)), with_unit(_written(g.text), g.unit)]
+        [context.symbol_runs([g.name]), context.quoted(_meaning(context, g)), context.with_unit(_written(g.text), g.unit)]
         for g in variant.given
     ]
     for c in variant.coordinates:
@@ -125,7 +125,7 @@ def _data(context: PageContext) -> Table:
             how = context.say("given.from_groups" if c.near is None else "given.follows")
             rows.append([head, how, _first(context, c.name, c.unit)])
         else:
-            rows.append([head, context.say("given.at_start"), with_unit(_written(c.text), c.written)])
+            rows.append([head, context.say("given.at_start"), context.with_unit(_written(c.text), c.written)])
     columns = [Column(context.say(f"given.{key}"), words=key != "written") for key in ("quantity", "meaning", "written")]
     return Table(columns, rows, context.say("given.data" if variant.given else "given.coordinates"))
 
@@ -178,7 +178,7 @@ def _checked(context: PageContext) -> str:
     sought = [name for name in motion.velocity_names if name not in variant.known_rates] or motion.velocity_names
     values = ", ".join(
         f"{context.symbol(name).text} = "
-        + with_unit(context.numbers.scalar(float(motion.column(name)[row - 1]), SHOWN_DIGITS), variant.unit_of(name))
+        + context.with_unit(context.numbers.scalar(float(motion.column(name)[row - 1]), SHOWN_DIGITS), variant.unit_of(name))
         for name in sought
     )
     time = context.quantity(float(motion.t[row - 1]), "s")
@@ -191,7 +191,7 @@ def _misses(context: PageContext) -> list[Runs]:
     variant = context.run.variant
     if found := [split for split in splits(context) if split.name in context.run.motion.coordinate_names]:
         gaps = ", ".join(
-            f"{context.symbol(s.name).text} {with_unit(context.numbers.scalar(s.total, 3), s.unit)}"
+            f"{context.symbol(s.name).text} {context.with_unit(context.numbers.scalar(s.total, 3), s.unit)}"
             for s in found
             if variant.columns.index(s.name) >= 0 and s.name not in _driven(context)
         )

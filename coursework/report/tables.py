@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from typing import Any
 
 from coursework.kinematics.extra import ExtraTable
-from coursework.report.numbers import unit_text
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Cell, Column, Paragraph, Part, Table
 from coursework.report.text_runs import numeral, runs
@@ -100,7 +99,7 @@ def extra_parts(context: PageContext, extra: ExtraTable) -> list[Part]:
 
 
 def _columns(context: PageContext, grid: Grid, kept: list[int]) -> tuple[list[Column], list[list[Cell]]]:
-    heads = [Column(context.symbol_runs([n]), unit_text(u)) for n, u in zip(grid.names, grid.units, strict=True)]
+    heads = [Column(context.symbol_runs([n]), context.unit(u)) for n, u in zip(grid.names, grid.units, strict=True)]
     texts = [context.numbers.column(grid.rows[kept, index]) for index in range(len(heads))]
     return heads, [[numeral(text) for text in column] for column in texts]
 

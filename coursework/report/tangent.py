@@ -12,7 +12,6 @@ import numpy as np
 from coursework.report import graph_paper
 from coursework.report.closeness import LocalError, evidence
 from coursework.report.graph_paper import EXACT_PEN, SCHEME_INK, Field, axes, field_for, letters, sheet, smooth, words
-from coursework.report.numbers import unit_text, with_unit
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Figure
 
@@ -38,7 +37,7 @@ def tangent_figure(context: PageContext, step: LocalError) -> Figure | None:
     t, curve = t[kept], curve[kept]
     foot, top = (float(exact.t[begin]), float(q[begin])), (float(exact.t[end]), float(q[begin] + h * rate[begin]))
     field = field_for(SIZE, [t], [curve, np.array([foot[1], top[1]])])
-    unit = unit_text(step.unit)
+    unit = context.unit(step.unit)
     symbol = context.symbol(step.column)
     label = letters(symbol) + (f", {escape(unit)}" if unit else "")
     inside = axes(field, context.numbers, label)
@@ -46,7 +45,7 @@ def tangent_figure(context: PageContext, step: LocalError) -> Figure | None:
     line = field.path(np.array([foot[0], top[0]]), np.array([foot[1], top[1]]))
     inside += f'<path {TANGENT_PEN} d="{line}"/>'
     inside += _gap(field, float(exact.t[end]), float(q[end]), top[1])
-    gap = with_unit(context.numbers.scalar(abs(step.gap), 3), step.unit)
+    gap = context.with_unit(context.numbers.scalar(abs(step.gap), 3), step.unit)
     inside += _gap_words(field, float(exact.t[end]), 0.5 * (float(q[end]) + top[1]), gap)
     for at, value in (foot, top):
         inside += f'<circle class="dots" cx="{field.x(at):.2f}" cy="{field.y(value):.2f}" r="0.9" fill="{SCHEME_INK}"/>'

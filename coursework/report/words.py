@@ -45,7 +45,7 @@ class Words:
     @property
     def numbers(self) -> Numbers:
         """Return the writer of numbers of this language."""
-        return Numbers(self("decimal"))
+        return Numbers(self("decimal"), self.phrases.entries.get("units", {}))
 
 
 def load_words(language: str = ENGLISH) -> Words:
