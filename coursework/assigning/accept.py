@@ -33,6 +33,12 @@ class Accepted:
     attempt: int
     numbers: Mapping[str, float]
 
+    @property
+    def check_row(self) -> int | None:
+        """Return the drawn row of the check (from 1), None where it is the template's."""
+        text = self.values.get(("time", "check_row"))
+        return None if text is None else int(text)
+
 
 @dataclass(frozen=True, slots=True)
 class Centre:

@@ -15,7 +15,7 @@ from coursework.api import compile_model, load
 from coursework.assigning.accept import Acceptance, Accepted
 from coursework.assigning.draw import Lots
 from coursework.assigning.ranges import Ranges
-from coursework.assigning.reader import ranges_file, ranges_of, read_ranges
+from coursework.assigning.reader import determined, ranges_file, ranges_of, read_ranges
 from coursework.data import folder
 from coursework.errors import InputError
 from coursework.grading.names import file_stem
@@ -23,9 +23,10 @@ from coursework.model.model import Model
 from coursework.model.variant_text import variant_text
 from coursework.schemes import DEFAULT_SCHEME
 from coursework.sentences import say
-from coursework.settings import scheme_for
+from coursework.settings import Settings, scheme_for
 from coursework.variant.reader import parse_variant
 from coursework.variant.record import Variant
+from coursework.variant.rewriting import SAID_OF_NUMBERS, rewritten
 
 FOLDER = "ranges"  # of the catalogue
 
@@ -58,12 +59,24 @@ class Assignment:
 
     def individual(self, accepted: Accepted) -> Individual:
         """Return the variant with the accepted data: the template's file with other values in it, read anew."""
-        given = {path[1]: text for path, text in accepted.values.items() if path[0] == "given"}
-        start = {path[1]: text for path, text in accepted.values.items() if path[0] == "coordinates"}
-        rows = [int(text) for path, text in accepted.values.items() if path[0] == "time"]
-        variant = self.template.with_data(given, start, check_row=rows[0] if rows else None)
-        content = variant_text(variant, self.original, self._scheme).encode("utf-8")
+        if determined(self.template):
+            given = {path[1]: text for path, text in accepted.values.items() if path[0] == "given"}
+            start = {path[1]: text for path, text in accepted.values.items() if path[0] == "coordinates"}
+            variant = self.template.with_data(given, start, check_row=accepted.check_row)
+            content = variant_text(variant, self.original, self._scheme).encode("utf-8")
+        else:  # nothing follows from the data, so they need not be read twice
+            changes: dict[tuple[str | int, ...], Any] = {
+                path: text for path, text in accepted.values.items() if path[0] != "time"
+            }
+            if accepted.check_row is not None:
+                changes["time", "check_row"] = accepted.check_row
+            content = rewritten(self.original, changes, SAID_OF_NUMBERS).encode("utf-8")
         return Individual(accepted, content, parse_variant(content, file_stem(accepted.id), tables=self.tables))
+
+    @property
+    def settings(self) -> Settings:
+        """Return how the tables of the class are made."""
+        return Settings(DEFAULT_SCHEME.name)
 
     @property
     def _scheme(self) -> str:

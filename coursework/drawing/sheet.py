@@ -48,6 +48,14 @@ def number(value: float) -> str:
 
 def inside(a: complex, b: complex, box: Rectangle) -> tuple[complex, complex] | None:
     """Return the part of a segment within a rectangle (left, top, right, bottom), None where there is none."""
+    # Nearly every segment lies wholly beside the rectangle; asked tens of thousands of times a drawing.
+    if (
+        max(a.real, b.real) < box[0]
+        or min(a.real, b.real) > box[2]
+        or max(a.imag, b.imag) < box[1]
+        or min(a.imag, b.imag) > box[3]
+    ):
+        return None
     low, high = 0.0, 1.0
     step = b - a
     for at, rate, least, most in ((a.real, step.real, box[0], box[2]), (a.imag, step.imag, box[1], box[3])):
@@ -109,7 +117,9 @@ class Sheet:
         left, top, right, bottom = self.field
         wide = high = length + 3.5
         corners = [complex(x, y) for y in (bottom - high, top) for x in (left, right - wide)]
-        _, corner = min((self._covered(at + complex(wide, high) / 2, wide, high, math.inf), k) for k, at in enumerate(corners))
+        _, corner = min(
+            (self._covered(at + complex(wide, high) / 2, wide, high, math.inf, self.segments), k) for k, at in enumerate(corners)
+        )
         at = corners[corner] + complex(1, high - 1.5)
         pen = 'stroke="black" stroke-width="0.2"'
         for way, name, shift in ((complex(length), "x", 0.5 + 0.9j), (-length * 1j, "y", 1.0 + 1.2j)):
@@ -170,6 +180,12 @@ class Sheet:
         toward = cmath.phase(away) if away else -math.pi / 4
         best, found = math.inf, near
         for ring in RINGS:
+            if 0.5 * ring >= best:
+                break
+            # Only what comes this near can be covered from this ring.
+            far = gap + ring + width + height
+            around = (near.real - far, near.imag - far, near.real + far, near.imag + far)
+            segments = [segment for segment in self.segments if inside(*segment, around)]
             for k in range(DIRECTIONS):
                 turned = math.tau * k / DIRECTIONS
                 unit = cmath.rect(1.0, toward + turned)
@@ -177,12 +193,17 @@ class Sheet:
                 reach = min(width / 2 / max(abs(unit.real), 1e-9), height / 2 / max(abs(unit.imag), 1e-9))
                 middle = near + unit * (gap + ring + reach)
                 price = 0.5 * ring + 0.6 * (1 - math.cos(turned))
-                if price < best - 1e-9 and (cost := price + self._covered(middle, width, height, best - price)) < best - 1e-9:
+                if price >= best - 1e-9:
+                    continue
+                cost = price + self._covered(middle, width, height, best - price, segments)
+                if cost < best - 1e-9:
                     best, found = cost, middle
         return best, found
 
-    def _covered(self, middle: complex, width: float, height: float, limit: float) -> float:
-        """Return how much a rectangle covers: mm of lines, and more for other labels and for leaving the field.
+    def _covered(
+        self, middle: complex, width: float, height: float, limit: float, segments: list[tuple[complex, complex]]
+    ) -> float:
+        """Return how much a rectangle covers: mm of some lines, and more for other labels and for leaving the field.
 
         Counting ends at `limit`.
         """
@@ -199,7 +220,7 @@ class Sheet:
                 cost += 6.0 + 3.0 * across * down
         if cost < limit:
             cost += WORD_ON_WORD * sum(_meet(box, word) for word in self.words)
-        for a, b in self.segments:
+        for a, b in segments:
             if cost >= limit:
                 break
             if part := inside(a, b, box):

@@ -1,7 +1,7 @@
 """The text of a variant file with other values in it: comments, order and spelling stay as its author wrote them.
 
 Enters: a text that has been read as a variant, and values by their path.  Leaves: the new text.
-Used by `variant_text.py`.
+Used by `variant_text.py` and by individual variants.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterable, Mapping
+from typing import Any
 
 from coursework.errors import InputError
 from coursework.formula.alphabet import spell
@@ -21,7 +22,7 @@ _REMARK = re.compile(r"[ \t]*#[^\n]*")
 _SCHEMA_LINE = re.compile(r"\A#:schema[^\n]*\n\s*")
 
 
-def rewritten(text: str, changes: Mapping[Path, float | str | int], drop: Iterable[str] = ()) -> str:
+def rewritten(text: str, changes: Mapping[Path, Any], drop: Iterable[str] = ()) -> str:
     """Return the text with changed values; a key that the file does not have is added to its section.
 
     `drop` names sections and keys of the top level to be left out.  The line that names a schema goes, for a copy lies
@@ -36,7 +37,7 @@ def rewritten(text: str, changes: Mapping[Path, float | str | int], drop: Iterab
     return _SCHEMA_LINE.sub("", plain)
 
 
-def _replacement(text: str, found: Positions, path: Path, value: float | str | int) -> tuple[int, int, str]:
+def _replacement(text: str, found: Positions, path: Path, value: Any) -> tuple[int, int, str]:
     """Return where a value goes, up to where, and its text."""
     written = json.dumps(value, ensure_ascii=False)
     own = _spelt(found.spans, path)

@@ -1,0 +1,104 @@
+"""A roster and an assignment -> every file that students and their instructor get.
+
+Enters: `Roster`, `Assignment`, the folder OUT.  Leaves: variant files, sheets, keys, roster.csv, class.html, and on request
+one PDF.  Used by `commands/assign.py`.
+
+What one student gets depends on that student alone; a further student adds files and a row and changes class.html.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from coursework.assigning.class_page import class_page
+from coursework.assigning.handout import Handout, difficulty_text, make_handout
+from coursework.assigning.key import key_csv, key_equations, key_html
+from coursework.assigning.page_words import Plain
+from coursework.assigning.ranges import MEASURES
+from coursework.assigning.sheet import sheet, sheet_html, sheets_pdf
+from coursework.assigning.variants import Assignment
+from coursework.errors import OutputError
+from coursework.files import write_bytes
+from coursework.grading.escapes import csv_text
+from coursework.grading.platforms.roster import Roster
+from coursework.report.words import Words
+from coursework.scene import Scene
+
+ROSTER, CLASS, PDF = "roster.csv", "class.html", "sheets.pdf"
+
+
+@dataclass(frozen=True, slots=True)
+class Wishes:
+    """How the files are made: `seed` as the user gave it, what stands on the line of the deadline, whether there is a PDF."""
+
+    seed: str
+    deadline: str = ""
+    pdf: bool = False
+
+
+def assign(
+    roster: Roster, assignment: Assignment, out: Path, wishes: Wishes, words: Words,
+    drawn: Callable[[int], None] = lambda number: None, made: Callable[[int], None] = lambda number: None,
+) -> list[str]:  # fmt: skip
+    """Write the files of a class and return their kinds; nothing is written where one student gets no variant.
+
+    `drawn` and `made` are told how many students more have data and files.  Raises `InputError`, `OutputError`.
+    """
+    individuals = assignment.individuals([student.id for student in roster.students], drawn)
+    equations = key_equations(Scene(assignment.template, assignment.settings))
+    for name, content in assignment.tables.items():
+        _write(out / name, content)
+    handouts: list[Handout] = []
+    pages: list[Plain] = []
+    for student, individual in zip(roster.students, individuals, strict=True):
+        handout = make_handout(student, individual)
+        page = sheet(handout, words, wishes.deadline)
+        _write(out / f"{handout.stem}.toml", individual.content)
+        _write(out / "sheets" / f"{handout.stem}.html", sheet_html(page).encode("utf-8"))
+        _write(out / "key" / f"{handout.stem}.csv", key_csv(handout).encode("utf-8"))
+        _write(out / "key" / f"{handout.stem}.html", key_html(handout, equations, words).encode("utf-8"))
+        handouts.append(handout)
+        pages.append(page)
+        made(1)
+    written = ["ID.toml", "sheets/ID.html", "key/ID.csv", "key/ID.html", ROSTER, CLASS]
+    if wishes.pdf:
+        _write(out / PDF, sheets_pdf(pages))
+        written.append(PDF)
+    _write(out / CLASS, class_page(handouts, assignment, wishes.seed, words).encode("utf-8"))
+    _write(out / ROSTER, roster_csv(handouts, assignment).encode("utf-8-sig"))
+    return written
+
+
+def roster_csv(handouts: Sequence[Handout], assignment: Assignment) -> str:
+    """Return the roster for `grade --roster`, with what was drawn and how hard it is; further columns are kept."""
+    names = [one.name for one in assignment.ranges.ranges]
+    head = ["id", "name", "email", "variant", "least_decimals", *names, *MEASURES]
+    more = [key for key in (handouts[0].student.more if handouts else {}) if key not in head]
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\r\n")
+    writer.writerow([*head, *more])
+    for handout in handouts:
+        student, accepted = handout.student, handout.individual.accepted
+        writer.writerow(
+            [
+                student.id, csv_text(student.name), student.email, f"{handout.stem}.toml", handout.least_decimals,
+                *(accepted.values[one.path] for one in assignment.ranges.ranges),
+                *(difficulty_text(accepted.numbers[name]) for name in MEASURES),
+                *(csv_text(student.more.get(key, "")) for key in more),
+            ]
+        )  # fmt: skip
+    return text.getvalue()
+
+
+def _write(path: Path, content: bytes) -> None:
+    """Write a file; one that is there already with these bytes is left alone."""
+    try:
+        if path.is_file() and path.read_bytes() == content:
+            return
+    except OSError as error:
+        raise OutputError(f"{path}: could not be read: {error.strerror}. Choose another folder with --out.") from error
+    write_bytes(path, content)

@@ -1,0 +1,101 @@
+"""A class with its individual variants -> the page that shows how data and difficulty spread.
+
+Enters: `Handout`s and the assignment they come from.  Leaves: HTML without script.  Used by `assign.py`.
+"""
+
+from __future__ import annotations
+
+import statistics
+from collections.abc import Sequence
+
+from coursework.assigning.accept import Accepted
+from coursework.assigning.handout import Handout, difficulty_text
+from coursework.assigning.page_words import Plain, symbol_runs
+from coursework.assigning.ranges import MEASURES, Range
+from coursework.assigning.spread import BASE, HEIGHT, LEFT, MARK, RIGHT, WIDTH, strip
+from coursework.assigning.variants import Assignment
+from coursework.formula.units import read
+from coursework.page_text import clean, template
+from coursework.report.numbers import with_unit
+from coursework.report.words import Words
+
+LONGEST = 120
+
+
+def class_page(handouts: Sequence[Handout], assignment: Assignment, seed: str, words: Words) -> str:
+    """Return the page of the class."""
+    accepted = [handout.individual.accepted for handout in handouts]
+    centre = assignment.acceptance.centre
+    draws = [one.attempt + 1 for one in accepted]
+    refused = [words(f"assign.refused.{reason}", number=number) for reason, number in sorted(centre.refused.items())]
+    ranges = assignment.ranges.ranges
+    summary = words(
+        "assigned.summary", count=len(handouts), template=clean(assignment.template.name, LONGEST), seed=clean(seed, LONGEST),
+        drawn=centre.drawn, feasible=centre.feasible, mean=statistics.fmean(draws) if draws else 0.0, most=max(draws, default=0),
+    )  # fmt: skip
+    return template("assigned.html.j2").render(
+        words=words, language=words.phrases.language, summary=summary,
+        refused=words("assigned.refused", reasons=", ".join(refused)) if refused else "",
+        difficulty=[_measure(name, accepted, assignment, words) for name in MEASURES] if accepted else [],
+        data=[_datum(one, accepted, assignment, words) for one in ranges if one.count > 1] if accepted else [],
+        axis={"width": WIDTH, "left": LEFT, "right": RIGHT, "mark": MARK, "foot": HEIGHT - BASE},
+        heads=[_head(one, assignment, words) for one in ranges], measures=[words(f"assigned.{name}") for name in MEASURES],
+        units=list(MEASURES.values()),
+        students=[_student(handout, assignment, words) for handout in handouts],
+        same=[", ".join(group) for group in _equal(accepted)],
+    )  # fmt: skip
+
+
+def _measure(name: str, accepted: Sequence[Accepted], assignment: Assignment, words: Words) -> Plain:
+    """Return the strip of one measure of difficulty; what the band does not hold has its own reach for a band."""
+    values = [one.numbers[name] for one in accepted]
+    centre = assignment.acceptance.centre.numbers[name]
+    difficulty = assignment.ranges.difficulty
+    banded = name in difficulty.numbers
+    low, high = ((1 - difficulty.band) * centre, (1 + difficulty.band) * centre) if banded else (min(values), max(values))
+    ends = tuple(with_unit(words.numbers.scalar(value), MEASURES[name]) for value in (min(low, *values), max(high, *values)))
+    return {"title": words(f"assigned.{name}"), "strip": strip(values, low, high, centre, (ends[0], ends[1]))}
+
+
+def _datum(one: Range, accepted: Sequence[Accepted], assignment: Assignment, words: Words) -> Plain:
+    """Return the strip of one drawn datum over its range."""
+    values = [read(each.values[one.path]).value for each in accepted]
+    every = sorted((read(one.text(place)).value, one.text(place)) for place in _ends(one))
+    (low, first), (high, last) = every[0], every[-1]
+    told = strip(values, low, high, (low + high) / 2, (_dressed(first, words), _dressed(last, words)))
+    return {"symbol": _head(one, assignment, words), "strip": told}
+
+
+def _head(one: Range, assignment: Assignment, words: Words) -> list[dict[str, str]]:
+    return [{"t": words("assigned.row")}] if one.path[0] == "time" else symbol_runs(assignment.template, one.name)
+
+
+def _ends(one: Range) -> Sequence[int]:
+    return range(one.count) if one.choice else (0, one.count - 1)
+
+
+def _dressed(text: str, words: Words) -> str:
+    quantity = read(text)
+    return with_unit(quantity.text.replace("-", "−").replace(".", words("decimal")), quantity.unit)
+
+
+def _student(handout: Handout, assignment: Assignment, words: Words) -> Plain:
+    accepted = handout.individual.accepted
+    return {
+        "id": clean(handout.student.id, LONGEST),
+        "name": clean(handout.student.name, LONGEST),
+        "file": handout.stem,
+        "decimals": handout.least_decimals,
+        "data": [_dressed(accepted.values[one.path], words) for one in assignment.ranges.ranges],
+        "numbers": [difficulty_text(accepted.numbers[name]).replace(".", words("decimal")) for name in MEASURES],
+    }
+
+
+def _equal(accepted: Sequence[Accepted]) -> list[list[str]]:
+    """Return the students who have been given the same data."""
+    alike: dict[tuple[str, ...], list[str]] = {}
+    for one in accepted:
+        alike.setdefault(tuple(text for path, text in sorted(one.values.items()) if path[0] != "time"), []).append(
+            clean(one.id, LONGEST)
+        )
+    return [students for students in alike.values() if len(students) > 1]

@@ -1,0 +1,89 @@
+"""One student's variant -> everything that the sheet and the key say of it, drawn and computed once.
+
+Enters: an `Individual` and who the student is.  Leaves: `Handout`.
+Used by `assign.py`; read by `sheet.py`, `key.py` and `class_page.py`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from coursework.assigning.reader import determined
+from coursework.assigning.variants import Individual
+from coursework.drawing.figures import draw_start
+from coursework.drawing.record import Drawing
+from coursework.grading.marking.key import decimals_asked
+from coursework.grading.names import file_stem
+from coursework.grading.platforms.roster import Student
+from coursework.integration.integrate import march
+from coursework.integration.motion import Motion
+from coursework.plans.graph_check import GraphCheck, check_graph
+from coursework.scene import Scene
+from coursework.schemes import DEFAULT_SCHEME
+from coursework.settings import Settings
+from coursework.variant.record import Variant
+
+
+@dataclass(frozen=True, eq=False)
+class Handout:
+    """What one student is given, and its key.
+
+    `motion` is the Euler table, `start` all coordinates at t = 0 (rad, m), `mechanism` the drawing of the start, None where the
+    file places no points; `check` the construction in the check row, None where the variant asks for none.
+    """
+
+    student: Student
+    individual: Individual
+    motion: Motion
+    start: tuple[float, ...]
+    mechanism: Drawing | None
+    check: GraphCheck | None
+
+    @property
+    def stem(self) -> str:
+        """Return the name of the student's files."""
+        return file_stem(self.student.id)
+
+    @property
+    def variant(self) -> Variant:
+        """Return the variant with the student's data."""
+        return self.individual.variant
+
+    @property
+    def solved(self) -> frozenset[str]:
+        """Return the coordinates whose start the geometry gives."""
+        return determined(self.variant)
+
+    @property
+    def least_decimals(self) -> int:
+        """Return how many decimals the table needs for every slip in it to show."""
+        return decimals_asked(self.individual.accepted.numbers["one_step_gap"])
+
+
+def make_handout(student: Student, individual: Individual) -> Handout:
+    """Return the handout of a student, whose motion is known to be possible.  Raises `InputError` where it is not drawable."""
+    variant = individual.variant
+    scene = Scene(variant, Settings(DEFAULT_SCHEME.name))
+    time = variant.time
+    motion = march(scene.rates, DEFAULT_SCHEME.name, scene.start, time.step, time.end)
+    mechanism = draw_start(scene.mechanism, scene.equations, motion, scene.start)
+    check = None
+    if time.check_row is not None and variant.links and (variant.frame.hinges or variant.frame.rails or variant.frame.circles):
+        # The key compares the drawing with the table; what Euler's error is stands in the report of a run.
+        check = check_graph(scene.equations, motion, motion)
+    return Handout(student, individual, motion, tuple(scene.start), mechanism, check)
+
+
+def guide_number(row: int) -> int:
+    """Return N of the guide for a row of the table: t = (N+1) h."""
+    return row - 2
+
+
+def difficulty_text(value: float) -> str:
+    """Return a measure of difficulty with four digits and without an exponent.
+
+    >>> difficulty_text(0.0132), difficulty_text(17.905)
+    ('0.01320', '17.91')
+    """
+    exponent = int(f"{value:.3e}".partition("e")[2])
+    return f"{value:.{max(0, 3 - exponent)}f}"

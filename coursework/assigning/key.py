@@ -1,0 +1,89 @@
+"""A handout -> its key: the Euler table as CSV, and a page with equations, table and the construction of the check row.
+
+Enters: a `Handout`; the equations of the template, which all students share.  Leaves: CSV text and HTML.
+Used by `assign.py`.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Sequence
+
+from coursework.assigning.handout import Handout
+from coursework.assigning.page_words import Equation, Plain, datum, equation, lettered, mathematics, named, symbol_runs
+from coursework.assigning.sheet import LONGEST, pictures, start_rows
+from coursework.page_text import clean, template
+from coursework.report.numbers import unit_text, with_unit
+from coursework.report.words import Words
+from coursework.scene import Scene
+
+
+def key_csv(handout: Handout) -> str:
+    """Return the Euler table: header t, then the columns; SI; shortest text that reads back to the same number."""
+    motion = handout.motion
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(["t", *motion.names])
+    writer.writerows([repr(t), *map(repr, row)] for t, row in zip(motion.t.tolist(), motion.rows.tolist(), strict=True))
+    return text.getvalue()
+
+
+def key_equations(scene: Scene) -> tuple[list[Equation], list[Equation]]:
+    """Return the constraints as written and the velocities solved from them, the same for every student of a template."""
+    variant = scene.variant
+    written = [equation(variant, one.left, one.right, one.name) for one in variant.constraints]
+    solved = [equation(variant, named(name), formula) for block in scene.solutions for name, formula in block]
+    return written, solved
+
+
+def key_html(handout: Handout, equations: tuple[Sequence[Equation], Sequence[Equation]], words: Words) -> str:
+    """Return the page of one key."""
+    variant = handout.variant
+    written, solved = equations
+    page: Plain = {
+        "language": words.phrases.language,
+        "labels": {key: lettered(variant, words(f"key.{key}")) for key in ("data", "start", "equations", "solved", "table")},
+        "kind": words("key.kind"),
+        "heads": [words("sheet.student"), words("sheet.id")],
+        "title": clean(variant.title, LONGEST),
+        "name": clean(handout.student.name, LONGEST),
+        "id": clean(handout.student.id, LONGEST),
+        "data": [[symbol_runs(variant, g.name), datum(g.text, g.unit or g.si, words)] for g in variant.given],
+        "start": start_rows(handout, words),
+        "written": list(written),
+        "solved": list(solved),
+        "columns": [[symbol_runs(variant, name), unit_text(variant.unit_of(name))] for name in ("t", *variant.columns)],
+        "rows": _rows(handout, words),
+        "marked": variant.time.check_row or 0,
+        "check": _check(handout, words),
+    }
+    drawn = pictures(mathematics([*written, *solved]))
+    return template("key.html.j2").render(page=page, pictures=drawn.pictures, glyphs=drawn.glyphs)
+
+
+def _rows(handout: Handout, words: Words) -> list[tuple[str, ...]]:
+    motion, numbers = handout.motion, words.numbers
+    decimals = handout.least_decimals + 1
+    columns = [[numbers.fixed(value, decimals) for value in column] for column in motion.rows.T.tolist()]
+    return list(zip(numbers.times(motion.t.tolist()), *columns, strict=True))
+
+
+def _check(handout: Handout, words: Words) -> Plain | None:
+    check = handout.check
+    if check is None:
+        return None
+    variant, numbers = handout.variant, words.numbers
+    decimals = handout.least_decimals + 1
+    heading = words("key.check", row=check.row, time=with_unit(numbers.plain(check.time), "s"))
+    return {
+        "heading": lettered(variant, heading),
+        "svg": check.drawn(words.written, upright=True),
+        "says": words("key.drawn"),
+        "heads": [words(f"key.{key}") for key in ("quantity", "measured", "tabled")],
+        "rows": [
+            [lettered(variant, name), *(with_unit(numbers.fixed(value, decimals), unit) for value in (measured, tabled))]
+            for name, measured, tabled, _, unit in check.rows
+        ],
+        "notes": [lettered(variant, clean(words.written(note))) for note in check.notes],
+    }

@@ -1,0 +1,98 @@
+"""Numbers, symbols and equations of individual variants as the pages set them.
+
+Enters: a variant, values, formulas.  Leaves: runs and displayed equations, as plain data for the templates.
+Used by `sheet.py`, `key.py` and `class_page.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from coursework.formula.tree import Formula
+from coursework.page_text import clean
+from coursework.report.display import math_equation
+from coursework.report.equations import Setter
+from coursework.report.numbers import with_unit
+from coursework.report.symbols import symbol
+from coursework.report.text_runs import printed, runs
+from coursework.report.words import Words
+from coursework.variant.record import Law, Variant
+
+Equation = dict[str, str]  # Typst math and plain text
+LONGEST = 200
+
+
+def symbol_runs(variant: Variant, name: str) -> list[dict[str, str]]:
+    """Return the symbol of a name as runs."""
+    one = symbol(name, frozenset(velocities(variant)))
+    return [{"t": one.head}] if one.is_word and not one.subscript else [{"v": one.head, "s": one.subscript}]
+
+
+def symbol_text(variant: Variant, name: str) -> str:
+    """Return the symbol of a name as text, for sentences: "ω₃"."""
+    return symbol(name, frozenset(velocities(variant))).text
+
+
+def lettered(variant: Variant, text: str) -> list[dict[str, str]]:
+    """Return a sentence of our own as runs, the names of the variant set as symbols; what is filled in is clean already."""
+    laws = (law.name for law in (*variant.drive, *variant.functions))
+    return runs(printed(text), (*variant.columns, *(given.name for given in variant.given), *laws))
+
+
+def velocities(variant: Variant) -> tuple[str, ...]:
+    """Return the velocities of a table, in its order."""
+    return variant.columns[len(variant.coordinates) :]
+
+
+def datum(text: str, unit: str, words: Words) -> str:
+    """Return a datum with the digits it was drawn with, and its unit."""
+    return with_unit(clean(text, LONGEST).replace("-", "−").replace(".", words("decimal")), unit)
+
+
+def equation(variant: Variant, left: Formula, right: Formula, name: str = "") -> Equation:
+    """Return a displayed equation; `name` stands at its margin."""
+    rates = frozenset(velocities(variant))
+    plain = Setter(typst=False, rates=rates)
+    text = f"{plain.set(left).source} = {plain.set(right).source}"
+    return {"math": math_equation(left, right, rates), "text": text, "name": clean(name, 40)}
+
+
+def named(name: str) -> Formula:
+    """Return the formula that is a name alone."""
+    return Formula("name", name=name)
+
+
+def drives(variant: Variant, words: Words) -> tuple[list[Equation], list[str]]:
+    """Return the laws of the drive as equations, and in words those that are tables or change their formula."""
+    shown: list[Equation] = []
+    told: list[str] = []
+    for law in variant.drive:
+        if law.formula is not None:
+            shown.append(equation(variant, named(law.name), law.formula))
+        elif law.pieces:
+            shown += [equation(variant, named(law.name), piece, _from(at, words)) for at, piece in law.pieces]
+        else:
+            told.append(words("sheet.tabled", name=symbol_text(variant, law.name), file=clean(law.file, LONGEST)))
+    return shown, told + [_function(variant, law, words) for law in variant.functions]
+
+
+def _function(variant: Variant, law: Law, words: Words) -> str:
+    name = symbol_text(variant, law.name)
+    if law.table:
+        return words("sheet.tabled", name=name, file=clean(law.file, LONGEST))
+    plain = Setter(typst=False, rates=frozenset(velocities(variant)))
+    parts = [law.formula] if law.formula is not None else [piece for _, piece in law.pieces]
+    return "; ".join(f"{name} = {plain.set(part).source}" for part in parts)
+
+
+def _from(time: float, words: Words) -> str:
+    return words("sheet.from", time=with_unit(words.numbers.plain(time), "s"))
+
+
+def mathematics(equations: Iterable[Equation]) -> list[str]:
+    """Return the Typst sources of equations."""
+    return [one["math"] for one in equations]
+
+
+Plain = dict[str, Any]

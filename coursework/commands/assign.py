@@ -1,0 +1,40 @@
+"""`coursework assign`: a roster, a template and ranges -> a variant, a sheet and a key for every student.
+
+Enters: options.  Leaves: files in OUT; the exit status.  Used by `cli.py`.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from coursework.api import load
+from coursework.assigning.assign import Wishes, assign
+from coursework.assigning.variants import Assignment, load_ranges
+from coursework.errors import InputError
+from coursework.grading.platforms.roster import read_roster
+from coursework.report.words import load_words
+from coursework.sentences import say
+
+
+def assign_class(
+    roster: Path, *, template: str, ranges: str | None, seed: str, out: Path, pdf: bool, deadline: str, language: str
+) -> int:
+    """Return the exit status of giving a class its variants."""
+    words = load_words(language)
+    try:
+        listed = read_roster(roster.read_bytes(), str(roster))
+    except OSError as error:
+        raise InputError(say("ranges.unreadable", file=str(roster), why=error.strerror or str(error))) from error
+    if not listed.students:
+        raise InputError(say("assign.nobody", file=str(roster)))
+    chosen = load(template)
+    assignment = Assignment(chosen, load_ranges(ranges or template, chosen), seed)
+    centre, count = assignment.acceptance.centre, len(listed.students)
+    click.echo(say("assign.pilot", feasible=centre.feasible, drawn=centre.drawn))
+    with click.progressbar(length=2 * count, label=say("assign.progress"), width=30) as bar:
+        written = assign(listed, assignment, out, Wishes(seed, deadline, pdf), words, bar.update, bar.update)
+        bar.finish()
+    click.echo(say("assign.written", count=count, out=str(out), written=tuple(written)))
+    return 0

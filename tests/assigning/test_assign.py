@@ -1,0 +1,227 @@
+"""`coursework assign`: what a class gets, and that a run of each variant, handed in, earns full marks."""
+
+import csv
+import json
+import re
+
+import pymupdf
+import pytest
+from click.testing import CliRunner
+
+import coursework
+from coursework.cli import main
+from tests.grading.batch.classroom import EQUATIONS
+
+ROSTER = (
+    "id,name,email,group\n"
+    "ada,Ada Lovelace,ada@example.org,ME-21\n"
+    "Jörg/Ö,<script>x</script> Bob,j@example.org,ME-22\n"
+    "=2+2,=HYPERLINK(1),x@example.org,\n"
+)
+STEMS = ("ada", "x-")
+
+
+def run(*words):
+    return CliRunner().invoke(main, [str(word) for word in words])
+
+
+def assigned(folder, roster=ROSTER, *more, template="31", out="out"):
+    (folder / "roster.csv").write_text(roster, encoding="utf-8")
+    result = run("assign", folder / "roster.csv", "--template", template, "--seed", "2026", "--out", folder / out, *more)
+    assert result.exit_code == 0, result.output
+    return folder / out
+
+
+@pytest.fixture(scope="module")
+def out(tmp_path_factory):
+    return assigned(tmp_path_factory.mktemp("class"), ROSTER, "--pdf", "--deadline", "12 May <b>")
+
+
+def lines(out):
+    return list(csv.DictReader((out / "roster.csv").read_text(encoding="utf-8-sig").splitlines()))
+
+
+def plain(text):
+    return re.sub("[\u00a0\u202f\u2009]", " ", text)
+
+
+def page_of(path):
+    return plain(path.read_text(encoding="utf-8"))
+
+
+def files(out):
+    return {path.relative_to(out).as_posix(): path.read_bytes() for path in sorted(out.rglob("*")) if path.is_file()}
+
+
+def test_what_is_written(out):
+    names = set(files(out))
+    stems = [line["variant"].removesuffix(".toml") for line in lines(out)]
+    assert stems[0] == "ada"
+    assert all(re.fullmatch(r"x-[0-9a-f]{16}", stem) for stem in stems[1:])
+    each = {f"{folder}{stem}.{kind}" for stem in stems
+            for folder, kind in (("", "toml"), ("sheets/", "html"), ("key/", "csv"), ("key/", "html"))}  # fmt: skip
+    assert names == each | {"roster.csv", "class.html", "sheets.pdf"}
+
+
+def test_the_roster_has_what_was_drawn_and_what_was_there(out):
+    first, second, third = lines(out)
+    assert list(first)[:5] == ["id", "name", "email", "variant", "least_decimals"]
+    assert list(first)[5:] == [
+        "r1", "r2", "r3", "V1", "p", "alpha", "phi1", "phi2", "phi3", "check_row",
+        "euler_error", "least_determinant", "largest_velocity", "one_step_gap", "group",
+    ]  # fmt: skip
+    assert (second["id"], second["group"], third["id"], third["name"]) == ("Jörg/Ö", "ME-22", "=2+2", "'=HYPERLINK(1)")
+    variant = coursework.load(out / "ada.toml")
+    drawn = coursework.draw("31", "31", 2026, "ada")
+    assert (variant.values, variant.time, variant.coordinates) == (drawn.values, drawn.time, drawn.coordinates)
+    assert first["r1"] == f"{variant.values['r1']:.3f} m"
+    assert first["check_row"] == str(variant.time.check_row)
+    assert re.fullmatch(r"0\.\d{4}", first["euler_error"])
+
+
+def test_the_sheet_says_what_to_do_and_hides_nothing_dangerous(out):
+    first, second, _ = lines(out)
+    page = page_of(out / "sheets" / "ada.html")
+    for said in (
+        "Ada Lovelace", "12 May &lt;b&gt;", first["r1"], first["alpha"], f"Check row {first['check_row']}", "25 rows",
+        f"at least {first['least_decimals']} decimals", "scale 1:", "the 4 velocity equations",
+    ):  # fmt: skip
+        assert said in page, said
+    assert "<script" not in page
+    other = page_of(out / "sheets" / f"{second['variant'].removesuffix('.toml')}.html")
+    assert "&lt;script&gt;x&lt;/script&gt; Bob" in other
+    assert "<script" not in other
+    assert not re.search(r'(?:src|href)="(?!#)', page)
+    assert "Solved" not in page
+
+
+def test_one_pdf_has_every_sheet_on_a_page_of_its_own(out):
+    document = pymupdf.open(out / "sheets.pdf")
+    assert len(document) == 3
+    for page, line in zip(document, lines(out), strict=True):
+        text = plain(page.get_text())
+        for said in (line["id"], line["r2"], line["phi3"], "12 May", "Task sheet"):
+            assert said in text, said
+        assert page.rect.width == pytest.approx(595.28, abs=0.1)
+
+
+def test_the_drawing_of_the_sheet_is_true_to_scale_on_paper(out):
+    """Link 1 goes from D to A: on paper it is r1 over the scale, in the PDF as in the SVG."""
+    line = lines(out)[0]
+    page = page_of(out / "sheets" / "ada.html")
+    scale = float(re.search(r"scale 1:([\d.]+)", page)[1])
+    link = re.search(r'<line ([^>]*)data-link="1"', page)[1]
+    x1, y1, x2, y2 = (float(re.search(rf'{name}="([-\d.]+)"', link)[1]) for name in ("x1", "y1", "x2", "y2"))
+    length = ((x2 - x1) ** 2 + (y2 - y1) ** 2) ** 0.5
+    assert length == pytest.approx(1000 * float(line["r1"].split()[0]) / scale, abs=0.01)
+
+
+def test_the_key_is_the_table_that_a_run_writes(out):
+    result = run("run", out / "ada.toml", "--format", "csv", "--out", out.parent / "run")
+    assert result.exit_code == 0, result.output
+    assert (out / "key" / "ada.csv").read_bytes() == (out.parent / "run" / "table.csv").read_bytes()
+    page = page_of(out / "key" / "ada.html")
+    row = lines(out)[0]["check_row"]
+    for said in (
+        "Euler table",
+        "Velocity equations",
+        f"Check row {row}",
+        "from the drawing",
+        "must measure 100 mm",
+        "(11)",
+        "(18)",
+    ):
+        assert said in page, said
+
+
+def test_the_page_of_the_class_shows_how_it_spreads(out):
+    page = page_of(out / "class.html")
+    assert "3 students have variants of their own from template 31, seed 2026" in page
+    assert page.count('<svg class="chart"') == 4 + 10  # measures of difficulty, drawn data
+    assert page.count("<circle") == 3 * 14
+    assert "&lt;script&gt;" in page
+    assert "<script" not in page
+
+
+def test_a_student_added_and_another_order_change_nobody_elses_files(out, tmp_path):
+    head, *others = ROSTER.splitlines()
+    turned = "\n".join([head, "new,New One,n@example.org,", *reversed(others)])
+    before, after = files(out), files(assigned(tmp_path, turned, "--pdf", "--deadline", "12 May <b>"))
+    same = {name for name in before if name not in {"roster.csv", "class.html", "sheets.pdf"}}
+    assert {name: before[name] for name in same} == {name: after[name] for name in same}
+    assert set(after) - set(before) == {"new.toml", "sheets/new.html", "key/new.csv", "key/new.html"}
+    assert {line["id"]: line for line in lines(out)} == {
+        line["id"]: line for line in lines(tmp_path / "out") if line["id"] != "new"
+    }
+    written = {path: path.stat().st_mtime_ns for path in (tmp_path / "out").rglob("*.html")}
+    assert files(assigned(tmp_path, turned, "--pdf", "--deadline", "12 May <b>")) == after
+    assert {path: path.stat().st_mtime_ns for path in (tmp_path / "out").rglob("*.html")} == written
+
+
+def test_two_students_with_equal_data_are_told(tmp_path):
+    (tmp_path / "few.toml").write_text('[given]\np = { choice = ["12.9 1/s"] }\n', encoding="utf-8")
+    page = assigned(tmp_path, ROSTER, "--ranges", tmp_path / "few.toml") / "class.html"
+    assert "Equal data" in page.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(("template", "most"), [("31", 100), ("homework", 60)])
+def test_what_each_student_runs_and_hands_in_earns_full_marks(tmp_path, template, most):
+    """Roster to variants to runs to grades: the table, and the equations where the variant has them."""
+    out = assigned(
+        tmp_path, "id,name,email\n" + "".join(f"s{k},Student {k},s{k}@example.org\n" for k in range(4)), template=template
+    )
+    for line in lines(out):
+        folder = tmp_path / "submissions" / line["id"]
+        assert run("run", out / line["variant"], "--format", "csv", "--out", folder).exit_code == 0
+        decimals = int(line["least_decimals"])
+        table = [row.split(",") for row in (folder / "table.csv").read_text(encoding="utf-8").splitlines()]
+        rounded = [table[0], *([row[0], *(f"{float(cell):.{decimals}f}" for cell in row[1:])] for row in table[1:])]
+        for path in folder.iterdir():
+            path.unlink()
+        (folder / "table.csv").write_text("\n".join(",".join(row) for row in rounded), encoding="utf-8")
+        if template == "31":
+            (folder / "equations.txt").write_text("\n".join(EQUATIONS), encoding="utf-8")
+    rubric = tmp_path / "rubric.toml"
+    rubric.write_text("" if most == 100 else "[parts]\ntable = 60\nequations = 0\n", encoding="utf-8")
+    result = run(
+        "grade", tmp_path / "submissions", "--roster", out / "roster.csv", "--out", tmp_path / "marks", "--rubric", rubric
+    )
+    assert result.exit_code == 0, result.output
+    grades = list(csv.DictReader((tmp_path / "marks" / "grades.csv").read_text(encoding="utf-8-sig").splitlines()))
+    assert [(grade["id"], grade["status"], float(grade["points"])) for grade in grades] == [
+        (f"s{k}", "graded", 100.0) for k in range(4)
+    ]
+
+
+def test_another_students_data_are_told_apart(tmp_path):
+    out = assigned(tmp_path, "id,name,email\na,A,a@x\nb,B,b@x\n")
+    for student, other in (("a", "b"), ("b", "b")):
+        folder = tmp_path / "submissions" / student
+        assert run("run", out / f"{other}.toml", "--format", "csv", "--out", folder).exit_code == 0
+    assert run("grade", tmp_path / "submissions", "--roster", out / "roster.csv", "--out", tmp_path / "marks").exit_code == 0
+    grades = json.loads((tmp_path / "marks" / "grades.json").read_text(encoding="utf-8"))
+    assert "variant_b" in json.dumps(grades) or "other" in json.dumps(grades)
+
+
+@pytest.mark.parametrize(
+    ("roster", "words", "told"),
+    [
+        ("id,name,email\n", (), "nobody is on the roster"),
+        ("name,email\nA,a@x\n", (), 'there is no column "id"'),
+        ("id\na\na\n", (), 'the id "a" stands in line 2 already'),
+        (
+            "id\na\n",
+            ("--ranges", "nowhere"),
+            'There are no ranges of the name "nowhere". Name a file, or those of a template: 31',
+        ),
+        ("id\na\n", ("--ranges", "nowhere.toml"), "nowhere.toml: the file could not be read"),
+        ("id\na\n", ("--template", "cardan"), 'There are no ranges of the name "cardan"'),
+        ("id\na\n", ("--language", "xx"), 'no words for the language "xx"'),
+    ],
+)
+def test_what_cannot_be_assigned_is_told_and_nothing_is_written(tmp_path, roster, words, told):
+    (tmp_path / "roster.csv").write_text(roster, encoding="utf-8")
+    result = run("assign", tmp_path / "roster.csv", "--template", "31", "--seed", "1", "--out", tmp_path / "out", *words)
+    assert result.exit_code == 2
+    assert told in result.output
+    assert not (tmp_path / "out").exists()
