@@ -15,7 +15,7 @@ from coursework.report.display import math_equation
 from coursework.report.equations import Setter
 from coursework.report.numbers import with_unit
 from coursework.report.symbols import symbol
-from coursework.report.text_runs import printed, runs
+from coursework.report.text_runs import ITALIC, printed, runs
 from coursework.report.words import Words
 from coursework.variant.record import Law, Variant
 
@@ -30,8 +30,18 @@ def symbol_runs(variant: Variant, name: str) -> list[dict[str, str]]:
 
 
 def symbol_text(variant: Variant, name: str) -> str:
-    """Return the symbol of a name as text, for sentences: "ω₃"."""
-    return symbol(name, frozenset(velocities(variant))).text
+    """Return the symbol of a name as text, for sentences: "ω₃"; a letter alone is marked, so that it is set as a symbol."""
+    text = symbol(name, frozenset(velocities(variant))).text
+    return f"{ITALIC[0]}{text}{ITALIC[1]}" if len(text) == 1 else text
+
+
+def time_text(variant: Variant, key: str, words: Words) -> str:
+    """Return the step or end of the table; where the file has a formula for it, that too."""
+    value = with_unit(words.numbers.plain(getattr(variant.time, key)), "s")
+    formula = variant.times.get(("time", key))
+    if formula is None:
+        return value
+    return f"{Setter(typst=False, rates=frozenset(velocities(variant))).set(formula).source} = {value}"
 
 
 def lettered(variant: Variant, text: str) -> list[dict[str, str]]:

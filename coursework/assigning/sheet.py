@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from coursework.assigning.handout import Handout, guide_number
-from coursework.assigning.page_words import Plain, datum, drives, lettered, mathematics, symbol_runs, symbol_text
+from coursework.assigning.page_words import Plain, datum, drives, lettered, mathematics, symbol_runs, symbol_text, time_text
 from coursework.errors import OutputError
 from coursework.page_text import clean, template
 from coursework.report.formulas import Drawn, draw
@@ -100,7 +100,7 @@ def _tasks(handout: Handout, words: Words) -> list[str]:
     variant, time, numbers = handout.variant, handout.variant.time, words.numbers
     sought = words.listing([symbol_text(variant, name) for name in variant.sought])
     columns = ", ".join(symbol_text(variant, name) for name in variant.columns)
-    step, end = (with_unit(numbers.plain(value), "s") for value in (time.step, time.end))
+    step, end = (time_text(variant, key, words) for key in ("step", "end"))
     tasks = [
         words("sheet.task.equations" if variant.constraints else "sheet.task.groups", sought=sought),
         words("sheet.task.table", step=step, end=end, rows=time.steps + 1, columns=columns),

@@ -1,9 +1,10 @@
 """What share of the draws is feasible, and lies in the band, for the ranges of the catalogue.
 
-    python -m tests.assigning.shares            # 1000 draws each; the figures stand in the first lines of the files
+python -m tests.assigning.shares            # 1000 draws each; the figures stand in the first lines of the files
 """
 
 import re
+from collections import Counter
 
 import coursework
 from coursework.assigning.accept import Acceptance
@@ -45,12 +46,10 @@ def measured(name, count, first=0):
 
 
 def main():
-    from collections import Counter
-
     for name in names():
         verdicts, banded = measured(name, 1000)
-        feasible = sum(not one.refused for one in verdicts)
-        print(f"{name}: # Of 1000 draws {feasible / 10:g} % are feasible, {sum(banded) / 10:g} % lie in the band as well.", flush=True)
+        feasible = sum(not one.refused for one in verdicts) / 10
+        print(f"{name}: # Of 1000 draws {feasible:g} % are feasible, {sum(banded) / 10:g} % lie in the band as well.")
         print("    ", dict(Counter(one.refused for one in verdicts)), flush=True)
 
 
