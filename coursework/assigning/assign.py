@@ -21,8 +21,7 @@ from coursework.assigning.page_words import Plain
 from coursework.assigning.ranges import MEASURES
 from coursework.assigning.sheet import sheet, sheet_html, sheets_pdf
 from coursework.assigning.variants import Assignment
-from coursework.errors import OutputError
-from coursework.files import write_bytes
+from coursework.files import refused, write_bytes
 from coursework.grading.escapes import csv_text
 from coursework.grading.platforms.roster import Roster
 from coursework.report.words import Words
@@ -96,9 +95,7 @@ def roster_csv(handouts: Sequence[Handout], assignment: Assignment) -> str:
 
 def _write(path: Path, content: bytes) -> None:
     """Write a file; one that is there already with these bytes is left alone."""
-    try:
+    with refused(path):
         if path.is_file() and path.read_bytes() == content:
             return
-    except OSError as error:
-        raise OutputError(f"{path}: could not be read: {error.strerror}. Choose another folder with --out.") from error
     write_bytes(path, content)

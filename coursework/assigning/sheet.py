@@ -14,8 +14,7 @@ from coursework.errors import OutputError
 from coursework.page_text import clean, template
 from coursework.report.formulas import Drawn, draw
 from coursework.report.numbers import with_unit
-from coursework.report.pdf import WAYS
-from coursework.report.typesetting import typeset
+from coursework.report.pdf import pdf_of
 from coursework.report.words import Words
 
 LONGEST = 200
@@ -53,15 +52,7 @@ def sheet_html(page: Plain) -> str:
 
 def sheets_pdf(pages: Sequence[Plain]) -> bytes:
     """Return one PDF with every sheet, each beginning on a page of its own.  Raises `OutputError`."""
-    refused = ""
-    for standard, everything in WAYS:
-        try:
-            return bytes(typeset("sheets.typ", list(pages), "pdf", standard=standard, everything=everything))
-        except RuntimeError as error:  # typst.TypstError, which cannot be named before Typst is loaded
-            refused = getattr(error, "diagnostic", "") or str(error)
-            if "could not be displayed" not in str(error):
-                break
-    raise OutputError(f"the PDF could not be set. Write the sheets as HTML meanwhile. Typst says: {refused[:2000]}")
+    return pdf_of("sheets.typ", list(pages))
 
 
 def pictures(sources: Sequence[str]) -> Drawn:

@@ -26,9 +26,9 @@ def assign_class(
     try:
         listed = read_roster(roster.read_bytes(), str(roster))
     except OSError as error:
-        raise InputError(say("ranges.unreadable", file=str(roster), why=error.strerror or str(error))) from error
+        raise InputError(say("fault.A002", file=str(roster), why=error.strerror or str(error))) from error
     if not listed.students:
-        raise InputError(say("assign.nobody", file=str(roster)))
+        raise InputError(say("fault.A006", file=str(roster)))
     chosen = load(template)
     assignment = Assignment(chosen, load_ranges(ranges or template, chosen), seed)
     centre, count = assignment.acceptance.centre, len(listed.students)

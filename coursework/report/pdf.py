@@ -25,10 +25,15 @@ def render_pdf(model: ReportModel) -> bytes:
 
 def render_pages(reports: Sequence[dict[str, Any]]) -> bytes:
     """Return reports, each as its model says it in plain data, one behind the other in one PDF.  Raises `OutputError`."""
+    return pdf_of("report.typ", list(reports))
+
+
+def pdf_of(template: str, data: Any) -> bytes:
+    """Return what a template of `reports/` makes of data as PDF.  Raises `OutputError`."""
     refused = ""
     for standard, everything in WAYS:
         try:
-            return bytes(typeset("report.typ", list(reports), "pdf", standard=standard, everything=everything))
+            return bytes(typeset(template, data, "pdf", standard=standard, everything=everything))
         except RuntimeError as error:  # typst.TypstError, which cannot be named before Typst is loaded
             refused = getattr(error, "diagnostic", "") or str(error)
             if "could not be displayed" not in str(error):
