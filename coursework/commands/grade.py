@@ -111,7 +111,10 @@ def _bytes(path: Path) -> bytes:
 def _tell(listed: ClassList, fresh: int, changed: int, out: Path, written: list[str], states: dict[str, str]) -> None:
     counts = {state: sum(found == state for found in states.values()) for state in sorted(set(states.values()))}
     told = joined(
-        [say("screen.state", count=number, state=say(f"feedback.state.{state.replace('-', '_')}")) for state, number in counts.items()],
+        [
+            say("screen.state", count=number, state=say(f"feedback.state.{state.replace('-', '_')}"))
+            for state, number in counts.items()
+        ],
         "join.comma",
     )
     told = told if counts else say("screen.nobody")
