@@ -71,9 +71,14 @@ def read_overrides(content: bytes, file: str, known: Collection[str], rubric: Ru
     return {student: tuple(listed) for student, listed in found.items()}
 
 
-def overridden(grade: Mapping[str, Any], overrides: Iterable[Override]) -> dict[str, Any]:
-    """Return a grade with the decisions in it; one about the total gives a number to what had none."""
+def overridden(grade: Mapping[str, Any], overrides: Iterable[Override], rubric: Rubric) -> dict[str, Any]:
+    """Return a grade with the decisions in it.
+
+    One about the total gives a number to what had none, and so do those about the parts that had no points, once none is left.
+    """
     changed = {**grade, "overrides": [override.plain() for override in overrides]}
+    counted = [part for part in PARTS if rubric.weights[part]]
+    had_all = _have_points(changed, counted)
     for override in overrides:
         if override.check == "total":
             changed["score"], changed["proposed"] = points(override.points), None
@@ -81,7 +86,13 @@ def overridden(grade: Mapping[str, Any], overrides: Iterable[Override]) -> dict[
                 changed["status"] = "graded-with-notes"
             continue
         changed[override.check] = {**(changed[override.check] or {}), "score": points(override.points)}
+        if changed["status"] not in GRADED and not had_all and _have_points(changed, counted):
+            changed["status"], changed["proposed"] = "graded-with-notes", None
         parts = [changed[part] for part in PARTS if changed[part]]
         number = "score" if changed["status"] in GRADED else "proposed"
         changed[number] = points(sum(part.get("score") or 0.0 for part in parts))
     return changed
+
+
+def _have_points(grade: Mapping[str, Any], parts: Iterable[str]) -> bool:
+    return all(grade[part] and grade[part].get("score") is not None for part in parts)

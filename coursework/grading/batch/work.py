@@ -138,7 +138,8 @@ def outcome_from(line: bytes) -> Outcome:
 
 def failed(task: Task, setup: Setup, status: str, reason: Sentence) -> Outcome:
     """Return the outcome of a submission that could not be graded; it has no number, and is no zero."""
-    grade = overridden(blank_grade(status, reason, read_rubric(setup.rubric)), task.overrides)
+    rubric = read_rubric(setup.rubric)
+    grade = overridden(blank_grade(status, reason, rubric), task.overrides, rubric)
     from coursework.grading.pages.feedback import short_page
 
     page = short_page(task.submission.id, task.submission.name, grade) if setup.pages else ""

@@ -42,7 +42,7 @@ class Workshop:
             grade = self.grade(submission, source)
         except MemoryError:
             return failed(task, self.setup, "unreadable", say("grading.memory"))
-        plain = overridden(grade.plain(), task.overrides)
+        plain = overridden(grade.plain(), task.overrides, self.rubric)
         page = feedback_page(grade, submission.id, submission.name, plain) if self.setup.pages else ""
         return Outcome(submission.id, plain, page)
 

@@ -120,8 +120,10 @@ def _marks(listed: ClassList, graded: Graded) -> dict[int, tuple[float | None, s
     marks: dict[int, tuple[float | None, str]] = {}
     for entry in graded.entries():
         if (row := rows.get(entry.id)) is not None:
-            first = entry.grade["first_wrong"]
-            comment = first["sentence"] if first and entry.grade["score"] is not None else entry.grade["reason"]
+            first, decided = entry.grade["first_wrong"], entry.grade.get("overrides", [])
+            comment = entry.grade["reason"]
+            if entry.grade["score"] is not None:
+                comment = " ".join([first["sentence"]] if first else [str(override["reason"]) for override in decided])
             marks[row.record] = entry.grade["score"], comment
     return marks
 

@@ -139,6 +139,19 @@ def test_decisions_of_the_instructor(tmp_path):
     assert "read on paper" in (out / "feedback" / "fred.html").read_text(encoding="utf-8")
 
 
+def test_a_missing_part_that_the_instructor_read_elsewhere_gives_a_number(tmp_path):
+    source, out = tmp_path / "in", tmp_path / "out"
+    for student in ("ada", "bert"):
+        hand_in(source / student)
+        (source / student / "equations.txt").unlink()
+    decided = tmp_path / "overrides.csv"
+    decided.write_text("id,check,points,reason\nada,equations,30,read on paper\nbert,table,50,a scan\n", encoding="utf-8")
+    assert grade(source, out, "--overrides", decided).exit_code == 0
+    found = submissions(out)
+    assert (found["ada"]["status"], found["ada"]["score"], found["ada"]["proposed"]) == ("graded-with-notes", 90, None)
+    assert (found["bert"]["status"], found["bert"]["score"], found["bert"]["proposed"]) == ("needs-review", None, 50)
+
+
 @pytest.mark.parametrize(
     ("line", "told"),
     [

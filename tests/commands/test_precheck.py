@@ -1,0 +1,79 @@
+"""`coursework precheck`: how a file is understood and where it contradicts itself, and no number of the key."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+from coursework.cli import main
+from tests.grading.batch.classroom import EQUATIONS, csv
+from tests.grading.marking import students
+
+
+def precheck(folder: Path, table: bytes | None, equations: str = "\n".join(EQUATIONS), *options: str) -> Result:
+    paths = []
+    for name, content in (("table.csv", table), ("equations.txt", equations.encode())):
+        if content:
+            (folder / name).write_bytes(content)
+            paths.append(str(folder / name))
+    return CliRunner().invoke(main, ["precheck", *paths, *(options or ("--variant", "31"))])
+
+
+def test_a_right_submission_is_understood(tmp_path: Path) -> None:
+    found = precheck(tmp_path, csv(students.table()))
+    assert found.exit_code == 0, found.output
+    assert "cells separated by “;”, decimal mark “,”" in found.output
+    assert re.search(r"w4 +column 8, told by its head", found.output)
+    assert "Rows: 25 of 25. At least 3 decimals are asked for." in found.output
+    assert "Equations: 4 lines, 0 that cannot be read." in found.output
+
+
+def test_the_first_contradiction_is_told_with_the_students_own_numbers_alone(tmp_path: Path) -> None:
+    table = students.table()
+    table[7:, 1] += 0.2
+    found = precheck(tmp_path, csv(table))
+    assert found.exit_code == 0  # every part can be marked
+    assert "Row 8: phi2 does not follow from your own row 7 and its w2" in found.output
+    printed = {text.replace(",", ".") for text in re.findall(r"-?\d+,\d+", csv(table).decode())}
+    row = next(line for line in found.output.splitlines() if "Row 8" in line)
+    numbers = re.findall(r"-?\d+\.\d{3,}", row.partition(":")[2].partition(" = ")[0])
+    assert numbers
+    assert {f"{float(number):.4f}" for number in numbers} <= printed
+
+
+def test_wrong_velocities_are_not_betrayed(tmp_path: Path) -> None:
+    """A table that follows from itself is told so, whatever the key says."""
+    table = students.table(printed=lambda t, q: students.velocities(t, q, r1=1.1))
+    found = precheck(tmp_path, csv(table))
+    assert found.exit_code == 0
+    assert found.output == precheck(tmp_path, csv(students.table())).output
+
+
+@pytest.mark.parametrize(
+    ("table", "equations", "told"),
+    [
+        (csv(students.table()[:20]), "", "Rows: 20 of 25"), (csv(students.table(), 1), "", "few decimals to be marked"),
+        (b"%PDF-1.7", "", "Table: not read. The file is really PDF"), (None, EQUATIONS[0], "Table: not read."),
+        (csv(students.table()), "r1*wq = 0", 'symbol "wq" is not declared'),
+        (csv(students.table()).replace(b";w4", b";total"), "", "Missing columns: w4"),
+    ],
+)  # fmt: skip
+def test_what_could_not_be_marked_is_told(tmp_path: Path, table: bytes | None, equations: str, told: str) -> None:
+    found = precheck(tmp_path, table, equations)
+    assert found.exit_code == 1, found.output
+    assert told in found.output
+
+
+def test_forms_that_were_mended_are_shown(tmp_path: Path) -> None:
+    found = precheck(tmp_path, csv(students.table()), "2r3·ω3·sin φ3 − r3ω3cos φ3 + 0,5r3w4 = 0")
+    assert found.exit_code == 0
+    assert re.search(r"2 ?\* ?r3 ?\* ?w3 ?\* ?sin\(phi3\)", found.output)
+
+
+def test_the_variant_is_asked_for(tmp_path: Path) -> None:
+    found = precheck(tmp_path, csv(students.table()), "", "--language", "en")
+    assert found.exit_code == 2
+    assert "--variant" in found.stderr
