@@ -70,7 +70,8 @@ def test_what_could_not_be_marked_is_told(tmp_path: Path, table: bytes | None, e
 def test_forms_that_were_mended_are_shown(tmp_path: Path) -> None:
     found = precheck(tmp_path, csv(students.table()), "2r3·ω3·sin φ3 − r3ω3cos φ3 + 0,5r3w4 = 0")
     assert found.exit_code == 0
-    assert re.search(r"2 ?\* ?r3 ?\* ?w3 ?\* ?sin\(phi3\)", found.output)
+    line = next(line for line in found.output.splitlines() if "0.5 * r3 * w4" in line)
+    assert "sin(phi3)" in line
 
 
 def test_the_variant_is_asked_for(tmp_path: Path) -> None:
