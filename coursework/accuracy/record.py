@@ -11,7 +11,10 @@ from dataclasses import dataclass, field
 
 @dataclass(frozen=True, slots=True)
 class StudyRow:
-    """One method at one setting; errors in `unit` and `end_unit`, `seconds` None where not timed, `failed` says why it did."""
+    """One method at one setting; errors in `unit` and `end_unit`, `seconds` None where not timed, `failed` says why it did.
+
+    `time_ratio` is that time as a multiple of the time of Euler with the table's own step.
+    """
 
     method: str
     steps_or_tolerance: str
@@ -22,6 +25,7 @@ class StudyRow:
     failed: str = ""
     unit: str = "rad"
     end_unit: str = "rad"
+    time_ratio: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

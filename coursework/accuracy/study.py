@@ -49,7 +49,7 @@ def make_study(
         reference = other
     floor = 64 * float(np.finfo(float).eps) * max(1.0, float(np.max(np.abs(reference))))
     fine = {0: reference} | ({1: reference} if problem.pace == 1 else {})
-    rows = []
+    rows: list[StudyRow] = []
     for trial in trials(problem, bounds):
         if progress:
             progress(f"{trial.method}, {trial.setting}")
@@ -65,8 +65,11 @@ def make_study(
             )
             continue
         spent = seconds(trial.run) if timed else None
+        # The first trial is Euler with the table's own step: a ratio to it says more than seconds of one machine.
+        first = rows[0].seconds if rows else spent
+        ratio = spent / first if spent and first else None
         units = problem.units[found.grid_at], problem.units[found.end_at]
-        rows.append(StudyRow(trial.method, trial.setting, evaluations, found.grid, found.end, spent, "", *units))
+        rows.append(StudyRow(trial.method, trial.setting, evaluations, found.grid, found.end, spent, "", *units, ratio))
     orders, end_orders = _orders(rows, floor), _orders(rows, floor, end=True)
     title = title_of(SCHEMES[scheme])
     own_row = next(row for row in rows if row.method == title)

@@ -16,7 +16,8 @@ if TYPE_CHECKING:
     from coursework.accuracy.record import AccuracyStudy
 
 STUDY_HEAD = (
-    "method", "steps_or_tolerance", "evaluations", "max_error", "unit", "end_error", "end_unit", "seconds", "failed",
+    "method", "steps_or_tolerance", "evaluations", "max_error", "unit", "end_error", "end_unit", "seconds",
+    "time_ratio", "failed",
 )  # fmt: skip
 
 
@@ -41,7 +42,18 @@ def table_csv(run: Run) -> str:
 def study_csv(study: AccuracyStudy) -> str:
     """Return a study of accuracy as CSV: one line a method and setting; errors in the units named beside them."""
     rows = (
-        (r.method, r.steps_or_tolerance, r.evaluations, r.max_error, r.unit, r.end_error, r.end_unit, r.seconds, r.failed)
+        (
+            r.method,
+            r.steps_or_tolerance,
+            r.evaluations,
+            r.max_error,
+            r.unit,
+            r.end_error,
+            r.end_unit,
+            r.seconds,
+            r.time_ratio,
+            r.failed,
+        )
         for r in study.rows
     )
     return _csv(STUDY_HEAD, rows)

@@ -15,6 +15,7 @@ from coursework.report.parts import Bullets, Cell, Column, Figure, Paragraph, Pa
 from coursework.report.tables import MARK, ONE_PAGE
 from coursework.report.text_runs import LONGEST_NAME, numeral, printed, runs
 
+RATIO_DIGITS = 2  # of a ratio of times, which differs from run to run
 ERROR_DIGITS = 3  # an error needs no more
 BUDGET_PARTS = ("scheme", "period", "roundoff")
 
@@ -71,7 +72,7 @@ def _order_text(context: PageContext, study: AccuracyStudy, name: str) -> str:
 
 def _table(context: PageContext, study: AccuracyStudy) -> Table:
     numbers = context.numbers
-    keys = ["method", "steps", "evaluations", "max_error", "end_error"] + (["time"] if study.seconds_shown else [])
+    keys = ["method", "steps", "evaluations", "max_error", "end_error"] + (["time", "ratio"] if study.seconds_shown else [])
     units = {"max_error": _unit(context), "end_error": _unit(context)}
     columns = [
         Column(context.say(f"accuracy.head.{key}"), units.get(key, ""), words=key == "method")
@@ -96,6 +97,7 @@ def _table(context: PageContext, study: AccuracyStudy) -> Table:
         ]
         if study.seconds_shown:
             cells.append(NOTHING if row.seconds is None else numbers.duration(row.seconds))
+            cells.append(NOTHING if row.time_ratio is None else numbers.plain(row.time_ratio, RATIO_DIGITS))
         rows.append(cells)
     notes = [context.words("accuracy.own_mark", mark=MARK)] if strong else []
     if study.orders:
