@@ -33,10 +33,10 @@ def scene_of(variant: Variant, settings: Settings) -> Scene:
 class ExactScene(Scene):
     """A scene whose rows come from closed positions; it needs a chain of groups, or a closure of all coordinates."""
 
-    @computed("stop", "equations", "closure", "exact", "rates", "flow")
+    @computed("stop", "equations", "closure", "exact", "rates", "flow", "search")
     def motion(self) -> Motion:
         """The rows of the exact motion, for the columns asked for.  Raises `InputError` where positions are not closed."""
-        variant, stop, rates = self.variant, self.stop, self.rates
+        variant, stop, rates = self.variant, self.stop, self.passing(self.rates)
         if not is_chain(variant) and (self.closure is None or not self.closure.complete):
             line = variant.line_of("time", "scheme") if variant.time.scheme else 0
             raise InputError([Fault(say("fault.V502", scheme=PRECISE.name), str(variant.path or variant.name), line)])
@@ -55,7 +55,7 @@ class ExactScene(Scene):
             exact = replace(exact, scaled=exact.determinants / largest)
         return replace(exact, step=variant.time.step, stop=stop)
 
-    @computed("equations", "closure", "start", "rates", "reduction", "stop", "flow")
+    @computed("equations", "closure", "start", "rates", "reduction", "stop", "flow", "search")
     def lesson(self) -> Motion:
         """The rows of the coursework's scheme with the same step: what the exact table is compared with."""
         return self.march(self.variant.time.step, DEFAULT_SCHEME.name)

@@ -40,12 +40,12 @@ class MotionResults:
         """Return the fault of the formula that has no value somewhere on the way, None where every one has."""
         return self.scene.charged(error)
 
-    @computed("motion", "equations", "reduction")
+    @computed("motion", "equations", "reduction", "search")
     def accelerations(self) -> Array:
         """The accelerations (n, k) of every row, from the differentiated equations (rad/s², m/s²)."""
         from coursework.kinematics.accelerations import accelerations as compute
 
-        return compute(self.scene.equations, self.scene.reduction, self.motion)
+        return compute(self.scene.equations, self.scene.reduction, self.motion, self.scene.search.passages)
 
     @computed("motion", "equations")
     def points(self) -> Named:
@@ -67,7 +67,7 @@ class MotionResults:
         motion = self.motion
         return motion.scheme in SCHEMES and (motion.stop is None or motion.stop is self.scene.stop)
 
-    @computed("motion", "stop", "rates", "reduction", "start")
+    @computed("motion", "stop", "rates", "reduction", "start", "search")
     def extended_precision(self) -> Array | None:
         """The same rows in extended numbers: what round-off did to them.  None where that cannot be had."""
         from coursework.integration.extended_precision import has_extended, march_in
@@ -75,7 +75,7 @@ class MotionResults:
         motion, scene = self.motion, self.scene
         small = len(motion.t) <= MOST_EXTENDED and all(block.size <= 2 for block in scene.reduction.blocks)
         corrected = scene.settings.project or scene.settings.gain
-        if not (small and has_extended()) or motion.stop is not None or corrected or not self.marched:
+        if not (small and has_extended()) or scene.search.passages or motion.stop is not None or corrected or not self.marched:
             return None
         extended: Array = march_in(np.longdouble, scene.rates, motion.scheme, scene.begin, motion.step, len(motion.t) - 1)
         return extended
@@ -91,14 +91,15 @@ class MotionResults:
 
         scene, motion = self.scene, self.motion
         replay, rerun = None, None
+        rates, passages = scene.passing(scene.rates), scene.search.passages
         if motion.scheme in scheme_names():
             rerun = scene.rerun
         if motion.scheme in SCHEMES:
-            replay = Replay(scene.rates, SCHEMES[motion.scheme], scene.begin, scene.correction)
+            replay = Replay(rates, SCHEMES[motion.scheme], scene.begin, scene.correction)
         turning = [place for place, coordinate in enumerate(scene.variant.coordinates) if coordinate.unit == "rad"]
         return Evidence(
-            scene.variant, scene.equations, scene.rates, motion, scene.exact, self.extended_precision, scene.closure,
-            scene.stop, scene.reduction.used, fastest(scene.equations), scene.search.fastest(turning), replay, rerun,
+            scene.variant, scene.equations, rates, motion, scene.exact, self.extended_precision, scene.closure,
+            scene.stop, scene.reduction.used, fastest(scene.equations), scene.search.fastest(turning), replay, rerun, passages,
         )  # fmt: skip
 
     @computed("evidence")

@@ -137,15 +137,15 @@ def graph_check(results: MotionResults) -> GraphCheck | None:
     return check_graph(results.scene.equations, results.motion, results.scene.exact)
 
 
-@computed("stop", "rates", "start", "exact", "closure", "mismatch", "motion")
+@computed("stop", "rates", "start", "exact", "closure", "mismatch", "motion", "search")
 def accuracy(results: MotionResults) -> AccuracyStudy | None:
     """What accuracy costs in evaluations: every scheme, projections, an adaptive pair, the exact closure (not timed)."""
     from coursework.accuracy.problem import Problem
     from coursework.accuracy.study import make_study
 
     scene = results.scene
-    if scene.stop is not None or scene.settings.columns:
-        return None
+    if scene.stop is not None or scene.settings.columns or scene.search.passages:
+        return None  # no scheme has an error that its step alone decides where it goes through a singular position
     units = tuple(coordinate.unit for coordinate in scene.variant.coordinates)
     problem = Problem(scene.rates, scene.start, scene.variant.time.step, len(scene.exact.t) - 1, scene.closure, units)
     results = scene.by_scheme

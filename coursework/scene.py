@@ -22,10 +22,11 @@ from coursework.geometry.closure import Closure, compile_closure, require_start
 from coursework.geometry.drive import breaks, refuse_aliasing, refuse_endless, refuse_short_tables
 from coursework.geometry.start import start_values
 from coursework.graph import Ledger, computed
-from coursework.integration.exact_motion import NoVelocities, exact_motion
+from coursework.integration.exact_motion import NoVelocities, exact_motion, no_rows, passing_motion
 from coursework.integration.following import NotReached
 from coursework.integration.integrate import Correction, march
 from coursework.integration.motion import Motion, Stop, rows_before
+from coursework.integration.passage import through
 from coursework.integration.rates import Rates, compile_rates
 from coursework.mechanism import Mechanism
 from coursework.motion_results import MotionResults
@@ -34,12 +35,12 @@ from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.solution import Solution
 from coursework.reduction.solution import solutions as solve_blocks
 from coursework.reduction.structure import Structure, structure_of
-from coursework.schemes import EXACT
 from coursework.sentences import say
 from coursework.settings import Settings
-from coursework.singular.explain import explain
+from coursework.singular.event import Event, NotFollowed
+from coursework.singular.explain import explain, explain_passage
 from coursework.singular.scaled_flow import Flow, compile_flow
-from coursework.singular.search import Event, NotFollowed, Search, search_event
+from coursework.singular.search import Search, search_event
 from coursework.variant.bounds import refuse_unbounded
 from coursework.variant.no_value import law_without_value, without_value
 from coursework.variant.record import Variant, whole_steps
@@ -118,7 +119,10 @@ class Scene:
         closed = closure.newton(0.0, closure.start, closure.origin) if closure is not None and closure.complete else None
         start = self.start if closed is None else closed.tolist()
         try:
-            return search_event(self.flow, start, horizon, breaks=breaks(self.variant))
+            found = search_event(self.flow, start, horizon, breaks=breaks(self.variant))
+            if found.passages and horizon < time.end:  # each of them must be known
+                found = search_event(self.flow, start, time.end, breaks=breaks(self.variant))
+            return found
         except NotFollowed as error:
             refuse_endless(self.equations, error.time)
             line = self.variant.nearest_line("time", "end")
@@ -153,12 +157,21 @@ class Scene:
 
     def march(self, step: float, scheme: str) -> Motion:
         """Return rows of a scheme with a step (s), corrected as the settings say, up to the stop of the true motion."""
-        rates = self.rates
+        rates, passages = self.passing(self.rates), self.search.passages
         angles = angles_in_determinants([self.reduction.blocks[index] for index in rates.blocks], self.variant)
         guarded = [index for index, name in enumerate(rates.coordinates) if name in angles]
-        rows = march(rates, scheme, self.begin, step, self.variant.time.end, self.correction, self.stop, guarded)
+        rows = march(rates, scheme, self.begin, step, self.variant.time.end, self.correction, self.stop, guarded, passages)
         scaled = rows.determinants / np.array([self.flow.largest[index] for index in rates.blocks])
-        return replace(rows, scaled=np.asarray(scaled))
+        return replace(rows, scaled=np.asarray(scaled), notes=self.passed)
+
+    def passing(self, rates: Rates) -> Rates:
+        """Return rates that know the limit where a determinant vanishes and one motion only goes on."""
+        return through(rates, self.search.passages)
+
+    @property
+    def passed(self) -> tuple[str, ...]:
+        """Return what is told of the singular positions that the motion goes through."""
+        return tuple(explain_passage(passage, self.equations, self.reduction) for passage in self.search.passages)
 
     def rerun(self, scheme: str, step: float) -> Motion | None:
         """Return the rows made otherwise, None where they do not reach the end of the motion."""
@@ -186,7 +199,7 @@ class Scene:
         names = (coordinate.name for coordinate in self.variant.coordinates)
         return [value for name, value in zip(names, self.start, strict=True) if name in self.rates.coordinates]
 
-    @computed("stop", "equations", "closure", "rates", "reduction", "start", "flow")
+    @computed("stop", "equations", "closure", "rates", "reduction", "start", "flow", "search")
     def motion(self) -> Motion:
         """The rows of the coursework."""
         _ = self.stop  # a start that does not close is told before a step that is too coarse
@@ -199,7 +212,7 @@ class Scene:
                 raise told
         return motion
 
-    @computed("stop", "equations", "reduction", "rates", "closure", "start")
+    @computed("stop", "equations", "reduction", "rates", "closure", "start", "search")
     def exact(self) -> Motion:
         """The motion without a scheme's error, on the same rows."""
         time, stop = self.variant.time, self.stop
@@ -207,10 +220,10 @@ class Scene:
         if stop is not None:
             last = min(last, rows_before(stop.time, time.step) - 1)
         if last < 0:
-            return _no_rows(self.every_rate)
+            return no_rows(self.every_rate)
         return self._exact_at(np.arange(last + 1).astype(np.float64) * time.step)
 
-    @computed("exact", "stop", "equations", "reduction", "rates", "closure", "start")
+    @computed("exact", "stop", "equations", "reduction", "rates", "closure", "start", "search")
     def one_period(self) -> Motion:
         """The exact motion at `12 * PLACES + 1` equal times over a period; up to the last row where there is none or it stops."""
         last = float(self.exact.t[-1]) if len(self.exact.t) else 0.0
@@ -221,10 +234,12 @@ class Scene:
     @property
     def every_rate(self) -> Rates:
         """The rates of all coordinates, whatever columns are asked for."""
-        return compile_rates(self.equations, self.reduction) if self.settings.columns else self.rates
+        return self.passing(compile_rates(self.equations, self.reduction) if self.settings.columns else self.rates)
 
     def _exact_at(self, times: Array) -> Motion:
         equations, every = self.equations, self.every_rate
+        if passages := self.search.passages:
+            return passing_motion(every, self.start, times, passages, self.passed)
         positions = (lambda at: chain_positions(equations, at)) if is_chain(self.variant) else None
         count = len(self.reduction.blocks)
         try:
@@ -277,11 +292,3 @@ class Scene:
     def exact_accelerations(self) -> Array:
         """The accelerations of the exact rows."""
         return self.over(self.exact).accelerations
-
-
-def _no_rows(every: Rates) -> Motion:
-    empty = np.zeros((0, 0))
-    return Motion(
-        np.zeros(0), np.zeros((0, len(every.coordinates))), np.zeros((0, len(every.velocities))), empty, empty.copy(),
-        every.coordinates, every.velocities, EXACT, 0.0, 0, label=say("exact.nothing"),
-    )  # fmt: skip

@@ -44,6 +44,8 @@ def condition(evidence: Evidence) -> Finding:
             column = system.unknowns.index(name)
             sizes[row, column] = max(sizes[row, column], largest(_formula(coefficient, evidence.equations), variant))
     numbers = np.linalg.cond(equilibrated(matrix, sizes))
+    for passage in evidence.passages:  # there the limit is known, and nothing is solved
+        numbers[passage.is_at(motion.t)] = 1.0
     worst = int(np.argmax(numbers))
     digits = float(np.clip(DIGITS - np.log10(numbers[worst]), 0.0, DIGITS)) if np.isfinite(numbers[worst]) else 0.0
     largest_number, first_number = float(numbers[worst]), float(numbers[0])

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from coursework.geometry.closure import Closure
 from coursework.integration.motion import Motion, Stop
+from coursework.integration.passage import Passage
 from coursework.integration.rates import Rates
 from coursework.integration.replay import Replay
 from coursework.reduction.equations import VelocityEquations
@@ -43,8 +44,9 @@ class Evidence:
     `stop`: where the true motion ends; `extended_precision`: the coordinates in extended numbers (n, m) where known; `used`:
     the equations solved for the velocities; `drive_frequency` rad/s of the fastest sine in the drive; `fastest`: per
     coordinate (largest rate of the true motion, when).  `replay` makes each row anew from the row before, None for rows that
-    no scheme of ours has made; `rerun(scheme, step)` gives the same run made otherwise, None where that cannot be.  `facts`
-    about the exact motion alone are found once and shared by every table of the scene.
+    no scheme of ours has made; `rerun(scheme, step)` gives the same run made otherwise, None where that cannot be.
+    `passages`: singular positions that the motion goes through.  `facts` about the exact motion alone are found once and
+    shared by every table of the scene.
     """
 
     variant: Variant
@@ -60,6 +62,7 @@ class Evidence:
     fastest: tuple[tuple[float, float | None], ...] = ()
     replay: Replay | None = None
     rerun: Callable[[str, float], Motion | None] | None = None
+    passages: tuple[Passage, ...] = ()
     facts: dict[str, object] = field(default_factory=dict)
 
     @property
@@ -158,7 +161,10 @@ class Evidence:
         terms = matrix * u[:, None, :]
         scale = np.abs(terms).sum(axis=2) + np.abs(right)
         gap = np.abs(terms.sum(axis=2) - right)
-        return system.names, np.where(scale > 0, gap / np.where(scale > 0, scale, 1.0), 0.0)
+        shares = np.where(scale > 0, gap / np.where(scale > 0, scale, 1.0), 0.0)
+        for passage in self.passages:  # there the equations say 0 = 0, and every share would be that of round-off
+            shares[passage.is_at(motion.t)] = 0.0
+        return system.names, shares
 
 
 def turns(differences: Array) -> Array:

@@ -175,18 +175,25 @@ def assembly(evidence: Evidence) -> Finding:
         return skipped(say("check.PERIOD-ASSEMBLY.skip"))
     unit = say("unit.relative")
     smallest = float(np.min(np.abs(motion.scaled))) if motion.scaled.size else None
-    row = _changed(determinants)
-    if exact is not None and (true := _changed(exact.determinants)) is not None:
+    row = _changed(motion, evidence)
+    if exact is not None and (true := _changed(exact, evidence)) is not None:
         return Finding("FAIL", say("check.PERIOD-ASSEMBLY.fail", row=true + 1), smallest, None, unit, None, true + 1)
     if row is not None:
         return Finding("COARSE", say("check.PERIOD-ASSEMBLY.coarse", row=row + 1), smallest, None, unit, None, row + 1)
     return Finding("PASS", say("check.PERIOD-ASSEMBLY.pass"), smallest, None, unit)
 
 
-def _changed(determinants: Array) -> int | None:
-    """Return the first row (from 0) in which a sign is another than in the first, None where there is none."""
-    if not determinants.size:
+def _changed(motion: Motion, evidence: Evidence) -> int | None:
+    """Return the first row (from 0) with another sign than the first row has, passages counted; None where there is none."""
+    if not motion.determinants.size:
         return None
-    signs = np.sign(determinants)
+    signs = np.sign(motion.determinants)
+    for passage in evidence.passages:
+        own = [place for place, block in enumerate(evidence.rates.blocks) if block == passage.block]
+        # A scheme that is a little off is through a row early or late.
+        near = np.abs(motion.t - passage.middle.time) < motion.step
+        for place in own:
+            signs[motion.t > passage.middle.time, place] *= -1
+            signs[near, place] = signs[0, place]
     changed = np.flatnonzero(np.any(signs != signs[0], axis=1))
     return int(changed[0]) if len(changed) else None

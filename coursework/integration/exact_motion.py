@@ -15,6 +15,7 @@ from coursework.geometry.closure import Closure
 from coursework.integration.following import follow_closure
 from coursework.integration.loops import generate_loop
 from coursework.integration.motion import Motion
+from coursework.integration.passage import Passage
 from coursework.integration.rates import Rates
 from coursework.reduction.equations import VelocityEquations
 from coursework.schemes import EXACT, PRECISE
@@ -75,6 +76,33 @@ def _halved(
     return after, left + right, steps + more + 24
 
 
+def passing_motion(
+    rates: Rates, start: Sequence[float], times: Array, passages: Sequence[Passage], notes: tuple[str, ...]
+) -> Motion:
+    """Return the exact motion at `times` through singular positions: refined between them, on their polynomials about them.
+
+    `rates` are those that know the limits there (`passage.through`).
+    """
+    positions = np.empty((len(times), len(start)))
+    begin, q, gap, steps = 0.0, np.array(start, dtype=float), 0.0, 0
+    for passage in (*passages, None):
+        first, last = (passage.flanks[1], passage.flanks[2]) if passage else (None, None)
+        before = (times >= begin) & ((times < first.time) if first else True)
+        found, left, taken = refine(rates, q.tolist(), np.array([begin, *times[before]]))
+        positions[before] = found[1:]
+        gap, steps = gap + left, steps + taken
+        if passage and first and last:
+            about = (times >= first.time) & (times <= last.time)
+            positions[about] = passage.positions(times[about])
+            begin, q = last.time, last.position
+    velocities, determinants = rates.table(times, positions)
+    return Motion(
+        times, positions, velocities, determinants, np.zeros((len(times), 0)), rates.coordinates, rates.velocities, EXACT,
+        float(times[1] - times[0]) if len(times) > 1 else 0.0, PRECISE.slopes * steps,
+        label=say("exact.refined", gap=gap, scheme=title_of(PRECISE)), notes=notes,
+    )  # fmt: skip
+
+
 def exact_motion(
     equations: VelocityEquations, rates: Rates, closure: Closure | None, start: Sequence[float], times: Array,
     blocks: int, chain: Callable[[Array], Array] | None = None,
@@ -97,4 +125,13 @@ def exact_motion(
         times, positions, velocities, determinants, np.zeros((len(times), 0)),
         rates.coordinates, rates.velocities, EXACT, float(times[1] - times[0]) if len(times) > 1 else 0.0, evaluations,
         label=label,
+    )  # fmt: skip
+
+
+def no_rows(rates: Rates) -> Motion:
+    """Return the exact motion of a mechanism that cannot begin to move."""
+    empty = np.zeros((0, 0))
+    return Motion(
+        np.zeros(0), np.zeros((0, len(rates.coordinates))), np.zeros((0, len(rates.velocities))), empty, empty.copy(),
+        rates.coordinates, rates.velocities, EXACT, 0.0, 0, label=say("exact.nothing"),
     )  # fmt: skip

@@ -19,6 +19,7 @@ from coursework.errors import InputError
 from coursework.geometry.closure import Closure
 from coursework.integration.loops import generate_rows
 from coursework.integration.motion import Motion, Stop, rows_before
+from coursework.integration.passage import Passage
 from coursework.integration.rates import Rates
 from coursework.schemes import SCHEMES, Scheme
 from coursework.sentences import say
@@ -50,10 +51,12 @@ def refuse_gain(gain: float, step: float) -> None:
 def march(
     rates: Rates, scheme: str, start: Sequence[float], step: float, end: float,
     correction: Correction | None = None, stop: Stop | None = None, guarded: Sequence[int] = (),
+    passages: Sequence[Passage] = (),
 ) -> Motion:  # fmt: skip
     """March from `start` (rad, m) at t = 0 to `end` (s).
 
     `stop`: where the true motion ends (rows beyond it are not computed).  `guarded`: the coordinates in determinants.
+    `passages`: where a determinant may change its sign.
     The motion stops also where the scheme itself steps over a dead point or out of the numbers.
     """
     last = whole_steps(step, end)
@@ -62,7 +65,7 @@ def march(
     times: Array = np.arange(last + 1).astype(np.float64) * step
     rows = [] if correction else _generated(rates, SCHEMES[scheme], start, step, last, guarded)
     if len(rows) <= last:
-        rows, stop = _followed(rates, SCHEMES[scheme], start, step, times, correction, stop, guarded, rows)
+        rows, stop = _followed(rates, SCHEMES[scheme], start, step, times, correction, stop, guarded, rows, passages)
     size, velocities = len(rates.coordinates), len(rates.velocities)
     width = size + velocities + len(rates.blocks)
     table = np.fromiter(itertools.chain.from_iterable(rows), float, len(rows) * width).reshape(len(rows), width)
@@ -83,7 +86,7 @@ def _generated(rates: Rates, scheme: Scheme, start: Sequence[float], step: float
 
 def _followed(
     rates: Rates, scheme: Scheme, start: Sequence[float], step: float, times: Array, correction: Correction | None,
-    stop: Stop | None, guarded: Sequence[int], rows: list[Row],
+    stop: Stop | None, guarded: Sequence[int], rows: list[Row], passages: Sequence[Passage],
 ) -> tuple[list[Row], Stop | None]:  # fmt: skip
     """Return all rows, those known in front, and why they end: step by step from the last known row."""
     size, last = len(start), len(times) - 1
@@ -100,7 +103,7 @@ def _followed(
         except (ZeroDivisionError, ValueError, OverflowError):
             stop = _kept(stop, _broken("event.singular", index, t, step, q, rates))
             break
-        if rows and (found := _crossed(rows[-1][size:], row, rates, index, t, step, q)):
+        if rows and (found := _crossed(rows[-1][size:], row, rates, index, t, step, q, passages)):
             stop = _kept(stop, found)
             break
         rows.append((*q.tolist(), *row))
@@ -168,12 +171,15 @@ def corrected(
 
 
 def _crossed(
-    before: tuple[float, ...], after: tuple[float, ...], rates: Rates, index: int, t: float, step: float, q: Array
-) -> Stop | None:
+    before: tuple[float, ...], after: tuple[float, ...], rates: Rates, index: int, t: float, step: float, q: Array,
+    passages: Sequence[Passage],
+) -> Stop | None:  # fmt: skip
     first = len(rates.velocities)
+    # A scheme that is a little off meets the singular position a row early or late.
+    passing = {passage.block for passage in passages if t - 2 * step < passage.middle.time < t + step}
     for place in range(len(rates.blocks)):
         old, new = before[first + place], after[first + place]
-        if old * new <= 0 and old != 0:
+        if old * new <= 0 and old != 0 and rates.blocks[place] not in passing:
             between = {"row": index, "next": index + 1, "begin": t - step, "end": t}
             cause = say("event.stepped_over", **between, old=old, new=new, step=step)
             return Stop(TOO_LARGE, t, float(index), (), _named(rates, q), cause, say("event.better_scheme"))

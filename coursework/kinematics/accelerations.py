@@ -5,11 +5,15 @@ Enters: equations and a motion.  Leaves: d of every velocity (n, k).  Computed o
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
 from coursework.geometry.time_derivatives import acceleration_rest, compile_rows
 from coursework.integration.motion import Motion
+from coursework.integration.passage import WEIGHTS, Passage
 from coursework.reduction.blocks import Reduction
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import TIME, symbol
@@ -18,8 +22,32 @@ from coursework.reduction.system import compile_system
 Array = NDArray[np.float64]
 
 
-def accelerations(equations: VelocityEquations, reduction: Reduction, motion: Motion) -> Array:
-    """Return the derivatives (n, k) of `motion.velocities`, rad/s² or m/s² (zero rows where the motion has none)."""
+def accelerations(equations: VelocityEquations, reduction: Reduction, motion: Motion, passages: Sequence[Passage] = ()) -> Array:
+    """Return the derivatives (n, k) of `motion.velocities`, rad/s² or m/s² (zero rows where the motion has none).
+
+    In a row at one of the `passages` they are those of its flanks, weighted.
+    """
+    if not any(np.any(passage.is_at(motion.t)) for passage in passages):
+        return _accelerations(equations, reduction, motion)
+    beside = [_accelerations(equations, reduction, _moved(motion, passages, place)) for place in range(len(WEIGHTS))]
+    found = beside[0].copy()
+    for passage in passages:
+        at = passage.is_at(motion.t)
+        found[at] = sum(weight * rows[at] for weight, rows in zip(WEIGHTS, beside, strict=True))
+    return found
+
+
+def _moved(motion: Motion, passages: Sequence[Passage], place: int) -> Motion:
+    """Return a motion whose rows at a passage are one of its flanks instead."""
+    t, q, u = motion.t.copy(), motion.coordinates.copy(), motion.velocities.copy()
+    for passage in passages:
+        at, state = passage.is_at(motion.t), passage.flanks[place]
+        t[at], q[at] = state.time, state.position
+        u[at] = [state.velocities[name] for name in motion.velocity_names]
+    return replace(motion, t=t, coordinates=q, velocities=u)
+
+
+def _accelerations(equations: VelocityEquations, reduction: Reduction, motion: Motion) -> Array:
     variant = equations.variant
     used = [equation for equation in equations.equations if equation.name in reduction.used]
     rest = [acceleration_rest(equations, equation) for equation in used]

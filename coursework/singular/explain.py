@@ -6,15 +6,17 @@ Enters: an `Event`, the reduction.  Leaves: words with units.  Used by `scene.py
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
 from coursework.formula.tree import spelled
 from coursework.integration.motion import AT_EVENT, Stop, rows_before
+from coursework.integration.passage import Passage
 from coursework.reduction.blocks import Block, Reduction
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.meaning import meaning as meaning_of
 from coursework.reduction.meaning import vanishing
-from coursework.sentences import joined, say
-from coursework.singular.search import Event
+from coursework.sentences import Sentence, joined, say
+from coursework.singular.event import Event
 
 # Branches come from differences that are right to 1e-10, coordinates from a search that is better.
 _ROUNDING = 1e-9
@@ -45,6 +47,15 @@ def explain(
         key = "event.removable" if len(branches) == 1 else "event.change"
         meaning = say(key, holds=holds, branches=_branches(branches), kept=kept)
     return Stop(event.kind, event.time, row, block.unknowns, coordinates, cause, meaning, branches)
+
+
+def explain_passage(passage: Passage, equations: VelocityEquations, reduction: Reduction) -> str:
+    """Return what is told of a singular position that the motion goes through."""
+    block, middle = reduction.blocks[passage.block], passage.middle
+    coordinates = {c.name: float(value) for c, value in zip(equations.variant.coordinates, middle.position, strict=True)}
+    which = joined([_equation(block, equations, coordinates), _angles(block, equations, coordinates)], "join.nothing")
+    velocities = {name: middle.velocities[name] for name in block.unknowns}
+    return say("event.passed", time=middle.time, unknowns=block.unknowns, which=which, branch=_velocities(velocities))
 
 
 def _together(event: Event, reduction: Reduction) -> str:
@@ -83,13 +94,14 @@ def _angles(block: Block, equations: VelocityEquations, coordinates: dict[str, f
 
 
 def _branches(branches: tuple[dict[str, float], ...]) -> str:
-    told = [
-        joined([say("event.velocity", name=name, value=_tidied(value)) for name, value in branch.items()], "join.comma")
-        for branch in branches
-    ]
+    told = [_velocities(branch) for branch in branches]
     if len(told) == 1:
         return say("event.one_branch", branch=told[0])
     return say("event.branches", told=joined(told, "join.or_else")) if told else ""
+
+
+def _velocities(branch: Mapping[str, float]) -> Sentence:
+    return joined([say("event.velocity", name=name, value=_tidied(value)) for name, value in branch.items()], "join.comma")
 
 
 def _tidied(value: float) -> float:

@@ -181,15 +181,21 @@ def test_h09_the_fastest_moment_between_two_rows_is_told(height, step):
     assert np.allclose(run.exact.column("phi"), exact, atol=1e-9)
 
 
-@pytest.mark.parametrize("scheme", ["euler", "rk4"])
-def test_h09_through_the_pivot_the_slide_changes_its_sign(scheme):
-    """h = 0: the rod does not turn (omega = 0) and s runs through zero: removable, and told as the only way on."""
-    run = solve(past_the_pivot(0.0, 0.02), scheme)
-    assert run.stop.kind == "change point"
-    assert abs(run.stop.time - 0.5) < LOCATED
-    assert abs(run.stop.coordinates["s"]) < LOCATED
-    assert len(run.stop.branches) == 1
-    assert run.stop.branches[0] == pytest.approx({"w": 0.0, "u": -1.0}, abs=1e-7)
+@pytest.mark.parametrize("scheme", ["euler", "rk4", "exact"])
+@pytest.mark.parametrize("step", [0.02, 0.03])
+def test_h09_through_the_pivot_the_slide_changes_its_sign(scheme, step):
+    """h = 0: the rod does not turn (omega = 0) and s runs through zero; a row stands there with 0.02 s, none with 0.03 s."""
+    run = solve(past_the_pivot(0.0, step), scheme, ("table", "checks", "accelerations"))
+    t = np.arange(math.floor(1 / step * (1 + 1e-9)) + 1) * step
+    assert run.stop is None
+    assert np.allclose(run.motion.t, t, rtol=1e-14)
+    for name, wanted in {"s": 0.5 - t, "phi": math.pi + 0 * t, "w": 0 * t, "u": 0 * t - 1}.items():
+        assert np.max(np.abs(run.motion.column(name) - wanted)) < 1e-11
+    assert np.max(np.abs(run.results.accelerations)) < 1e-9
+    assert {one.code for one in run.checks if one.verdict not in {"PASS", "SKIP"}} == set()
+    (told,) = run.motion.notes
+    assert told.startswith("At t = 0.5 s the equations do not give w and u: s = 0")
+    assert "One motion only goes on there, with w = 0, u = -1; the table follows it" in told
 
 
 def many_windows(count: int, theta: float, end: float, step: float) -> str:

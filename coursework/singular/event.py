@@ -1,0 +1,43 @@
+"""What a walk along the true motion meets: a dead point, a change point, or a place beyond which nothing can be followed.
+
+Enters: numbers from `walk.py`.  Leaves: `Event`, `NotFollowed`.  Used by the rooms of `singular` and by the scene.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.errors import InputError
+from coursework.sentences import Sentence
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """Where D of block number `block` vanishes: `time` (s), `position`; `demanded` is what b asks beyond the range of A.
+
+    `together`: all blocks that are singular there; `block` is the first of them.
+    """
+
+    kind: str
+    block: int
+    time: float
+    position: Array
+    demanded: float
+    together: tuple[int, ...] = ()
+
+
+class NotFollowed(InputError):
+    """The motion could not be followed beyond `time` (s), and not because of the mechanism.
+
+    `ahead`: places (position in rad and m, then time in s) a little further on, where a formula may have no value.
+    """
+
+    def __init__(self, message: Sentence, time: float, ahead: Sequence[Sequence[float]] = ()) -> None:
+        super().__init__(message)
+        self.time, self.ahead = time, ahead
