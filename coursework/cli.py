@@ -284,7 +284,7 @@ def accuracy_command(
         return accuracy_page(variant, out, formats, language)
 
 
-@main.command("grade")
+@main.command("grade", cls=_WithTemplates)
 @click.argument("source", type=click.Path(path_type=Path))
 @click.option("--variant", shell_complete=_offered("variants"), help="The variant that everybody has.")
 @click.option("--roster", type=click.Path(path_type=Path), help="ROSTER.csv: id,name,email,variant.")
@@ -295,6 +295,7 @@ def accuracy_command(
 @click.option("--canvas", type=click.Path(path_type=Path), help="Canvas's gradebook export, to be filled in.")
 @click.option("--results", type=click.Choice(["gradescope", "prairielearn"]), help="One submission, for an autograder.")
 @click.option("--no-pages", is_flag=True, help="No feedback pages.")
+@_templates(passed_on=False)
 @click.option("--jobs", type=click.IntRange(0, 256), default=0, help="Submissions at once (default: the cores, at most 8).")
 @click.option("--scheduler", help="Address of a Dask scheduler: the same on a cluster.")
 @click.option("--limit", type=click.FloatRange(0.1, 3600), default=10.0, show_default=True, help="Seconds a submission may take.")

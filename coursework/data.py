@@ -8,7 +8,7 @@ from __future__ import annotations
 import hashlib
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -65,11 +65,38 @@ def pieces_in(own: Path) -> list[Path]:
     return sorted(path for part in parts if part.is_dir() for path in part.iterdir() if path.is_file())
 
 
-def stamp_of_pieces() -> str:
-    """Return a hash of the pieces in use, "" for those of the package: what is written with others is another page."""
+def pieces_in_use() -> dict[str, bytes]:
+    """Return the own pieces that stand in now, by name: what another process or machine needs to write the same pages."""
     if not _standing_in:
-        return ""
+        return {}
+    together, package = _standing_in[-1], _of_package(REPORTS)
+    found = {path.relative_to(together).as_posix(): path.read_bytes() for path in pieces_in(together)}
+    return {
+        name: content
+        for name, content in found.items()
+        if not (package / name).is_file() or (package / name).read_bytes() != content
+    }
+
+
+@contextmanager
+def pieces_standing_in(pieces: Mapping[str, bytes]) -> Iterator[None]:
+    """Let pieces that `pieces_in_use` gave in another process stand in here."""
+    if not pieces:
+        yield
+        return
+    with tempfile.TemporaryDirectory(prefix="coursework-pieces-") as place:
+        for name, content in pieces.items():
+            target = Path(place) / name
+            target.parent.mkdir(exist_ok=True)
+            target.write_bytes(content)
+        with own_pieces(Path(place)):
+            yield
+
+
+def stamp_of_pieces() -> str:
+    """Return a hash of the own pieces in use, "" without any: what is written with others is another page."""
     digest = hashlib.sha256()
-    for path in pieces_in(_standing_in[-1]):
-        digest.update(path.name.encode() + b"\0" + path.read_bytes())
-    return digest.hexdigest()
+    pieces = pieces_in_use()
+    for name, content in sorted(pieces.items()):
+        digest.update(name.encode() + b"\0" + content)
+    return digest.hexdigest() if pieces else ""

@@ -10,6 +10,7 @@ from pathlib import Path
 import click
 
 from coursework.commands.screen import in_language, tell
+from coursework.data import pieces_in_use
 from coursework.errors import Fault, InputError, OutputError
 from coursework.grading.batch.class_list import ClassList, class_of_one, class_of_roster, read_source
 from coursework.grading.batch.decisions import Override, read_overrides
@@ -51,7 +52,7 @@ def grade_source(
         for found in listed.variants.values():
             check_rubric(marking, found, str(rubric or "rubric"))
         decided = _decided(overrides, listed, marking)
-        setup = Setup(text, not no_pages, class_tables(listed.variants), memory)
+        setup = Setup(text, not no_pages, class_tables(listed.variants), memory, pieces_in_use())
         _prepare(out)
         with (
             Journal(out) as journal,

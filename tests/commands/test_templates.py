@@ -10,6 +10,7 @@ from click.testing import CliRunner, Result
 
 from coursework.cli import main
 from coursework.data import folder, own_pieces
+from tests.grading.batch.classroom import hand_in
 
 PLAIN = folder("reports")
 
@@ -107,3 +108,23 @@ def test_own_pieces_come_and_go_in_one_process(tmp_path: Path) -> None:
         with own_pieces(None):
             assert folder("reports") == inside
     assert not inside.exists()
+
+
+def test_feedback_pages_of_a_class_take_own_pieces_and_a_change_of_them_is_marked_anew(tmp_path: Path) -> None:
+    hand_in(tmp_path / "in" / "ada")
+    looks = tmp_path / "looks"
+    looks.mkdir()
+    own = (PLAIN / "feedback.html.j2").read_text(encoding="utf-8").replace("<header>", "<header><p>Kafedra</p>")
+    command = ["grade", str(tmp_path / "in"), "--variant", "31", "--out", str(tmp_path / "out"), "--jobs", "1"]
+    for pieces, words, fresh in (
+        ({"feedback.html.j2": own}, "Kafedra", 1),
+        ({"feedback.css": "body{color:#123456}"}, "#123456", 1),
+    ):
+        for name, text in pieces.items():
+            (looks / name).write_text(text, encoding="utf-8")
+        done = CliRunner().invoke(main, [*command, "--templates", str(looks)])
+        assert done.exit_code == 0, done.output
+        assert f"Marked now: {fresh}" in done.output
+        assert words in (tmp_path / "out" / "feedback" / "ada.html").read_text(encoding="utf-8")
+    assert "#123456" in (tmp_path / "out" / "class.html").read_text(encoding="utf-8")
+    assert "Marked now: 0" in CliRunner().invoke(main, [*command, "--templates", str(looks)]).output

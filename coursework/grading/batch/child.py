@@ -41,19 +41,21 @@ def most_memory() -> int:
 
 def serve(lines: BinaryIO, answers: BinaryIO) -> None:
     """Answer every line until there are none."""
+    from coursework.data import pieces_standing_in
     from coursework.grading.batch.work import setup_from
     from coursework.grading.batch.workshop import Workshop
 
     setup = setup_from(json.loads(lines.readline()))
-    workshop = Workshop(setup)
-    limit_memory(setup.memory_mib)
-    at_first = 0
-    for line in lines:
-        answer = workshop.answer(line).line()
-        used = most_memory()
-        at_first = at_first or used
-        answers.write(b"%d " % (used - at_first) + answer)
-        answers.flush()
+    with pieces_standing_in(setup.pieces):
+        workshop = Workshop(setup)
+        limit_memory(setup.memory_mib)
+        at_first = 0
+        for line in lines:
+            answer = workshop.answer(line).line()
+            used = most_memory()
+            at_first = at_first or used
+            answers.write(b"%d " % (used - at_first) + answer)
+            answers.flush()
 
 
 def main() -> None:

@@ -21,6 +21,7 @@ STARTING = 60.0  # s for the first answer of a child, which imports everything
 # that do not say how much a process holds, after so many submissions.
 MOST_GROWN = 256
 REPLACED_AFTER = 2000
+_ENDING = 2.0  # s in which a child puts its temporary files away
 CHILD = "coursework.grading.batch.child"
 
 
@@ -55,6 +56,11 @@ class Supervisor:
         if self._child is None:
             return
         child, self._child = self._child, None
+        with suppress(OSError):
+            if child.stdin is not None:
+                child.stdin.close()
+        with suppress(subprocess.TimeoutExpired):
+            child.wait(_ENDING if self.setup.pieces else 0)
         child.kill()
         for stream in (child.stdin, child.stdout):
             if stream is not None:

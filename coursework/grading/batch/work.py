@@ -54,24 +54,30 @@ def source_from(plain: Mapping[str, Any]) -> VariantSource:
 
 @dataclass(frozen=True)
 class Setup:
-    """What holds for a whole batch: the rubric's text, whether pages are wanted, Euler's tables of the class's variants."""
+    """What holds for a whole batch: the rubric's text, whether pages are wanted, Euler's tables of the class's variants.
+
+    `pieces` are the instructor's own pieces of pages, by name.
+    """
 
     rubric: str = ""
     pages: bool = True
     class_tables: Mapping[str, list[list[float]]] = field(default_factory=dict)
     memory_mib: int = 1024
+    pieces: Mapping[str, bytes] = field(default_factory=dict)
 
     def plain(self) -> dict[str, Any]:
         """Return the setup as JSON can carry it."""
         return {
             "rubric": self.rubric, "pages": self.pages, "memory_mib": self.memory_mib,
             "class_tables": dict(self.class_tables),
+            "pieces": {name: base64.b64encode(content).decode("ascii") for name, content in self.pieces.items()},
         }  # fmt: skip
 
 
 def setup_from(plain: Mapping[str, Any]) -> Setup:
     """Return the setup that `plain()` wrote."""
-    return Setup(plain["rubric"], plain["pages"], plain["class_tables"], plain["memory_mib"])
+    pieces = {name: base64.b64decode(content) for name, content in plain["pieces"].items()}
+    return Setup(plain["rubric"], plain["pages"], plain["class_tables"], plain["memory_mib"], pieces)
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,7 +103,7 @@ class Task:
             "variant": self.variant.sha256,
             "rubric": setup.rubric,
             "overrides": json.dumps([override.plain() for override in self.overrides]),
-            "version": f"{GRADING_VERSION} {coursework.__version__} {setup.pages}",
+            "version": f"{GRADING_VERSION} {coursework.__version__} {setup.pages} {sorted(setup.pieces.items())}",
         }
         return " ".join(hashlib.sha256(text.encode()).hexdigest()[:_DIGITS] for text in parts.values())
 
