@@ -11,12 +11,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from coursework.asked import gather
 from coursework.catalogue import find
 from coursework.errors import Fault, InputError
 from coursework.exact_scene import scene_of
 from coursework.model.model import Model, model_of
-from coursework.quantities import TABLE, known_quantities
-from coursework.run import Run, gather
+from coursework.quantities import TABLE, known_quantities, quantities_for
+from coursework.run import Run
 from coursework.sentences import Sentence, closest, say
 from coursework.settings import Settings, scheme_for
 from coursework.variant.reader import read_variant
@@ -66,7 +67,8 @@ def solve(
     chosen = load(variant) if isinstance(variant, (str, Path)) else variant
     chosen = timed(chosen, step, end)
     asked, columns = _sorted(chosen, quantities)
-    settings = Settings(scheme_for(chosen, scheme), project, gain, columns).checked(chosen.time.step)
+    order = max((one.order for one in quantities_for(asked).values()), default=1)
+    settings = Settings(scheme_for(chosen, scheme), project, gain, columns, order=order).checked(chosen.time.step)
     return Run(scene_of(chosen, settings), asked, student, group, date, teacher=teacher, institution=institution)
 
 

@@ -100,6 +100,7 @@ class MotionResults:
         return Evidence(
             scene.variant, scene.equations, rates, motion, scene.exact, self.extended_precision, scene.closure,
             scene.stop, scene.reduction.used, fastest(scene.equations), scene.search.fastest(turning), replay, rerun, passages,
+            scene.settings.order,
         )  # fmt: skip
 
     @computed("evidence")

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
 
 import numpy as np
 
@@ -36,6 +36,7 @@ T = TypeVar("T")
 class Columns(Generic[T]):
     """Shown as columns beside those of the results table; `on_page` says which of them a page prints."""
 
+    kind: ClassVar[str] = "columns"
     of: Callable[[MotionResults, T], ExtraTable]
     on_page: Callable[[ExtraTable], ExtraTable] = field(default=lambda table: table)
 
@@ -44,6 +45,7 @@ class Columns(Generic[T]):
 class OwnTable(Generic[T]):
     """Shown as a table of its own, whose rows are not those of the results table."""
 
+    kind: ClassVar[str] = "table"
     of: Callable[[MotionResults, T], ExtraTable]
 
 
@@ -63,6 +65,7 @@ class OwnFigure(Generic[T]):
     `listing` is the file in which their numbers stand with every digit, None where they have none of their own.
     """
 
+    kind: ClassVar[str] = "figure"
     of: Callable[[MotionResults, T, Callable[[str], str]], tuple[Drawing, ...]]
     listing: Callable[[T], Listing] | None = None
 
@@ -71,13 +74,16 @@ class OwnFigure(Generic[T]):
 class OwnSection:
     """Shown in a section that the page has for it (`report/sections.py`)."""
 
+    kind: ClassVar[str] = "section"
+
 
 @dataclass(frozen=True, slots=True)
 class Quantity(Generic[T]):
     """What can be asked for by name.
 
     `compute` carries the name, what it needs and the function; `shows` is where a reader finds it.  `restrictable`: can be
-    had for some columns alone; `usual`: computed where nobody says what is wanted; `refuses` returns why a variant cannot
+    had for some columns alone; `usual`: computed where nobody says what is wanted; `order` of the highest derivative of the
+    motion that it shows, 2 for accelerations; `refuses` returns why a variant cannot
     have it, None where it can; `beside` maps another quantity to the record that takes this one's place where both are asked for.
     """
 
@@ -85,6 +91,7 @@ class Quantity(Generic[T]):
     shows: Columns[T] | OwnTable[T] | OwnFigure[T] | OwnSection
     restrictable: bool = False
     usual: bool = False
+    order: int = 1
     refuses: Callable[[Variant], Sentence | None] = field(default=lambda variant: None)
     beside: Mapping[str, Quantity[Any]] = field(default_factory=dict)
 
@@ -92,6 +99,11 @@ class Quantity(Generic[T]):
     def name(self) -> str:
         """Return the name to ask for."""
         return self.compute.name
+
+    @property
+    def about(self) -> str:
+        """Return what it is, in a line."""
+        return (self.compute.__doc__ or "").partition("\n")[0]
 
     @property
     def needs(self) -> tuple[str, ...]:
@@ -236,17 +248,19 @@ _POINT_COLUMNS = Columns(_point_columns, _moving)
 TABLE = Quantity(table, OwnSection(), restrictable=True, usual=True)
 PLOTS = Quantity(plots, OwnSection(), restrictable=True, usual=True)
 CHECKS = Quantity(MotionResults.checks, OwnSection(), usual=True)
-ACCELERATIONS = Quantity(MotionResults.accelerations, Columns(_acceleration_columns))
-POINT_ACCELERATIONS = Quantity(MotionResults.point_accelerations, _POINT_COLUMNS)
+ACCELERATIONS = Quantity(MotionResults.accelerations, Columns(_acceleration_columns), order=2)
+POINT_ACCELERATIONS = Quantity(MotionResults.point_accelerations, _POINT_COLUMNS, order=2)
 POINTS = Quantity(
     MotionResults.points, _POINT_COLUMNS, refuses=_refuse_no_points, beside={ACCELERATIONS.name: POINT_ACCELERATIONS}
 )
-ANALOGS = Quantity(analogs, OwnTable(_itself))
-INVARIANTS = Quantity(invariants, OwnTable(_itself))
+ANALOGS = Quantity(analogs, OwnTable(_itself), order=2)
+INVARIANTS = Quantity(invariants, OwnTable(_itself), order=2)
 ACCURACY = Quantity(accuracy, OwnSection())
 GRAPH_CHECK = Quantity(graph_check, OwnSection())
 TRAJECTORIES = Quantity(trajectories, OwnFigure(_drawings), refuses=_refuse_no_points)
-PLANS = Quantity(plans, OwnFigure(lambda _, found, written: found.drawings(written), _plans_listing), refuses=_refuse_no_points)
+PLANS = Quantity(
+    plans, OwnFigure(lambda _, found, written: found.drawings(written), _plans_listing), order=2, refuses=_refuse_no_points
+)
 HODOGRAPHS = Quantity(hodographs, OwnFigure(_drawings), refuses=_refuse_no_points)
 
 QUANTITIES: tuple[Quantity[Any], ...] = (

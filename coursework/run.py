@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
+from coursework import asked
 from coursework.codegen.programs import SYMPY_VERSION
 from coursework.errors import visible
-from coursework.formula.tree import Formula
 from coursework.graph import Plan, make_plan
 from coursework.integration.motion import Motion, Stop
 from coursework.motion_results import MotionResults
@@ -22,16 +22,13 @@ from coursework.quantities import (
     ACCURACY,
     CHECKS,
     GRAPH_CHECK,
-    Columns,
     Listing,
-    OwnFigure,
-    OwnTable,
     Quantity,
     all_needs,
     quantities_for,
 )
 from coursework.reduction.blocks import Reduction
-from coursework.reduction.solution import Solution
+from coursework.reduction.solution import ShownEquation, Solution, shown_equations
 from coursework.scene import Scene
 from coursework.schemes import SCHEMES, Scheme
 from coursework.sentences import say, title_of
@@ -49,18 +46,6 @@ if TYPE_CHECKING:
     from coursework.plans.graph_check import GraphCheck
 
 T = TypeVar("T")
-
-
-@dataclass(frozen=True, slots=True)
-class ShownEquation:
-    """A velocity equation as a page shows it; `derived` from positions; not `used`: redundant, kept as a check."""
-
-    name: str
-    because: str
-    left: Formula
-    right: Formula
-    derived: bool
-    used: bool
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -157,17 +142,12 @@ class Run:
 
     def columns(self) -> tuple[tuple[str, ...], np.ndarray[Any, np.dtype[np.float64]]]:
         """Return names and rows of the table after t, accelerations and points included where asked for."""
-        return gather(self.results, self.asked)
+        return asked.gather(self.results, self.asked)
 
     @property
     def equations(self) -> tuple[ShownEquation, ...]:
         """Return the velocity equations as a page shows them."""
-        used, equations = self.reduction.used, self.scene.equations
-        sides = [equation.shown(equations.order) for equation in equations.equations]
-        return tuple(
-            ShownEquation(e.name, e.because, left, right, e.written is None, e.name in used)
-            for e, (left, right) in zip(equations.equations, sides, strict=True)
-        )
+        return shown_equations(self.scene.equations, self.reduction)
 
     @property
     def reduction(self) -> Reduction:
@@ -220,33 +200,17 @@ class Run:
     @property
     def extra_tables(self) -> dict[str, ExtraTable]:
         """Return the tables asked for beside the results table, as a page prints them."""
-        from coursework.kinematics.extra import ExtraTable
-
-        tables: dict[str, ExtraTable] = {}
-        t = self.motion.t
-        if len(t) < 2:
-            return tables  # a motion that stops at once has nothing to tabulate beside its one row
-        for name, quantity in quantities_for(self.asked).items():
-            if isinstance(quantity.shows, Columns):
-                found = quantity.shows.on_page(quantity.shows.of(self.results, self.of(quantity)))
-                if found.names:
-                    rows = np.column_stack([t, found.rows])
-                    tables[name] = ExtraTable(found.title, ("t", *found.names), ("s", *found.units), rows)
-        return tables | self.own_tables
+        return asked.page_tables(self.results, self.asked)
 
     @property
     def own_tables(self) -> dict[str, ExtraTable]:
         """Return the tables asked for whose rows are not those of the results table."""
-        shown = ((quantity, quantity.shows) for quantity in quantities_for(self.asked).values())
-        return {
-            quantity.name: shows.of(self.results, self.of(quantity)) for quantity, shows in shown if isinstance(shows, OwnTable)
-        }
+        return asked.own_tables(self.results, self.asked)
 
     @property
     def listings(self) -> tuple[Listing, ...]:
         """Return the files in which drawings that were asked for keep their numbers."""
-        shown = ((one, one.shows) for one in quantities_for(self.asked).values())
-        return tuple(s.listing(self.of(one)) for one, s in shown if isinstance(s, OwnFigure) and s.listing is not None)
+        return asked.listings(self.results, self.asked)
 
     def mechanism(self) -> Drawing | None:
         """Return the mechanism in its start position with names, lengths and drive, None where the file places no points."""
@@ -264,8 +228,7 @@ class Run:
 
     def figures(self, written: Callable[[str], str] = str) -> dict[str, tuple[Drawing, ...]]:
         """Return the drawings asked for that have no section of their own, their words put into a language by `written`."""
-        shown = ((name, quantity, quantity.shows) for name, quantity in quantities_for(self.asked).items())
-        return {name: shows.of(self.results, self.of(one), written) for name, one, shows in shown if isinstance(shows, OwnFigure)}
+        return asked.figures(self.results, self.asked, written)
 
     @property
     def accuracy(self) -> AccuracyStudy | None:
@@ -309,23 +272,12 @@ class Run:
         }  # fmt: skip
 
     def __repr__(self) -> str:
-        asked = ", ".join((*self.asked, *self.settings.columns))
+        names = ", ".join((*self.asked, *self.settings.columns))
         return (
-            f"<Run of {visible(self.variant.name)}: {self.scheme}, h = {self.step:g} s, 0 to {self.end:g} s, asked for {asked}>"
+            f"<Run of {visible(self.variant.name)}: {self.scheme}, h = {self.step:g} s, 0 to {self.end:g} s, asked for {names}>"
         )
 
     def _repr_html_(self) -> str:
         import coursework  # pages are made floors above this one, by the function that the package offers for it
 
         return coursework.notebook_html(self)
-
-
-def gather(results: MotionResults, asked: tuple[str, ...]) -> tuple[tuple[str, ...], Any]:
-    """Return the columns of a motion, with those of the quantities asked for that are columns."""
-    names, rows = results.motion.names, [results.motion.rows]
-    for quantity in quantities_for(asked).values():
-        if isinstance(quantity.shows, Columns):
-            found = quantity.shows.of(results, quantity.compute.of(results))
-            names += found.names
-            rows.append(found.rows)
-    return names, np.hstack(rows)

@@ -1,7 +1,7 @@
 """One variant with its settings, and the way to its motion: every step a typed property, computed when looked at, once.
 
 Enters: a `Variant` and `Settings`.  Leaves: `Scene`; what depends on a motion is `scene.over(motion)`, for any motion.
-Used by `quantities.py`, `run.py`, `api.py`, and by readers who want more than a table.
+Used by `quantities.py`, `run.py`, `exact_scene.py`, `model/model.py`, and by readers who want more than a table.
 """
 
 from __future__ import annotations

@@ -24,13 +24,17 @@ def scheme_for(variant: Variant, scheme: str | None = None) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """`project` Newton corrections a step; `gain` Baumgarte's gain (1/s); `columns` of the table asked for, () for all."""
+    """`project` Newton corrections a step; `gain` Baumgarte's gain (1/s); `columns` of the table asked for, () for all.
+
+    `order` of the highest derivative of the motion that is asked for: 1 velocities, 2 accelerations.
+    """
 
     scheme: str = DEFAULT_SCHEME.name
     project: int = 0
     gain: float = 0.0
     columns: tuple[str, ...] = ()
     single: bool = False
+    order: int = 1
 
     def checked(self, step: float) -> Settings:
         """Return the settings.  Raises `InputError` for a scheme that does not exist and gains that grow the error."""

@@ -13,11 +13,11 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.asked import gather
 from coursework.graph import Computed, Ledger, computed, make_plan, needs_of
 from coursework.motion_results import MotionResults
 from coursework.quantities import POINT_ACCELERATIONS, QUANTITIES, all_needs, quantities_for
 from coursework.reduction.symbolic import symbol
-from coursework.run import gather
 from coursework.scene import Scene
 
 NEEDS = {"length": ("given",), "width": ("length",), "area": ("length", "width"), "unused": ("area",)}

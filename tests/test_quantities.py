@@ -18,6 +18,7 @@ from coursework.kinematics.extra import ExtraTable
 from coursework.quantities import QUANTITIES, Columns, OwnFigure, OwnSection, OwnTable, Quantity
 from coursework.report import build_model
 from coursework.report.sections import APPENDIX, NUMBERED, PAPER
+from coursework.sentences import say
 from coursework.variant.record import Variant
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="50mm" viewBox="0 0 100 50"><path d="M0 0L9 9"/></svg>'
@@ -44,7 +45,7 @@ SHOWN = {
 
 @pytest.fixture(params=SHOWN)
 def dummy(request, monkeypatch):
-    record = Quantity(power, SHOWN[request.param], refuses=lambda variant: "" if variant.name == "31" else "no power here.")
+    record = Quantity(power, SHOWN[request.param], refuses=lambda variant: None if variant.name == "31" else say("fault.V501"))
     monkeypatch.setattr(quantities, "QUANTITIES", (*QUANTITIES, record))
     return request.param
 
@@ -53,7 +54,11 @@ def test_a_record_alone_is_found_everywhere(dummy, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     told = CliRunner().invoke(main, ["run", "31", "--quantities", "table,power", "--format", "csv,html", "--out", "out"])
     assert told.exit_code == 0, told.output
-    assert "power" in json.loads(Path("out/run.json").read_text(encoding="utf-8"))["quantities"]
+    said = json.loads(Path("out/run.json").read_text(encoding="utf-8"))
+    assert said["quantities"] == ["table", "power"]
+    about = "A quantity of tomorrow, one number a row."
+    assert said["contents"][-1] == {"name": "power", "about": about, "shown": dummy, "needs": ["motion", "accelerations"]}
+    assert (said["columns"]["w3"], said["columns"].get("power")) == ("rad/s", "W" if dummy == "columns" else None)
     own = Path("out/power.csv")
     assert own.exists() == (dummy == "table")
     with (own if dummy == "table" else Path("out/table.csv")).open(encoding="utf-8", newline="") as file:
@@ -71,7 +76,7 @@ def test_a_record_alone_is_found_everywhere(dummy, tmp_path, monkeypatch):
 
 
 def test_a_record_says_which_variants_cannot_have_it(dummy):
-    with pytest.raises(coursework.InputError, match="no power here"):
+    with pytest.raises(coursework.InputError, match="the file names none"):
         coursework.solve("example-2", quantities=["power"])
     with pytest.raises(coursework.InputError, match='"power" needs every coordinate'):
         coursework.solve("31", quantities=["power", "phi3"])
@@ -116,5 +121,4 @@ BY_RECORD = [
 def test_no_other_file_names_a_quantity(name):
     package = Path(coursework.__file__).parent
     naming = {path.relative_to(package).as_posix() for path in package.rglob("*.py") if name in strings(path)}
-    # The noise of a printed table matters only to what is asked for; checks stand below the records and go by the file's words.
-    assert naming <= {"quantities.py", "motion_results.py", "checks/digits.py"}
+    assert naming <= {"quantities.py", "motion_results.py"}

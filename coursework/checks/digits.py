@@ -119,7 +119,7 @@ def _noises(evidence: Evidence, law: Law) -> list[Noise]:
     rate = np.abs(_rate(evidence, law.of))
     found = []
     for order in (1, 2):
-        if order == 2 and not {"accelerations", "analogs", "invariants"} & set(evidence.variant.ask):
+        if order > evidence.order:
             continue
         weights = np.array(amplification(law.method, order))
         sizes = 10.0**-count / spacing**order * rate**order

@@ -45,8 +45,8 @@ class Evidence:
     the equations solved for the velocities; `drive_frequency` rad/s of the fastest sine in the drive; `fastest`: per
     coordinate (largest rate of the true motion, when).  `replay` makes each row anew from the row before, None for rows that
     no scheme of ours has made; `rerun(scheme, step)` gives the same run made otherwise, None where that cannot be.
-    `passages`: singular positions that the motion goes through.  `facts` about the exact motion alone are found once and
-    shared by every table of the scene.
+    `passages`: singular positions that the motion goes through; `order` of the highest derivative of the motion that is asked
+    for.  `facts` about the exact motion alone are found once and shared by every table of the scene.
     """
 
     variant: Variant
@@ -63,6 +63,7 @@ class Evidence:
     replay: Replay | None = None
     rerun: Callable[[str, float], Motion | None] | None = None
     passages: tuple[Passage, ...] = ()
+    order: int = 1
     facts: dict[str, object] = field(default_factory=dict)
 
     @property

@@ -11,7 +11,9 @@ import json
 from dataclasses import asdict, replace
 from typing import TYPE_CHECKING, Any
 
+from coursework.asked import units_of
 from coursework.data import stamp_of_pieces
+from coursework.quantities import Quantity, quantities_for
 from coursework.run import Run
 
 if TYPE_CHECKING:
@@ -43,6 +45,8 @@ def record(run: Run) -> dict[str, Any]:
         "rows": len(motion.t),
         "evaluations": motion.evaluations,
         "quantities": list(run.asked),
+        "columns": units_of(run.results, run.asked),
+        "contents": [_content(quantity) for quantity in quantities_for(run.asked).values()],
         "stop": _stop(run),
         "remarks": [
             {"code": remark.code, "line": remark.line, "sentence": str(remark.sentence)} for remark in run.variant.plausibility
@@ -51,6 +55,12 @@ def record(run: Run) -> dict[str, Any]:
         "lesson": asdict(run.lesson) if run.lesson is not None else None,
         "checks": [_finding(check) for check in checks],
     }
+
+
+def _content(quantity: Quantity[Any]) -> dict[str, Any]:
+    return {
+        "name": quantity.name, "about": quantity.about, "shown": quantity.shows.kind, "needs": list(quantity.needs),
+    }  # fmt: skip
 
 
 def _finding(finding: Finding) -> dict[str, Any]:

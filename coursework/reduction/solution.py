@@ -1,9 +1,12 @@
-"""Blocks -> the velocities as a textbook writes them: ω3 = V_My / (r (2 cos φ3 + sin φ3)).
+"""Blocks -> the velocities as a textbook writes them: ω3 = V_My / (r (2 cos φ3 + sin φ3)); equations as a page shows them.
 
 Enters: `VelocityEquations` and their `Reduction`.  Leaves: formulas for a page.  Nothing numeric reads them.
+Used by `scene.py` and `run.py`.
 """
 
 from __future__ import annotations
+
+from dataclasses import dataclass
 
 import sympy as sp
 
@@ -16,6 +19,27 @@ from coursework.reduction.tidy import product, quotient
 Solution = tuple[tuple[str, Formula], ...]
 # Letters of the longest formula that anyone reads; a page says "solved numerically" in place of a longer one.
 MOST_LETTERS = 2000
+
+
+@dataclass(frozen=True, slots=True)
+class ShownEquation:
+    """A velocity equation as a page shows it; `derived` from positions; not `used`: redundant, kept as a check."""
+
+    name: str
+    because: str
+    left: Formula
+    right: Formula
+    derived: bool
+    used: bool
+
+
+def shown_equations(equations: VelocityEquations, reduction: Reduction) -> tuple[ShownEquation, ...]:
+    """Return the velocity equations, written or derived, in the order of the file."""
+    sides = [equation.shown(equations.order) for equation in equations.equations]
+    return tuple(
+        ShownEquation(e.name, e.because, left, right, e.written is None, e.name in reduction.used)
+        for e, (left, right) in zip(equations.equations, sides, strict=True)
+    )
 
 
 def solutions(equations: VelocityEquations, reduction: Reduction) -> tuple[Solution, ...]:
