@@ -191,7 +191,8 @@ def tell_run(run: Run, folder: Path, written: list[str]) -> None:
     names: tuple[Any, ...] = motion.names
     if len(motion.t):
         for key, row in (("screen.first", 0), ("screen.last", -1)):
-            values = ", ".join(f"{name} {value:.5g}" for name, value in zip(names, motion.rows[row], strict=True))
+            pairs = zip(names, motion.rows[row].tolist(), strict=True)
+            values = joined([say("screen.named", name=name, value=value) for name, value in pairs], "join.comma")
             tell(say(key, time=float(motion.t[row]), values=values))
     if run.stop is not None:
         tell(say("screen.stopped_by", kind=run.stop.kind, sentence=run.stop.sentence))
@@ -210,7 +211,8 @@ def tell_checks(run: Run) -> None:
         for check in (check for check in run.checks if check.group == group):
             parts = [f"  {in_language(say(f'checks.mark.{check.verdict}'))} {check.verdict:<6} {check.code:<16}"]
             if check.value is not None:
-                parts.append(say("screen.value", value=check.value, unit=f" {check.unit}" if check.unit else ""))
+                bare = {"value": check.value}
+                parts.append(say("screen.value_unit", **bare, unit=check.unit) if check.unit else say("screen.value", **bare))
             if check.limit is not None:
                 parts.append(say("screen.limit", limit=check.limit))
             parts += [f", {check.column}"] if check.column else []

@@ -164,7 +164,7 @@ def test_a_folder_in_the_place_of_a_file_is_told_before_the_old_set_is_touched(f
     Path("o/report.html").mkdir()
     result = call("run", "31", "--quantities", "table", "--out", "o")
     assert result.exit_code == 2
-    assert f"{Path('o', 'report.html')}: could not be written: there is a folder of this name." in result.stderr
+    assert f"W010 {Path('o', 'report.html')}  could not be written: there is a folder of this name." in result.stderr
     assert Path("o/run.json").read_bytes() == before
 
 
