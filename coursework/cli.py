@@ -226,6 +226,22 @@ def run_command(variants: tuple[str, ...], **options: Any) -> int:
     return run_variants(variants, **options)
 
 
+@main.command("animate")
+@_VARIANT
+@click.option("--out", type=click.Path(path_type=Path), help="The picture to write (default: NAME.gif).")
+@click.option("--scheme", cls=_Scheme, shell_complete=_offered("schemes"))
+@_limited
+@_spoken(passed_on=True)
+def animate_command(variant: str, out: Path | None, scheme: str | None, budget: float, memory: float, language: str) -> int:
+    """Write VARIANT in motion as one animated picture, the true mechanism beside that of the table."""
+    from coursework.budget import Budget, watched
+    from coursework.commands.animate import animate_variant
+    from coursework.commands.screen import tell_last
+
+    with watched(Budget(budget, memory), variant, tell_last):
+        return animate_variant(variant, out, scheme, language)
+
+
 @main.command("check")
 @_VARIANT
 @_limited

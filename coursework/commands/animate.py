@@ -1,0 +1,29 @@
+"""`coursework animate`: the mechanism in motion as one animated picture, for a slide or a page.
+
+Enters: a variant.  Leaves: NAME.gif, or the file of --out.  Used by `cli.py`.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from coursework.api import load, solve
+from coursework.commands.screen import tell
+from coursework.files import write_bytes
+from coursework.sentences import load_phrases, say
+
+FRAMES_A_ROW = 2
+
+
+def animate_variant(variant: str, out: Path | None, scheme: str | None, language: str) -> int:
+    """Return 0 after writing the picture."""
+    from coursework.report.moving_picture import moving_picture
+
+    read = load(variant)
+    run = solve(read, scheme, quantities=("table",))
+    finer = solve(read, scheme, step=run.step / FRAMES_A_ROW, quantities=("table",))
+    path = out or Path(f"{read.name}.gif")
+    picture = moving_picture(run, finer.exact, load_phrases(language))
+    write_bytes(path, picture)
+    tell(say("screen.animated", path=str(path), size=len(picture) / 1000))
+    return 0

@@ -1,0 +1,154 @@
+"""The mechanism in motion as one animated picture: the true one solid, the one of the table dashed, a graph beside it.
+
+Enters: a `Run` and its exact motion on finer rows.  Leaves: the bytes of a GIF, the same on every run.
+Used by `commands/animate.py`.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.drawing.outline import Outline, read_outline
+from coursework.drawing.poses import Poses, read_poses
+from coursework.errors import InputError
+from coursework.integration.motion import Motion
+from coursework.report.figures import STYLES, drawing, label_text
+from coursework.report.numbers import unit_text
+from coursework.report.symbols import symbol
+from coursework.run import Run
+from coursework.sentences import Phrases, say, title_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.lines import Line2D
+
+Complex = NDArray[np.complex128]
+SIZE, DPI = (7.2, 3.7), 100  # inches, and dots an inch
+MOST_FRAMES, PER_SECOND = 100, 12
+BLOCK, ROUND = 0.03, np.exp(1j * np.linspace(0, 2 * np.pi, 49))  # of the drawing's size; a circle
+BLUE = STYLES[0][0]
+
+
+def moving_picture(run: Run, exact: Motion, phrases: Phrases) -> bytes:
+    """Return the picture of a run beside its `exact` motion, whose rows are the frames.
+
+    Raises `InputError` where a file places no points or a motion has fewer than two rows.
+    """
+    from matplotlib.animation import PillowWriter
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    table = run.scene.lesson or run.motion
+    outline = read_outline(run.scene.mechanism)
+    if outline is None or len(table.t) < 2:
+        raise InputError(say("fault.C064", variant=run.variant.name))
+    read = read_poses(outline, run.scene.equations)
+    ghost = np.array([np.interp(exact.t, table.t, column) for column in table.coordinates.T]).T
+    poses = read(exact.t, exact.coordinates), read(exact.t, ghost)
+    mark = phrases.template("decimal")
+
+    def told(key: str, **values: object) -> str:
+        return phrases.template(f"live.{key}").format(**{name: str(value).replace(".", mark) for name, value in values.items()})
+
+    # The writer wants a file of its own.
+    with drawing("animation"), tempfile.TemporaryDirectory() as folder:
+        figure = Figure(figsize=SIZE, dpi=DPI)
+        FigureCanvasAgg(figure)
+        field, graph = figure.add_axes((0.01, 0.02, 0.6, 0.9)), figure.add_axes((0.7, 0.15, 0.28, 0.62))
+        size = _window(field, outline, poses)
+        cursor = _graph(graph, run, table, exact)
+        shapes = [_Shape(field, outline, each, size=size) for each in poses]
+        scheme = phrases.written(title_of(run.tableau)) if run.tableau else table.scheme
+        figure.text(0.64, 0.93, told("truth"))
+        figure.text(0.64, 0.88, told("ghost", scheme=scheme, h=f"{table.step:g}"), color=BLUE)
+        clock = figure.text(0.03, 0.93, "", weight="bold")
+        writer = PillowWriter(fps=PER_SECOND)
+        path = Path(folder) / "moving.gif"
+        stride = -(-len(exact.t) // MOST_FRAMES)
+        with writer.saving(figure, str(path), DPI):
+            for frame in range(0, len(exact.t), stride):
+                for shape, dashed in zip(shapes, (False, True), strict=True):
+                    shape.show(frame, dashed=dashed)
+                t = float(exact.t[frame])
+                cursor.set_xdata([t, t])
+                clock.set_text(told("clock", row=round(t / table.step) + 1, t=f"{t:.3f}"))
+                writer.grab_frame()
+        return path.read_bytes()
+
+
+def _window(field: Axes, outline: Outline, poses: tuple[Poses, Poses]) -> float:
+    """Set the window so that both motions fit, and return its size (m)."""
+    shown = [places for each in poses for name, places in each.at.items() if not name.startswith("~")]
+    for each in poses:
+        for wheel in outline.wheels:
+            radius = np.abs(each.at[wheel.contact] - each.at[wheel.centre])
+            shown += [each.at[wheel.centre] + radius * (1 + 1j), each.at[wheel.centre] - radius * (1 + 1j)]
+    every = np.concatenate(shown)
+    size = float(max(np.ptp(every.real), np.ptp(every.imag))) or 1.0
+    field.set_xlim(every.real.min() - 0.12 * size, every.real.max() + 0.12 * size)
+    field.set_ylim(every.imag.min() - 0.12 * size, every.imag.max() + 0.12 * size)
+    field.set_aspect("equal")
+    field.set_axis_off()
+    return size
+
+
+def _graph(axes: Axes, run: Run, table: Motion, exact: Motion) -> Line2D:
+    """Draw the coordinate whose table is farthest from the motion, and return the cursor."""
+    gaps = [
+        np.max(np.abs(np.interp(exact.t, table.t, a) - b)) for a, b in zip(table.coordinates.T, exact.coordinates.T, strict=True)
+    ]
+    name = table.coordinate_names[int(np.argmax(gaps))]
+    axes.plot(exact.t, exact.column(name), color="black", linewidth=1.4)
+    axes.plot(table.t, table.column(name), color=BLUE, marker="o", markersize=3, linewidth=0.8)
+    axes.set_title(f"{label_text(symbol(name))}, {unit_text(run.variant.unit_of(name))}", fontsize=9, loc="left")
+    axes.set_xlabel(f"t, {unit_text(run.variant.unit_of('t'))}", fontsize=8)
+    axes.tick_params(labelsize=7)
+    return axes.axvline(0.0, color=STYLES[1][0], linewidth=1.0)
+
+
+class _Shape:
+    """The lines of one mechanism, moved from frame to frame."""
+
+    def __init__(self, field: Axes, outline: Outline, poses: Poses, size: float) -> None:
+        self.field, self.outline, self.poses, self.size = field, outline, poses, size
+        self.lines: list[Line2D] = []
+        for rail in outline.rails:
+            start, along, low, high = poses.travel(rail)
+            ends = start + along * np.array([low - 0.08 * size, high + 0.08 * size])
+            field.plot(ends.real, ends.imag, color="#999999", linewidth=1.0, zorder=0)
+        for name in outline.hinges:
+            at = poses.at[name][0] - 0.035j * size
+            field.plot([at.real], [at.imag], marker="^", color="#777777", markersize=9, zorder=0)
+        for track in outline.tracks:
+            rim = poses.at[track.centre][0] + ROUND * (poses.at[track.rim][0] - poses.at[track.centre][0])
+            field.plot(rim.real, rim.imag, color="#999999", linewidth=1.0, zorder=0)
+
+    def show(self, frame: int, *, dashed: bool) -> None:
+        """Show one frame."""
+        style: dict[str, Any] = {"color": "black", "linewidth": 2.2, "zorder": 3}
+        if dashed:
+            style = {"color": BLUE, "linewidth": 1.3, "linestyle": (0, (4, 3)), "zorder": 2}
+        for place, points in enumerate(self._lines(frame)):
+            if place == len(self.lines):
+                self.lines.append(self.field.plot([], [], **style)[0])
+            self.lines[place].set_data(points.real, points.imag)
+
+    def _lines(self, frame: int) -> Iterator[Complex]:
+        poses, pose = self.poses, self.poses.pose(frame)
+        for bar in self.outline.bars:
+            yield np.array([pose[name] for name in bar.corners])
+        for slot in self.outline.slots:
+            beside, low, high = poses.line(slot)
+            along = poses.along(slot.base, slot.toward)[frame]
+            yield pose[slot.at] + along * (1j * beside + np.array([min(low, 0.0), max(high, 0.0)]))
+        for block in self.outline.blocks:
+            along = poses.along(block.base, block.toward)[frame] * BLOCK * self.size
+            yield pose[block.at] + along * np.array([1 + 0.6j, -1 + 0.6j, -1 - 0.6j, 1 - 0.6j, 1 + 0.6j])
+        for wheel in self.outline.wheels:
+            yield pose[wheel.centre] + ROUND * abs(pose[wheel.contact] - pose[wheel.centre])
