@@ -1,6 +1,7 @@
 """What `import coursework` offers: load a variant, solve it, and its exact motion.
 
 Enters: a name, a path or a `Variant`.  Leaves: `Run`, tables.  Raises `InputError`.
+Used by `many.py`, `assigning/`, `commands/` and `grading/marking/`.
 """
 
 from __future__ import annotations

@@ -1,6 +1,7 @@
 """The catalogue: which variants there are, and where one lies.
 
 Enters: a name or a path.  Leaves: paths, titles.
+Used by `api.py`, `cli.py`, `commands/`, `grading/` and `grading/batch/`.
 """
 
 from __future__ import annotations

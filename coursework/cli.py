@@ -1,5 +1,7 @@
 """The command line: options -> one library call -> exit status.  Progress and colours live here only.
 
+Used by `__main__.py`.
+
 Exit status: 0 all passed; 1 a check failed or the motion stopped; 2 the input is wrong or the output cannot be written;
 3 a fault of the tool; 130 interrupted.
 Only click is imported at start; everything else inside the command that needs it.

@@ -1,6 +1,7 @@
 """Where the files that are no code lie: the variants and the looks of a page, and an instructor's own pieces before these.
 
 Enters: the name of a folder; a folder of own pieces.  Leaves: a path.  Any floor may ask.
+Used by `catalogue.py`, `page_text.py`, `sentences.py`, `assigning/`, `commands/` and `grading/batch/`.
 """
 
 from __future__ import annotations

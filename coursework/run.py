@@ -1,6 +1,7 @@
 """One run of one variant: what was asked for, computed when it is looked at.
 
 Enters: a `Variant` and settings, from `api.py`.  Leaves: `Run`, which table, report and command line read.
+Used by `api.py`, `commands/`, `live/`, `output/` and `report/`.
 """
 
 from __future__ import annotations

@@ -1,6 +1,7 @@
 """How one run is to be made: scheme, step, end, correction, and what is asked for.
 
 Enters: options of the command line or arguments of `solve`.  Leaves: frozen `Settings`.
+Used by `api.py`, `exact_scene.py`, `many.py`, `assigning/`, `checks/` and `model/`.
 """
 
 from __future__ import annotations

@@ -43,3 +43,10 @@ def test_who_is_said_to_use_a_module_imports_it(path, named):
 
 def test_many_heads_are_looked_at():
     assert len(NAMED) > 100
+
+
+@pytest.mark.parametrize("path", [path for path in TREES if path.name != "__init__.py"], ids=str)
+def test_a_module_that_others_import_says_who_uses_it(path):
+    used = any(dotted(path) in names for user, names in IMPORTS.items() if user != path)
+    said = re.search(r"\b[Uu]sed\b|[Rr]ead by|[Mm]ade by|every floor", ast.get_docstring(TREES[path]) or "")
+    assert said or not used

@@ -1,6 +1,7 @@
 """The ways to the motion that are compared, each with its settings, evaluations and rows.
 
 Enters: a problem.  Leaves: trials to run.  To add one, add a function here and a line in `trials`.
+Used by `sentences.py` and `study.py`.
 """
 
 from __future__ import annotations

@@ -3,6 +3,7 @@
 Enters: a problem, its exact motion, the mismatch of its period.  Leaves: frozen `AccuracyStudy`.
 Protocol (numerics.md 2.2): error = maximum over the coursework's grid and all coordinates against a reference that is
 independent of the schemes; the error of the last row alone is kept beside it because it understates.
+Used by `commands/accuracy.py` and `quantities.py`.
 """
 
 from __future__ import annotations

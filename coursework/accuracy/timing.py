@@ -1,6 +1,7 @@
 """How long a piece of work takes on this machine, as well as a shared machine can tell.
 
 Enters: a call.  Leaves: seconds.  Nothing deterministic may depend on it.
+Used by `step_search.py` and `study.py`.
 """
 
 from __future__ import annotations

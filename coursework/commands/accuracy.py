@@ -1,4 +1,7 @@
-"""`coursework accuracy`: the study of one variant with wall time, on a page and in words."""
+"""`coursework accuracy`: the study of one variant with wall time, on a page and in words.
+
+Used by `cli.py`.
+"""
 
 from __future__ import annotations
 

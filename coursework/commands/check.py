@@ -1,4 +1,7 @@
-"""`coursework check`: what a file says and whether its motion is possible, before anything is integrated."""
+"""`coursework check`: what a file says and whether its motion is possible, before anything is integrated.
+
+Used by `cli.py`.
+"""
 
 from __future__ import annotations
 

@@ -1,6 +1,7 @@
 """`coursework grade`: a folder or zip of submissions -> gradebook, pages, the class page; and one submission for autograders.
 
 Enters: options.  Leaves: files in OUT; the exit status (0 = every submission has a state).
+Used by `cli.py`.
 """
 
 from __future__ import annotations

@@ -1,6 +1,7 @@
 """`coursework precheck`: how files would be read and whether they contradict themselves; no number of the key is shown.
 
 Enters: paths, perhaps a variant.  Leaves: lines on the screen; 0 where every part could be marked, else 1.
+Used by `cli.py`.
 """
 
 from __future__ import annotations

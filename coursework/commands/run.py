@@ -1,4 +1,7 @@
-"""`coursework run`: compute, write, tell in a few lines."""
+"""`coursework run`: compute, write, tell in a few lines.
+
+Used by `check.py` and `several.py`.
+"""
 
 from __future__ import annotations
 

@@ -2,6 +2,7 @@
 
 Enters: the pivot A, length, angle, angular velocity and acceleration.  Leaves: the motion of the pin B.
 Source: [deck], crank; a length that varies in time as in [Pasika].
+Used by `groups/__init__.py` and `procedures.py`.
 """
 
 from __future__ import annotations

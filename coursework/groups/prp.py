@@ -3,6 +3,7 @@
 Enters: two guides with their offsets.  Leaves: both slides and the motion of the hinge C.
 Dead when the guides are parallel, and then without a position too.  Source: [deck], PRP, with b5 put back;
 [library] 2PG4V.
+Used by `groups/__init__.py` and `procedures.py`.
 """
 
 from __future__ import annotations

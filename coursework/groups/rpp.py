@@ -3,6 +3,7 @@
 Enters: pair B, the guide, the angle between the slides.  Leaves: both slides, and the motion of D on block j.
 Dead when the slides are parallel, and then without a position too.  Source: [deck] 5-5 with the sign of b put
 right, [library] 2PG5V.
+Used by `groups/__init__.py` and `procedures.py`.
 """
 
 from __future__ import annotations

@@ -2,6 +2,7 @@
 
 Enters: pairs B, D, the offset of the hinge, the rod.  Leaves: angle of the rod, slide, motion of its end E.
 Dead when the block is level with the pivot, s = 0.  Source: [deck] 5-4, [library] 2PG3V with its offset.
+Used by `groups/__init__.py` and `procedures.py`.
 """
 
 from __future__ import annotations

@@ -2,6 +2,7 @@
 
 Enters: pair B, the guide, the rod, assembly mode.  Leaves: angle of the rod, slide, and motion of the pin C.
 Dead when the rod stands perpendicular to the guide.  Source: [deck] 5-3, [library] 2PG2V with its offset.
+Used by `groups/__init__.py` and `procedures.py`.
 """
 
 from __future__ import annotations

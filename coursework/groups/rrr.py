@@ -2,6 +2,7 @@
 
 Enters: pairs B, D, lengths, assembly mode.  Leaves: angles of both links and the motion of C.
 Dead when the two links lie on one line.  Source: [deck] 5-2, [library] 2PG1V with equation (1).
+Used by `groups/__init__.py` and `procedures.py`.
 """
 
 from __future__ import annotations

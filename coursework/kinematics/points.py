@@ -1,6 +1,7 @@
 """Positions, velocities and accelerations of the named points along a motion.
 
 Enters: equations and a motion.  Leaves: one array a level, two columns a point.  Computed on request only.
+Used by `drawing/trajectories.py` and `motion_results.py`.
 """
 
 from __future__ import annotations

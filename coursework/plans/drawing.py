@@ -2,6 +2,7 @@
 
 Enters: a `Sketch` and the `Findings`.  Leaves: SVG text, the same on every run, one user unit = 1 mm, size in mm.
 Everything a file may name is escaped (`sheet.plain`).
+Used by `graph_check.py`.
 """
 
 from __future__ import annotations

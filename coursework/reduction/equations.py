@@ -2,6 +2,7 @@
 
 Enters: a `Mechanism`.  Leaves: `VelocityEquations` (SymPy rows) and the position equations behind them.
 Raises `InputError` naming the term that is not linear in the unknown velocities.
+Used by `reduction/`, `scene.py`, `accuracy/`, `checks/`, `drawing/` and `geometry/`.
 """
 
 from __future__ import annotations

@@ -2,6 +2,7 @@
 
 Enters: velocity equations and the start.  Leaves: the indices to use and sentences.  Raises `InputError`.
 Source: Dulmage, Mendelsohn 1958 (structure); rank by orthogonalisation in the author's order (numbers).
+Used by `blocks.py`.
 """
 
 from __future__ import annotations

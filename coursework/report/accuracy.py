@@ -2,6 +2,7 @@
 
 Enters: a `PageContext` whose run carries an accuracy study.  Leaves: figures, tables, sentences.
 Running times differ from run to run, so this is the one section whose bytes do (unless the study hides seconds).
+Used by `sections.py`.
 """
 
 from __future__ import annotations

@@ -2,6 +2,7 @@
 
 Enters: both sides as `Formula`.  Leaves: Typst math.  What does not fit a line is broken before a sign; a quotient whose
 numerator is too wide becomes a short fraction before brackets.
+Used by `assigning/page_words.py`, `laws.py`, `motion_equations.py` and `solution.py`.
 """
 
 from __future__ import annotations

@@ -1,6 +1,7 @@
 """Displayed equations as SVG for the HTML page: set by Typst like those on paper, each once per process.
 
 Enters: Typst math sources.  Leaves: SVG with glyphs by reference, and the glyphs, once for all.
+Used by `assigning/sheet.py` and `html.py`.
 """
 
 from __future__ import annotations

@@ -1,6 +1,7 @@
 """The report on a screen: one self-contained page, `reports/report.html.j2` filled with the model.
 
 Enters: a `ReportModel`.  Leaves: HTML that fetches nothing and prints on A4.  Works without Typst (equations as text).
+Used by `output/formats.py`.
 """
 
 from __future__ import annotations

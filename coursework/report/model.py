@@ -1,6 +1,7 @@
 """The report model: all that a page says, in order, every number formatted once.
 
 Enters: a `Run`.  Leaves: `ReportModel`, whose plain form (dicts, lists, strings) is all the templates see.
+Used by `output/results.py`, `html.py`, `notebook.py` and `pdf.py`.
 """
 
 from __future__ import annotations

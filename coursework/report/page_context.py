@@ -1,6 +1,7 @@
 """What every section works with: the run, the words, the symbols of its names.
 
 Enters: a `Run` and a language.  Leaves: text, runs and numbers ready for a part.
+Used by `report/`.
 """
 
 from __future__ import annotations

@@ -1,5 +1,7 @@
 """What a page is built of: a few kinds of part, the same for HTML and PDF.
 
+Used by `report/`.
+
 Every number in them is already a string.  To add a kind: one record here, one macro of the same name in
 `reports/parts.html.j2`, one function of the same name in `reports/report.typ`.
 """

@@ -1,6 +1,7 @@
 """The report on paper: `reports/report.typ` filled with the model.
 
 Enters: a `ReportModel`.  Leaves: the bytes of a tagged PDF (PDF/UA-1), the same in every process.
+Used by `assigning/sheet.py`, `commands/several.py` and `output/formats.py`.
 """
 
 from __future__ import annotations

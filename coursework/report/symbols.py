@@ -2,6 +2,7 @@
 
 Enters: a name (letters, digits, "_", one "." of a point's column), or "∂r/∂phi1".  Leaves: `Symbol`, in text or Typst math.
 Only names pass through here, never text of a student; what is no name is refused.
+Used by `report/` and `assigning/`.
 """
 
 from __future__ import annotations

@@ -1,6 +1,7 @@
 """Long and wide tables made fit for a page: rows thinned, columns split.
 
 Enters: rows of numbers.  Leaves: `Table` parts.
+Used by `report/`.
 """
 
 from __future__ import annotations

@@ -1,6 +1,7 @@
 """Text on its way to a page, split into runs that are set like a book.
 
 Enters: sentences of the tool.  Leaves: plain strings and runs.
+Used by `report/` and `assigning/`.
 """
 
 from __future__ import annotations

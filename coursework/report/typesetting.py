@@ -2,6 +2,7 @@
 
 Enters: a template of `reports/` and data as JSON.  Leaves: PDF bytes, or one SVG a page.
 Raises `OutputError` where Typst is not installed or refuses the page.
+Used by `formulas.py` and `pdf.py`.
 """
 
 from __future__ import annotations

@@ -1,6 +1,7 @@
 """All words of a report, from one file a language: `reports/words.<language>.toml`.
 
 Enters: the key of a sentence and what it speaks about.  Leaves: text.  No sentence of the report stands in Python.
+Used by `report/`, `assigning/` and `commands/`.
 """
 
 from __future__ import annotations

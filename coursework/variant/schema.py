@@ -2,6 +2,7 @@
 
 Enters: the plain data of a TOML file.  Leaves: a checked `VariantFile`, or pydantic's list of faults.
 The only room that knows pydantic; `variants/variant.schema.json` is made from it.
+Used by `variant/` and `grading/`.
 """
 
 from __future__ import annotations

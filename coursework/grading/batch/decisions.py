@@ -2,6 +2,7 @@
 
 Enters: `overrides.csv` (id,check,points,reason), grades.  Leaves: `Override`s by id, changed grades.
 Raises `InputError` for what cannot be meant: nothing is graded by half-understood decisions.
+Used by `grading/batch/` and `commands/`.
 """
 
 from __future__ import annotations
