@@ -326,7 +326,7 @@ def grade_command(source: Path, **options: Any) -> int:
     return grade_source(source, **options)
 
 
-@main.command("assign")
+@main.command("assign", cls=_WithTemplates)
 @click.argument("roster", type=click.Path(path_type=Path))
 @click.option("--template", required=True, shell_complete=_offered("variants"), help="The variant whose data are drawn anew.")
 @click.option("--ranges", help="What the data may be (TOML; default: those of the template in the catalogue).")
@@ -334,10 +334,8 @@ def grade_command(source: Path, **options: Any) -> int:
 @click.option("--out", type=click.Path(path_type=Path), required=True, help="Folder for variants, sheets and keys.")
 @click.option("--pdf", is_flag=True, help="All sheets in one PDF, too.")
 @click.option("--deadline", default="", help="What stands on the line of the deadline (default: a line to write on).")
-@click.option(
-    "--language", default="en", show_default=True, shell_complete=_offered("languages"),
-    help="Language of the pages: a words file in reports/.",
-)  # fmt: skip
+@_templates(passed_on=False)
+@_spoken(passed_on=True)
 def assign_command(roster: Path, **options: Any) -> int:
     """Give every student of ROSTER (id,name,email) a variant of their own, a task sheet, and you the key."""
     from coursework.commands.assign import assign_class

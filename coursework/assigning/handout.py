@@ -6,6 +6,7 @@ Used by `assign.py`; read by `sheet.py`, `key.py` and `class_page.py`.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from coursework.assigning.reader import determined
@@ -18,6 +19,7 @@ from coursework.grading.platforms.roster import Student
 from coursework.integration.integrate import march
 from coursework.integration.motion import Motion
 from coursework.plans.graph_check import GraphCheck, check_graph
+from coursework.report.statement import meaning
 from coursework.scene import Scene
 from coursework.schemes import DEFAULT_SCHEME
 from coursework.settings import Settings
@@ -29,7 +31,8 @@ class Handout:
     """What one student is given, and its key.
 
     `motion` is the Euler table, `start` all coordinates at t = 0 (rad, m), `mechanism` the drawing of the start, None where the
-    file places no points; `check` the construction in the check row, None where the variant asks for none.
+    file places no points; `meanings` says of data what they are; `check` the construction in the check row, None where the
+    variant asks for none.
     """
 
     student: Student
@@ -37,6 +40,7 @@ class Handout:
     motion: Motion
     start: tuple[float, ...]
     mechanism: Drawing | None
+    meanings: Mapping[str, str]
     check: GraphCheck | None
 
     @property
@@ -67,11 +71,12 @@ def make_handout(student: Student, individual: Individual) -> Handout:
     time = variant.time
     motion = march(scene.rates, DEFAULT_SCHEME.name, scene.start, time.step, time.end)
     mechanism = draw_start(scene.mechanism, scene.equations, motion, scene.start)
+    meanings = {given.name: meaning(given, scene.mechanism.points) for given in variant.given}
     check = None
     if time.check_row is not None and variant.links and (variant.frame.hinges or variant.frame.rails or variant.frame.circles):
         # The key compares the drawing with the table; what Euler's error is stands in the report of a run.
         check = check_graph(scene.equations, motion, motion)
-    return Handout(student, individual, motion, tuple(scene.start), mechanism, check)
+    return Handout(student, individual, motion, tuple(scene.start), mechanism, meanings, check)
 
 
 def guide_number(row: int) -> int:

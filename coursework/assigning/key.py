@@ -11,8 +11,8 @@ import io
 from collections.abc import Sequence
 
 from coursework.assigning.handout import Handout
-from coursework.assigning.page_words import Equation, Plain, datum, equation, lettered, mathematics, named, symbol_runs
-from coursework.assigning.sheet import LONGEST, pictures, start_rows
+from coursework.assigning.page_words import Equation, Plain, equation, lettered, mathematics, named, symbol_runs
+from coursework.assigning.sheet import LONGEST, data_rows, pictures, start_rows
 from coursework.page_text import clean, template
 from coursework.report.numbers import unit_text, with_unit
 from coursework.report.words import Words
@@ -49,7 +49,7 @@ def key_html(handout: Handout, equations: tuple[Sequence[Equation], Sequence[Equ
         "title": clean(variant.title, LONGEST),
         "name": clean(handout.student.name, LONGEST),
         "id": clean(handout.student.id, LONGEST),
-        "data": [[symbol_runs(variant, g.name), datum(g.text, g.unit or g.si, words)] for g in variant.given],
+        "data": data_rows(handout, words),
         "start": start_rows(handout, words),
         "written": list(written),
         "solved": list(solved),

@@ -34,7 +34,7 @@ def sheet(handout: Handout, words: Words, deadline: str = "") -> Plain:
         "id": clean(handout.student.id, LONGEST),
         "deadline": clean(deadline, LONGEST),
         "drawing": _drawing(handout, words),
-        "data": [[symbol_runs(variant, g.name), datum(g.text, g.unit or g.si, words)] for g in variant.given],
+        "data": data_rows(handout, words),
         "start": start_rows(handout, words),
         "drive": shown,
         "laws": [lettered(variant, text) for text in told],
@@ -72,6 +72,15 @@ def _drawing(handout: Handout, words: Words) -> Plain | None:
     return {"svg": drawing.svg, "alt": words.written(drawing.alt), "caption": caption, **size}
 
 
+def data_rows(handout: Handout, words: Words) -> list[list[object]]:
+    """Return each given datum: its symbol, its value as written, what it means."""
+    variant, meanings = handout.variant, handout.meanings
+    return [
+        [symbol_runs(variant, g.name), datum(g.text, g.unit or g.si, words), lettered(variant, meanings[g.name])]
+        for g in variant.given
+    ]
+
+
 def start_rows(handout: Handout, words: Words) -> list[list[object]]:
     """Return the start of each coordinate: as drawn, or as the geometry gives it."""
     rows: list[list[object]] = []
@@ -83,7 +92,7 @@ def start_rows(handout: Handout, words: Words) -> list[list[object]]:
         else:
             value = words.numbers.fixed(handout.start[place], handout.least_decimals + SOLVED)
             text = with_unit(value, coordinate.unit)
-        rows.append([symbol_runs(handout.variant, coordinate.name), text])
+        rows.append([symbol_runs(handout.variant, coordinate.name), text, []])
     return rows
 
 

@@ -5,6 +5,8 @@ Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from coursework.formula.tree import Formula
 from coursework.page_text import clean
 from coursework.quantities import CHECKS, TABLE
@@ -116,7 +118,11 @@ def _data(context: PageContext) -> Table:
     """The data of the task sheet as written, and the start."""
     variant = context.run.variant
     rows: list[list[Cell]] = [
-        [context.symbol_runs([g.name]), context.quoted(_meaning(context, g)), context.with_unit(_written(g.text), g.unit)]
+        [
+            context.symbol_runs([g.name]),
+            context.quoted(meaning(g, context.run.scene.mechanism.points)),
+            context.with_unit(_written(g.text), g.unit),
+        ]
         for g in variant.given
     ]
     for c in variant.coordinates:
@@ -130,11 +136,11 @@ def _data(context: PageContext) -> Table:
     return Table(columns, rows, context.say("given.data" if variant.given else "given.coordinates"))
 
 
-def _meaning(context: PageContext, given: Given) -> str:
-    """Return what the file says a datum means; else the two points that it keeps apart."""
+def meaning(given: Given, points: Iterable[tuple[str, Formula]]) -> str:
+    """Return what the file says a datum means; else the two of its `points` that it keeps apart."""
     if given.means:
         return clean(given.means, LONGEST_NAME)
-    for name, formula in context.run.scene.mechanism.points:
+    for name, formula in points:
         if formula.op != "+" or formula.args[1].op != "@":
             continue
         begin, length = formula.args[0], formula.args[1].args[0]

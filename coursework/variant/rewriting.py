@@ -41,6 +41,8 @@ def _replacement(text: str, found: Positions, path: Path, value: Any) -> tuple[i
     """Return where a value goes, up to where, and its text."""
     written = json.dumps(value, ensure_ascii=False)
     own = _spelt(found.spans, path)
+    if own is not None and path[0] == "given" and text[found.spans[own][0]] == "{":
+        own = (*own, "value")  # what the datum means stays
     if own is not None:
         begin, end = found.spans[own]
         remark = _REMARK.match(text, end) if path[0] == "time" else None  # it says what the number before it was
