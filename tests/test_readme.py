@@ -1,15 +1,18 @@
 """README.md says what is true: its commands run as written, its Python runs, its files exist."""
 
+import csv
 import os
 import re
 import shlex
 import subprocess
 import sys
+import tomllib
 import zipfile
 from pathlib import Path
 
 from click.testing import CliRunner
 
+import coursework
 from coursework.cli import main
 from tests.grading.batch import classroom
 from tests.grading.marking import students
@@ -46,6 +49,21 @@ def test_instructors_commands_run_from_a_download_of_moodle_to_grades(tmp_path, 
             "Ada Lovelace_1001_assignsubmission_file", "Bert Brecht_1002_assignsubmission_file",
         ]  # fmt: skip
     assert (tmp_path / "marks" / "class.html").stat().st_size > 1000
+
+
+def test_individual_variants_go_from_a_roster_to_grades(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "class.csv").write_text("id,name,email\nada,Ada Lovelace,ada@example.org\n", encoding="utf-8")
+    section = TEXT.partition("## Everyone a variant of their own")[2]
+    commands = [line.split("#")[0].strip() for line in re.search(r"```sh\n(.*?)```", section, re.S)[1].splitlines()]
+    assert len(commands) == 3
+    for command in commands:
+        result = CliRunner().invoke(main, shlex.split(command)[1:])
+        assert result.exit_code == 0, (command, result.output)
+    (grade,) = csv.DictReader((tmp_path / "class" / "marks" / "grades.csv").read_text(encoding="utf-8-sig").splitlines())
+    assert (grade["id"], grade["table"]) == ("ada", "60.00")
+    ranges = re.search(r"```toml\n(\[given\].*?)```", section, re.S)[1]
+    assert coursework.draw("31", tomllib.loads(ranges), 1, "ada").values["p"] in {12.5, 13.08}
 
 
 def test_own_templates_stand_before_those_of_the_package(tmp_path, monkeypatch):
