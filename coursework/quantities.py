@@ -141,12 +141,12 @@ def invariants(results: MotionResults) -> ExtraTable:
     return invariant_table(scene.variant, scene.exact, scene.exact_accelerations)
 
 
-@computed("equations", "motion", "exact")
+@computed("mechanism", "equations", "motion", "exact")
 def graph_check(results: MotionResults) -> GraphCheck | None:
     """The check row drawn to scale: instantaneous centres and velocities beside the table."""
     from coursework.plans.graph_check import check_graph
 
-    return check_graph(results.scene.equations, results.motion, results.scene.exact)
+    return check_graph(results.scene.mechanism, results.scene.equations, results.motion, results.scene.exact)
 
 
 @computed("stop", "rates", "start", "exact", "closure", "mismatch", "motion", "search")

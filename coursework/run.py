@@ -63,6 +63,7 @@ class Run:
     group: str | None = None
     date: str | None = None
     timed: AccuracyStudy | None = None
+    blank: bool = False
     teacher: str | None = None
     institution: str | None = None
 

@@ -76,7 +76,7 @@ def _mechanism(mechanism: Mechanism, outline: Outline, poses: Poses, row: int) -
     painter.point_names()
     for name, way in arrows.items():
         sheet.label(("V", short(name), ""), [(painter.at[name] + ARROW * way.conjugate(), way.conjugate(), 1.0)], ITALIC)
-    painter.link_names({})
+    painter.link_names()
     _lengths(painter, sheet, mechanism)
     for rate, at in turns.items():
         sense = float(np.sign(poses.drive[rate][np.argmax(np.abs(poses.drive[rate]) > 0)]))

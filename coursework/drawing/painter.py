@@ -9,7 +9,7 @@ from __future__ import annotations
 import cmath
 import itertools
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from functools import cached_property
 
 from coursework.drawing.outline import Bar, Block, Outline, Rail, Slot, Track, Wheel
@@ -275,11 +275,11 @@ class Painter:
         side = 1j * (b - a)
         return middle, side if _dot(side, middle - self.middle) > 0 else -side, 1.2
 
-    def link_names(self, turns: Mapping[str, int]) -> None:
-        """Write the names of the links in bold, with the sense in which they turn where one is known."""
+    def link_names(self) -> None:
+        """Write the names of the links in bold."""
         for bar in self.outline.bars:
             if bar.corners:
-                self.sheet.label((short(bar.link), "", ""), [self.link_places(bar)], BOLD, turn=turns.get(bar.link, 0))
+                self.sheet.label((short(bar.link), "", ""), [self.link_places(bar)], BOLD)
 
 
 def _dot(a: complex, b: complex) -> float:

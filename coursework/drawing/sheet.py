@@ -227,14 +227,12 @@ class Sheet:
                 cost += 1.0 + abs(part[1] - part[0])
         return cost
 
-    def svg(self, *, turned: bool = False) -> str:
-        """Return the drawing; `turned` stands it on its left side, for a sheet wider than the page."""
-        wide, high = (self.height, self.width) if turned else (self.width, self.height)
-        size = f'width="{number(wide)}mm" height="{number(high)}mm" viewBox="0 0 {number(wide)} {number(high)}"'
-        around = f' transform="translate(0 {number(high)}) rotate(-90)"' if turned else ""
+    def svg(self) -> str:
+        """Return the drawing."""
+        size = f'width="{number(self.width)}mm" height="{number(self.height)}mm"'
         return "\n".join((
-            f'<svg xmlns="http://www.w3.org/2000/svg" {size}>',
-            f'<g{around} font-family="{FONT}" fill="black" stroke-linecap="round">',
+            f'<svg xmlns="http://www.w3.org/2000/svg" {size} viewBox="0 0 {number(self.width)} {number(self.height)}">',
+            f'<g font-family="{FONT}" fill="black" stroke-linecap="round">',
             *self.items,
             "</g>",
             "</svg>",

@@ -18,6 +18,7 @@ from coursework.run import Run
 
 if TYPE_CHECKING:
     from coursework.checks.result import Finding
+    from coursework.plans.graph_check import GraphCheck
 
 STAMP_LENGTH = 16  # letters of the hash: enough that two runs never meet by chance, short enough to compare by eye
 
@@ -54,6 +55,7 @@ def record(run: Run) -> dict[str, Any]:
         "summary": run.summary,
         "lesson": asdict(run.lesson) if run.lesson is not None else None,
         "checks": [_finding(check) for check in checks],
+        **({"graph_check": _graph(run.graph)} if run.graph is not None else {}),
     }
 
 
@@ -61,6 +63,16 @@ def _content(quantity: Quantity[Any]) -> dict[str, Any]:
     return {
         "name": quantity.name, "about": quantity.about, "shown": quantity.shows.kind, "needs": list(quantity.needs),
     }  # fmt: skip
+
+
+def _graph(graph: GraphCheck) -> dict[str, Any]:
+    """Return what was read off the drawing: magnitudes in SI, lengths in mm of paper, centres by link (none: translation)."""
+    rows = [
+        {"name": one.name, "found": one.found, "read": one.read, "table": _finite(one.table), "unit": one.unit}
+        for one in graph.readings
+    ]
+    centres = {link: None if at is None else {"x": at.real, "y": at.imag} for link, at in graph.centres.items()}
+    return {"row": graph.row, "time": graph.time, "scale": graph.scale, "rows": rows, "centres": centres}
 
 
 def _finding(finding: Finding) -> dict[str, Any]:

@@ -14,16 +14,22 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from coursework.drawing.record import Drawing
 from coursework.errors import Fault, InputError
 from coursework.geometry.time_derivatives import jets
 from coursework.integration.motion import Motion
+from coursework.mechanism import Mechanism
 from coursework.plans.graph_words import centre_letter, drift, how_found, omega_name
-from coursework.plans.instant_centres import Body, Findings, construct
+from coursework.plans.instant_centres import Findings, construct
+from coursework.plans.layout import lay_out
+from coursework.plans.pose import Body
+from coursework.plans.readings import Reading, read_off
 from coursework.plans.sketch import Sketch, read_sketch
 from coursework.reduction.equations import VelocityEquations
 from coursework.sentences import say
 from coursework.variant.record import Variant
 
+USUAL_ROW = 4  # of a file that names no check_row: t = (N + 1) h with N = 2, as on the task sheet of 1995
 GraphRow = tuple[str, float, float, float, str]
 
 
@@ -43,27 +49,26 @@ class GraphCheck:
     rows: tuple[GraphRow, ...]
     exact: tuple[tuple[str, float, float, str], ...]
     notes: tuple[str, ...]
+    readings: tuple[Reading, ...] = ()
 
     @property
-    def svg(self) -> str:
-        """Return the drawing with English words, true to scale, with width and height in mm."""
-        return self.drawn(str)
+    def centres(self) -> dict[str, complex | None]:
+        """Return the centres that were constructed by link (m), None for a link that translates."""
+        return {name: centre.at for name, centre in self.findings.centres.items() if centre.lines}
 
-    def drawn(self, written: Callable[[str], str], *, upright: bool = False) -> str:
-        """Return the drawing; `written` puts its sentences into the language of a page, `upright` is how a screen shows it."""
+    def drawing(self, written: Callable[[str], str] = str, *, blank: bool = False) -> Drawing:
+        """Return the drawing; `written` puts its sentences into the language of a page, `blank` leaves the construction out."""
         from coursework.plans.drawing import draw
 
-        return draw(self.sketch, self.findings, self.row, self.time, written, upright=upright)
+        return draw(self.sketch, self.findings, self.row, self.time, written, blank=blank)
 
     @property
     def scale(self) -> float:
         """Return the denominator of the drawing's scale: 10 for 1:10."""
-        from coursework.plans.layout import lay_out
-
         return lay_out(self.sketch, self.findings).scale
 
 
-def check_graph(equations: VelocityEquations, motion: Motion, exact: Motion) -> GraphCheck | None:
+def check_graph(mechanism: Mechanism, equations: VelocityEquations, motion: Motion, exact: Motion) -> GraphCheck | None:
     """Return the check of the variant's check row, None where the table ends before it.
 
     Raises `InputError` where the file lacks what a drawing needs.
@@ -72,7 +77,7 @@ def check_graph(equations: VelocityEquations, motion: Motion, exact: Motion) -> 
     row = _required_row(variant, motion)
     if row > len(motion.t):
         return None
-    read = read_sketch(equations)
+    read = read_sketch(mechanism, equations)
     sketch = read(motion, row - 1)
     findings = construct(sketch.pose)
     measured = _measured(sketch, findings)
@@ -86,8 +91,11 @@ def check_graph(equations: VelocityEquations, motion: Motion, exact: Motion) -> 
         perfect = read(exact, row - 1)
         true = _measured(perfect, construct(perfect.pose))
     errors = tuple((name, true[name][0], table - true[name][0], unit) for name, _, table, _, unit in rows if name in true)
+    values = {name: abs(value) for name, value in tabled.items()}
+    scale = lay_out(sketch, findings).scale
+    readings = read_off(sketch, findings, scale, values)
     notes = (*how_found(sketch, findings), *sketch.notes, *drift(sketch))
-    return GraphCheck(row, float(motion.t[row - 1]), sketch, findings, rows, errors, notes)
+    return GraphCheck(row, float(motion.t[row - 1]), sketch, findings, rows, errors, notes, readings)
 
 
 def _required_row(variant: Variant, motion: Motion) -> int:
@@ -96,17 +104,15 @@ def _required_row(variant: Variant, motion: Motion) -> int:
         ("[points]", variant.points or variant.groups),
         ("[links]", variant.links),
         (say("graph.frame"), variant.frame.hinges or variant.frame.rails or variant.frame.circles),
-        ("[time] check_row", variant.time.check_row),
     )
     missing = [name for name, there in wanted if not there]
     if missing:
         asked = "graph_check" in variant.ask
         line = variant.nearest_line("ask", "quantities") if asked else 0  # asked for by the command line it stands in no file
-        raise InputError([Fault(say("fault.V516", missing=missing), str(variant.path or variant.name), line)])
+        raise InputError([Fault(say("fault.V516", missing=tuple(missing)), str(variant.path or variant.name), line)])
     if len(motion.coordinate_names) < len(variant.coordinates):
         raise InputError(say("fault.V517"))
-    assert variant.time.check_row is not None
-    return variant.time.check_row
+    return variant.time.check_row or USUAL_ROW
 
 
 def _sought(sketch: Sketch, findings: Findings) -> list[Body]:

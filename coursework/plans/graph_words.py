@@ -9,7 +9,8 @@ import itertools
 import re
 from collections.abc import Mapping
 
-from coursework.plans.instant_centres import Body, Centre, Findings
+from coursework.plans.instant_centres import Centre, Findings
+from coursework.plans.pose import Body
 from coursework.plans.sketch import Sketch
 from coursework.sentences import joined, say
 
@@ -18,18 +19,22 @@ RIGID = 1e-9
 
 
 def centre_letter(sketch: Sketch) -> str:
-    """Return the letters of instantaneous centres: P, or IC where a point of the file is called like one."""
-    return "IC" if any(f"P{body.name}" in sketch.pose.positions for body in sketch.pose.bodies) else "P"
+    """Return the letter of instantaneous centres: P, or I where a point of the file is called P or like a centre."""
+    names = sketch.pose.positions
+    wheels = {contact for _, contact in sketch.wheels.values()}
+    taken = ("P" in names and "P" not in wheels) or any(f"P{body.name}" in names for body in sketch.pose.bodies)
+    return "I" if taken else "P"
 
 
 def _centre(body: Body, letter: str) -> str:
     """Return how the centre of a link is called in a sentence: P₃."""
     if body.name.isascii() and body.name.isdecimal():
-        return letter + _lowered(body.name)
+        return letter + lowered(body.name)
     return say("drawing.centre", letter=letter, link=body.name)
 
 
-def _lowered(digits: str) -> str:
+def lowered(digits: str) -> str:
+    """Return digits as they stand below a letter; other letters as they are."""
     return digits.translate(str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉"))
 
 
@@ -38,23 +43,30 @@ def omega_name(body: Body) -> str:
     short = re.fullmatch(r"(?:w|omega)_?(\d+)", body.rate or "")
     if short or (body.rate is None and body.name.isdecimal() and body.name.isascii()):
         digits = short[1] if short else body.name
-        return "ω" + _lowered(digits)
+        return "ω" + lowered(digits)
     return body.rate or say("drawing.omega", link=body.name)
 
 
 def how_found(sketch: Sketch, findings: Findings) -> list[str]:
     """Return how each link was dealt with, in the order of the file."""
     sentences: list[str] = [say("drawing.plan", point=point, a=a, b=b) for point, (a, b) in findings.plans.items()]
+    sleeves = {bar: pivot for bar, (pivot, _, _) in sketch.pose.sleeves.items()}
     for body in sketch.pose.bodies:
         centre = findings.centres.get(body.name)
-        if body.name in findings.missing:
+        if body.name in findings.planned:
+            sentences.append(say("drawing.by_plan", link=body.name))
+        elif body.name in findings.missing:
             sentences.append(say("drawing.missing", link=body.name))
         elif centre is not None and not body.guide:
-            sentences.append(_story(body, centre, sketch.wheels, centre_letter(sketch)))
+            sentences.append(_story(body, centre, sketch.wheels, centre_letter(sketch), sleeves))
     return sentences
 
 
-def _story(body: Body, centre: Centre, wheels: Mapping[str, tuple[str, str]], letter: str) -> str:
+def _story(body: Body, centre: Centre, wheels: Mapping[str, tuple[str, str]], letter: str, sleeves: Mapping[str, str]) -> str:
+    if body.name in sleeves and centre.at is not None and sleeves[body.name] in centre.lines:
+        pivot = sleeves[body.name]
+        other = next(name for name in centre.lines if name != pivot)
+        return say("drawing.sleeve", centre=_centre(body, letter), point=other, pivot=pivot)
     if centre.lines and centre.at is None:
         return say("drawing.translates", link=body.name, points=tuple(centre.lines))
     if len(centre.lines) == 1:

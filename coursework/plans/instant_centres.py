@@ -12,41 +12,13 @@ import itertools
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from coursework.plans.by_plan import solve_plan
+from coursework.plans.pose import Body, Pose
+
 # Sine of the angle below which two lines count as parallel: positions of an Euler row are good to 1e-15, so nothing
 # that is parallel by construction comes near it, and a centre 1e9 times farther than the mechanism is a translation.
 PARALLEL = 1e-9
-
-
-@dataclass(frozen=True, slots=True)
-class Body:
-    """A rigid link: its material points, the name of its rate; `guide` the unit direction in which a slider translates."""
-
-    name: str
-    points: tuple[str, ...]
-    rate: str | None = None
-    guide: complex = 0j
-
-
-@dataclass(frozen=True, slots=True)
-class Pose:
-    """One position (m).
-
-    `fixed` points are at rest (hinges of the frame, contacts that roll on it); `guided` points move along a unit
-    direction; `velocities` (m/s) of driven points and `rates` (rad/s) of driven links are known.
-    """
-
-    positions: Mapping[str, complex]
-    bodies: tuple[Body, ...]
-    fixed: frozenset[str]
-    guided: Mapping[str, complex]
-    velocities: Mapping[str, complex]
-    rates: Mapping[str, float]
-
-    @property
-    def size(self) -> float:
-        """Return the largest distance of two points of the links (m)."""
-        points = {self.positions[name] for body in self.bodies for name in body.points}
-        return max((abs(a - b) for a, b in itertools.combinations(points, 2)), default=0.0)
+FAR = 100.0  # of the mechanism: a centre farther away than this is found on no paper, the link translates
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,7 +37,8 @@ class Centre:
 class Findings:
     """What the drawing yields, by name: `centres` and `omegas` (rad/s) of links, `velocities` (m/s) of points.
 
-    `plans` point -> the two points whose velocities gave its own by a velocity plan; `missing` links.
+    `plans` point -> the two points whose velocities gave its own by a velocity plan; `planned` links whose angular velocity
+    was solved from the plan of all links together; `missing` links that the geometry does not determine.
     """
 
     centres: Mapping[str, Centre]
@@ -73,6 +46,7 @@ class Findings:
     velocities: Mapping[str, complex]
     plans: Mapping[str, tuple[str, str]]
     missing: tuple[str, ...]
+    planned: tuple[str, ...] = ()
 
 
 def cross(a: complex, b: complex) -> float:
@@ -88,16 +62,16 @@ def dot(a: complex, b: complex) -> float:
 def construct(pose: Pose) -> Findings:
     """Return all that follows from the known velocities and directions; nothing is guessed."""
     paper = _Paper(pose)
-    known = -1
-    while known != (known := paper.known()):
-        for body in pose.bodies:
-            paper.find_centre(body)
-            paper.find_omega(body)
-            paper.carry_on(body)
-        if known == paper.known():
-            paper.plan_velocities()
+    paper.draw()
+    planned: tuple[str, ...] = ()
+    if any(body.name not in paper.omegas for body in pose.bodies):
+        solved = solve_plan(pose, paper.velocities)
+        planned = tuple(body.name for body in pose.bodies if body.name not in paper.omegas and body.name in solved.omegas)
+        paper.take(solved.velocities, {name: solved.omegas[name] for name in planned})
+        paper.draw()
     missing = tuple(body.name for body in pose.bodies if body.name not in paper.omegas)
-    return Findings(paper.centres, paper.omegas, paper.velocities, paper.plans, missing)
+    centres = {name: paper.within_reach(centre) for name, centre in paper.centres.items()}
+    return Findings(centres, paper.omegas, paper.velocities, paper.plans, missing, planned)
 
 
 @dataclass(slots=True)
@@ -119,6 +93,33 @@ class _Paper:
             self.velocities[name] = 0j
         for name, velocity in self.pose.velocities.items():
             self._move(name, velocity)
+
+    def draw(self) -> None:
+        """Draw on until nothing new is found."""
+        known = -1
+        while known != (known := self.known()):
+            for body in self.pose.bodies:
+                self.find_centre(body)
+                self.find_omega(body)
+                self.carry_on(body)
+            if known == self.known():
+                self.plan_velocities()
+
+    def take(self, velocities: Mapping[str, complex], omegas: Mapping[str, float]) -> None:
+        """Write down what was solved elsewhere."""
+        for name, velocity in velocities.items():
+            self._move(name, velocity)
+        for body in self.pose.bodies:
+            if body.name in omegas:
+                self.omegas[body.name] = omegas[body.name]
+                if body.rate:
+                    self.rates.setdefault(body.rate, omegas[body.name])
+
+    def within_reach(self, centre: Centre) -> Centre:
+        """Return a centre, at infinity where it is too far to be told from that."""
+        if centre.at is None or not centre.lines or abs(centre.at - self._at(centre.lines[0])) <= FAR * self.pose.size:
+            return centre
+        return Centre(None, centre.lines)
 
     def known(self) -> int:
         return len(self.centres) + len(self.omegas) + len(self.velocities) + len(self.directions)
@@ -154,10 +155,15 @@ class _Paper:
         return Centre(self._at(moving[0]) + 1j * self.velocities[moving[0]] / omega, (moving[0],)) if omega else Centre(None)
 
     def _by_directions(self, body: Body) -> Centre | None:
-        pairs = list(itertools.combinations((name for name in body.points if name in self.directions), 2))
-        pairs.sort(key=lambda pair: -abs(cross(self.directions[pair[0]], self.directions[pair[1]])))
+        ways = {name: self.directions[name] for name in body.points if name in self.directions}
+        if body.name in self.pose.sleeves:
+            pivot, along, _ = self.pose.sleeves[body.name]
+            if self.velocities.get(pivot) == 0:  # the point of the bar in a sleeve that stands moves along the bar
+                ways[pivot] = along
+        pairs = list(itertools.combinations(ways, 2))
+        pairs.sort(key=lambda pair: -abs(cross(ways[pair[0]], ways[pair[1]])))
         for a, b in pairs:
-            along_a, along_b = self.directions[a], self.directions[b]
+            along_a, along_b = ways[a], ways[b]
             between = self._at(b) - self._at(a)
             if abs(sine := cross(along_a, along_b)) > PARALLEL:
                 return Centre(self._at(a) + 1j * along_a * cross(between, 1j * along_b) / sine, (a, b))
@@ -185,6 +191,9 @@ class _Paper:
         omega = self.rates.get(body.rate or "")
         if omega is None and centre is not None:
             omega = 0.0 if centre.at is None else self._over_distance(body, centre.at, centre.point)
+        bar = next((bar for bar, (_, _, sleeve) in self.pose.sleeves.items() if sleeve == body.name), "")
+        if omega is None or bar in self.omegas:
+            omega = self.omegas.get(bar, omega)
         if omega is not None:
             self.omegas[body.name] = omega
             if body.rate:

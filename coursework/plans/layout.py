@@ -1,4 +1,4 @@
-"""How a mechanism lies on the page: scale from the row of drawing standards, scale of the velocities, sheet upright or turned.
+"""How a mechanism lies on the page: scale from the row of drawing standards, scale of the velocities, page upright or lying.
 
 Enters: a `Sketch` and the `Findings`.  Leaves: `Layout`.  Used by `drawing.py`.
 Source of the row: ISO 5455, GOST 2.302 (1:1, 1:2, 1:2.5, 1:4, 1:5, 1:10 ...); the coursework of 1995 asks for 1:10.
@@ -12,7 +12,8 @@ from coursework.plans.foot import FOOT
 from coursework.plans.instant_centres import Findings
 from coursework.plans.sketch import Sketch
 
-PAGE = (170.0, 220.0)  # mm: the text width of A4 with margins of 20 mm, and room for a caption
+PAGE = (170.0, 190.0)  # mm: the text width of A4 with margins of 20 mm, and room for a caption
+LANDSCAPE = (257.0, 150.0)  # mm: the same page lying, with room for a caption
 EDGE = 3.0  # mm
 SCALES = tuple(sorted(m * 10.0**k for k in range(-2, 9) for m in (1.0, 2.0, 2.5, 4.0, 5.0)))
 ARROWS = (45.0, 30.0, 20.0)  # mm: the longest velocity is at most as long
@@ -25,14 +26,14 @@ Box = tuple[float, float, float, float]
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """`scale` 10 for 1:10; `speed` m/s per mm; the sheet `width` x `height` (mm), `turned` onto its side; `near` centres.
+    """`scale` 10 for 1:10; `speed` m/s per mm; the sheet `width` x `height` (mm), `wide` on a lying page; `near` centres.
 
     `near` are the links whose centre lies on the sheet.
     """
 
     scale: float
     speed: float
-    turned: bool
+    wide: bool
     width: float
     height: float
     origin: complex
@@ -65,18 +66,18 @@ def lay_out(sketch: Sketch, findings: Findings) -> Layout:
     smallest = SCALES[-1]
     for scale in SCALES if sketch.pose.size > 0 else (1.0,):
         for longest in ARROWS:
-            found = [way for turned in (False, True) if (way := _try(sketch, findings, scale, longest, turned))]
+            found = [way for wide in (False, True) if (way := _try(sketch, findings, scale, longest, wide))]
             if found:
-                return max(found, key=lambda way: (len(way.near), not way.turned))
+                return max(found, key=lambda way: (len(way.near), not way.wide))
     return Layout(smallest, 1.0, False, *PAGE, complex(PAGE[0] / 2, PAGE[1] / 2), frozenset())
 
 
-def _try(sketch: Sketch, findings: Findings, scale: float, longest: float, turned: bool) -> Layout | None:
+def _try(sketch: Sketch, findings: Findings, scale: float, longest: float, wide: bool) -> Layout | None:
     mm = 1000 / scale
     fastest = max((abs(v) for v in findings.velocities.values()), default=0.0)
     speed = next((s for s in ROUND if fastest / s <= longest), ROUND[-1])
     box = _box(sketch, findings, mm, speed)
-    most_wide, most_high = (PAGE[1], PAGE[0]) if turned else PAGE
+    most_wide, most_high = LANDSCAPE if wide else PAGE
     room = (most_wide - 2 * EDGE, most_high - EDGE - FOOT)
     if not _fits(box, room):
         return None
@@ -88,12 +89,12 @@ def _try(sketch: Sketch, findings: Findings, scale: float, longest: float, turne
             if _fits(wider, room):
                 box = wider
                 near.add(name)
-    wide, high = box[2] - box[0], box[3] - box[1]
-    width = max(PAGE[0], wide + 2 * EDGE)
-    height = PAGE[0] if turned else high + EDGE + FOOT
+    across, high = box[2] - box[0], box[3] - box[1]
+    width = max(PAGE[0], across + 2 * EDGE)
+    height = high + EDGE + FOOT
     top = (height - FOOT + EDGE - high) / 2
-    origin = complex((width - wide) / 2 - box[0], top + box[3])
-    return Layout(scale, speed, turned, width, height, origin, frozenset(near))
+    origin = complex((width - across) / 2 - box[0], top + box[3])
+    return Layout(scale, speed, wide, width, height, origin, frozenset(near))
 
 
 def _box(sketch: Sketch, findings: Findings, mm: float, speed: float) -> Box:
@@ -107,6 +108,12 @@ def _box(sketch: Sketch, findings: Findings, mm: float, speed: float) -> Box:
         box = _join(box, at, ROOM["hinge" if name in sketch.hinges else "point"])
         if velocity := findings.velocities.get(name, 0j):
             box = _join(box, at + velocity / speed, ROOM["tip"])
+    for slot in sketch.outline.slots:
+        beside, low, high = sketch.poses.line(slot)
+        along = complex(sketch.poses.along(slot.base, slot.toward)[sketch.row])
+        foot = sketch.poses.pose(sketch.row)[slot.at] + 1j * along * beside
+        for way in (low, high):
+            box = _join(box, (foot + along * way) * mm, ROOM["tip"] + 10)
     for centre, contact in sketch.wheels.values():
         radius = abs(positions[contact] - positions[centre]) * mm
         box = _join(box, positions[centre] * mm, radius + ROOM["rim"])

@@ -19,12 +19,12 @@ from coursework.drawing.record import Drawing
 from coursework.errors import Fault, InputError
 from coursework.integration.motion import Motion
 from coursework.mechanism import Mechanism
+from coursework.plans.graph_check import USUAL_ROW
 from coursework.plans.polygons import ACCELERATION, UNITS, VELOCITY, Polygons, polygons
 from coursework.reduction.equations import VelocityEquations
 from coursework.sentences import say
 
 HEAD = ("row", "t", "motion", "plan", "kind", "from", "to", "x", "y", "unit")
-USUAL_ROW = 4  # of a file that names no check_row: neither the start nor a symmetric position
 Array = NDArray[np.float64]
 
 

@@ -12,10 +12,14 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
+from coursework.drawing.outline import Outline, read_outline
+from coursework.drawing.poses import Poses, read_poses
 from coursework.geometry.time_derivatives import compile_rows
 from coursework.integration.motion import Motion
 from coursework.joints import FRAME, PIN_IN_GUIDE, ROLLING, linkage
-from coursework.plans.instant_centres import Body, Pose, cross
+from coursework.mechanism import Mechanism
+from coursework.plans.instant_centres import cross
+from coursework.plans.pose import Body, Pose
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import symbol
 from coursework.sentences import say
@@ -53,7 +57,7 @@ class Sketch:
     """The position: `pose` for the construction, and what only the drawing needs.
 
     `start` holds the positions of row 1; `wheels` link -> (centre, contact); `racks` link -> contact with its gear;
-    `moving` the points of links, contacts apart, that are not at rest.
+    `moving` the points of links, contacts apart, that are not at rest; `outline`, `poses` and `row` (from 0) are what is painted.
     """
 
     pose: Pose
@@ -66,11 +70,17 @@ class Sketch:
     racks: Mapping[str, str]
     moving: tuple[str, ...]
     notes: tuple[str, ...]
+    outline: Outline
+    poses: Poses
+    row: int
 
 
-def read_sketch(equations: VelocityEquations) -> Callable[[Motion, int], Sketch]:
+def read_sketch(mechanism: Mechanism, equations: VelocityEquations) -> Callable[[Motion, int], Sketch]:
     """Return `read(motion, row)` (row from 0), compiled once for every row."""
     variant, symbols = equations.variant, equations.symbols
+    outline = read_outline(mechanism)
+    assert outline is not None
+    posed = read_poses(outline, equations)
     wanted: dict[str, Any] = {}
 
     def vector(key: str, components: Any) -> None:
@@ -93,7 +103,7 @@ def read_sketch(equations: VelocityEquations) -> Callable[[Motion, int], Sketch]
         both = [0, row]
         values = rows(motion.t[both], motion.coordinates[both])
         first, here = (_Values(dict(zip(wanted, map(float, line), strict=True))) for line in values)
-        return _Reader(variant, names, first, here).sketch()
+        return _Reader(variant, names, first, here).sketch(outline, posed(motion.t, motion.coordinates), row)
 
     return read
 
@@ -128,7 +138,7 @@ class _Reader:
         self.sliding = set(joints.points(PIN_IN_GUIDE, FRAME)) if joints else set()
         self.notes: list[str] = []
 
-    def sketch(self) -> Sketch:
+    def sketch(self, outline: Outline, poses: Poses, row: int) -> Sketch:
         rails = self.rails()
         guided = {rail.point: rail.along for rail in rails if rail.point and not rail.rolls}
         tracks = self.tracks()
@@ -143,10 +153,22 @@ class _Reader:
         rates = {rate: drive[rate] for rate in self.variant.known_rates}
         positions = {name: self.here.vector(name) for name in self.names}
         moving = dict.fromkeys(name for body in self.bodies for name in body.points if name not in fixed | self.contacts)
+        pose = Pose(positions, tuple(bodies), fixed, guided, driven, rates, self.sleeves(positions))
         return Sketch(
-            Pose(positions, tuple(bodies), fixed, guided, driven, rates), rails, tracks, self.hinges, self.variant.links,
-            self.start, self.wheels, racks, tuple(moving), tuple(self.notes),
+            pose, rails, tracks, self.hinges, self.variant.links, self.start, self.wheels, racks, tuple(moving),
+            tuple(self.notes), outline, poses, row,
         )  # fmt: skip
+
+    def sleeves(self, positions: Mapping[str, complex]) -> dict[str, tuple[str, complex, str]]:
+        """Return the sleeves by the bar that slides in them: pivot, direction of the bar, sleeve."""
+        points = {link.name: link.points for link in self.variant.links}
+        found = {}
+        for link in self.variant.links:
+            bar = points.get(link.slides or "", ())
+            if link.points and len(bar) > 1:
+                way = positions[bar[1]] - positions[bar[0]]
+                found[link.slides or ""] = (link.points[0], way / (abs(way) or 1.0), link.name)
+        return found
 
     def rails(self) -> tuple[Rail, ...]:
         """Return the rails; what slides or rolls on one is the point it goes `through`."""

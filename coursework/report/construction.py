@@ -5,7 +5,10 @@ Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
 
 from __future__ import annotations
 
-from coursework.report.figures import true_to_scale
+import math
+
+from coursework.plans.readings import Reading
+from coursework.report.figures import drawn_parts
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Bullets, Cell, Column, Part, Table
 from coursework.report.text_runs import numeral
@@ -13,26 +16,29 @@ from coursework.report.text_runs import numeral
 
 def graph_check(context: PageContext) -> list[Part]:
     """The drawing by which the table is checked, true to scale, and both results side by side."""
-    graph, numbers = context.run.graph, context.numbers
+    graph = context.run.graph
     if graph is None:
         return []
-    row = context.run.variant.time.check_row
-    figure = true_to_scale(
-        graph.drawn(context.words.written), context.words("graph.alt", row=row or ""), context.say("graph.caption")
-    )
-    heads = [
-        Column(context.say(f"graph.{key}"), words=key == "quantity") for key in ("quantity", "measured", "tabled", "difference")
-    ]
-    rows: list[list[Cell]] = [
-        [context.rich(name), *(numeral(context.with_unit(numbers.scalar(value), unit)) for value in values)]
-        for name, *values, unit in ((r[0], r[1], r[2], r[3], r[4]) for r in graph.rows)
-    ]
-    parts: list[Part] = [figure, *([Table(heads, rows)] if rows else [])]
-    if graph.exact:
-        errors: list[list[Cell]] = [
-            [context.rich(name), *(numeral(context.with_unit(numbers.scalar(value), unit)) for value in (exact, gap))]
-            for name, exact, gap, unit in graph.exact
-        ]
-        names = [Column(context.say(f"graph.{key}"), words=key == "quantity") for key in ("quantity", "exact", "error")]
-        parts.append(Table(names, errors))
+    parts: list[Part] = [*drawn_parts(context, graph.drawing(context.words.written, blank=context.run.blank))]
+    if context.run.blank:
+        return parts
+    keys = ("quantity", "read", "relation", "measured", "tabled", "difference")
+    heads = [Column(context.say(f"graph.{key}"), words=key in {"quantity", "relation"}) for key in keys]
+    rows = [_row(context, one) for one in graph.readings]
+    if rows:
+        parts.append(Table(heads, rows, context.say("graph.table")))
     return [*parts, *([Bullets([context.rich(note) for note in graph.notes])] if graph.notes else [])]
+
+
+def _row(context: PageContext, one: Reading) -> list[Cell]:
+    """Return one line of the table: the length, what was read, how the value follows, both values, how far they are apart."""
+    numbers, words = context.numbers, context.words
+    read = words("graph.given") if one.read is None and one.length else numbers.plain(one.read) if one.read is not None else ""
+    length = f"{one.length} = " if one.length else ""
+    apart = numbers.plain(100 * one.difference, 2) if math.isfinite(one.difference) else words("none")
+    explained = f" (±{numbers.plain(100 * one.explained, 2)})" if one.explained else ""
+    return [
+        context.rich(one.name), context.rich(f"{length}{read}"), context.rich(one.relation),
+        numeral(context.with_unit(numbers.plain(one.found, 4), one.unit)), numeral(context.with_unit(numbers.scalar(one.table), one.unit)),
+        f"{apart}{explained}",
+    ]  # fmt: skip

@@ -13,7 +13,7 @@ from coursework.page_text import template
 from coursework.quantities import CHECKS, GRAPH_CHECK, Quantity
 from coursework.report.checks import checks
 from coursework.report.dead_point import dead_point
-from coursework.report.figures import true_to_scale
+from coursework.report.figures import drawn
 from coursework.report.graphs import graphs
 from coursework.report.model import heading_of
 from coursework.report.page_context import PageContext
@@ -29,9 +29,7 @@ def drawing(context: PageContext) -> list[Part]:
     graph, say = context.run.graph, context.words
     if graph is None:
         return []
-    row = context.run.variant.time.check_row
-    svg = graph.drawn(say.written, upright=True)
-    return [replace(true_to_scale(svg, say("graph.alt", row=row or ""), context.say("notebook.drawing", row=row)), exact=False)]
+    return [replace(part, exact=False) for part in [drawn(context, graph.drawing(say.written))]]
 
 
 def method_line(context: PageContext) -> str:

@@ -16,12 +16,15 @@ import pytest
 from coursework import load, solve
 from coursework.catalogue import names
 from coursework.errors import InputError
+from coursework.output.record import record
 from coursework.plans.graph_check import GraphCheck, check_graph
-from coursework.plans.instant_centres import Body, Centre, Findings, Pose, construct
-from coursework.plans.layout import PAGE, SCALES, lay_out
+from coursework.plans.instant_centres import Centre, Findings, construct
+from coursework.plans.layout import LANDSCAPE, PAGE, SCALES, lay_out
+from coursework.plans.pose import Body, Pose
 from coursework.plans.sketch import Sketch, read_sketch
 from coursework.run import Run
 from coursework.variant.record import Link, Variant
+from tests.drawing import measured
 
 REFERENCE = Path(__file__).parents[1] / "reference" / "variants"
 # Links that [links] and [frame] alone determine; V107 has a bar in a swivelling sleeve.
@@ -42,14 +45,14 @@ def check_of(name: str, row: int | None = None) -> GraphCheck:
         assert run.graph is not None
         return run.graph
     equations = replace(run.scene.equations, variant=at_row(run.variant, row))
-    check = check_graph(equations, run.motion, run.exact)
+    check = check_graph(run.scene.mechanism, equations, run.motion, run.exact)
     assert check is not None
     return check
 
 
 @cache
 def svg_of(name: str) -> str:
-    return check_of(name).svg
+    return check_of(name).drawing().svg
 
 
 def at_row(variant: Variant, row: int | None) -> Variant:
@@ -85,8 +88,8 @@ def test_variant_31_in_the_row_of_the_coursework() -> None:
     expected = {"ω₁": 0.219835996720, "ω₂": 0.113615129728, "ω₃": 4.39156138925, "ω₄": -7.94100954258}
     for name, value in expected.items():
         assert values[name] == pytest.approx(value, abs=1e-11)
-    for name, measured, tabled, difference, _ in check.rows:
-        assert difference == measured - tabled, name
+    for name, found, tabled, difference, _ in check.rows:
+        assert difference == found - tabled, name
         assert abs(difference) < 1e-13, name
     run = run_of("31")
     for name, exact, error, unit in check.exact[:4]:
@@ -107,7 +110,7 @@ def test_variant_31_in_the_row_of_the_coursework() -> None:
 def test_centres_of_the_exact_row(name: str) -> None:
     reference = json.loads((REFERENCE / f"{name}.json").read_text())["icv_at_check_row_exact"]
     run = run_of(name.lower())
-    sketch = read_sketch(run.scene.equations)(run.exact, run.variant.time.check_row - 1)
+    sketch = read_sketch(run.scene.mechanism, run.scene.equations)(run.exact, run.variant.time.check_row - 1)
     findings = construct(sketch.pose)
     assert findings.missing == ()
     for link, expected in reference.items():
@@ -128,11 +131,134 @@ def test_without_drift_drawing_and_table_agree(name: str) -> None:
     assert not any("drifted" in note for note in check.notes)
 
 
-def test_a_bar_in_a_sleeve_is_not_guessed() -> None:
+def test_a_bar_in_a_sleeve_is_constructed() -> None:
+    """V107, row 7: reference numbers from the velocity equations at the table's row, to 1e-15."""
     check = check_of("v107")
-    assert check.rows == ()
-    assert check.notes[:4] == tuple(f"Link {k} is not determined by the drawing." for k in (1, 2, 3, 4))
-    assert "<svg" in check.svg
+    centre = check.findings.centres["3"]
+    assert centre.lines == ("M", "O")
+    assert centre.at == pytest.approx(0.70782 - 0.58848j, abs=5e-6)
+    expected = {"3": -2.0497026, "2": -1.0073716, "1": -4.9137472, "4": -2.0497026}
+    for link, omega in expected.items():
+        assert check.findings.omegas[link] == pytest.approx(omega, abs=5e-8)
+    motion = run_of("v107").motion
+    for link, rate in {"1": "w1", "2": "w2", "3": "w3"}.items():
+        assert check.findings.omegas[link] == pytest.approx(float(motion.column(rate)[6]), abs=1e-13)
+    assert "P₃ is where the perpendicular to the velocity of M meets that to the bar in its sleeve at O." in check.notes
+    svg = svg_of("v107")
+    assert 'data-sleeve="4"' in svg
+    assert "data-slot" in svg
+
+
+def test_a_sleeve_on_a_moving_pivot_is_solved_by_the_plan() -> None:
+    """A bar M–B slides through a sleeve whose pivot O moves: V_bar at O is V_O and a part along the bar, nothing else."""
+    at = {"M": 0.5 + 0j, "B": 2 + 0j, "O": 1 + 0j, "K": 1 - 1j}
+    bar, sleeve, arm = Body("1", ("M", "B"), "w1"), Body("2", ("O",)), Body("3", ("K", "O"), "w3")
+    speeds = {"M": 0.3 + 1j}
+    pose = Pose(at, (bar, sleeve, arm), frozenset({"K"}), {}, speeds, {"w3": -2.0}, {"1": ("O", 1 + 0j, "2")})
+    found = construct(pose)
+    # V_O = -2i * i = 2; across the bar O stands still, so 1 + ω (1 - 0.5) = 0.
+    assert found.omegas["1"] == pytest.approx(-2.0, abs=1e-12)
+    assert found.omegas["2"] == pytest.approx(-2.0, abs=1e-12)
+    assert found.velocities["B"] == pytest.approx(0.3 - 2j, abs=1e-12)
+    assert found.planned == ("1", "2")
+    assert found.missing == ()
+
+
+def test_what_the_geometry_leaves_open_stays_open() -> None:
+    """A pin in no guide between two links with one known end each has a plan; a single link with one known end has none."""
+    pose = Pose({"M": 0j, "B": 1 + 0j}, (Body("1", ("M", "B"), "w1"),), frozenset(), {}, {"M": 1 + 1j}, {})
+    assert construct(pose).missing == ("1",)
+
+
+@pytest.mark.parametrize(("far", "translates"), [(99.0, False), (101.0, True)])
+def test_a_centre_beyond_a_hundred_mechanisms_is_a_translation(far: float, translates: bool) -> None:
+    at = {"A": 0j, "B": 1 + 0j}
+    along = 1j * (1 + 1j / far)  # the normals of A and B meet at (0, ...) far away
+    pose = Pose(at, (Body("1", ("A", "B"), "w1"),), frozenset(), {"B": along / abs(along)}, {"A": 1 + 0j}, {})
+    tilted = replace(pose, guided={"B": complex(1, -1 / far) / abs(complex(1, -1 / far))})
+    centre = construct(tilted).centres["1"]
+    assert (centre.at is None) == translates
+    assert construct(tilted).omegas["1"] == pytest.approx(
+        -1 / far if centre.at is not None else construct(tilted).omegas["1"], rel=0.1
+    )
+
+
+# ---- what is read off the drawing
+
+
+def test_variant_31_is_read_as_the_guide_reads_it() -> None:
+    """Page 1.5 of the specification, worked by hand: lengths to 0.5 mm at 1:10."""
+    read = {one.name: one for one in check_of("31").readings}
+    assert {name: one.read for name, one in read.items()} == {
+        "ω₃": 93.5, "V_B": 5.0, "V_C": 41.5, "ω₂": 187.0, "V_A": 184.5, "ω₁": None, "ω₄": None,
+    }  # fmt: skip
+    speed = abs(4.5 * math.sin(13.08 * 0.06 + 4.35))
+    omega = speed / 0.935
+    expected = {
+        "ω₃": omega, "V_C": omega * 0.415, "V_B": omega * 0.05, "ω₄": omega * 0.415 / 0.2285, "ω₂": omega * 0.05 / 1.87,
+        "V_A": omega * 0.05 / 1.87 * 1.845, "ω₁": omega * 0.05 / 1.87 * 1.845 / 0.953,
+    }  # fmt: skip
+    for name, value in expected.items():
+        assert read[name].found == pytest.approx(value, rel=1e-12), name
+    assert {name: round(one.found, 4) for name, one in read.items()} == {
+        "ω₃": 4.3898, "V_B": 0.2195, "V_C": 1.8218, "ω₂": 0.1174, "V_A": 0.2166, "ω₁": 0.2272, "ω₄": 7.9727,
+    }  # fmt: skip
+    assert read["ω₃"].table == pytest.approx(4.39156138925, abs=1e-11)
+    assert read["ω₄"].table == pytest.approx(7.94100954258, abs=1e-11)
+    assert read["V_B"].explained == pytest.approx(0.05)
+    assert (str(read["ω₃"].relation), str(read["V_C"].relation), str(read["ω₄"].relation)) == ("V_M/P₃M", "ω₃·P₃C", "V_C/PC")
+
+
+@pytest.mark.parametrize(
+    "name", ["31", *(name.lower() for name in DRAWABLE), "v107", "homework", "jansen", "peaucellier", "example-1"]
+)
+def test_every_reading_is_as_near_as_its_lengths_allow(name: str) -> None:
+    """Errors of a ruler add up along the working: no value may be off by more than the sum of what its lengths explain."""
+    readings = check_of(name).readings
+    assert readings
+    blurred = any(one.read is not None and one.read < 2 for one in readings)
+    total = sum(one.explained for one in readings)
+    drift = 0.01 if name in {"v104", "v105", "v112"} else 0.0  # rows that do not close by this part of a link
+    for one in readings:
+        assert one.read is None or one.read % 0.5 == 0
+        if not blurred and math.isfinite(one.table):
+            assert abs(one.difference) <= total + drift, one.name
+
+
+def test_without_a_check_row_it_is_row_4() -> None:
+    variant = at_row(load("31"), None)
+    run = solve(variant, quantities=["graph_check"])
+    assert run.graph is not None
+    assert (run.graph.row, run.graph.time) == (4, pytest.approx(0.06))
+
+
+def test_the_record_of_a_run_has_what_was_read() -> None:
+    found = record(run_of("31"))["graph_check"]
+    assert (found["row"], found["time"], found["scale"]) == (4, pytest.approx(0.06), 10)
+    assert set(found["rows"][0]) == {"name", "found", "read", "table", "unit"}
+    assert found["centres"]["3"] == {
+        "x": pytest.approx(check_of("31").findings.centres["3"].at.real),
+        "y": pytest.approx(0.884, abs=1),
+    }
+    assert "graph_check" not in record(solve("31", quantities=["table"]))
+
+
+def test_a_blank_sheet_leaves_the_construction_to_the_student() -> None:
+    blank = check_of("31").drawing(blank=True)
+    assert set(re.findall(r'data-velocity="(\w+)"', blank.svg)) == {"M"}
+    assert "stroke-dasharray" not in blank.svg
+    assert (blank.width, blank.height) == (check_of("31").drawing().width, check_of("31").drawing().height)
+    said = {word.text for word in measured.words(blank.svg)}
+    assert not any(text.startswith("P2") or text.startswith("P3") for text in said)
+    assert {"A", "B", "C", "D", "M", "P"} <= said
+
+
+@pytest.mark.parametrize(
+    "name", ["31", *(name.lower() for name in DRAWABLE), "v107", "homework", "jansen", "peaucellier", "watt", "stephenson"]
+)
+def test_no_word_of_the_sheet_lies_on_another(name: str) -> None:
+    assert measured.overlaps(svg_of(name)) == []
+    assert measured.beyond(svg_of(name)) == []
 
 
 def test_a_rack_hands_its_velocity_to_the_gear() -> None:
@@ -247,7 +373,7 @@ def test_not_asked_for_is_not_computed() -> None:
 def test_what_is_missing_is_said() -> None:
     variant = load("31")
     bare = replace(at_row(variant, None), links=())
-    with pytest.raises(InputError, match=r"needs \[links\] and check_row in \[time\]; this variant has none"):
+    with pytest.raises(InputError, match=r"needs \[links\]; this variant has none"):
         _ = solve(bare, quantities=["graph_check"]).graph
     with pytest.raises(InputError, match=r"needs \[links\]"):
         _ = solve("prp", quantities=["graph_check"]).graph
@@ -284,7 +410,7 @@ def test_the_bar_measures_100_mm_and_the_sheet_is_in_mm() -> None:
         root = ElementTree.fromstring(svg)
         width, height = (float(root.get(side, "").removesuffix("mm")) for side in ("width", "height"))
         assert root.get("viewBox") == f"0 0 {root.get('width', '')[:-2]} {root.get('height', '')[:-2]}"
-        assert width <= PAGE[0] and height <= PAGE[1]
+        assert (width <= PAGE[0] and height <= PAGE[1]) or (width <= LANDSCAPE[0] and height <= LANDSCAPE[1])
         assert "must measure 100 mm; print at 100 %" in svg
 
 
@@ -329,11 +455,14 @@ def test_nothing_leaves_the_sheet(name: str) -> None:
         assert -2 <= x <= layout.width + 2 and -2 <= y <= layout.height + 2
 
 
-def test_a_wide_mechanism_stands_on_its_side() -> None:
+def test_a_wide_mechanism_lies_on_a_page_of_its_own_and_is_never_turned() -> None:
     layout = lay_out(check_of("31").sketch, check_of("31").findings)
-    assert layout.turned and layout.scale == 10
-    assert "rotate(-90)" in svg_of("31")
-    assert "rotate" not in svg_of("v101")
+    assert (layout.wide, layout.scale) == (True, 10)
+    assert check_of("31").drawing().wide
+    assert layout.width <= LANDSCAPE[0]
+    assert layout.height <= LANDSCAPE[1]
+    assert not check_of("v101").drawing().wide
+    assert "rotate" not in svg_of("31")
 
 
 def test_a_far_centre_is_told_at_the_border() -> None:
@@ -352,18 +481,18 @@ def test_scales_are_those_of_drawing_standards() -> None:
 
 def test_the_drawing_is_the_same_every_time() -> None:
     run = run_of("31")
-    fresh = check_graph(run.scene.equations, run.motion, run.exact)
+    fresh = check_graph(run.scene.mechanism, run.scene.equations, run.motion, run.exact)
     assert fresh is not None
-    assert fresh.svg == svg_of("31")
+    assert fresh.drawing().svg == svg_of("31")
 
 
 def test_names_cannot_break_out_of_the_drawing() -> None:
     run, evil = run_of("31"), '"><script>alert(1)</script>&\x01\u202e' + 30 * "3"
     links = tuple(replace(link, name=evil) if link.name == "3" else link for link in run.variant.links)
     equations = replace(run.scene.equations, variant=replace(run.variant, links=links))
-    check = check_graph(equations, run.motion, run.exact)
+    check = check_graph(run.scene.mechanism, equations, run.motion, run.exact)
     assert check is not None
-    svg = check.svg
+    svg = check.drawing().svg
     assert "&lt;script&gt;" in svg and "<script" not in svg
     assert not any(item.tag.endswith("script") for item in ElementTree.fromstring(svg).iter())
     assert "\x01" not in svg and "\u202e" not in svg
@@ -375,20 +504,22 @@ def test_a_file_may_call_its_points_like_centres() -> None:
     taken = replace(sketch, pose=replace(sketch.pose, positions={**sketch.pose.positions, "P3": 0j}))
     from coursework.plans.graph_words import centre_letter, how_found
 
-    assert (centre_letter(sketch), centre_letter(taken)) == ("P", "IC")
-    assert "IC₃ is where the perpendiculars to the velocities of M and C meet." in how_found(taken, check_of("31").findings)
+    assert (centre_letter(sketch), centre_letter(taken)) == ("P", "I")
+    assert "I₃ is where the perpendiculars to the velocities of M and C meet." in how_found(taken, check_of("31").findings)
     assert variant.links[2] == Link("3", ("M", "B", "C"), "w3", None, None)
 
 
 def test_a_mechanism_without_size_is_drawn_all_the_same() -> None:
     points = {"A": 0j, "B": 0j}
     still = scene(points, [Body("1", ("A", "B"))], fixed="A")
-    sketch = Sketch(still, (), (), ("A",), (Link("1", ("A", "B"), None, None, None),), points, {}, {}, ("B",), ())
+    full = check_of("31").sketch
+    drawn = replace(full.outline, bars=(), wheels=(), rails=(), hinges=(), driven=()), full.poses, full.row
+    sketch = Sketch(still, (), (), ("A",), (Link("1", ("A", "B"), None, None, None),), points, {}, {}, ("B",), (), *drawn)
     nothing = Findings({}, {}, {}, {}, ("1",))
     from coursework.plans.drawing import draw
 
     assert lay_out(sketch, nothing).scale == 1
-    assert "velocities" not in draw(sketch, nothing, 1, 0.0)
+    assert "velocities" not in draw(sketch, nothing, 1, 0.0).svg
 
 
 def test_the_bar_measures_100_mm_in_the_pdf(tmp_path: Path) -> None:
