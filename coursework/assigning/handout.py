@@ -75,7 +75,7 @@ def make_handout(student: Student, individual: Individual) -> Handout:
     check = None
     if time.check_row is not None and variant.links and (variant.frame.hinges or variant.frame.rails or variant.frame.circles):
         # The key compares the drawing with the table; what Euler's error is stands in the report of a run.
-        check = check_graph(scene.equations, motion, motion)
+        check = check_graph(scene.mechanism, scene.equations, motion, motion)
     return Handout(student, individual, motion, tuple(scene.start), mechanism, meanings, check)
 
 

@@ -78,7 +78,7 @@ def _check(handout: Handout, words: Words) -> Plain | None:
     heading = words("key.check", row=check.row, time=with_unit(numbers.plain(check.time), "s"))
     return {
         "heading": lettered(variant, heading),
-        "svg": check.drawn(words.written, upright=True),
+        "svg": check.drawing(words.written).svg,
         "says": words("key.drawn"),
         "heads": [words(f"key.{key}") for key in ("quantity", "measured", "tabled")],
         "rows": [

@@ -9,6 +9,7 @@ from __future__ import annotations
 import hashlib
 import json
 from dataclasses import asdict, replace
+from math import isfinite
 from typing import TYPE_CHECKING, Any
 
 from coursework.asked import units_of
@@ -68,7 +69,13 @@ def _content(quantity: Quantity[Any]) -> dict[str, Any]:
 def _graph(graph: GraphCheck) -> dict[str, Any]:
     """Return what was read off the drawing: magnitudes in SI, lengths in mm of paper, centres by link (none: translation)."""
     rows = [
-        {"name": one.name, "found": one.found, "read": one.read, "table": _finite(one.table), "unit": one.unit}
+        {
+            "name": one.name,
+            "found": one.found,
+            "read": one.read,
+            "table": one.table if isfinite(one.table) else None,
+            "unit": one.unit,
+        }
         for one in graph.readings
     ]
     centres = {link: None if at is None else {"x": at.real, "y": at.imag} for link, at in graph.centres.items()}

@@ -37,8 +37,6 @@ def _row(context: PageContext, one: Reading) -> list[Cell]:
     length = f"{one.length} = " if one.length else ""
     apart = numbers.plain(100 * one.difference, 2) if math.isfinite(one.difference) else words("none")
     explained = f" (±{numbers.plain(100 * one.explained, 2)})" if one.explained else ""
-    return [
-        context.rich(one.name), context.rich(f"{length}{read}"), context.rich(one.relation),
-        numeral(context.with_unit(numbers.plain(one.found, 4), one.unit)), numeral(context.with_unit(numbers.scalar(one.table), one.unit)),
-        f"{apart}{explained}",
-    ]  # fmt: skip
+    both = (numbers.plain(one.found, 4), numbers.scalar(one.table) if math.isfinite(one.table) else words("none"))
+    values = [numeral(context.with_unit(value, one.unit)) for value in both]
+    return [context.rich(one.name), context.rich(f"{length}{read}"), context.rich(one.relation), *values, f"{apart}{explained}"]
