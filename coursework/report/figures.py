@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from coursework.drawing import record
 from coursework.report.page_context import PageContext
-from coursework.report.parts import Bullets, Figure, Part, Runs
+from coursework.report.parts import Bullets, Figure, Part
 from coursework.report.symbols import Symbol
 
 if TYPE_CHECKING:
@@ -84,14 +84,3 @@ def drawn_parts(context: PageContext, drawing: record.Drawing) -> list[Part]:
     figure = drawn(context, drawing)
     numbered = [context.rich(f"{number}. {context.told(step)}") for number, step in enumerate(drawing.steps, start=1)]
     return [figure, Bullets(numbered)] if numbered else [figure]
-
-
-_SIZE = re.compile(r'<svg\b[^>]*?\swidth="([\d.]+)mm"[^>]*?\sheight="([\d.]+)mm"')
-
-
-def true_to_scale(svg: str, alt: str, caption: Runs) -> Figure:
-    """Return a drawing that prints at exactly the size it names.  Raises `ValueError` where it names none in mm."""
-    size = _SIZE.search(svg)
-    if not size:
-        raise ValueError("a drawing to scale gives its width and height in mm")
-    return Figure(svg[svg.index("<svg") :], float(size[1]), float(size[2]), alt, caption, exact=True)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from coursework.report import build_model
-from coursework.report.figures import label_text, true_to_scale
+from coursework.report.figures import label_text
 from coursework.report.graph_paper import BETWEEN, field_for, round_ticks, smooth, sparse, tick_texts
 from coursework.report.numbers import Numbers
 from coursework.report.symbols import symbol
@@ -87,10 +87,3 @@ def test_symbols_without_a_unicode_subscript_are_set_by_our_own_table() -> None:
     assert label_text(symbol("w3")) == "ω₃"
     assert label_text(symbol("VMx")) == r"$V_{\mathrm{Mx}}$"
     assert "$" not in label_text(symbol("speed"))
-
-
-def test_a_drawing_to_scale_names_its_size() -> None:
-    figure = true_to_scale('<?xml?><svg width="170mm" height="110mm" viewBox="0 0 170 110"></svg>', "alt", [])
-    assert (figure.width, figure.height, figure.exact) == (170.0, 110.0, True)
-    with pytest.raises(ValueError, match="in mm"):
-        true_to_scale('<svg width="100%" height="50"></svg>', "alt", [])
