@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from coursework.checks.evidence import LIMIT, Evidence
 from coursework.checks.result import Finding, Verdict, percent
 from coursework.formula.tree import Formula, evaluate, spelled
+from coursework.geometry.closure import Closure
 from coursework.reduction.system import compile_values
 from coursework.sentences import say
 from coursework.variant.record import Variant
@@ -39,11 +40,28 @@ def drift(evidence: Evidence) -> Finding:
         for name, size, angle in zip(closure.names, np.max(np.abs(residual), axis=0), angles, strict=True)
     )
     size = float(abs(residual[row, equation]))
+    if (jump := _jump(evidence, closure, np.where(angles, 1.0, shortest))) is not None:
+        at, which = jump
+        sentence = say("check.DRIFT.jump", name=closure.names[which], row=at, next=at + 1, time=float(motion.t[at]))
+        return Finding("FAIL", sentence, value, LIMIT, say("unit.of_the_scale"), closure.names[which], at + 1, rows=lines)
     found = {"name": name, "row": row + 1, "size": size, "unit": unit, "share": percent(value), "shortest": shortest}
     verdict: Verdict = "PASS" if value <= LIMIT else "COARSE" if float(np.max(shares[0])) <= LIMIT else "FAIL"
     kind = "angle" if verdict == "COARSE" and angles[equation] else verdict.lower()
     sentence = say(f"check.DRIFT.{kind}", **found)
     return Finding(verdict, sentence, value, LIMIT, say("unit.of_the_scale"), name, row + 1, rows=lines)
+
+
+def _jump(evidence: Evidence, closure: Closure, scales: Array) -> tuple[int, int] | None:
+    """Return the first row (from 0) and the equation that the motion of the velocities itself leaves open, None if all hold."""
+    exact = evidence.exact
+    if exact is None or not len(exact.t):
+        return None
+    residual, _ = closure.residual(exact.t, exact.coordinates, closure.targets(exact.t)[0])
+    open_rows = np.abs(residual) / scales > LIMIT
+    if open_rows[0].any() or not open_rows.any():
+        return None
+    row = int(np.argmax(open_rows.any(axis=1)))
+    return row, int(np.argmax(open_rows[row]))
 
 
 def shortest_length(evidence: Evidence) -> float:

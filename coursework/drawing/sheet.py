@@ -129,6 +129,8 @@ class Sheet:
 
     def hatch(self, a: complex, b: complex, away: complex) -> None:
         """Hatch one side of a segment: short strokes that lean towards `away` (a direction)."""
+        if a == b or not away:
+            return  # at this scale too small to have sides
         count = max(1, round(abs(b - a) / PITCH))
         along = (b - a) / count
         lean = (away / abs(away) - along / abs(along)) * 1.3

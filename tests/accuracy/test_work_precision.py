@@ -69,6 +69,16 @@ def test_projected_euler(substeps, found):
     assert found["Euler + 1 Newton projection", str(substeps)][0] == 2 * substeps
 
 
+def test_the_table_of_the_readme_is_what_is_measured(found):
+    text = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
+    section = text.partition("## What accuracy costs")[2].partition("\n## ")[0]
+    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in section.splitlines() if line.startswith("| ")][1:]
+    assert {scheme.title for scheme in SCHEMES.values()} <= {row[0] for row in rows}
+    for method, steps, evaluations, _, error in rows:
+        counted, measured = found[method, steps]
+        assert (str(counted), f"{measured.grid:.2e}".replace("e-0", "e-")) == (evaluations, error.split()[0])
+
+
 def test_ratios_over_the_grid_and_at_the_end(found):
     expected = REFERENCE["assertable"]
 

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+import coursework
 from coursework.checks import continuity
 from tests.checks.scenes import V31, evidence_of, found, solve
 from tests.hard.scenes import scene
@@ -62,3 +63,47 @@ def test_a_steep_slope_is_no_jump(step):
     run = solve(V31.replace('alpha = "4.35 rad"', 'alpha = "1.5985 rad"'), "rk4", step=step)
     assert found(run, "CONTINUITY").verdict != "FAIL"
     assert continuity.jump_of_exact(evidence_of(run)) is None
+
+
+JUMPS = {
+    "a sign": ("r*abs(sin(phi))/sin(phi)", (math.pi - 0.1) / 3),
+    "an angle taken back": ("r*atan(tan(phi))", (math.pi / 2 - 0.1) / 3),
+    "a direction": ("r*atan2(sin(phi), cos(phi))", (math.pi - 0.1) / 3),
+}
+
+
+@pytest.mark.parametrize("scheme", ["exact", "rk4"])
+@pytest.mark.parametrize("law", JUMPS)
+def test_a_position_that_jumps_where_a_formula_does(law, scheme):
+    """abs(x)/x, atan(tan(x)) and atan2 have a value on both sides of a jump: the velocities go on, no link can."""
+    formula, time = JUMPS[law]
+    start = {"a sign": 0.2, "an angle taken back": 0.02, "a direction": 0.02}[law]
+    text = sliding(formula).replace("START", repr(start))
+    after, before = (solve(text, scheme, end=end) for end in (time + 0.011, time - 0.011))
+    judged = found(after, "DRIFT")
+    row = int(time / 0.01) + 1
+    assert (judged.verdict, judged.column, judged.row) == ("FAIL", "slide", row + 1)
+    assert judged.sentence.startswith(f"The position equation slide jumps between rows {row} and {row + 1} (before t = ")
+    assert after.status() == 1
+    assert not judged.option
+    assert (found(before, "DRIFT").verdict, before.status()) == ("PASS", 0)
+
+
+@pytest.mark.parametrize(("step", "row"), [(0.02, 5), (0.03, 3)])
+def test_a_drive_that_jumps_by_its_formula(step, row):
+    """(t - 0.1)/abs(t - 0.1) is 0/0 at 0.1 s: refused with its line where a row stands there, else told as a jump."""
+    text = scene(
+        'phi = { start = "0 rad", rate = "w" }', given='r = "0.5 m"\nv0 = "1 m/s"', step=step, end=0.3,
+        drive='v = "v0*(t - 0.1)/abs(t - 0.1)"', equations=["r*w = v"],
+    )  # fmt: skip
+    if step == 0.02:
+        with pytest.raises(coursework.InputError) as caught:
+            _ = solve(text).motion
+        (fault,) = caught.value.faults
+        assert fault.line == text[: text.index("v = ")].count("\n") + 1
+        assert "no value at t = 0.1 s" in fault.message
+        return
+    run = solve(text)
+    jump = found(run, "CONTINUITY")
+    assert (jump.verdict, jump.column, jump.row) == ("FAIL", "w", row + 1)
+    assert jump.value * run.results.evidence.scale["w"] == pytest.approx(4.0, rel=1e-6)

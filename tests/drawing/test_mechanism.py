@@ -13,6 +13,7 @@ from coursework.catalogue import names
 from coursework.drawing.lengths import lengths
 from coursework.drawing.outline import Outline, read_outline
 from coursework.drawing.record import Drawing
+from coursework.drawing.sheet import Sheet
 from coursework.formula.tree import spelled
 from coursework.mechanism import build
 from coursework.run import Run
@@ -135,3 +136,13 @@ def test_what_stops_is_drawn_where_it_stops() -> None:
     assert "0.116889" in drawing.caption
     assert measured.overlaps(drawing.svg) == []
     assert run_of("31").at_stop() is None
+
+
+def test_a_circle_too_small_for_the_scale_is_drawn_without_hatching() -> None:
+    sheet = Sheet(100.0, 80.0, (0.0, 0.0, 100.0, 80.0))
+    before = list(sheet.segments)
+    for a, b, away in ((1 + 1j, 1 + 1j, 1j), (1 + 1j, 2 + 1j, 0j)):
+        sheet.hatch(a, b, away)
+    assert sheet.segments == before
+    sheet.hatch(10 + 10j, 30 + 10j, 1j)
+    assert len(sheet.segments) > len(before)
