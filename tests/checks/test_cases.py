@@ -9,8 +9,8 @@ from click.testing import CliRunner
 
 import coursework
 from coursework.cli import main
+from tests.checks import closed_form
 from tests.checks.scenes import V31, found, solve, verdicts
-from tests.report import stand_in
 
 VARIANTS = Path(__file__).parents[2] / "variants"
 
@@ -39,8 +39,8 @@ def test_run_31_says_in_its_first_line_that_phi1_is_off_by_70_percent(tmp_path, 
 
 def test_the_swing_of_phi1_by_the_closed_form():
     """The 70 % again from formulas typed by hand: error of Euler's phi1 over the range of the exact phi1."""
-    truth = stand_in.exact().coordinates[:, 0]
-    errors = np.abs(stand_in.euler().coordinates[:, 0] - truth) / np.ptp(truth)
+    truth = closed_form.exact().coordinates[:, 0]
+    errors = np.abs(closed_form.euler().coordinates[:, 0] - truth) / np.ptp(truth)
     assert (int(np.argmax(errors)) + 1, float(np.max(errors))) == (20, pytest.approx(0.6976, abs=5e-5))
 
 

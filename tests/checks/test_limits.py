@@ -8,8 +8,8 @@ import pytest
 
 from coursework.checks import beginning, closeness, conditioning, equations, evidence, period, rows, sinusoid
 from coursework.checks.evidence import Evidence
+from tests.checks import closed_form
 from tests.checks.scenes import V31, evidence_of, finding, solve, spoil
-from tests.report import stand_in
 
 T = 2 * math.pi / 13.08
 
@@ -65,9 +65,9 @@ def test_period(run, code, column, factor, verdict):
 
 
 def missed(period: float) -> dict[str, float]:
-    """Return by which share the exact motion misses its start after `period`, from the closed form of the stand-in."""
-    rows = stand_in.exact(1, period)
-    range_of = stand_in.exact(24, 0.02)
+    """Return by which share the exact motion misses its start after `period`, from the closed form."""
+    rows = closed_form.exact(1, period)
+    range_of = closed_form.exact(24, 0.02)
     spans = np.ptp(range_of.rows, axis=0)
     sizes = np.array([0.0] * 3 + [0.1 * float(np.max(np.abs(column))) for column in range_of.velocities.T])
     widest = [max(spans[:3])] * 3 + [max(spans[3:])] * 4
