@@ -7,7 +7,7 @@ Products are implicit, quotients are proper fractions in Typst and "a / (b c)" i
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import IntEnum
 
 from coursework.formula.tree import Formula
@@ -178,7 +178,8 @@ class Setter:
         if len(args) == 1 and args[0].op == "name" and head != "abs" and not parts_of_derivative(args[0].name):
             space = "" if head == "√" else " "
             return Piece(f"{head}{space}{self.set(args[0]).source}", Level.APPLIED, opens="function", closes="bare")
-        inside = ", ".join(self.set(arg).source for arg in args)
+        inline = replace(self, inline=True)  # a fraction inside parentheses would make them as tall as the line
+        inside = ", ".join(inline.set(arg).source for arg in args)
         space = " " if "^" in head and self.typst else ""
         return Piece(f"{head}{space}({inside})", Level.APPLIED, opens="function")
 

@@ -1,26 +1,246 @@
-"""The equations of motion.
+"""The equations of motion: constraints, vector equations of the paths, projections, and the choice among them.
 
 Enters: a `PageContext`.  Leaves: displayed equations with the words around them.  Used by `sections.py`.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from fractions import Fraction
 
+from coursework.derivation.contours import Contour, contours_of
+from coursework.derivation.derive import Combination, Derivation, Numbered, derive
+from coursework.derivation.paths import Path, Term
+from coursework.derivation.segments import ZERO, Angle
+from coursework.formula.tree import Formula, number
+from coursework.page_text import clean
+from coursework.report import equations as setting
 from coursework.report.display import display
 from coursework.report.page_context import PageContext
-from coursework.report.parts import Bullets, Equations, Paragraph, Part
+from coursework.report.parts import Bullets, Display, Equations, Paragraph, Part
+from coursework.report.text_runs import runs
+from coursework.run import ShownEquation
+
+SHORT = 62  # characters of text that share a line
+PI = Formula("name", name="pi")
 
 
 def equations(context: PageContext) -> list[Part]:
-    """Every velocity equation with its reason; redundant ones say so."""
-    shown = []
-    for equation in context.run.equations:
-        reason = context.rich(equation.because) if equation.derived else context.quoted(equation.because)
-        if equation.derived:
-            remark = context.words("constraints.derived")
-            reason = [*reason, {"t": f" ({remark})" if reason else f"({remark})"}]
-        one = display(equation.left, equation.right, context.rates, equation.name, reason)
-        shown.append(one if equation.used else replace(one, after=context.say("constraints.unused")))
+    """The way of the guide where the file shows points; the equations as they are written or follow from a contour."""
+    written = [one for one in context.run.equations if not one.derived]
+    parts: list[Part] = []
+    found = derive(context.run.scene.mechanism, _configurations(context)) if written else None
+    if found is not None:
+        parts += _derived_from_points(context, found)
+    elif written:
+        parts.append(Paragraph(context.say("constraints.unchecked")))
+    if written:
+        parts.append(Paragraph(context.say("constraints.chosen" if found else "constraints.intro")))
+        parts.append(Equations([_shown(context, one) for one in written]))
+        parts += _rank(context, found) if found else []
+    parts += _contours(context)
     notes = [Bullets([context.rich(note) for note in context.run.reduction.notes])] if context.run.reduction.notes else []
-    return [Paragraph(context.say("constraints.intro")), Equations(shown), *notes] if shown else []
+    return [*parts, *notes]
+
+
+def _configurations(context: PageContext) -> list[dict[str, float]]:
+    motion = context.run.motion
+    if len(motion.coordinate_names) < len(context.run.variant.coordinates):
+        return []
+    return [dict(zip(motion.coordinate_names, row, strict=True)) for row in motion.coordinates.tolist()]
+
+
+def _shown(context: PageContext, equation: ShownEquation) -> Display:
+    """Return an equation with its reason; redundant ones say so."""
+    reason = context.rich(equation.because) if equation.derived else context.quoted(equation.because)
+    angles = context.angles
+    one = display(angles.put_in(equation.left), angles.put_in(equation.right), context.rates, equation.name, reason)
+    return one if equation.used else replace(one, after=context.say("constraints.unused"))
+
+
+def _derived_from_points(context: PageContext, found: Derivation) -> list[Part]:
+    say = context.words
+    nought = [f"{known.point}{axis}" for known in found.graph.known for axis in "xy" if known.part(axis) == ZERO]
+    zero = [context.symbol(f"V{clean(name)}") for name in nought]
+    line = Display(", quad ".join(f"{one.typst} = 0" for one in zero), ", ".join(f"{one.text} = 0" for one in zero))
+    ways = ", ".join("–".join(clean(point) for point in path.points) for path in found.paths)
+    return [
+        *([Paragraph(context.say("constraints.joints")), Equations([line])] if zero else []),
+        Paragraph(runs(say("constraints.paths", paths=ways))),
+        Equations(joined([_vector_equation(path) for path in found.paths], SHORT)),
+        Paragraph(context.say("constraints.projections")),
+        Equations([_projection(context, one) for one in found.projections]),
+        *_reductions(context, found.projections),
+    ]
+
+
+def joined(lines: Sequence[Display], longest: int) -> list[Display]:
+    """Return displays, those that are short together on one line."""
+    found: list[Display] = []
+    for line in lines:
+        if found and len(found[-1].text) + len(line.text) <= longest:
+            found[-1] = Display(f"{found[-1].math}, quad {line.math}", f"{found[-1].text}, {line.text}")
+        else:
+            found.append(line)
+    return found
+
+
+def _vector_equation(path: Path) -> Display:
+    """Return V_C = V_M + V_BM + V_CB."""
+    first, *rest = path.points
+    pairs = [(path.points[0], ""), *((second, before) for before, second in zip(path.points, rest, strict=False))]
+    math = " + ".join(_vector(point, about) for point, about in pairs)
+    text = " + ".join(f"V_{point}{about}" for point, about in pairs)
+    return Display(f"{_vector(path.points[-1], '')} = {math}", f"V_{path.points[-1]} = {text}")
+
+
+def _vector(point: str, about: str) -> str:
+    names = " ".join(name if len(name) == 1 else f'"{name}"' for name in (point, about) if name)
+    return f"arrow(V)_({names})"
+
+
+def _projection(context: PageContext, one: Numbered) -> Display:
+    projection = one.projection
+    left = Formula("name", name=f"V{projection.path.points[-1]}{projection.axis}")
+    right = None if projection.start == ZERO else projection.start
+    for term in projection.terms:
+        piece = _term(term)
+        if right is None:
+            right = piece if term.sign > 0 else Formula("neg", (piece,))
+        else:
+            right = Formula("+" if term.sign > 0 else "-", (right, piece))
+    made = display(left, right if right is not None else ZERO, context.rates, one.name)
+    end_math, end_text = setting.math(projection.end, context.rates), setting.text(projection.end, context.rates)
+    return replace(made, math=f"{made.math} = {end_math}", text=f"{made.text} = {end_text}")
+
+
+def _term(term: Term) -> Formula:
+    turned = Formula("call", (_angle(term.angle),), term.function)
+    rate = Formula("name", name=term.rate)
+    if term.length is None:
+        return Formula("*", (rate, turned))
+    return Formula("*", (Formula("*", (rate, term.length)), turned))
+
+
+def _angle(angle: Angle) -> Formula:
+    """Return an angle as it is drawn, nothing reduced: phi3 + 3 pi/2."""
+    offset = _part_of_pi(angle.offset)
+    if angle.base is None:
+        return offset
+    return angle.base if angle.offset == 0 else Formula("+", (angle.base, offset))
+
+
+def _part_of_pi(part: Fraction) -> Formula:
+    if part == 0:
+        return ZERO
+    above = PI if part.numerator == 1 else Formula("*", (number(part.numerator), PI))
+    return above if part.denominator == 1 else Formula("/", (above, number(part.denominator)))
+
+
+def _reductions(context: PageContext, found: Sequence[Numbered]) -> list[Part]:
+    """Return the reduction formulas that the projections need, on one line."""
+    used: dict[tuple[str, Fraction, bool], None] = {}
+    for one in found:
+        for term in one.projection.terms:
+            if term.angle.offset:
+                used[term.function, term.angle.offset, term.angle.base is not None] = None
+    lines = [_reduction(*key) for key in used if key[1] in _QUARTERS]
+    return [Paragraph(context.say("constraints.reductions")), Equations(joined(lines, SHORT))] if lines else []
+
+
+_QUARTERS = {Fraction(1, 2): 1, Fraction(1): 2, Fraction(3, 2): 3}
+_VALUES = {"cos": ("cos", "-sin", "-cos", "sin"), "sin": ("sin", "cos", "-sin", "-cos")}
+_NUMBERS = {"cos": (1, 0, -1, 0), "sin": (0, 1, 0, -1)}
+
+
+def _reduction(function: str, offset: Fraction, has_base: bool) -> Display:
+    """Return cos(phi + pi) = -cos phi, or cos 3pi/2 = 0."""
+    quarters = _QUARTERS[offset]
+    phi = Formula("name", name="phi")
+    if not has_base:
+        value = _NUMBERS[function][quarters]
+        right = number(value)
+        return display(Formula("call", (_part_of_pi(offset),), function), right)
+    value = _VALUES[function][quarters]
+    reduced = Formula("call", (phi,), value.lstrip("-"))
+    right = Formula("neg", (reduced,)) if value.startswith("-") else reduced
+    return display(Formula("call", (Formula("+", (phi, _part_of_pi(offset))),), function), right)
+
+
+def _rank(context: PageContext, found: Derivation) -> list[Part]:
+    """Return how many equations are independent, which are sums of others, and which say what no path says."""
+    say = context.words
+    told = [say("constraints.rank", count=len(found.projections), rank=found.rank)]
+    sums = [_sum(one) for one in found.dependent if one.terms]
+    if sums:
+        told.append(say("constraints.sums", sums="; ".join(sums)))
+    names = {one.name for one in found.projections}
+    mixed = [f"({clean(name, 40)})" for name in found.followed if name not in names]
+    if mixed:
+        told.append(say("constraints.mixed", names=say.listing(mixed)))
+    if found.beyond:
+        told.append(say("constraints.beyond", names=say.listing([f"({clean(name, 40)})" for name in found.beyond])))
+    return [Paragraph(runs(" ".join(told)))]
+
+
+def _sum(one: Combination) -> str:
+    terms = [(f"({clean(name, 40)})", sign) for sign, name in one.terms]
+    first = ("−" if terms[0][1] < 0 else "") + terms[0][0]
+    rest = "".join(f" {'−' if sign < 0 else '+'} {name}" for name, sign in terms[1:])
+    return f"({clean(one.name, 40)}) = {first}{rest}"
+
+
+def _contours(context: PageContext) -> list[Part]:
+    """Return for each closed contour its vector equation, its projections, their derivatives; then what else is derived."""
+    derived = [one for one in context.run.equations if one.derived]
+    if not derived:
+        return []
+    parts: list[Part] = list(_constant_angles(context))
+    rest = {one.name: one for one in derived}
+    contours = contours_of(context.run.scene.mechanism)
+    parts += _points(context, contours)
+    for contour in contours:
+        both = [rest.pop(f"{contour.name}{axis}") for axis in "xy" if f"{contour.name}{axis}" in rest]
+        if not both:
+            continue
+        vector = display(_put_in(context, contour.left), _put_in(context, contour.right), context.rates)
+        parts += [
+            Paragraph(context.lettered(context.words("constraints.contour", name=clean(contour.name, 40)))),
+            Equations([vector]), Paragraph(context.say("constraints.two")), Equations(_two(context, contour)),
+            Paragraph(context.say("constraints.derivatives")),
+            Equations([replace(_shown(context, one), before=[]) for one in both]),
+        ]  # fmt: skip
+    if rest:
+        parts.append(Paragraph(context.say("constraints.kept")))
+        parts.append(Equations([_shown(context, one) for one in rest.values()]))
+    return parts
+
+
+def _put_in(context: PageContext, formula: Formula) -> Formula:
+    return context.angles.put_in(formula)
+
+
+def _two(context: PageContext, contour: Contour) -> list[Display]:
+    pairs = zip(contour.left_parts, contour.right_parts, strict=True)
+    return [display(_put_in(context, left), _put_in(context, right), context.rates) for left, right in pairs]
+
+
+def _points(context: PageContext, contours: Sequence[Contour]) -> list[Part]:
+    """Return the places of the moving points that the contours begin at."""
+    mechanism = context.run.scene.mechanism
+    named = {name for one in contours for side in (one.left, one.right) for name in side.names()}
+    coordinates = {coordinate.name for coordinate in context.run.variant.coordinates}
+    shown = [
+        display(Formula("name", name=name), _put_in(context, formula), context.rates)
+        for name, formula in mechanism.points
+        if name in named and (set(formula.names()) & coordinates)
+    ]
+    return [Paragraph(context.say("constraints.points")), Equations(joined(shown, SHORT))] if shown else []
+
+
+def _constant_angles(context: PageContext) -> Iterator[Part]:
+    """Yield the line that defines each constant angle."""
+    if lines := [display(Formula("name", name=name), angle, context.rates) for name, angle in context.angles.angles]:
+        yield Paragraph(context.say("constraints.angles"))
+        yield Equations(joined(lines, SHORT))

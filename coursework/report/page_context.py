@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from coursework.derivation.constants import NamedAngles, named_angles
 from coursework.integration.motion import Motion
 from coursework.page_text import LONGEST, clean
 from coursework.quantities import PLOTS
@@ -51,6 +52,16 @@ class PageContext:
     def rates(self) -> frozenset[str]:
         """Return the velocities whose derivative is written with a dot."""
         return frozenset(self.run.motion.velocity_names)
+
+    @property
+    def angles(self) -> NamedAngles:
+        """Return the constant angles of the equations, by the names that the page gives them."""
+        run, variant = self.run, self.run.variant
+        shown = [side for one in run.equations for side in (one.left, one.right)]
+        shown += [formula for solution in run.solutions for _, formula in solution]
+        shown += [formula for _, formula in run.scene.mechanism.points]
+        moving = {*variant.columns, *(law.name for law in (*variant.drive, *variant.functions)), "t"}
+        return named_angles(shown, moving, variant.names)
 
     def symbol(self, name: str) -> Symbol:
         """Return the symbol of a name."""

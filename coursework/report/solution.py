@@ -41,11 +41,12 @@ def _solved(context: PageContext, block: Block, solution: Solution, number: int,
     known = context.symbol_list(list(dict.fromkeys(used)))
     key = "derivation.from_with" if known else "derivation.from"
     origin = context.words.count(key, len(block.equations), equations=_names(context, block), known=known)
-    shown = [display(Formula("name", name=name), formula, context.rates) for name, formula in solution]
+    angles = context.angles
+    shown = [display(Formula("name", name=name), angles.put_in(formula), context.rates) for name, formula in solution]
     parts: list[Part] = [Paragraph(runs(origin)), Equations(shown)]
     if block.determinant is not None:
         delta = Formula("name", name=f"Delta{number}")
-        parts.append(Equations([display(delta, block.determinant, context.rates, before=_vanishing(context, block.meaning))]))
+        parts.append(Equations([display(delta, angles.put_in(block.determinant), context.rates, before=_vanishing(context, block.meaning))]))
     return parts
 
 

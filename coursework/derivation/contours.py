@@ -1,0 +1,90 @@
+"""A closed contour of a chain: its vector equation, and the two projections of that.
+
+Enters: a `Mechanism` whose constraints are closures.  Leaves: `Contour`, in formulas.  Used by `report/motion_equations.py`.
+Source: [library] writes a group so: one closed vector contour, two projections, their derivatives.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from coursework.derivation.segments import ZERO
+from coursework.formula.tree import Formula, constant
+from coursework.mechanism import Mechanism
+
+Pair = tuple[Formula, Formula]
+
+
+@dataclass(frozen=True, slots=True)
+class Contour:
+    """One closure: `name` of its constraint, both sides as vectors, and as (x, y)."""
+
+    name: str
+    left: Formula
+    right: Formula
+    left_parts: Pair
+    right_parts: Pair
+
+
+def contours_of(mechanism: Mechanism) -> tuple[Contour, ...]:
+    """Return the vector closures in the order of the chain; points that no coordinate moves are written out.
+
+    >>> import coursework
+    >>> [one.name for one in contours_of(coursework.solve("example-3", quantities=["table"]).scene.mechanism)]
+    ['G2', 'G3']
+    """
+    coordinates = {coordinate.name for coordinate in mechanism.variant.coordinates}
+    points = dict(mechanism.points)
+    moved: set[str] = set()
+    for name, formula in points.items():
+        if any(part in coordinates or part in moved for part in formula.names()):
+            moved.add(name)
+    found = []
+    for one in mechanism.constraints:
+        if not one.is_closure:
+            continue
+        sides = [_parts(side, points, moved) for side in (one.left, one.right)]
+        if sides[0] is not None and sides[1] is not None:
+            found.append(Contour(one.name, one.left, one.right, sides[0], sides[1]))
+    return tuple(found)
+
+
+def _parts(formula: Formula, points: Mapping[str, Formula], moved: set[str]) -> Pair | None:
+    """Return the components of a vector, None for a formula that is none."""
+    if formula.op == "name" and formula.name in points:
+        if formula.name not in moved:
+            return _parts(points[formula.name], points, moved)
+        x, y = (Formula("part", (formula,), axis) for axis in "xy")
+        return x, y
+    if formula.op == "pair":
+        return formula.args[0], formula.args[1]
+    if formula.op == "@":
+        length, angle = formula.args
+        turned = [Formula("*", (length, Formula("call", (angle,), function))) for function in ("cos", "sin")]
+        if (fixed := constant(angle)) is not None and fixed == 0:
+            return length, ZERO
+        return turned[0], turned[1]
+    if formula.op == "neg":
+        inner = _parts(formula.args[0], points, moved)
+        return None if inner is None else (_negative(inner[0]), _negative(inner[1]))
+    if formula.op in {"+", "-"}:
+        both = [_parts(arg, points, moved) for arg in formula.args]
+        if both[0] is None or both[1] is None:
+            return None
+        pairs = zip(both[0], both[1], strict=True)
+        x, y = (_sum(formula.op, first, second) for first, second in pairs)
+        return x, y
+    return None
+
+
+def _negative(formula: Formula) -> Formula:
+    return formula if formula == ZERO else Formula("neg", (formula,))
+
+
+def _sum(sign: str, first: Formula, second: Formula) -> Formula:
+    if second == ZERO:
+        return first
+    if first == ZERO:
+        return second if sign == "+" else _negative(second)
+    return Formula(sign, (first, second))

@@ -1,0 +1,209 @@
+"""Which equations the points give, how many of them are independent, and whether the written ones are combinations of them.
+
+Enters: a `Mechanism` and some rows of its motion.  Leaves: `Derivation`.  Used by `report/motion_equations.py`.
+All equations are linear in the velocities, so each is a row of numbers at every configuration; a combination with the same
+coefficients at every row of the motion is one for good.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.derivation.paths import Path, Projection, paths_of, projections_of
+from coursework.derivation.segments import ZERO, PointGraph, point_graph
+from coursework.formula.tree import Formula, FormulaFault, evaluate
+from coursework.mechanism import Mechanism
+
+Array = NDArray[np.float64]
+SAME = 1e-8  # of the length of a row: far above round-off, far below a wrong sign
+SIMPLE = (-1.0, 0.0, 1.0)
+MOST_ROWS = 8  # of the motion that are looked at
+ROW_RANK = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class Numbered:
+    """A projection with the name it has among the equations."""
+
+    name: str
+    projection: Projection
+
+
+@dataclass(frozen=True, slots=True)
+class Combination:
+    """An equation as a sum of others: (coefficient, name) each; no terms: it says nothing that they do not, in other numbers."""
+
+    name: str
+    terms: tuple[tuple[int, str], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Derivation:
+    """The equations that follow from the points alone.
+
+    `rank`: how many of `projections` are independent; `dependent` ones as combinations of the written equations; `followed`
+    written equations that are combinations of projections; `beyond` those that are not: they say what no path says.
+    """
+
+    graph: PointGraph
+    paths: tuple[Path, ...]
+    projections: tuple[Numbered, ...]
+    rank: int
+    dependent: tuple[Combination, ...]
+    followed: tuple[str, ...]
+    beyond: tuple[str, ...]
+
+
+def derive(mechanism: Mechanism, rows: Sequence[Mapping[str, float]]) -> Derivation | None:
+    """Return what the points give; None where there is no path between known velocities, or no row to look at.
+
+    `rows` hold the coordinates of some rows of the motion by name (rad, m).
+
+    >>> import coursework
+    >>> run = coursework.solve("31", quantities=["table"])
+    >>> rows = [dict(zip(run.motion.coordinate_names, row, strict=True)) for row in run.motion.coordinates[:3].tolist()]
+    >>> found = derive(run.scene.mechanism, rows)
+    >>> [one.name for one in found.projections], found.rank, found.followed
+    (['11', '12', '13', '14', '15', '16', '17', '18'], 4, ('11', '12', '16', '18'))
+    """
+    variant = mechanism.variant
+    graph = point_graph(mechanism)
+    paths = paths_of(graph)
+    if not paths or not rows:
+        return None
+    resting = tuple(law.name for law in variant.drive if law.formula == ZERO)
+    columns = (*variant.sought, *(law.name for law in variant.drive if law.name not in resting))
+    table = _Table(columns, resting, variant.values, rows[:: max(1, len(rows) // MOST_ROWS)])
+    try:
+        written = {one.name: table.written(one.left, one.right) for one in mechanism.constraints if not one.is_closure}
+        found = _chosen(graph, paths, table, written)
+    except (FormulaFault, KeyError):  # a law of the configuration stands in a length: the rows alone do not give its value
+        return None
+    if not found:
+        return None
+    names = _names([row for _, row in found], written, {one.name for one in mechanism.constraints})
+    numbered = tuple(Numbered(name, projection) for name, (projection, _) in zip(names, found, strict=True))
+    blocks = np.array([row for _, row in found])
+    unknown = blocks[:, 0, : len(variant.sought)]
+    rank = int(np.linalg.matrix_rank(unknown, tol=ROW_RANK * max(float(np.abs(unknown).max()), 1e-300)))
+    followed = tuple(name for name, row in written.items() if _follows(blocks, row))
+    kept = {name: row.ravel() for name, row in written.items() if name in followed}
+    dependent = [_combination(name, row.ravel(), kept) for name, (_, row) in zip(names, found, strict=True) if name not in kept]
+    used = {name for path in paths for name in path.points}
+    known = tuple(one for one in graph.known if one.point in used)
+    beyond = tuple(name for name in written if name not in followed)
+    return Derivation(
+        PointGraph(known, graph.segments), _drawn(paths, numbered), numbered, rank,
+        tuple(one for one in dependent if one is not None), followed, beyond,
+    )  # fmt: skip
+
+
+def _chosen(
+    graph: PointGraph, paths: tuple[Path, ...], table: _Table, written: Mapping[str, Array]
+) -> list[tuple[Projection, Array]]:
+    """Return the projections that say something, of the paths from the first known point and of those that a written one is."""
+    found: list[tuple[Projection, Array]] = []
+    for path in paths:
+        rows = [(one, row) for one in projections_of(graph, (path,)) if np.any(np.abs(row := table.projection(one)) > SAME)]
+        first = path.points[0] == paths[0].points[0]
+        if first or any(_is_multiple(row.ravel(), other.ravel()) for _, row in rows for other in written.values()):
+            found += rows
+    return found
+
+
+def _drawn(paths: tuple[Path, ...], numbered: tuple[Numbered, ...]) -> tuple[Path, ...]:
+    """Return the paths that give an equation."""
+    return tuple(path for path in paths if any(one.projection.path is path for one in numbered))
+
+
+@dataclass(frozen=True, slots=True)
+class _Table:
+    """Makes equations rows of numbers, (configurations, velocities and drives); `resting` drives are nought."""
+
+    columns: tuple[str, ...]
+    resting: tuple[str, ...]
+    values: Mapping[str, float]
+    rows: Sequence[Mapping[str, float]]
+
+    def projection(self, one: Projection) -> Array:
+        """Return start + terms - end."""
+        found = np.zeros((len(self.rows), len(self.columns)))
+        for place, row in enumerate(self.rows):
+            known = {"pi": math.pi, **self.values, **row}
+            for formula, sign in ((one.start, 1.0), (one.end, -1.0)):
+                found[place] += sign * self._linear(formula, row)
+            for term in one.terms:
+                angle = float(term.angle.offset) * math.pi + (evaluate(term.angle.base, known) if term.angle.base else 0.0)
+                value = math.sin(angle) if term.function == "sin" else math.cos(angle)
+                length = evaluate(term.length, known) if term.length is not None else 1.0
+                if term.rate in self.columns:
+                    found[place, self.columns.index(term.rate)] += term.sign * length * value
+        return found
+
+    def written(self, left: Formula, right: Formula) -> Array:
+        """Return left - right."""
+        found = np.zeros((len(self.rows), len(self.columns)))
+        for place, row in enumerate(self.rows):
+            found[place] = self._linear(left, row) - self._linear(right, row)
+        return found
+
+    def _linear(self, formula: Formula, row: Mapping[str, float]) -> Array:
+        """Return the coefficients of a formula that is linear in the velocities."""
+        known = {**self.values, **row, **dict.fromkeys((*self.columns, *self.resting), 0.0)}
+        inside = {*formula.names()} & {*self.columns}
+        return np.array([evaluate(formula, {**known, name: 1.0}) if name in inside else 0.0 for name in self.columns])
+
+
+def _solved(rows: Array, wanted: Array) -> Array | None:
+    """Return constant coefficients with which rows add up to one, None where there are none."""
+    found, *_ = np.linalg.lstsq(rows.T, wanted, rcond=None)
+    gap = np.linalg.norm(rows.T @ found - wanted)
+    return found if gap <= SAME * max(float(np.linalg.norm(wanted)), 1e-300) else None
+
+
+def _follows(rows: Array, wanted: Array) -> bool:
+    """Return whether an equation is a combination of others (equations, configurations, columns) at every configuration."""
+    return all(_solved(rows[:, place], wanted[place]) is not None for place in range(len(wanted)))
+
+
+def _combination(name: str, row: Array, written: Mapping[str, Array]) -> Combination | None:
+    """Return an equation as a sum of the written ones, None where it is none."""
+    if not written:
+        return None
+    found = _solved(np.array(list(written.values())), row)
+    if found is None:
+        return None
+    whole = np.round(found)
+    simple = bool(np.all(np.abs(found - whole) < SAME) and np.all(np.isin(whole, SIMPLE)))
+    terms = tuple((int(c), other) for c, other in zip(whole, written, strict=True) if c) if simple else ()
+    return Combination(name, terms)
+
+
+def _names(rows: Sequence[Array], written: Mapping[str, Array], taken: set[str]) -> list[str]:
+    """Return a name for each projection: that of the written equation it is, and numbers that continue those."""
+    places = {
+        name: [place for place, row in enumerate(rows) if _is_multiple(row.ravel(), other.ravel())]
+        for name, other in written.items()
+    }
+    places = {name: found for name, found in places.items() if found}
+    if places and all(name.isdigit() for name in places):
+        shifts = [{int(name) - place for place in found} for name, found in places.items()]
+        for shift in sorted(set.intersection(*shifts), reverse=True):
+            numbers = [str(place + shift) for place in range(len(rows))]
+            if shift >= 0 and not (set(numbers) & taken) - set(places):
+                return numbers
+    named: dict[int, str] = {}
+    for name, found in places.items():
+        named.setdefault(next((place for place in found if place not in named), found[0]), name)
+    free = (letter for letter in "abcdefghijklmnopqrstuvwxyz" if letter not in taken)
+    return [named.get(place) or next(free) for place in range(len(rows))]
+
+
+def _is_multiple(row: Array, other: Array) -> bool:
+    lengths = float(np.linalg.norm(row)) * float(np.linalg.norm(other))
+    return lengths > 0 and abs(abs(float(row @ other)) - lengths) <= SAME * lengths

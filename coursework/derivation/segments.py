@@ -1,0 +1,262 @@
+"""The points of a mechanism -> what is known of their velocities, and the segments of links between them.
+
+Enters: a `Mechanism`.  Leaves: `PointGraph`, in formulas.  Used by `paths.py` and `derive.py`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+
+from coursework.formula.tree import Formula, number
+from coursework.mechanism import Mechanism
+from coursework.variant.record import Link, Variant
+
+ZERO = number(0)
+TURN = Fraction(2)  # in parts of pi
+EXACT = 1e-12  # a right angle written in degrees, read as radians
+
+
+@dataclass(frozen=True, slots=True)
+class Angle:
+    """The angle of a segment: `base` (an angle of the file, None for a fixed direction) plus `offset` times pi, 0 <= offset < 2."""
+
+    base: Formula | None
+    offset: Fraction
+
+    def turned(self, by: Fraction) -> Angle:
+        """Return the angle turned by a part of pi."""
+        return Angle(self.base, (self.offset + by) % TURN)
+
+
+@dataclass(frozen=True, slots=True)
+class Segment:
+    """A straight piece from one point to another: `length` at `angle`, turning with `rate` ("" where it does not turn).
+
+    `slide` is the rate of a length that changes, "" where it does not.
+    """
+
+    start: str
+    end: str
+    length: Formula
+    angle: Angle
+    rate: str
+    slide: str = ""
+
+    def reversed(self) -> Segment:
+        """Return the segment from its end to its start."""
+        return Segment(self.end, self.start, self.length, self.angle.turned(Fraction(1)), self.rate, self.slide)
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """What is known of the velocity of a point: a formula for each component, None where it is not known."""
+
+    point: str
+    x: Formula | None
+    y: Formula | None
+
+    @property
+    def is_whole(self) -> bool:
+        """Return whether both components are known."""
+        return self.x is not None and self.y is not None
+
+    def part(self, axis: str) -> Formula | None:
+        """Return the component along "x" or "y"."""
+        return self.x if axis == "x" else self.y
+
+
+@dataclass(frozen=True, slots=True)
+class PointGraph:
+    """Points with what is known of their velocities, the driven one first, and the segments between points."""
+
+    known: tuple[Known, ...]
+    segments: tuple[Segment, ...]
+
+    def of(self, point: str) -> Known:
+        """Return what is known of a point."""
+        return next((known for known in self.known if known.point == point), Known(point, None, None))
+
+
+def point_graph(mechanism: Mechanism) -> PointGraph:
+    """Return the graph of the points of a mechanism.
+
+    >>> import coursework
+    >>> graph = point_graph(coursework.solve("31", quantities=["table"]).scene.mechanism)
+    >>> [known.point for known in graph.known], [(one.start, one.end, one.rate) for one in graph.segments][:2]
+    (['M', 'D', 'C', 'P'], [('D', 'A', 'w1'), ('A', 'B', 'w2')])
+    """
+    variant = mechanism.variant
+    rates = {coordinate.name: coordinate.rate for coordinate in variant.coordinates}
+    points = dict(mechanism.points)
+    fixed = _fixed(points, rates)
+    segments: dict[frozenset[str], Segment] = {}
+    for start, end, vector in _drawn(mechanism, fixed):
+        segment = _segment(start, end, vector, variant, rates)
+        if segment is None or start == end or not _is_material(segment, variant):
+            continue
+        if frozenset((start, end)) not in segments:
+            segments[frozenset((start, end))] = segment
+    used = {name for pair in segments for name in pair}
+    known = [known for known in _known(variant, points, fixed) if known.point in used]
+    return PointGraph(tuple(known), tuple(segments.values()))
+
+
+def _fixed(points: Mapping[str, Formula], rates: Mapping[str, str]) -> set[str]:
+    """Return the points that no coordinate moves."""
+    moved: set[str] = set()
+    for name, formula in points.items():  # each stands after those it needs
+        if any(part in rates or part in moved for part in formula.names()):
+            moved.add(name)
+    return set(points) - moved
+
+
+def _drawn(mechanism: Mechanism, fixed: set[str]) -> Iterator[tuple[str, str, Formula]]:
+    """Yield (start, end, vector from start to end) of points, of closures written as a vector, and of what is held."""
+    for name, formula in mechanism.points:
+        if name not in fixed and formula.op in {"+", "-"} and formula.args[0].op == "name":
+            vector = formula.args[1]
+            yield formula.args[0].name, name, vector if formula.op == "+" else Formula("neg", (vector,))
+    for constraint in mechanism.constraints:
+        left, right = constraint.left, constraint.right
+        if constraint.is_closure and right.op == "name" and left.op == "+" and left.args[0].op == "name":
+            yield left.args[0].name, right.name, left.args[1]
+    for hold in mechanism.variant.holds:
+        inner = hold.args[0] if hold.op == "part" else hold
+        if inner.op != "-":
+            continue
+        begin, vector = inner.args
+        if begin.op == "-" and begin.args[0].op == begin.args[1].op == "name":
+            yield begin.args[1].name, begin.args[0].name, vector
+        elif begin.op == "name":
+            centres = [centre.name for centre, _ in mechanism.variant.frame.circles if centre.op == "name"]
+            yield from ((centre, begin.name, vector) for centre in centres[:1])
+
+
+def _segment(start: str, end: str, vector: Formula, variant: Variant, rates: Mapping[str, str]) -> Segment | None:
+    """Return the segment of one vector, None for a vector that is no length at an angle."""
+    polar = _polar(vector)
+    if polar is None:
+        return None
+    length, angle = polar
+    slides = [rates[name] for name in length.names() if name in rates]
+    if slides and (length.op != "name" or len(slides) > 1):
+        return None
+    turning = [rates[name] for name in (angle.base.names() if angle.base else ()) if name in rates]
+    rate = next((link.rate for link in variant.links if {start, end} <= _held(link) and link.rate), None)
+    return Segment(start, end, length, angle, rate or (turning[0] if len(turning) == 1 else ""), slides[0] if slides else "")
+
+
+def _held(link: Link) -> set[str]:
+    return {*link.points, *(name for name in (link.wheel, link.contact) if name)}
+
+
+def _is_material(segment: Segment, variant: Variant) -> bool:
+    """Return whether both ends move as the segment does: a contact is a point of its wheel and of nothing else."""
+    ends = {segment.start, segment.end}
+    wheels = [link for link in variant.links if link.contact in ends]
+    return all(ends <= _held(link) for link in wheels)
+
+
+def _polar(vector: Formula) -> tuple[Formula, Angle] | None:
+    """Return length and angle of "L @ a", "-(L @ a)", "(0, h)" or "(l, 0)"."""
+    if vector.op == "neg":
+        inner = _polar(vector.args[0])
+        return None if inner is None else (inner[0], inner[1].turned(Fraction(1)))
+    if vector.op == "@":
+        return vector.args[0], _angle(vector.args[1])
+    if vector.op == "pair":
+        x, y = vector.args
+        if x == ZERO:
+            return y, Angle(None, Fraction(1, 2))
+        if y == ZERO:
+            return x, Angle(None, Fraction(0))
+    return None
+
+
+def _angle(formula: Formula) -> Angle:
+    """Return an angle with its parts of pi taken apart: phi3 + pi/2 -> (phi3, 1/2)."""
+    if formula.op in {"+", "-"}:
+        part = _part_of_pi(formula.args[1])
+        if part is not None:
+            inner = _angle(formula.args[0])
+            return inner.turned(part if formula.op == "+" else -part)
+    part = _part_of_pi(formula)
+    return Angle(None, part % TURN) if part is not None else Angle(formula, Fraction(0))
+
+
+def _part_of_pi(formula: Formula) -> Fraction | None:
+    """Return q where a formula is q pi, None for any other."""
+    if formula == Formula("name", name="pi"):
+        return Fraction(1)
+    if formula.op == "number":  # "90 deg" is read as 1.5707963267948966
+        quarters = 2 * float(formula.value) / math.pi
+        return Fraction(round(quarters), 2) if abs(quarters - round(quarters)) < EXACT else None
+    if formula.op == "neg":
+        inner = _part_of_pi(formula.args[0])
+        return None if inner is None else -inner
+    if formula.op in {"*", "/"}:
+        first, second = formula.args
+        if second.op == "number" and (part := _part_of_pi(first)) is not None and second.value:
+            return part * second.value if formula.op == "*" else part / second.value
+        if formula.op == "*" and first.op == "number" and (part := _part_of_pi(second)) is not None:
+            return first.value * part
+    return None
+
+
+def _known(variant: Variant, points: Mapping[str, Formula], fixed: set[str]) -> list[Known]:
+    """Return the points whose velocity is wholly or partly known: driven, fixed, guided, in contact with the frame."""
+    found: dict[str, Known] = {}
+    laws = {law.name: ZERO if law.formula == ZERO else Formula("name", name=law.name) for law in variant.drive}
+    for name in points:
+        x, y = laws.get(f"V{name}x"), laws.get(f"V{name}y")
+        if x is not None or y is not None:
+            found[name] = Known(name, x, y)
+    on_frame = [link.contact for link in variant.links if link.contact and _touches_frame(link.contact, variant)]
+    for name in (*points, *on_frame):
+        if name in fixed or name in on_frame:
+            found[name] = Known(name, ZERO, ZERO)
+    guides = [(through.name, angle) for through, angle in variant.frame.rails if through.op == "name" and through.name in points]
+    guides = [(name, angle) for name, angle in guides if name not in found]
+    held = [(hold.args[0].name, hold.name) for hold in variant.holds if hold.op == "part" and hold.args[0].op == "name"]
+    across = []
+    for name, angle in guides:
+        if (speed := _speed_along(name, [guided for guided, _ in guides], variant)) is not None:
+            found[name] = Known(name, *_along(speed, angle))
+        elif (place := _angle(angle)).base is None and place.offset % 1 in _AXES:
+            across.append((name, "y" if place.offset % 1 == 0 else "x"))
+    for name, axis in (*held, *across):
+        old = found.get(name, Known(name, None, None))
+        if name in points and old.part(axis) is None:
+            found[name] = Known(name, *((ZERO, old.y) if axis == "x" else (old.x, ZERO)))
+    order = {name: place for place, name in enumerate(dict.fromkeys((variant.driven or "", *points)))}
+    return sorted(found.values(), key=lambda known: order[known.point])
+
+
+_AXES = (Fraction(0), Fraction(1, 2))
+
+
+def _speed_along(point: str, guided: list[str], variant: Variant) -> Formula | None:
+    """Return the unknown that is the speed of a point along its guide: named after it, or the only one of one guided point."""
+    speeds = [name for name, unit in variant.unknowns if unit == "m/s"]
+    named = [name for name in speeds if len(name) > 1 and name.endswith(point)]
+    if not named and len(guided) == len(speeds) == 1:
+        named = speeds
+    return Formula("name", name=named[0]) if len(named) == 1 else None
+
+
+def _along(speed: Formula, angle: Formula) -> tuple[Formula, Formula]:
+    """Return the components of a speed along a guide; along an axis one of them is nought."""
+    place = _angle(angle)
+    if place.base is None and place.offset in _AXES:
+        return (speed, ZERO) if place.offset == 0 else (ZERO, speed)
+    return tuple(Formula("*", (speed, Formula("call", (angle,), name))) for name in ("cos", "sin"))  # type: ignore[return-value]
+
+
+def _touches_frame(contact: str, variant: Variant) -> bool:
+    """Return whether the contact of a wheel rests: it lies on a rail or circle of the frame and on no other link."""
+    others = sum(contact in link.points for link in variant.links)
+    on_rail = any(through == Formula("name", name=contact) for through, _ in variant.frame.rails)
+    return not others and (on_rail or bool(variant.frame.circles))
