@@ -161,7 +161,7 @@ class _Table:
 
 def _solved(rows: Array, wanted: Array) -> Array | None:
     """Return constant coefficients with which rows add up to one, None where there are none."""
-    found, *_ = np.linalg.lstsq(rows.T, wanted, rcond=None)
+    found: Array = np.linalg.lstsq(rows.T, wanted, rcond=None)[0].astype(np.float64)
     gap = np.linalg.norm(rows.T @ found - wanted)
     return found if gap <= SAME * max(float(np.linalg.norm(wanted)), 1e-300) else None
 

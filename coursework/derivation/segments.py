@@ -21,7 +21,7 @@ EXACT = 1e-12  # a right angle written in degrees, read as radians
 
 @dataclass(frozen=True, slots=True)
 class Angle:
-    """The angle of a segment: `base` (an angle of the file, None for a fixed direction) plus `offset` times pi, 0 <= offset < 2."""
+    """The angle of a segment: `base` (as in the file, None for a fixed direction) plus `offset` times pi, 0 <= offset < 2."""
 
     base: Formula | None
     offset: Fraction

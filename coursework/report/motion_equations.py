@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import pairwise
 
 from coursework.derivation.contours import Contour, contours_of
 from coursework.derivation.derive import Combination, Derivation, Numbered, derive
@@ -37,7 +38,7 @@ def equations(context: PageContext) -> list[Part]:
         parts.append(Paragraph(context.say("constraints.unchecked")))
     if written:
         parts.append(Paragraph(context.say("constraints.chosen" if found else "constraints.intro")))
-        parts.append(Equations([_shown(context, one) for one in written]))
+        parts.append(Equations([_shown(context, one) for one in written], compact=found is not None))
         parts += _rank(context, found) if found else []
     parts += _contours(context)
     notes = [Bullets([context.rich(note) for note in context.run.reduction.notes])] if context.run.reduction.notes else []
@@ -65,8 +66,9 @@ def _derived_from_points(context: PageContext, found: Derivation) -> list[Part]:
     zero = [context.symbol(f"V{clean(name)}") for name in nought]
     line = Display(", quad ".join(f"{one.typst} = 0" for one in zero), ", ".join(f"{one.text} = 0" for one in zero))
     ways = ", ".join("–".join(clean(point) for point in path.points) for path in found.paths)
+    nought_first: list[Part] = [Paragraph(context.say("constraints.joints")), Equations([line])] if zero else []
     return [
-        *([Paragraph(context.say("constraints.joints")), Equations([line])] if zero else []),
+        *nought_first,
         Paragraph(runs(say("constraints.paths", paths=ways))),
         Equations(joined([_vector_equation(path) for path in found.paths], SHORT)),
         Paragraph(context.say("constraints.projections")),
@@ -88,8 +90,7 @@ def joined(lines: Sequence[Display], longest: int) -> list[Display]:
 
 def _vector_equation(path: Path) -> Display:
     """Return V_C = V_M + V_BM + V_CB."""
-    first, *rest = path.points
-    pairs = [(path.points[0], ""), *((second, before) for before, second in zip(path.points, rest, strict=False))]
+    pairs = [(path.points[0], ""), *((second, before) for before, second in pairwise(path.points))]
     math = " + ".join(_vector(point, about) for point, about in pairs)
     text = " + ".join(f"V_{point}{about}" for point, about in pairs)
     return Display(f"{_vector(path.points[-1], '')} = {math}", f"V_{path.points[-1]} = {text}")
@@ -159,9 +160,7 @@ def _reduction(function: str, offset: Fraction, has_base: bool) -> Display:
     quarters = _QUARTERS[offset]
     phi = Formula("name", name="phi")
     if not has_base:
-        value = _NUMBERS[function][quarters]
-        right = number(value)
-        return display(Formula("call", (_part_of_pi(offset),), function), right)
+        return display(Formula("call", (_part_of_pi(offset),), function), number(_NUMBERS[function][quarters]))
     value = _VALUES[function][quarters]
     reduced = Formula("call", (phi,), value.lstrip("-"))
     right = Formula("neg", (reduced,)) if value.startswith("-") else reduced

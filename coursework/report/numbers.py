@@ -108,6 +108,11 @@ class Numbers:
                 return with_unit(self.scalar(seconds * factor, 3), self.units.get(unit, unit))
         raise AssertionError("the last unit takes every duration")
 
+    def dressed(self, text: str) -> str:
+        """Return a number that is formatted already with the signs of this language; powers of ten raised."""
+        head, _, power = self._dress(text).partition("e")
+        return f"{head}{TIMES}10{superscript(str(int(power.replace(MINUS, '-'))))}" if power else head
+
     def _dress(self, text: str) -> str:
         return text.replace("-", MINUS).replace(".", self.mark)
 

@@ -81,9 +81,10 @@ class Display:
 
 @dataclass(frozen=True, slots=True)
 class Equations:
-    """Displayed equations, one below the other."""
+    """Displayed equations, one below the other; `compact`: the words before each stand at its side where there is room."""
 
     items: list[Display]
+    compact: bool = False
     kind: str = field(default="equations", init=False)
 
 

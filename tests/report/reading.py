@@ -145,6 +145,8 @@ class _Text(HTMLParser):
     def handle_starttag(self, tag: str, attrs: Any) -> None:
         self.hidden += tag in {"svg", "style", "title", "script"}
         self.lettered += tag == "text"
+        if ("role", "math") in attrs:  # a drawn formula is read by its label
+            self.parts.append(f" {dict(attrs)['aria-label']} ")
         self.parts += [" "] if tag in self.BREAKS else []
 
     def handle_endtag(self, tag: str) -> None:

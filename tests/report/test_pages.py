@@ -174,6 +174,6 @@ def test_reports_travel_with_the_package() -> None:
 
 def test_pdf_and_html_of_one_run_are_small(real: ModuleType) -> None:
     model = build_model(real.full())
-    assert len(render_html(model)) < 600_000
+    assert len(render_html(model)) < 800_000
     assert len(render_pdf(model)) < 600_000
     assert hashlib.sha256(render_pdf(model)).digest() == hashlib.sha256(render_pdf(model)).digest()

@@ -1,0 +1,94 @@
+"""A block of two velocities by Cramer's rule, every determinant shown.
+
+Enters: `VelocityEquations` and their `Reduction`.  Leaves: `Cramer`, in formulas.  Used by `report/solution.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from coursework.formula.tree import Formula, number
+from coursework.reduction.blocks import Block, Reduction
+from coursework.reduction.equations import VelocityEquations
+from coursework.reduction.symbolic import expanded, symbol
+from coursework.reduction.tidy import Order, as_formula, as_sum
+
+Rows = tuple[tuple[Formula, Formula], tuple[Formula, Formula]]
+
+
+@dataclass(frozen=True, slots=True)
+class Cramer:
+    """`coefficients` of `unknowns` and `right_sides` of both equations; `determinant`, and that of each unknown.
+
+    `put_in` names earlier velocities that were replaced by their formulas because the right sides are shorter so.
+    """
+
+    unknowns: tuple[str, str]
+    coefficients: Rows
+    right_sides: tuple[Formula, Formula]
+    determinant: Formula
+    numerators: tuple[Formula, Formula]
+    put_in: tuple[str, ...]
+
+
+def cramer(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[bool]) -> tuple[Cramer | None, ...]:
+    """Return the working of each `wanted` block, None for those that are not of two.
+
+    The leading coefficient of each row is made positive, as it is written by hand.
+
+    >>> import coursework
+    >>> scene = coursework.solve("31", quantities=["table"]).scene
+    >>> one, two, both = cramer(scene.equations, scene.reduction, [True] * 3)
+    >>> from coursework.formula.tree import spelled
+    >>> (one, two), spelled(both.determinant), [spelled(side) for side in both.right_sides]
+    ((None, None), 'r2*r1*sin(phi1 - phi2)', ['-2*r3*w3*sin(phi3)', 'r3*w3*sin(phi3)'])
+    """
+    return tuple(_worked(equations, reduction, wanted))
+
+
+def _worked(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[bool]) -> Iterator[Cramer | None]:
+    order = equations.order
+    before: dict[str, sp.Expr] = {}
+    for block, is_wanted in zip(reduction.blocks, wanted, strict=True):
+        if block.size == 2 and is_wanted:
+            yield _of_two(block, before, order)
+            continue
+        if block.size == 1 and is_wanted and not block.symbolic_determinant.free_symbols & _moving(equations):
+            before[block.unknowns[0]] = expanded(block.right_side[0] / block.symbolic_determinant)
+        yield None
+
+
+def _moving(equations: VelocityEquations) -> set[sp.Symbol]:
+    return {symbol(coordinate.name) for coordinate in equations.variant.coordinates}
+
+
+def _of_two(block: Block, before: dict[str, sp.Expr], order: Order) -> Cramer:
+    signs = [-1 if row[0].could_extract_minus_sign() or (row[0] == 0 and row[1].could_extract_minus_sign()) else 1
+             for row in block.matrix]  # fmt: skip
+    (a, b), (c, d) = ([sign * entry for entry in row] for sign, row in zip(signs, block.matrix, strict=True))
+    plain = [sign * side for sign, side in zip(signs, block.right_side, strict=True)]
+    known = {name: value for name, value in before.items() if any(symbol(name) in side.free_symbols for side in plain)}
+    put = [expanded(side.xreplace({symbol(name): value for name, value in known.items()})) for side in plain]
+    shorter = bool(known) and sum(_size(side, order) for side in put) < sum(_size(side, order) for side in plain)
+    first, second = put if shorter else plain
+    numerators = (first * d - b * second, a * second - c * first)
+    determinant = as_formula(a * d - b * c, order)
+    return Cramer(
+        (block.unknowns[0], block.unknowns[1]),
+        ((_side(a, order), _side(b, order)), (_side(c, order), _side(d, order))),
+        (_side(first, order), _side(second, order)),
+        determinant,
+        (as_formula(numerators[0], order), as_formula(numerators[1], order)),
+        tuple(known) if shorter else (),
+    )
+
+
+def _side(expression: sp.Expr, order: Order) -> Formula:
+    return as_sum(expression, order) if expression != 0 else number(0)
+
+
+def _size(expression: sp.Expr, order: Order) -> int:
+    return sum(1 for _ in _side(expression, order).walk())

@@ -1,0 +1,66 @@
+"""The scheme's lines, and the first step as a student does it by hand.
+
+Enters: a `PageContext`.  Leaves: displayed equations.  Used by `solution.py`.
+"""
+
+from __future__ import annotations
+
+from coursework.report import lecture
+from coursework.report.numbers import MINUS
+from coursework.report.page_context import PageContext
+from coursework.report.parts import Display, Equations, Paragraph, Part
+
+DECIMALS = 5  # of a result
+DIGITS, MOST_DIGITS = 6, 15  # of a factor: as many as give the printed result
+MOST_LINES = 8  # coordinates written out; the others are done alike
+
+
+def first_step(context: PageContext) -> list[Part]:
+    """Return nothing for exact rows; for Euler its line for each coordinate and the step from row 1 in numbers."""
+    run = context.run
+    scheme = run.tableau
+    if scheme is None:
+        return []
+    if scheme.slopes > 1:
+        lines = Equations([Display(math, text) for math, text in lecture.lines(scheme)])
+        return [Paragraph(context.say("derivation.scheme", scheme=context.told(scheme.title))), lines]
+    rate_of = {coordinate.name: coordinate.rate for coordinate in run.variant.coordinates}
+    names = run.motion.coordinate_names[:MOST_LINES]
+    index = [_line(context, name, rate_of[name]) for name in names]
+    parts: list[Part] = [Paragraph(context.say("derivation.euler", step=context.quantity(run.step, "s"))), Equations(_two(index))]
+    if len(run.motion.t) > 1 and not run.settings.project and not run.settings.gain:
+        numbers = [_numbers(context, name, rate_of[name]) for name in names]
+        parts += [Paragraph(context.say("derivation.first_step")), Equations(numbers)]
+    return parts
+
+
+def _two(lines: list[Display]) -> list[Display]:
+    """Return the lines two beside each other."""
+    found = []
+    for first in range(0, len(lines), 2):
+        pair = lines[first : first + 2]
+        found.append(Display(", quad ".join(one.math for one in pair), ", ".join(one.text for one in pair)))
+    return found
+
+
+def _line(context: PageContext, name: str, rate: str) -> Display:
+    q, w = context.symbol(name), context.symbol(rate)
+    math = f"{q.typst} (k + 1) = {q.typst} (k) + {w.typst} (k) thin h"
+    return Display(math, f"{q.text}(k + 1) = {q.text}(k) + {w.text}(k) h")
+
+
+def _numbers(context: PageContext, name: str, rate: str) -> Display:
+    """Return phi1(1) = 1.63 + (-1.57554) * 0.02 = 1.59849, with digits of the factor that give the printed result."""
+    motion, step = context.run.motion, context.run.step
+    start, speed, end = float(motion.column(name)[0]), float(motion.column(rate)[0]), float(motion.column(name)[1])
+    result = f"{end:.{DECIMALS}f}"
+    written = (f"{start:.10g}", f"{speed:.{DIGITS}g}", f"{step:.10g}")
+    for digits in range(DIGITS, MOST_DIGITS + 1):
+        written = (f"{start:.10g}", f"{speed:.{digits}g}", f"{step:.{max(10, digits)}g}")
+        if f"{float(written[0]) + float(written[1]) * float(written[2]):.{DECIMALS}f}" == result:
+            break
+    begin, factor, h = (context.numbers.dressed(text) for text in written)
+    factor = f"({factor})" if factor.startswith(MINUS) else factor
+    q = context.symbol(name)
+    text = f"{begin} + {factor} · {h} = {context.numbers.dressed(result)}"
+    return Display(f'{q.typst} (1) = "{text}"', f"{q.text}(1) = {text}")

@@ -1,0 +1,103 @@
+"""Equations from the points alone: those of the guide for variant 31, and the written ones of the whole catalogue."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+import pytest
+
+import coursework
+from coursework.derivation.constants import named_angles
+from coursework.derivation.contours import contours_of
+from coursework.derivation.derive import Derivation, derive
+from coursework.derivation.segments import point_graph
+from coursework.formula.reader import parse
+from coursework.formula.tree import spelled
+from tests.report.real import changed
+
+
+def found(variant: Any) -> Derivation:
+    run = coursework.solve(variant, quantities=["table"])
+    rows = [dict(zip(run.motion.coordinate_names, row, strict=True)) for row in run.motion.coordinates.tolist()]
+    made = derive(run.scene.mechanism, rows)
+    assert made is not None
+    return made
+
+
+def test_variant_31_has_the_vector_equations_and_projections_of_the_guide() -> None:
+    """Guide, (5) to (19): paths, eight projections, rank four, the four chosen ones and what the others are."""
+    made = found("31")
+    assert ["-".join(path.points) for path in made.paths] == ["M-B-C", "M-B-C-P", "M-B-A-D", "P-C-B-A-D", "C-B-A-D"]
+    assert [(one.name, one.projection.path.points[-1] + one.projection.axis) for one in made.projections] == [
+        ("11", "Cy"), ("12", "Px"), ("13", "Py"), ("14", "Dx"), ("15", "Dy"), ("16", "Dx"), ("17", "Dy"), ("18", "Dy"),
+    ]  # fmt: skip
+    assert made.rank == 4
+    assert {one.name: {name: sign for sign, name in one.terms} for one in made.dependent} == {
+        "13": {"11": 1}, "14": {"12": 1, "16": 1}, "15": {"11": 1, "18": 1}, "17": {"18": 1},
+    }  # fmt: skip
+    assert made.followed == ("11", "12", "16", "18")
+    assert made.beyond == ()
+
+
+def test_angles_are_those_of_the_drawing() -> None:
+    """Guide: M to B is phi3 + pi, B to C phi3 + pi/2, C to P 3 pi/2, A to D phi1 + pi."""
+    angles = {}
+    for path in found("31").paths:
+        for one in path.segments:
+            angles[one.start + one.end] = (one.angle.base.name if one.angle.base else "", one.angle.offset)
+    half, whole = Fraction(1, 2), Fraction(1)
+    assert angles["MB"] == ("phi3", whole)
+    assert angles["BC"] == ("phi3", half)
+    assert angles["CP"] == ("", 3 * half)
+    assert angles["BA"] == ("phi2", whole)
+    assert angles["AD"] == ("phi1", whole)
+    assert angles["PC"] == ("", half)
+    assert angles["CB"] == ("phi3", 3 * half)
+
+
+@pytest.mark.parametrize(
+    ("name", "beyond"),
+    [("v101", ()), ("v102", ()), ("v104", ()), ("v105", ()), ("v107", ()), ("v108", ()), ("v110", ()), ("robot-arm", ()),
+     ("andrews", ()), ("pantograph", ()), ("v112", ("3", "4", "5")), ("epicyclic", ("1",))],
+)  # fmt: skip
+def test_written_equations_are_combinations_of_the_projections(name: str, beyond: tuple[str, ...]) -> None:
+    """All but those of gears and racks, whose teeth no path between points knows."""
+    made = found(name)
+    assert made.beyond == beyond
+    assert made.followed
+
+
+@pytest.mark.parametrize("wrong", ["VMy + 2*r3*w3*cos(phi3)", "VMy - 2.000001*r3*w3*cos(phi3)"])
+def test_a_wrong_sign_is_no_combination(wrong: str) -> None:
+    variant = changed({"VMy - 2*r3*w3*cos(phi3)": wrong, "[closure]": "[closure]\n#"})
+    text = {"driven = ": "#driven = ", "holds  = ": "#holds = "}
+    assert "11" in found(changed({**text, "VMy - 2*r3*w3*cos(phi3)": wrong})).beyond
+    assert variant.name
+
+
+def test_a_right_equation_in_other_words_is_one() -> None:
+    text = {"driven = ": "#driven = ", "holds  = ": "#holds = "}
+    right = "-(VMy - (1 + 1)*r3*w3*cos(phi3)) + r3*w3*sin(phi3) = 0"
+    made = found(changed({**text, "VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0": right}))
+    assert made.beyond == ()
+
+
+def test_contacts_belong_to_their_wheel() -> None:
+    graph = point_graph(coursework.solve("cardan", quantities=["table"]).scene.mechanism)
+    assert all("P" not in (one.start, one.end) for one in graph.segments)
+
+
+def test_a_chain_has_a_contour_for_each_group() -> None:
+    contours = contours_of(coursework.solve("example-3", quantities=["table"]).scene.mechanism)
+    assert [one.name for one in contours] == ["G2", "G3"]
+    assert [spelled(side) for side in contours[0].left_parts] == ["B.x + r2*cos(theta2)", "B.y + r2*sin(theta2)"]
+    assert [spelled(side) for side in contours[0].right_parts] == ["r4 + r3*cos(theta3)", "r3*sin(theta3)"]
+
+
+def test_constant_angles_get_names_that_are_free() -> None:
+    formulas = [parse("r*cos(phi + acos(b/(2*d)))"), parse("sin(phi - acos(b/(2*d))) + asin(b/d)"), parse("asin(phi/d)")]
+    named = named_angles(formulas, {"phi"}, {"phi", "b", "d", "r", "beta1"})
+    assert [name for name, _ in named.angles] == ["beta_1", "beta_2"]
+    assert spelled(named.put_in(formulas[1])) == "sin(phi - beta_1) + beta_2"
+    assert named.put_in(formulas[2]) == formulas[2]
