@@ -21,7 +21,7 @@ from coursework.report.display import display
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Bullets, Display, Equations, Paragraph, Part
 from coursework.report.text_runs import runs
-from coursework.run import ShownEquation
+from coursework.reduction.solution import ShownEquation
 
 SHORT = 62  # characters of text that share a line
 PI = Formula("name", name="pi")
