@@ -185,7 +185,7 @@ def unusual(real: ModuleType) -> list[Any]:
         solve("example-2", quantities=extras), solve("variable-crank-table"), solve("variable-crank"), solve("robot-arm"),
         solve("andrews", quantities=["table"]), solve("31", quantities=["checks"]), solve("oscillating-cylinder"),
         solve("jansen", quantities=["table"]),
-        solve("31", quantities=["trajectories", "hodographs"]),
+        solve("31", quantities=["trajectories", "hodographs", "plans", "points"]),
         real.timed(), *real.oddities(),
     ]  # fmt: skip
 
@@ -205,10 +205,12 @@ def test_every_word_of_a_page_can_be_said(real: ModuleType, monkeypatch: pytest.
         notebook_html(run)
     everything = keys(load_phrases().entries)
     assert sorted(said - everything) == []
-    unsaid = sorted(key for key in everything - said if key.partition(".")[0] in PAGE and key != "graph.frame")
+    unsaid = sorted(key for key in everything - said if key.partition(".")[0] in PAGE and key not in BELOW)
     assert not unsaid, unsaid
 
 
+# Said by tests of the rooms that decide it: a file without a frame, a formula too long to print.
+BELOW = {"graph.frame", "derivation.long.one", "derivation.long.other"}
 # What the page itself says; all else is said by the rooms below it: tests/report/test_language.py.
 PAGE = {
     "decimal", "or", "title", "statement", "result", "count", "section", "given", "drive", "constraints", "derivation",

@@ -94,7 +94,7 @@ def test_the_pdf_is_pdf_ua_without_a_warning(real: ModuleType, kind: str) -> Non
     place = folder("reports")
     made, warnings = typst.compile_with_warnings(
         str(place / "report.typ"), root=str(place), font_paths=typesetting._fonts(False), format="pdf", timestamp=0,
-        pdf_standards=["ua-1"], sys_inputs={"data": json.dumps(model.plain())},
+        pdf_standards=["ua-1"], sys_inputs={"data": json.dumps([model.plain()])},
     )  # fmt: skip
     assert warnings == []
     assert made == render_pdf(model)
