@@ -16,12 +16,12 @@ from coursework.derivation.paths import Path, Term
 from coursework.derivation.segments import ZERO, Angle
 from coursework.formula.tree import Formula, number
 from coursework.page_text import clean
+from coursework.reduction.solution import ShownEquation
 from coursework.report import equations as setting
 from coursework.report.display import display
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Bullets, Display, Equations, Paragraph, Part
 from coursework.report.text_runs import runs
-from coursework.reduction.solution import ShownEquation
 
 SHORT = 62  # characters of text that share a line
 PI = Formula("name", name="pi")
