@@ -61,6 +61,9 @@ def test_a_killed_worker_loses_nothing_and_doubles_nothing(cluster, tmp_path, mo
     entries = json.loads((out / "grades.json").read_text(encoding="utf-8"))["submissions"]
     assert [entry["id"] for entry in entries] == sorted(f"st{number:02d}" for number in range(24))
     assert {entry["status"] for entry in entries} == {"graded"}
+    grade(source, tmp_path / "serial", "--jobs", "1")
+    for name in ("grades.json", "grades.csv", "class.html", "journal.jsonl", "feedback/st07.html"):
+        assert (out / name).read_bytes() == (tmp_path / "serial" / name).read_bytes()
 
 
 def test_no_scheduler_is_told_in_a_sentence(tmp_path, monkeypatch):
