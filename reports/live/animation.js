@@ -99,5 +99,9 @@ live.hidden = false;
 document.documentElement.classList.add("live-on");
 start();
 drawing.prepare();
-cursors.find();
 changed();
+// The tables and graphs of the report stand behind this script.
+addEventListener("DOMContentLoaded", () => {
+  cursors.find();
+  show(now);
+});

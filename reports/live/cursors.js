@@ -2,12 +2,14 @@
 // Enters: graphs [data-panel] with the box of their axes and its times; rows [data-row].  Leaves: `cursors`.
 const cursors = {
   panels: [],
-  // A graph says data-box="left top right bottom" in its own units and data-time="first last" (s).
+  rows: [],
+  // A graph, or the drawing in it, says data-box="left top right bottom" in its own units and data-time="first last" (s).
   find() {
-    this.panels = [...document.querySelectorAll("[data-panel][data-box]")].map((panel) => {
-      const home = panel instanceof SVGElement ? panel : panel.querySelector("svg");
-      const [left, top, right, bottom] = panel.dataset.box.split(" ").map(Number);
-      const [from, to] = panel.dataset.time.split(" ").map(Number);
+    const graphs = [...document.querySelectorAll("[data-panel]")];
+    const homes = graphs.map((graph) => (graph.dataset.box ? graph : graph.querySelector("[data-box]"))).filter(Boolean);
+    this.panels = homes.map((home) => {
+      const [left, top, right, bottom] = home.dataset.box.split(" ").map(Number);
+      const [from, to] = home.dataset.time.split(" ").map(Number);
       const line = svg("line", { class: "live-cursor", y1: top, y2: bottom }, home);
       return { line, at: (t) => left + ((right - left) * (t - from)) / (to - from || 1) };
     });
