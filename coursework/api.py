@@ -57,20 +57,22 @@ def solve(
     date: str | None = None,
     teacher: str | None = None,
     institution: str | None = None,
+    blank: bool = False,
 ) -> Run:
     """Return a run of a variant.
 
     `scheme` one of `SCHEMES` or "exact", the motion without a scheme's error (where None that of the file, else "exact" for a
     chain of groups and "euler" for all others); `step` and `end` in s (those of the file where None); `quantities` asked for
     (those of the file where None; names of columns restrict the table to them); `project` Newton corrections a step; `gain` of
-    Baumgarte's correction in 1/s; `student` to `institution` stand in the title block.  Raises `InputError`.
+    Baumgarte's correction in 1/s; `student` to `institution` stand in the title block; a `blank` sheet of the
+    graph-analytical check leaves the construction to the student.  Raises `InputError`.
     """
     chosen = load(variant) if isinstance(variant, (str, Path)) else variant
     chosen = timed(chosen, step, end)
     asked, columns = _sorted(chosen, quantities)
     order = max((one.order for one in quantities_for(asked).values()), default=1)
     settings = Settings(scheme_for(chosen, scheme), project, gain, columns, order=order).checked(chosen.time.step)
-    return Run(scene_of(chosen, settings), asked, student, group, date, teacher=teacher, institution=institution)
+    return Run(scene_of(chosen, settings), asked, student, group, date, teacher=teacher, institution=institution, blank=blank)
 
 
 def exact(

@@ -203,6 +203,9 @@ def _limited(command: Callable[..., int]) -> Callable[..., int]:
 @click.option("--end", type=float, help="End of the run in s.")
 @_SET
 @click.option("--check-row", type=click.IntRange(min=1), help="Row of the graph-analytical check, from 1.")
+@click.option(
+    "--blank", is_flag=True, help="Leave the construction of the graph-analytical check to the student: the mechanism alone."
+)
 @click.option("--quantities", callback=_listed, help="What to compute: quantities, or columns of the table; commas between.")
 @click.option("--project", is_flag=True, help="One Newton projection onto the position equations a step.")
 @click.option("--gain", type=float, default=0.0, help="Baumgarte's gain in 1/s (a teaching knob; gain times step below 2).")

@@ -69,11 +69,11 @@ def run_variant(
 
 def make_run(
     read: Variant, *, step: float | None, end: float | None, scheme: str | None, quantities: tuple[str, ...], project: bool,
-    gain: float, **title: str | None,
+    gain: float, blank: bool, **title: str | None,
 ) -> Run:  # fmt: skip
     """Return the run that the options of the command line ask for; `title` goes to the title block."""
     return solve(
-        read, scheme, step, end, quantities=quantities or None, project=int(project), gain=gain, **title,
+        read, scheme, step, end, quantities=quantities or None, project=int(project), gain=gain, blank=blank, **title,
     )  # fmt: skip
 
 

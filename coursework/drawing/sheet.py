@@ -159,6 +159,8 @@ class Sheet:
     def text(self, at: complex, word: Word, look: str = "", size: float = LETTER) -> None:
         """Write a word, its base line beginning at a point, on a white halo."""
         head, low, tail = (plain(part) for part in word)
+        if tail.startswith(" "):
+            tail = "\u00a0" + tail[1:]  # a space at the beginning of a piece may be left out by whoever sets the drawing
         below = f'<tspan dy="0.8" font-size="{SIZES[1]}">{low}</tspan>' if low else ""
         beside = (
             f'<tspan{" dy=" + chr(34) + "-0.8" + chr(34) if low else ""} font-size="{SIZES[2]}">{tail}</tspan>' if tail else ""

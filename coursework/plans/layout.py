@@ -13,7 +13,7 @@ from coursework.plans.instant_centres import Findings
 from coursework.plans.sketch import Sketch
 
 PAGE = (170.0, 190.0)  # mm: the text width of A4 with margins of 20 mm, and room for a caption
-LANDSCAPE = (257.0, 150.0)  # mm: the same page lying, with room for a caption
+LANDSCAPE = (257.0, 138.0)  # mm: the same page lying, with room for heading and caption
 EDGE = 3.0  # mm
 SCALES = tuple(sorted(m * 10.0**k for k in range(-2, 9) for m in (1.0, 2.0, 2.5, 4.0, 5.0)))
 ARROWS = (45.0, 30.0, 20.0)  # mm: the longest velocity is at most as long

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from coursework.drawing import record
 from coursework.report.page_context import PageContext
-from coursework.report.parts import Bullets, Figure, Part
+from coursework.report.parts import Figure, Paragraph, Part
 from coursework.report.symbols import Symbol
 
 if TYPE_CHECKING:
@@ -83,4 +83,4 @@ def drawn_parts(context: PageContext, drawing: record.Drawing) -> list[Part]:
     """Return a drawing with the steps in which it was made."""
     figure = drawn(context, drawing)
     numbered = [context.rich(f"{number}. {context.told(step)}") for number, step in enumerate(drawing.steps, start=1)]
-    return [figure, Bullets(numbered)] if numbered else [figure]
+    return [figure, *(Paragraph(step, "note") for step in numbered)]

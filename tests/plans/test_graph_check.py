@@ -537,3 +537,16 @@ def test_the_bar_measures_100_mm_in_the_pdf(tmp_path: Path) -> None:
         ]
     assert len(bars) == 1
     assert max(bars[0].width, bars[0].height) / 72 * 25.4 == pytest.approx(100, abs=0.05)
+
+
+def test_the_blank_sheet_is_an_option(tmp_path: Path) -> None:
+    from click.testing import CliRunner
+
+    from coursework.cli import main
+
+    asked = ["run", "31", "--blank", "--quantities", "graph_check", "--format", "html", "--out", str(tmp_path)]
+    assert CliRunner().invoke(main, asked).exit_code == 0
+    page = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert "Construct the centres and velocities here." in page
+    assert "V_M/P" not in page
+    assert 'stroke-dasharray="2.4 1 0.4 1"' not in page

@@ -201,3 +201,28 @@ def test_a_file_without_points_is_told_so() -> None:
     bare = replace(load("31"), points=(), links=(), driven=None, holds=())
     with pytest.raises(InputError, match="points"):
         solve(bare, quantities=["plans"])
+
+
+def test_vectors_are_as_long_on_paper_as_the_scale_says(tmp_path: Path) -> None:
+    """Read back from the PDF: the bar, and the arrow of 80 mm of example 1 with its components."""
+    import pymupdf
+
+    from coursework import write_report
+
+    write_report(run_of("example-1"), str(tmp_path / "report.pdf"))
+    with pymupdf.open(tmp_path / "report.pdf") as sheets:
+        lines = [
+            (item[2] - item[1], path["color"])
+            for sheet in sheets
+            for path in sheet.get_drawings()
+            for item in path["items"]
+            if item[0] == "l" and path["color"] is not None
+        ]
+    mm = 25.4 / 72
+    bars = [abs(way) * mm for way, color in lines if color == pytest.approx((1 / 255,) * 3, abs=1e-3)]
+    assert [round(length, 2) for length in bars] == [100.0, 100.0]
+    # V_B = 4 m/s at 0.05 m/s a mm: 80 mm, of which the head takes the last 2.4 mm of the shaft.
+    reference = next(one for one in REFERENCE["example-1"][0]["segments"] if one["to"] == "B" and one["plan"] == "velocity")
+    way = complex(reference["x"], -reference["y"]) / reference["scale"]
+    shaft = way * (1 - 2.4 / abs(way))
+    assert any(abs(complex(line.x, line.y) * mm - shaft) < 0.05 for line, _ in lines)
