@@ -121,7 +121,7 @@ def _data(context: PageContext) -> Table:
         [
             context.symbol_runs([g.name]),
             context.quoted(meaning(g, context.run.scene.mechanism.points)),
-            context.with_unit(_written(g.text), g.unit),
+            _given(context, g.text, g.unit),
         ]
         for g in variant.given
     ]
@@ -131,7 +131,7 @@ def _data(context: PageContext) -> Table:
             how = context.say("given.from_groups" if c.near is None else "given.follows")
             rows.append([head, how, _first(context, c.name, c.unit)])
         else:
-            rows.append([head, context.say("given.at_start"), context.with_unit(_written(c.text), c.written)])
+            rows.append([head, context.say("given.at_start"), _given(context, c.text, c.written)])
     columns = [Column(context.say(f"given.{key}"), words=key != "written") for key in ("quantity", "meaning", "written")]
     return Table(columns, rows, context.say("given.data" if variant.given else "given.coordinates"))
 
@@ -156,8 +156,9 @@ def _first(context: PageContext, name: str, unit: str) -> str:
     return context.quantity(float(motion.column(name)[0]), unit) if known else NOTHING
 
 
-def _written(text: str) -> str:
-    return clean(text, LONGEST_NAME).replace("-", "−")
+def _given(context: PageContext, text: str, unit: str) -> str:
+    """Return a value as the file gives it, with the decimal sign and the unit of the page."""
+    return context.with_unit(clean(text, LONGEST_NAME).replace("-", "−").replace(".", context.numbers.mark), unit)
 
 
 def _answer(context: PageContext) -> Result:

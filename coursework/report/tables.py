@@ -119,7 +119,7 @@ def _by_row(context: PageContext, grid: Grid, t: Any, caption: str, note: str) -
     parted = pieces(grid.names)
     for number, (first, last) in enumerate(parted, start=1):
         heads, texts = _columns(context, grid.part(first, last), kept)
-        columns = [Column(runs(context.words("table.row"))), Column(context.symbol_runs(["t"]), "s"), *heads]
+        columns = [Column(runs(context.words("table.row"))), Column(context.symbol_runs(["t"]), context.unit("s")), *heads]
         rows = [list(row) for row in zip(labels, times, *texts, strict=True)]
         which = context.words("table.part", part=number, parts=len(parted)) if len(parted) > 1 else ""
         below = runs(note) if number == len(parted) else []
