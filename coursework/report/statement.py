@@ -48,7 +48,7 @@ def _set(context: PageContext) -> list[Part]:
     values = context.run.variant.set_values
     if not values:
         return []
-    pairs = [f"{name} = {_written(text)}" for name, text in values.items()]
+    pairs = [f"{name} = {_written(context, text)}" for name, text in values.items()]
     return [Paragraph(context.lettered(context.words("given.set", listed=context.words.listing(pairs))))]
 
 
@@ -158,7 +158,11 @@ def _first(context: PageContext, name: str, unit: str) -> str:
 
 def _given(context: PageContext, text: str, unit: str) -> str:
     """Return a value as the file gives it, with the decimal sign and the unit of the page."""
-    return context.with_unit(clean(text, LONGEST_NAME).replace("-", "−").replace(".", context.numbers.mark), unit)
+    return context.with_unit(_written(context, text), unit)
+
+
+def _written(context: PageContext, text: str) -> str:
+    return clean(text, LONGEST_NAME).replace("-", "−").replace(".", context.numbers.mark)
 
 
 def _answer(context: PageContext) -> Result:
