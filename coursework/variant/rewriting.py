@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterable, Mapping
+from functools import lru_cache
 from typing import Any
 
 from coursework.errors import InputError
@@ -29,12 +30,22 @@ def rewritten(text: str, changes: Mapping[Path, Any], drop: Iterable[str] = ()) 
     elsewhere.  Raises `InputError` for a section that the file does not have as such.
     """
     plain = text.replace("\r\n", "\n").removeprefix("\ufeff")
-    found = locate(plain)
+    found = _located(plain)
     pieces = [_replacement(plain, found, path, value) for path, value in changes.items()]
     pieces += [piece for name in drop for piece in _removals(plain, found, name)]
     for begin, end, new in sorted(pieces, reverse=True):
         plain = plain[:begin] + new + plain[end:]
     return _SCHEMA_LINE.sub("", plain)
+
+
+@lru_cache(maxsize=8)  # a class has one template, and as many copies as students
+def _located(text: str) -> Positions:
+    return locate(text)
+
+
+@lru_cache(maxsize=8)
+def _line_starts(text: str) -> tuple[int, ...]:
+    return (0, *(match.end() for match in re.finditer("\n", text)))
 
 
 def _replacement(text: str, found: Positions, path: Path, value: Any) -> tuple[int, int, str]:
@@ -91,10 +102,7 @@ def _spelt(paths: Iterable[Path], wanted: Path) -> Path | None:
 
 
 def _offset(text: str, line: int, column: int) -> int:
-    at = 0
-    for _ in range(line - 1):
-        at = text.index("\n", at) + 1
-    return at + column - 1
+    return _line_starts(text)[line - 1] + column - 1
 
 
 def _line_end(text: str, at: int) -> int:
