@@ -19,7 +19,8 @@ from coursework.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, Scheme, Sum
 def live_numbers(run: Run, functions: Functions) -> dict[str, Any]:
     """Return the numbers of a run by key; `scheme` is the one its page begins with, `precise` the one of the true motion.
 
-    `stop` is the time (s) at which the mechanism itself stops, None where it does not.
+    `stop` is the time (s) at which the mechanism itself stops, None where it does not; `own`: the table of the page is made by a
+    scheme and nothing else, as the page makes its tables.
     """
     scene, variant = run.scene, run.variant
     angles = angles_in_determinants(scene.reduction.blocks, variant)
@@ -45,6 +46,7 @@ def live_numbers(run: Run, functions: Functions) -> dict[str, Any]:
         "stop": None if scene.stop is None else scene.stop.time,
         "schemes": {scheme.name: _tableau(scheme) for scheme in SCHEMES.values()},
         "scheme": run.scheme if run.scheme in SCHEMES else DEFAULT_SCHEME.name,
+        "own": run.scheme in SCHEMES and scene.correction is None,
         "precise": PRECISE.name,
     }
 

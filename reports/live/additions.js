@@ -2,7 +2,7 @@
 // Enters: positions at any time.  Leaves: `additions`, and `offRail`, by how much the table's mechanism has left its guides.
 // The velocity of every point at t (s), flat, m/s: from where it is a little before and a little after.
 const velocities = (true_, t) => {
-  const h = motion.h / 32, before = Math.max(0, t - h), after = Math.min(motion.duration, t + h);
+  const h = motion.grain, before = Math.max(0, t - h), after = Math.min(motion.duration, t + h);
   const from = motion.at(true_, before), to = motion.at(true_, after);
   return from && to ? from.map((value, k) => (to[k] - value) / (after - before)) : null;
 };

@@ -73,7 +73,7 @@ const laboratory = {
   ratio() {
     const { first, worst, rows } = motion;
     const error = worst.value / first.error, work = rows.evaluations / first.evaluations;
-    if (!tried.halvings && tried.scheme === data.scheme && tried.value === null) return data.words.same;
+    if (!tried.halvings && tried.scheme === data.scheme && tried.value === null) return data.own ? data.words.same : "";
     if (!Number.isFinite(error) || !Number.isFinite(work) || error === 0) return "";
     if (error < 0.1) return say("less", { error: shown(Number((1 / error).toPrecision(2)), 2), work: plain(work, 2) });
     return say("more", { error: plain(error, 2), work: plain(work, 2) });

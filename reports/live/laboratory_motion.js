@@ -98,6 +98,10 @@ const motion = {
     const last = wholeSteps(this.h, data.end);
     return 1 + Math.max(0, this.dead === null ? last : Math.min(last, rowsBefore(this.dead, this.h) - 1));
   },
+  // What is short beside the change of a velocity (s).
+  get grain() {
+    return this.h / 32;
+  },
   get duration() {
     return (this.count - 1) * this.h;
   },

@@ -135,6 +135,13 @@ def test_a_better_scheme_and_a_smaller_step_cost_what_they_cost(written: Any, op
     assert float(page.value("#lab-error")) == first
 
 
+def test_a_table_that_no_scheme_alone_has_made_is_not_called_that_of_the_page(written: Any, opened: Any) -> None:
+    told = "This is the table of the page. Move something."
+    assert opened(written("31")).page.inner_text("#lab-ratio") == told
+    assert opened(written("31", project=1)).page.inner_text("#lab-ratio") == ""
+    assert opened(written("example-3")).page.inner_text("#lab-ratio") == ""
+
+
 def test_each_try_leaves_a_mark_with_the_time_it_took(written: Any, opened: Any) -> None:
     page = opened(written("31"))
     for halvings in (0, 1, 2):
@@ -227,7 +234,9 @@ def test_a_table_too_long_for_a_laboratory_still_moves(written: Any, opened: Any
     path = "document.querySelector('.live-body path').getAttribute('d')"
     first = page.page.evaluate(path)
     page.page.keyboard.press("ArrowRight")
+    assert page.row == 2
     page.page.keyboard.press("End")
+    assert page.row == MOST_ROWS + 1
     assert page.page.evaluate(path) != first
     page.page.click("#live-velocities")
     assert page.page.locator(".live-arrows path").count() > 0
