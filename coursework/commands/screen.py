@@ -18,6 +18,7 @@ _SPOKEN: ContextVar[str] = ContextVar("language", default=ENGLISH)
 
 def speak(language: str) -> None:
     """Say what follows in a language.  Raises `InputError` where it has no words file."""
+    _SPOKEN.set(ENGLISH)  # in which an unknown language is refused
     load_phrases(language)
     _SPOKEN.set(language)
 

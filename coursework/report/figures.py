@@ -11,8 +11,10 @@ import re
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
+from coursework.data import folder
 from coursework.drawing import record
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Figure, Paragraph, Part
@@ -31,7 +33,7 @@ STYLES = (
     ("#7b3294", "-", "*"), ("#8c510a", "--", "<"), ("#000000", "-.", ">"),
 )  # fmt: skip
 SETTINGS: dict[str, Any] = {
-    "svg.fonttype": "none", "font.family": ["DejaVu Sans"], "font.size": 8.5, "text.usetex": False,
+    "svg.fonttype": "none", "font.family": ["DejaVu Sans", "Noto Sans CJK SC"], "font.size": 8.5, "text.usetex": False,
     "mathtext.fontset": "dejavusans", "axes.unicode_minus": True, "path.simplify": True, "axes.linewidth": 0.6,
     "xtick.major.width": 0.6, "ytick.major.width": 0.6, "svg.image_inline": True,
 }  # fmt: skip
@@ -49,11 +51,20 @@ def label_text(symbol: Symbol) -> str:
     return rf"${head}_{{\mathrm{{{low}}}}}$"
 
 
+@cache
+def _know_own_faces() -> None:
+    from matplotlib.font_manager import fontManager
+
+    for face in sorted((folder("reports") / "fonts").glob("*.otf")):
+        fontManager.addfont(face)
+
+
 @contextmanager
 def drawing(name: str) -> Iterator[None]:
     """Set matplotlib up for one figure, alone; `name` salts its ids, so that figures can share a page."""
     import matplotlib
 
+    _know_own_faces()
     settings: Any = {**SETTINGS, "svg.hashsalt": name}
     with _LOCK, matplotlib.rc_context(settings):
         yield
@@ -70,7 +81,7 @@ def svg_text(figure: Drawing, width: float, height: float) -> str:
     text = re.sub(r'<g id="[^"]*"', "<g", text)
     text = re.sub(r' width="[^"]*pt"', f' width="{width:g}mm"', text, count=1)
     text = re.sub(r' height="[^"]*pt"', f' height="{height:g}mm"', text, count=1)
-    return text.replace("'DejaVu Sans'", _FALLBACKS).strip()
+    return text.replace("'DejaVu Sans', 'Noto Sans CJK SC'", _FALLBACKS).strip()
 
 
 def drawn(context: PageContext, drawing: record.Drawing) -> Figure:

@@ -46,13 +46,13 @@ def _typst() -> Any:
 
 
 def _fonts(everything: bool) -> typst.Fonts:
-    """Return Typst's own faces and DejaVu Sans; `everything` adds those of the machine, for scripts these lack."""
-    return _fonts_in(_faces(), everything)
+    """Return Typst's own faces, DejaVu Sans and those of `reports/fonts`; `everything` adds those of the machine."""
+    return _fonts_in((_faces(), folder("reports") / "fonts"), everything)
 
 
 @lru_cache(maxsize=2)
-def _fonts_in(place: Path, everything: bool) -> typst.Fonts:
-    fonts: typst.Fonts = _typst().Fonts(include_system_fonts=everything, font_paths=[str(place)])
+def _fonts_in(places: tuple[Path, ...], everything: bool) -> typst.Fonts:
+    fonts: typst.Fonts = _typst().Fonts(include_system_fonts=everything, font_paths=list(map(str, places)))
     return fonts
 
 
