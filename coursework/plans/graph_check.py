@@ -14,6 +14,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from coursework.drawing.lengths import stretching
+from coursework.drawing.outline import read_outline
 from coursework.drawing.record import Drawing
 from coursework.errors import Fault, InputError
 from coursework.geometry.time_derivatives import jets
@@ -77,6 +79,9 @@ def check_graph(mechanism: Mechanism, equations: VelocityEquations, motion: Moti
     row = _required_row(variant, motion)
     if row > len(motion.t):
         return None
+    changing = stretching(mechanism)
+    if sides := tuple("".join(sorted(pair)) for pair in changing if any(pair <= set(corners) for corners in _links(mechanism))):
+        raise InputError(say("fault.V525", sides=sides))
     read = read_sketch(mechanism, equations)
     sketch = read(motion, row - 1)
     findings = construct(sketch.pose)
@@ -102,7 +107,7 @@ def _required_row(variant: Variant, motion: Motion) -> int:
     """Return the check row.  Raises `InputError` naming all that is missing."""
     wanted = (
         ("[points]", variant.points or variant.groups),
-        ("[links]", variant.links),
+        ("[links]", variant.links or variant.groups),
         (say("graph.frame"), variant.frame.hinges or variant.frame.rails or variant.frame.circles),
     )
     missing = [name for name, there in wanted if not there]
@@ -113,6 +118,11 @@ def _required_row(variant: Variant, motion: Motion) -> int:
     if len(motion.coordinate_names) < len(variant.coordinates):
         raise InputError(say("fault.V517"))
     return variant.time.check_row or USUAL_ROW
+
+
+def _links(mechanism: Mechanism) -> list[tuple[str, ...]]:
+    outline = read_outline(mechanism)
+    return [bar.corners for bar in outline.bars] if outline is not None else []
 
 
 def _sought(sketch: Sketch, findings: Findings) -> list[Body]:

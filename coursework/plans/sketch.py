@@ -14,6 +14,7 @@ from typing import Any
 
 from coursework.drawing.outline import Outline, read_outline
 from coursework.drawing.poses import Poses, read_poses
+from coursework.formula.tree import Formula
 from coursework.geometry.time_derivatives import compile_rows
 from coursework.integration.motion import Motion
 from coursework.joints import FRAME, PIN_IN_GUIDE, ROLLING, linkage
@@ -77,9 +78,9 @@ class Sketch:
 
 def read_sketch(mechanism: Mechanism, equations: VelocityEquations) -> Callable[[Motion, int], Sketch]:
     """Return `read(motion, row)` (row from 0), compiled once for every row."""
-    variant, symbols = equations.variant, equations.symbols
     outline = read_outline(mechanism)
     assert outline is not None
+    variant, symbols = with_links(equations.variant, outline), equations.symbols
     posed = read_poses(outline, equations)
     wanted: dict[str, Any] = {}
 
@@ -106,6 +107,25 @@ def read_sketch(mechanism: Mechanism, equations: VelocityEquations) -> Callable[
         return _Reader(variant, names, first, here).sketch(outline, posed(motion.t, motion.coordinates), row)
 
     return read
+
+
+def with_links(variant: Variant, outline: Outline) -> Variant:
+    """Return a variant with the links, hinges and guides of its outline where it lists fewer: those of groups, carrier arms."""
+    listed = {link.name for link in variant.links}
+    slides = {block.at: slot.link for block in outline.blocks if block.open for slot in outline.slots if block.at in slot.riders}
+    more = []
+    for bar in outline.bars:
+        corners = tuple(name for name in bar.corners if not name.startswith("~"))
+        if bar.link not in listed and corners:
+            own = next((slides[block.at] for block in outline.blocks if block.link == bar.link and block.at in slides), None)
+            more.append(Link(bar.link, corners, bar.rate or None, None, None, own))
+    rails = variant.frame.rails
+    if not variant.links:
+        points = dict(outline.points)
+        rails = tuple((Formula("name", name=r.rider), points[r.toward].args[1].args[1]) for r in outline.rails if r.rider)
+    hinges = tuple(name for name in outline.hinges if not name.startswith("~"))
+    frame = replace(variant.frame, hinges=hinges, rails=rails)
+    return replace(variant, links=(*variant.links, *more), frame=frame)
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,22 +173,18 @@ class _Reader:
         rates = {rate: drive[rate] for rate in self.variant.known_rates}
         positions = {name: self.here.vector(name) for name in self.names}
         moving = dict.fromkeys(name for body in self.bodies for name in body.points if name not in fixed | self.contacts)
-        pose = Pose(positions, tuple(bodies), fixed, guided, driven, rates, self.sleeves(positions))
+        sliding = {block.at: block.link for block in outline.blocks if block.open}
+        sleeves = {
+            slot.link: (rider, complex(poses.along(slot.base, slot.toward)[row]), sliding[rider])
+            for slot in outline.slots
+            for rider in slot.riders
+            if rider in sliding
+        }
+        pose = Pose(positions, tuple(bodies), fixed, guided, driven, rates, sleeves)
         return Sketch(
             pose, rails, tracks, self.hinges, self.variant.links, self.start, self.wheels, racks, tuple(moving),
             tuple(self.notes), outline, poses, row,
         )  # fmt: skip
-
-    def sleeves(self, positions: Mapping[str, complex]) -> dict[str, tuple[str, complex, str]]:
-        """Return the sleeves by the bar that slides in them: pivot, direction of the bar, sleeve."""
-        points = {link.name: link.points for link in self.variant.links}
-        found = {}
-        for link in self.variant.links:
-            bar = points.get(link.slides or "", ())
-            if link.points and len(bar) > 1:
-                way = positions[bar[1]] - positions[bar[0]]
-                found[link.slides or ""] = (link.points[0], way / (abs(way) or 1.0), link.name)
-        return found
 
     def rails(self) -> tuple[Rail, ...]:
         """Return the rails; what slides or rolls on one is the point it goes `through`."""
