@@ -193,10 +193,10 @@ def plans(results: MotionResults) -> Plans:
     return make_plans(scene.mechanism, scene.equations, table, exact)
 
 
-def _plans_listing(found: Plans) -> Listing:
+def _plans_listing(drawn: Plans) -> Listing:
     from coursework.plans.plans import HEAD
 
-    return Listing("polygons.csv", HEAD, found.rows())
+    return Listing("polygons.csv", HEAD, drawn.rows())
 
 
 def _acceleration_columns(results: MotionResults, rows: Any) -> ExtraTable:
@@ -236,12 +236,12 @@ def _refuse_no_points(variant: Variant) -> Sentence | None:
     return say("fault.V501")
 
 
-def _drawings(_: MotionResults, found: tuple[Drawing, ...], written: Callable[[str], str]) -> tuple[Drawing, ...]:
-    return found  # symbols only, which every language writes alike
+def _drawings(_: MotionResults, drawn: tuple[Drawing, ...], written: Callable[[str], str]) -> tuple[Drawing, ...]:
+    return drawn  # symbols only, which every language writes alike
 
 
-def _itself(_: MotionResults, found: ExtraTable) -> ExtraTable:
-    return found
+def _itself(_: MotionResults, rows: ExtraTable) -> ExtraTable:
+    return rows
 
 
 _POINT_COLUMNS = Columns(_point_columns, _moving)

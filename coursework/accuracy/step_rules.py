@@ -29,7 +29,7 @@ class StepRules:
     fewest: int = 1
     pace: int = 1
 
-    def kept(self, steps: int) -> int:
+    def rounded(self, steps: int) -> int:
         """Return the smallest number of steps from `steps` on that keeps the rules."""
         return self.pace * math.ceil(max(steps, self.fewest) / self.pace)
 

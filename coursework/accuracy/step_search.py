@@ -157,12 +157,12 @@ def _need(name: str, rates: Rates, start: Sequence[float], step: float, end: flo
                     raise too_long(guess)
                 guess = min(_COARSE * 2 * first, MOST_STEPS)  # coarse steps foretell little: look once more
             steps = max(low + 1, min(high - 1, math.ceil(guess)))
-    steps = trial.rules.kept(high)
+    steps = trial.rules.rounded(high)
     while steps <= MOST_STEPS:
         found[steps] = found[steps] if steps in found else error(steps)
         if found[steps] <= wish and trial.runs(name, end / steps):
             break
-        steps = trial.rules.kept(steps + math.ceil(steps / _FINER))
+        steps = trial.rules.rounded(steps + math.ceil(steps / _FINER))
     else:
         raise too_long(steps)
     return Need(title_of(scheme), steps, steps * scheme.slopes, found[steps], ruled=steps > high)

@@ -30,7 +30,7 @@ def stopped(evidence: Evidence) -> Finding:
 def start(evidence: Evidence) -> Finding:
     """The start values close the mechanism; where they do not, the nearest closed start is printed."""
     closure = evidence.closure
-    if closure is None or all(position.kept != "zero" for position in evidence.equations.positions):
+    if closure is None or all(position.target != "zero" for position in evidence.equations.positions):
         return skipped(say("check.START.skip"))
     residual, closed = closed_start(closure)
     worst = int(np.argmax(np.abs(residual)))

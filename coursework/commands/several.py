@@ -55,7 +55,7 @@ class Item:
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What became of one variant; `verdicts` counts its checks, `told` is everything that went wrong.
+    """What became of one variant; `verdicts` counts its checks, `message` is everything that went wrong.
 
     `page` is what its report says, where all are to be printed together.
     """
@@ -65,13 +65,13 @@ class Outcome:
     rows: int = 0
     stop: str = ""
     verdicts: Counter[str] = field(default_factory=Counter)
-    told: str = ""
+    message: str = ""
     page: dict[str, Any] | None = None
 
     @property
     def sentence(self) -> str:
         """Return why the status is not 0, in a line."""
-        return self.stop or self.told.strip().partition("\n")[0]
+        return self.stop or self.message.strip().partition("\n")[0]
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,20 +94,20 @@ class RunTask:
 
     def lost(self, item: Item) -> Outcome:
         """Return the outcome of a variant whose process died."""
-        return Outcome(item, WRONG_INPUT, told=say("screen.lost", variant=item.variant))
+        return Outcome(item, WRONG_INPUT, message=say("screen.lost", variant=item.variant))
 
     def _outcome(self, item: Item, hidden: Path) -> Outcome:
         try:
             with watched(self.budget, item.variant):
                 return self._run(item, hidden)
         except (CourseworkError, MemoryError) as error:
-            return Outcome(item, WRONG_INPUT, told=self._told(error))
+            return Outcome(item, WRONG_INPUT, message=self._message(error))
         except Exception as error:
             crashed = say("screen.crashed", variant=item.variant, kind=type(error).__name__, error=str(error))
-            told = f"{crashed}\n{traceback.format_exc()}"
-            return Outcome(item, OUR_FAULT, told=told)
+            message = f"{crashed}\n{traceback.format_exc()}"
+            return Outcome(item, OUR_FAULT, message=message)
 
-    def _told(self, error: CourseworkError | MemoryError) -> str:
+    def _message(self, error: CourseworkError | MemoryError) -> str:
         written = load_phrases(self.language).written
         return error.told(written) if isinstance(error, CourseworkError) else written(say("screen.memory"))
 
@@ -182,7 +182,7 @@ def run_several(variants: Sequence[str], jobs: int, task: RunTask) -> int:
         written.append(COMBINED)
     for outcome in ordered:
         if outcome.status >= WRONG_INPUT:
-            tell(outcome.told.rstrip(), err=True)
+            tell(outcome.message.rstrip(), err=True)
     for line in summary_lines(ordered):
         tell(line)
     tell(say("screen.written_folders", out=task.out, file=", ".join(written)))

@@ -37,7 +37,7 @@ class Closure:
     """The position equations g(q, t) = kept value of one scene, started at `start` (m,).
 
     `names` of the equations, `free` the places of the coordinates they determine, `driven` the places of known ones;
-    `kept` per equation the name of the drive it follows ("" for none); `origin` the value kept (m or rad).
+    `drives` per equation the name of the drive it follows ("" for none); `origin` the value kept (m or rad).
     `function(t, *q)` gives the values and their derivatives by the free coordinates, `rows` the same over arrays (n,).
     `combination` (k, k) adds and subtracts equations so that they fall into `blocks` (rows, free columns), solved in turn.
     `agreed` names the written velocity equations that these positions confirm.
@@ -46,7 +46,7 @@ class Closure:
     names: tuple[str, ...]
     free: tuple[int, ...]
     driven: tuple[int, ...]
-    kept: tuple[str, ...]
+    drives: tuple[str, ...]
     origin: Array
     start: Array
     function: Callable[..., Any]
@@ -70,10 +70,10 @@ class Closure:
     def targets(self, times: Array) -> tuple[Array, Array]:
         """Return the kept values (n, equations) and the driven coordinates (n, driven) at times growing from 0."""
         rates = self.equations.variant.rates
-        drives = sorted({name for name in self.kept if name} | {rates[place] for place in self.driven})
+        drives = sorted({name for name in self.drives if name} | {rates[place] for place in self.driven})
         moved = dict(zip(drives, integrals(self.equations, drives, times).T, strict=True))
         zero = np.zeros(len(times))
-        kept = np.array([value + moved.get(name, zero) for name, value in zip(self.kept, self.origin, strict=True)])
+        kept = np.array([value + moved.get(name, zero) for name, value in zip(self.drives, self.origin, strict=True)])
         known = np.array([self.start[place] + moved[rates[place]] for place in self.driven])
         return kept.T.reshape(len(times), len(self.names)), known.T.reshape(len(times), len(self.driven))
 
@@ -173,11 +173,11 @@ def compile_closure(equations: VelocityEquations, start: Sequence[float]) -> Clo
                 )
             ]
         ) from error
-    origin = np.where([position.kept == "zero" for position in positions], 0.0, values)
-    kept = tuple("" if position.kept in {"zero", "start"} else position.kept for position in positions)
+    origin = np.where([position.target == "zero" for position in positions], 0.0, values)
+    followed = tuple("" if position.target in {"zero", "start"} else position.target for position in positions)
     combination, blocks = equations.once("closure blocks", lambda: _blocks([p.expression for p in positions], names, equations))
     return Closure(
-        tuple(p.name for p in positions), free, driven, kept, origin, np.array(start, dtype=float), function, rows, equations,
+        tuple(p.name for p in positions), free, driven, followed, origin, np.array(start, dtype=float), function, rows, equations,
         combination, blocks,
     )  # fmt: skip
 

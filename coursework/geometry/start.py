@@ -58,7 +58,7 @@ def _closed(closure: Closure, start: Array, moved: list[int]) -> Array:
     """Return the closed position nearest to a start of which only the `moved` coordinates may change."""
     q = start.copy()
     columns = [closure.free.index(place) for place in moved]
-    rows = [index for index, position in enumerate(closure.equations.positions) if position.kept == "zero"]
+    rows = [index for index, position in enumerate(closure.equations.positions) if position.target == "zero"]
     for _ in range(MAX_NEWTON):
         residual, jacobian = closure.residual(0.0, q, closure.origin)
         step = np.linalg.lstsq(jacobian[np.ix_(rows, columns)], -residual[rows], rcond=None)[0]

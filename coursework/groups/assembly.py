@@ -70,7 +70,7 @@ def tolerance(*data: NDArray[np.inexact]) -> Array:
     return limit
 
 
-def places(failing: Rows, n: int) -> tuple[int, ...]:
+def rows_where(failing: Rows, n: int) -> tuple[int, ...]:
     """Return the indices of the failing rows out of `n`; one flag for all rows means every row."""
     return tuple(int(row) for row in np.flatnonzero(np.broadcast_to(failing, (n,))))
 
@@ -113,10 +113,10 @@ def require_crossing(group: str, sine: Array, turned: Array, gap: Array, data: t
     n = np.broadcast(parallel, gap).size
     apart = parallel & (np.abs(gap) > tolerance(*data))
     if apart.any():
-        rows = places(apart, n)
+        rows = rows_where(apart, n)
         short = at(np.abs(gap), rows[0])
         raise refuse(group, rows, say("group.parallel", lines=say(lines), apart=metres(short)), short)
-    raise dead(group, places(parallel, n), say("group.coincide", lines=say(lines)), placed=False)
+    raise dead(group, rows_where(parallel, n), say("group.coincide", lines=say(lines)), placed=False)
 
 
 def require_mode(group: str, mode: int, modes: Mapping[int, str]) -> None:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from coursework.groups import assembly
-from coursework.groups.assembly import at, dead, metres, numbers, places, refuse
+from coursework.groups.assembly import at, dead, metres, numbers, refuse, rows_where
 from coursework.groups.kind import Closed, GroupKind, Joint, Known, Shape, across, along, plus, unknowns
 from coursework.groups.pairs import GroupMotion, Pair, count_rows, group_motion
 from coursework.groups.plane import angle_of, cross, dot, vectors
@@ -55,12 +55,12 @@ def rpr(
     spare = apart - np.abs(e0)
     rounding = assembly.tolerance(at_b, at_d, e0)
     if (spare < -rounding).any():
-        rows = places(spare < -rounding, n)
+        rows = rows_where(spare < -rounding, n)
         short = -at(spare, rows[0])
         apart_at, offset = metres(at(apart, rows[0])), metres(at(np.abs(e0), rows[0]))
         raise refuse("RPR", rows, say("group.offset", apart=apart_at, offset=offset, short=metres(short)), short)
     if (apart <= rounding).any():
-        raise dead("RPR", places(apart <= rounding, n), say("group.dead.on_pivot"), placed=False)
+        raise dead("RPR", rows_where(apart <= rounding, n), say("group.dead.on_pivot"), placed=False)
     limit = spare <= rounding
     s = mode * np.sqrt(np.where(limit, 0.0, spare * (apart + np.abs(e0))))
     e = v * (s - 1j * e0)
@@ -73,7 +73,7 @@ def rpr(
     if positions_only:
         return solved(meets=(meets, None, None))
     if limit.any():
-        raise dead("RPR", places(limit, n), say("group.dead.level"))
+        raise dead("RPR", rows_where(limit, n), say("group.dead.level"))
 
     # a [theta'; s'] = right side; the columns of a are i v and e
     (v_b, a_b), (v_d, a_d) = b.motion("RPR, pair B"), d.motion("RPR, pair D")

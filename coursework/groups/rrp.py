@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from coursework.groups import assembly
-from coursework.groups.assembly import Length, at, dead, metres, places, refuse
+from coursework.groups.assembly import Length, at, dead, metres, refuse, rows_where
 from coursework.groups.kind import Closed, GroupKind, Joint, Known, Shape, across, along, plus, unknowns
 from coursework.groups.line import Line
 from coursework.groups.pairs import GroupMotion, Guide, Pair, count_rows, group_motion
@@ -47,7 +47,7 @@ def rrp(b: Pair, guide: Guide, *, length: Length, mode: int, positions_only: boo
     spare = r - np.abs(q)
     rounding = assembly.tolerance(at_b, line.k, r)
     if (spare < -rounding).any():
-        rows = places(spare < -rounding, n)
+        rows = rows_where(spare < -rounding, n)
         far, short = at(np.abs(q), rows[0]), -at(spare, rows[0])
         reason = say("group.rod", far=metres(far), length=metres(at(r, rows[0])), short=metres(short))
         raise refuse("RRP", rows, reason, short)
@@ -61,7 +61,7 @@ def rrp(b: Pair, guide: Guide, *, length: Length, mode: int, positions_only: boo
     if positions_only:
         return solved(meets=(at_c, None, None))
     if limit.any():
-        raise dead("RRP", places(limit, n), say("group.dead.perpendicular"))
+        raise dead("RRP", rows_where(limit, n), say("group.dead.perpendicular"))
 
     # a [theta'; s'] = right side; the columns of a are i u and -e
     v_b, a_b = b.motion("RRP, pair B")

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from coursework.groups import assembly
-from coursework.groups.assembly import Array, CannotAssemble, Length, at, dead, metres, places, refuse
+from coursework.groups.assembly import Array, CannotAssemble, Length, at, dead, metres, refuse, rows_where
 from coursework.groups.kind import Closed, GroupKind, Joint, Known, Shape, along, plus, unknowns
 from coursework.groups.pairs import GroupMotion, Pair, count_rows, group_motion
 from coursework.groups.plane import Vectors, angle_of, dot, vectors
@@ -48,9 +48,9 @@ def rrr(b: Pair, d: Pair, *, lengths: tuple[Length, Length], mode: int, position
     spare = np.minimum(stretched, folded)
     rounding = assembly.tolerance(at_b, at_d, r_i + r_j)
     if (spare < -rounding).any():
-        raise _out_of_reach(places(spare < -rounding, n), apart, r_i, r_j)
+        raise _out_of_reach(rows_where(spare < -rounding, n), apart, r_i, r_j)
     if (apart <= rounding).any():  # only equal links pass the line above: they may point anywhere
-        raise dead("RRR", places(apart <= rounding, n), say("group.dead.equal"), placed=False)
+        raise dead("RRR", rows_where(apart <= rounding, n), say("group.dead.equal"), placed=False)
     limit = spare <= rounding
 
     # Heron's product keeps the digits that r_i^2 - x^2 loses near a dead point
@@ -68,7 +68,7 @@ def rrr(b: Pair, d: Pair, *, lengths: tuple[Length, Length], mode: int, position
     if positions_only:
         return solved(meets=(at_c, None, None))
     if limit.any():
-        rows = places(limit, n)
+        rows = rows_where(limit, n)
         how = "group.dead.stretched" if at(stretched, rows[0]) < at(folded, rows[0]) else "group.dead.folded"
         raise dead("RRR", rows, say(how))
 

@@ -101,10 +101,10 @@ def _followed(
         try:
             row = rates.evaluate(t, *q.tolist())
         except (ZeroDivisionError, ValueError, OverflowError):
-            stop = _kept(stop, _broken("event.singular", index, t, step, q, rates))
+            stop = _first_stop(stop, _broken("event.singular", index, t, step, q, rates))
             break
         if rows and (found := _crossed(rows[-1][size:], row, rates, index, t, step, q, passages)):
-            stop = _kept(stop, found)
+            stop = _first_stop(stop, found)
             break
         rows.append((*q.tolist(), *row))
         if index == last:
@@ -113,27 +113,27 @@ def _followed(
         try:
             moved = scheme.step(known, t, q, step)
         except (ZeroDivisionError, ValueError, OverflowError):
-            stop = _kept(stop, _broken("event.singular_inside", index, t, step, q, rates))
+            stop = _first_stop(stop, _broken("event.singular_inside", index, t, step, q, rates))
             break
         wide = [place for place in guarded if abs(float(moved[place] - q[place])) > WIDEST_STEP]
         if wide:
             turned = float(moved[wide[0]] - q[wide[0]])
-            stop = _kept(stop, _too_wide(rates.coordinates[wide[0]], turned, index, t, step, q, rates))
+            stop = _first_stop(stop, _too_wide(rates.coordinates[wide[0]], turned, index, t, step, q, rates))
             break
         if correction and targets is not None:
             moved = corrected(correction, targets, index, step, t, q, moved)
         q = moved
         if not np.all(np.isfinite(q)):
-            stop = _kept(stop, _broken("event.overflow", index, t, step, q, rates))
+            stop = _first_stop(stop, _broken("event.overflow", index, t, step, q, rates))
             break
     return rows, stop
 
 
-def _kept(true: Stop | None, found: Stop) -> Stop:
+def _first_stop(true: Stop | None, own: Stop) -> Stop:
     """Return the stop of the true motion where there is one: the scheme's own is told behind it."""
     if true is None:
-        return found
-    return replace(true, meaning=say("event.both", meaning=true.meaning, cause=found.cause))
+        return own
+    return replace(true, meaning=say("event.both", meaning=true.meaning, cause=own.cause))
 
 
 class _Known:

@@ -18,7 +18,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from coursework.groups.assembly import at, dead, numbers, places, refuse, require_mode, tolerance
+from coursework.groups.assembly import at, dead, numbers, refuse, require_mode, rows_where, tolerance
 from coursework.sentences import say
 
 Array: TypeAlias = NDArray[np.float64]
@@ -213,9 +213,9 @@ def _spare(owner: str, gap: Array, rod: float, keys: tuple[str, str]) -> Array:
     off, line = (say(key) for key in keys)
     spare, rounding = rod - np.abs(gap), tolerance(gap, np.full(1, rod))
     if (spare < -rounding).any():
-        rows = places(spare < -rounding, gap.size)
+        rows = rows_where(spare < -rounding, gap.size)
         short = -at(spare, rows[0])
         raise refuse(owner, rows, say("group.pin", found=off, gap=at(np.abs(gap), rows[0]), length=rod, short=short), short)
     if (spare <= rounding).any():
-        raise dead(owner, places(spare <= rounding, gap.size), say("group.dead.across", line=line), placed=False)
+        raise dead(owner, rows_where(spare <= rounding, gap.size), say("group.dead.across", line=line), placed=False)
     return spare

@@ -46,7 +46,7 @@ def live_functions(scene: Scene, places: Sequence[Any]) -> Functions:
     followed = {given.name: follow_from(variant, [("given", given.name)]) for given in variant.given}
     names = {name for follow in followed.values() for name in follow}
     moved = tuple(place for place, c in enumerate(variant.coordinates) if c.name in names)
-    zero = [position.expression for position in equations.positions if position.kept == "zero"]
+    zero = [position.expression for position in equations.positions if position.target == "zero"]
     slopes = [
         equations.symbols.partial(expression, symbol(variant.coordinates[place].name)) for expression in zero for place in moved
     ]

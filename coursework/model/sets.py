@@ -72,7 +72,7 @@ def _sound(model: Model, numbers: Columns, q: Array, end: float) -> Flags:
     first = np.cumsum([0, *map(len, parts[:-1])])
     sought = [model.velocities.index(name) for name in model.variant.sought]
     free = [place for place, c in enumerate(model.variant.coordinates) if c.rate not in model.variant.known_rates]
-    closed = any(position.kept == "zero" for position in model.equations.positions)
+    closed = any(position.target == "zero" for position in model.equations.positions)
     told = np.zeros((len(held), q.shape[1]), dtype=bool)  # an equation of a mechanism at rest tells nothing
     at: Any = q
     for before, now in zip((0.0, *_LOOKS), _LOOKS, strict=False):
@@ -90,6 +90,6 @@ def _sound(model: Model, numbers: Columns, q: Array, end: float) -> Flags:
     return sound & told.all(axis=0)
 
 
-def _some(numbers: Columns, places: NDArray[np.intp]) -> Columns:
+def _some(numbers: Columns, rows: NDArray[np.intp]) -> Columns:
     """Return the numbers of some sets."""
-    return [number if np.ndim(number) == 0 else number[places] for number in numbers]
+    return [number if np.ndim(number) == 0 else number[rows] for number in numbers]

@@ -49,7 +49,7 @@ def start_of(model: Model, data: Data, numbers: Columns) -> Start:
     if variant.groups:
         begin, doubtful = _by_groups(model, begin, numbers, follow)
         return Start(begin, begin, doubtful)
-    rows = [position.expression for position in model.equations.positions if position.kept == "zero"]
+    rows = [position.expression for position in model.equations.positions if position.target == "zero"]
     if not rows:
         return Start(begin, begin, doubtful)
     free = [place for place, c in enumerate(variant.coordinates) if c.rate not in variant.known_rates]
@@ -67,7 +67,7 @@ def start_of(model: Model, data: Data, numbers: Columns) -> Start:
 
 def close(model: Model, t: Any, q: Array, numbers: Columns, moved: list[int]) -> tuple[Array, Flags]:
     """Return positions (m, n) closed by moving some coordinates, and whether Newton's rule has settled (n,)."""
-    positions = [position.expression for position in model.equations.positions if position.kept == "zero"]
+    positions = [position.expression for position in model.equations.positions if position.target == "zero"]
     names = [symbol(model.coordinates[place]) for place in moved]
     slopes = [model.equations.symbols.partial(expression, name) for expression in positions for name in names]
     function = model.compiled((*positions, *slopes))

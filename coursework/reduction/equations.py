@@ -45,11 +45,11 @@ class VelocityEquation:
 
 @dataclass(frozen=True, slots=True)
 class Position:
-    """A position equation `expression = value kept` in `unit` (m or rad); `kept`: "zero", "start", or the drive it follows."""
+    """A position equation `expression = value kept` in `unit` (m or rad); `target`: "zero", "start", or the drive it follows."""
 
     name: str
     expression: sp.Expr
-    kept: str
+    target: str
     unit: str = "m"
 
 
@@ -157,9 +157,9 @@ def _unit(formula: Formula, variant: Variant) -> str:
 
 
 def _reason(position: Position) -> str:
-    if position.kept == "start":
+    if position.target == "start":
         return say("equation.keeps", name=position.name)
-    return say("equation.follows", name=position.name, drive=position.kept)
+    return say("equation.follows", name=position.name, drive=position.target)
 
 
 def _derived(position: Position, because: str, variant: Variant, symbols: Symbols, line: int = 0) -> VelocityEquation:
@@ -174,7 +174,7 @@ def _derived(position: Position, because: str, variant: Variant, symbols: Symbol
             coefficients[coordinate.rate] = slope
         else:
             rest += slope * symbol(coordinate.rate)
-    drive = sp.S.Zero if position.kept in {"zero", "start"} else symbol(position.kept)
+    drive = sp.S.Zero if position.target in {"zero", "start"} else symbol(position.target)
     return VelocityEquation(position.name, because, coefficients, drive - rest, line=line)
 
 

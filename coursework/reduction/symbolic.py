@@ -53,9 +53,9 @@ def constants(variant: Variant) -> dict[str, float]:
     return known
 
 
-def _break(law: Law, place: int) -> str:
+def _break(law: Law, piece: int) -> str:
     """Return the private name of the time at which a piece of a law ends."""
-    return f"_end{place}_{law.name}"
+    return f"_end{piece}_{law.name}"
 
 
 @contextmanager

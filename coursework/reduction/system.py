@@ -29,7 +29,7 @@ class LinearSystem:
     names: tuple[str, ...]
     unknowns: tuple[str, ...]
     known: tuple[str, ...]
-    places: tuple[tuple[int, int], ...]
+    entries: tuple[tuple[int, int], ...]
     scalar: Callable[..., Any]
     rows: Callable[..., Any]
 
@@ -42,9 +42,9 @@ class LinearSystem:
         return self._fill(as_columns(self.rows(t, *q.T), t.shape))
 
     def _fill(self, values: Array) -> tuple[Array, Array, Array]:
-        m, n, count = len(self.names), len(self.unknowns), len(self.places)
+        m, n, count = len(self.names), len(self.unknowns), len(self.entries)
         matrix = np.zeros((*values.shape[:-1], m, n))
-        for position, (row, column) in enumerate(self.places):
+        for position, (row, column) in enumerate(self.entries):
             matrix[..., row, column] = values[..., position]
         return matrix, values[..., count : count + m], values[..., count + m :]
 
@@ -58,11 +58,11 @@ def scene_program(equations: VelocityEquations, statements: Sequence[Statement],
 def compile_system(equations: VelocityEquations, rows: Sequence[VelocityEquation]) -> LinearSystem:
     """Return the linear system of some velocity equations."""
     known = equations.variant.known_rates
-    places = tuple((row, equations.unknowns.index(name)) for row, equation in enumerate(rows) for name in equation.coefficients)
+    entries = tuple((row, equations.unknowns.index(name)) for row, equation in enumerate(rows) for name in equation.coefficients)
     wanted = [slope for equation in rows for slope in equation.coefficients.values()]
     wanted += [*(equation.right_side for equation in rows), *map(symbol, known)]
     names = tuple(equation.name for equation in rows)
-    return LinearSystem(names, equations.unknowns, known, places, *compile_values(equations, wanted))
+    return LinearSystem(names, equations.unknowns, known, entries, *compile_values(equations, wanted))
 
 
 def compile_values(equations: VelocityEquations, wanted: Sequence[sp.Expr]) -> tuple[Callable[..., Any], Callable[..., Any]]:

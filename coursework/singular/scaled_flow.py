@@ -62,7 +62,7 @@ class Flow:
     @property
     def known(self) -> int:
         """Return the place of the first driven rate among the values."""
-        return len(self.system.places) + len(self.system.names)
+        return len(self.system.entries) + len(self.system.names)
 
     def _values(self, t: float, q: Sequence[float]) -> tuple[float, ...]:
         return (*self.system.scalar(t, *q), 0.0)
@@ -125,8 +125,8 @@ def compile_flow(equations: VelocityEquations, reduction: Reduction, start: Sequ
     used = [equation for equation in equations.equations if equation.name in reduction.used]
     system = compile_system(equations, used)
     names = list(system.names)
-    entry_at = {place: entry for entry, place in enumerate(system.places)}
-    count = len(system.places)
+    entry_at = {place: entry for entry, place in enumerate(system.entries)}
+    count = len(system.entries)
     places = []
     for block in reduction.blocks:
         rows = [names.index(name) for name in block.equations]
