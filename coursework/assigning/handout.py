@@ -7,12 +7,14 @@ Used by `assign.py`; read by `sheet.py`, `key.py` and `class_page.py`.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 
 from coursework.assigning.reader import determined
 from coursework.assigning.variants import Individual
 from coursework.drawing.figures import draw_start
 from coursework.drawing.record import Drawing
+from coursework.errors import InputError
 from coursework.grading.marking.key import decimals_asked
 from coursework.grading.names import file_stem
 from coursework.grading.platforms.roster import Student
@@ -65,7 +67,7 @@ class Handout:
 
 
 def make_handout(student: Student, individual: Individual) -> Handout:
-    """Return the handout of a student, whose motion is known to be possible.  Raises `InputError` where it is not drawable."""
+    """Return the handout of a student, whose motion is known to be possible."""
     variant = individual.variant
     scene = Scene(variant, Settings(DEFAULT_SCHEME.name))
     time = variant.time
@@ -73,9 +75,10 @@ def make_handout(student: Student, individual: Individual) -> Handout:
     mechanism = draw_start(scene.mechanism, scene.equations, motion, scene.start)
     meanings = {given.name: meaning(given, scene.mechanism.points) for given in variant.given}
     check = None
-    if time.check_row is not None and variant.links and (variant.frame.hinges or variant.frame.rails or variant.frame.circles):
+    if time.check_row is not None and variant.links:
         # The key compares the drawing with the table; what Euler's error is stands in the report of a run.
-        check = check_graph(scene.mechanism, scene.equations, motion, motion)
+        with suppress(InputError):  # a mechanism that no construction by centres suits has none to check
+            check = check_graph(scene.mechanism, scene.equations, motion, motion)
     return Handout(student, individual, motion, tuple(scene.start), mechanism, meanings, check)
 
 

@@ -120,7 +120,12 @@ def load_ranges(ranges: Ranges | Mapping[str, Any] | str | Path, template: Varia
     if isinstance(ranges, Mapping):
         return ranges_of(ranges, template)
     path = ranges_file(ranges, folder("variants") / FOLDER)
+    return read_ranges(read_file(path), str(path), template)
+
+
+def read_file(path: Path) -> bytes:
+    """Return the bytes of a file that the instructor names.  Raises `InputError`."""
     try:
-        return read_ranges(path.read_bytes(), str(path), template)
+        return path.read_bytes()
     except OSError as error:
         raise InputError(say("fault.A002", file=str(path), why=error.strerror or str(error))) from error

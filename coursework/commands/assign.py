@@ -11,7 +11,7 @@ import click
 
 from coursework.api import load
 from coursework.assigning.assign import Wishes, assign
-from coursework.assigning.variants import Assignment, load_ranges
+from coursework.assigning.variants import Assignment, load_ranges, read_file
 from coursework.errors import InputError
 from coursework.grading.platforms.roster import read_roster
 from coursework.report.words import load_words
@@ -23,10 +23,7 @@ def assign_class(
 ) -> int:
     """Return the exit status of giving a class its variants."""
     words = load_words(language)
-    try:
-        listed = read_roster(roster.read_bytes(), str(roster))
-    except OSError as error:
-        raise InputError(say("fault.A002", file=str(roster), why=error.strerror or str(error))) from error
+    listed = read_roster(read_file(roster), str(roster))
     if not listed.students:
         raise InputError(say("fault.A006", file=str(roster)))
     chosen = load(template)
