@@ -92,6 +92,7 @@ const laboratory = {
       row.append(cell);
     }
     byId("lab-head").replaceChildren(row);
+    byId("lab-table").style.minWidth = `${66 * this.columns.length}px`;
     this.blank = document.createElement("tr");
     for (const name of this.columns) {
       const cell = this.blank.appendChild(document.createElement("td"));
