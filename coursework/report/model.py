@@ -18,6 +18,7 @@ from coursework.report.sections import all_sections
 from coursework.report.text_runs import LONGEST_NAME
 from coursework.report.words import Words, load_words
 from coursework.run import Run
+from coursework.sentences import ENGLISH
 
 LONGEST_RUNNING = (70, 36)  # characters of title and name above a later page: together one line
 
@@ -39,6 +40,7 @@ class ReportModel:
     contents: str
     sections: tuple[Section, ...]
     live: LivePart | None = None
+    title_language: str = ENGLISH  # that of the title; "" where the file says it in one that nobody knows
 
     def plain(self) -> dict[str, Any]:
         """Return the model as dicts, lists and strings: what JSON holds and what a golden file compares."""
@@ -51,6 +53,7 @@ class ReportModel:
             "footer": self.footer,
             "contents": self.contents,
             "sections": [section.plain() for section in self.sections],
+            **({} if self.title_language == self.language else {"title_language": self.title_language}),
         }
 
 
@@ -71,6 +74,7 @@ def build_model(run: Run, language: str = "en", stamp: str = "", *, live: bool =
         language=language,
         kind=words("title.kind"),
         heading=heading,
+        title_language=language if language in run.variant.texts or language == ENGLISH else "",
         author=author,
         running=" – ".join(running),
         footer=words("title.footer", version=run.versions["coursework"], stamp=stamp) if stamp else "",
@@ -82,7 +86,7 @@ def build_model(run: Run, language: str = "en", stamp: str = "", *, live: bool =
 
 def heading_of(context: PageContext) -> str:
     """Return the heading of a page: name and title of the variant."""
-    name, title = (clean(text, LONGEST_NAME) for text in (context.run.variant.name, context.run.variant.title))
+    name, title = (clean(text, LONGEST_NAME) for text in (context.run.variant.name, context.variant.title))
     return context.words("title.heading", name=name, title=title).rstrip(": ")
 
 

@@ -52,9 +52,15 @@ def _configurations(context: PageContext) -> list[dict[str, float]]:
     return [dict(zip(motion.coordinate_names, row, strict=True)) for row in motion.coordinates.tolist()]
 
 
+def _reason(context: PageContext, equation: ShownEquation) -> str:
+    """Return why a written equation holds, in the language of the page where the file says it there."""
+    reasons = {constraint.name: constraint.because for constraint in context.variant.constraints}
+    return reasons.get(equation.name, equation.because)
+
+
 def _shown(context: PageContext, equation: ShownEquation) -> Display:
     """Return an equation with its reason; redundant ones say so."""
-    reason = context.rich(equation.because) if equation.derived else context.quoted(equation.because)
+    reason = context.rich(equation.because) if equation.derived else context.quoted(_reason(context, equation))
     angles = context.angles
     one = display(angles.put_in(equation.left), angles.put_in(equation.right), context.rates, equation.name, reason)
     return one if equation.used else replace(one, after=context.say("constraints.unused"))

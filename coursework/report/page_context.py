@@ -19,6 +19,8 @@ from coursework.report.symbols import Symbol, symbol
 from coursework.report.text_runs import derivative, printed, runs
 from coursework.report.words import Words
 from coursework.run import Run
+from coursework.variant.record import Variant
+from coursework.variant.texts import in_language
 
 STOP_DIGITS = 8  # a dead point is located to 1e-8 s
 DATUM_DIGITS = 6  # digits of a converted datum or of a time: more than a task sheet ever gives
@@ -30,6 +32,11 @@ class PageContext:
 
     run: Run
     words: Words
+
+    @property
+    def variant(self) -> Variant:
+        """Return the variant with its texts in the language of the page, as far as its file has them."""
+        return in_language(self.run.variant, self.words.phrases.language)
 
     @property
     def numbers(self) -> Numbers:

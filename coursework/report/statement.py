@@ -32,7 +32,7 @@ def statement(context: PageContext) -> list[Part]:
         *_task(context),
         *_mechanism(context),
         *([Beside(data, answer)] if data.rows else [answer]),
-        *[Paragraph(context.rich(text), style="note") for text in context.run.variant.remarks],
+        *[Paragraph(context.rich(text), style="note") for text in context.variant.remarks],
         *_set(context),
         *_plausibility(context),
     ]
@@ -67,7 +67,7 @@ def _plain(text: str) -> Runs:
 
 def _task(context: PageContext) -> list[Part]:
     """Return what is driven and how, which points the frame holds, and what is sought."""
-    variant, say = context.run.variant, context.words
+    variant, say = context.variant, context.words
     parts: list[Part] = []
     if variant.source:
         parts.append(Paragraph(runs(say("statement.source", source=clean(variant.source, LONGEST_NAME))), style="note"))
@@ -116,7 +116,7 @@ def _sought(context: PageContext) -> list[str]:
 
 def _data(context: PageContext) -> Table:
     """The data of the task sheet as written, and the start."""
-    variant = context.run.variant
+    variant = context.variant
     rows: list[list[Cell]] = [
         [
             context.symbol_runs([g.name]),

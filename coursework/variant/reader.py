@@ -44,6 +44,7 @@ from coursework.variant.record import whole_steps as _whole_steps
 from coursework.variant.shape import read_shape
 from coursework.variant.source import Source, read_bytes, read_source
 from coursework.variant.tables import read_table
+from coursework.variant.texts import Texts
 from coursework.variant.zero_lengths import faults_of_zero_lengths
 
 
@@ -117,7 +118,13 @@ def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | No
         _driven(file.closure.driven, parts), holds,
         tuple(file.ask.quantities), tuple(file.remarks),
         tuple(_quote(i, entry, columns, time, parts) for i, entry in enumerate(file.quote)), (), _lines(parts.source),
+        texts={language: _texts(said, parts) for language, said in file.text.items()},
     )  # fmt: skip
+
+
+def _texts(said: schema.Texts, parts: Parts) -> Texts:
+    means = {parts.names.canonical(name): text for name, text in said.means.items()}
+    return Texts(said.title, said.source, said.teaches, tuple(said.remarks), said.because, means)
 
 
 def _driven(name: str | None, parts: Parts) -> str | None:

@@ -28,6 +28,7 @@ from coursework.variant.entries import (
     Time,
     whole_steps,
 )
+from coursework.variant.texts import Texts
 
 __all__ = [
     "MAX_NUMBERS", "MAX_ROWS", "MOST_PERIODS", "Constraint", "Coordinate", "Frame", "Given", "Group", "Guide", "Law", "Link",
@@ -70,6 +71,7 @@ class Variant:
     times: Mapping[Path, Formula] = field(default_factory=dict, repr=False, compare=False)  # what is computed from data
     reread: Callable[[Mapping[Path, Any]], Variant] | None = field(default=None, repr=False, compare=False)
     changes: Mapping[Path, float | str] = field(default_factory=dict, repr=False, compare=False)
+    texts: Mapping[str, Texts] = field(default_factory=dict, repr=False, compare=False)
 
     @property
     def values(self) -> dict[str, float]:

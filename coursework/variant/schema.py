@@ -157,6 +157,17 @@ class Ask(_Section):
     quantities: Annotated[list[Name], Field(max_length=50)] = []
 
 
+class Texts(_Section):
+    """What the file says about the variant, in another language; what is left out is said as the author wrote it."""
+
+    title: Short = ""
+    source: Short = ""
+    teaches: Short = ""
+    remarks: Annotated[list[Text], Field(max_length=20)] = []
+    because: Annotated[dict[Name, Short], Field(description="the reason of a constraint, by its name")] = {}
+    means: Annotated[dict[Name, Short], Field(description="the meaning of a datum, by its name")] = {}
+
+
 class VariantFile(_Section):
     """A variant of the coursework: what the mechanism is, in the words of the task sheet."""
 
@@ -179,6 +190,7 @@ class VariantFile(_Section):
     frame: Frame = Frame()
     closure: Closure = Closure()
     ask: Ask = Ask()
+    text: Annotated[dict[Name, Texts], Field(max_length=20, description="texts in another language, by its code: [text.ru]")] = {}
 
 
 def json_schema() -> dict[str, Any]:

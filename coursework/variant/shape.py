@@ -62,7 +62,7 @@ def _takes_names(path: Path) -> bool:
 
 
 _WITHOUT_NAMES = {
-    "format", "title", "source", "teaches", "remarks", "quote", "time", "constraint", "links", "frame", "closure", "ask",
+    "format", "title", "source", "teaches", "remarks", "quote", "time", "constraint", "links", "frame", "closure", "ask", "text",
 }  # fmt: skip
 
 
@@ -263,13 +263,13 @@ def _known_keys(path: Path, data: dict[str, Any]) -> set[str]:
     else:
         model = schema.VariantFile
         for place, part in enumerate(path):
-            if not (isinstance(part, int) or (place == 1 and path[0] in {"coordinates", "links"})):
+            if not (isinstance(part, int) or (place == 1 and path[0] in {"coordinates", "links", "text"})):
                 model = _MODELS.get(part, model)
     return {field.alias or name for name, field in model.model_fields.items()}
 
 
 _MODELS: dict[str | int, Any] = {
-    "time": schema.Time, "constraint": schema.Constraint, "group": schema.Group, "links": schema.Link,
+    "text": schema.Texts, "time": schema.Time, "constraint": schema.Constraint, "group": schema.Group, "links": schema.Link,
     "frame": schema.Frame, "closure": schema.Closure, "ask": schema.Ask, "coordinates": schema.Coordinate,
     "guide": schema.Guide, "guides": schema.Guide, "rails": schema.Rail, "circles": schema.Circle,
 }  # fmt: skip
