@@ -141,7 +141,7 @@ def test_hard_case_12_over_and_under_determined():
     assert "3 independent equations of 4" in sentence
     assert "Equation 3 contradicts equations 1 and 2 together" in sentence
     assert "Missing: something for w3 and w4." in sentence
-    assert "Equations 1, 2 and 3 contain only w1 and w2; w3 and w4 stand only in equation 4." in sentence
+    assert "Equations 1, 2 and 3 contain only w1 and w2. w3 and w4 stand only in equation 4." in sentence
 
 
 def test_hard_case_13_redundant():
