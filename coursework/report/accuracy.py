@@ -17,8 +17,8 @@ from coursework.report.tables import MARK, ONE_PAGE
 from coursework.report.text_runs import LONGEST_NAME, numeral, printed, runs
 
 RATIO_DIGITS = 2  # of a ratio of times, which differs from run to run
+MOST_LINES = 12  # of the table; the figure shows every setting
 ERROR_DIGITS = 3  # an error needs no more
-BUDGET_PARTS = ("scheme", "period", "roundoff")
 
 
 def accuracy(context: PageContext) -> list[Part]:
@@ -31,7 +31,6 @@ def accuracy(context: PageContext) -> list[Part]:
     if study.rows:
         parts += [_figure(context, study), _table(context, study)]
     parts += _failures(context, study)
-    parts += _budget(context, study)
     return [*parts, *_overhead(context, study)]
 
 
@@ -42,6 +41,15 @@ def _unit(context: PageContext) -> str:
 
 def _finished(study: AccuracyStudy) -> list[StudyRow]:
     return [row for row in study.rows if not row.failed]
+
+
+def _told(study: AccuracyStudy) -> list[StudyRow]:
+    """Return the settings that a table says: of each method the cheapest, and the finest while there is room for it."""
+    finished = _finished(study)
+    first = {row.method: row for row in reversed(finished)}
+    last = {row.method: row for row in finished}
+    kept = [*first.values(), *(row for method, row in last.items() if row is not first[method])][:MOST_LINES]
+    return [row for row in finished if any(row is one for one in kept)]
 
 
 def _figure(context: PageContext, study: AccuracyStudy) -> Figure:
@@ -82,7 +90,7 @@ def _table(context: PageContext, study: AccuracyStudy) -> Table:
     rows: list[list[Cell]] = []
     strong, rules = [], []
     before = ""
-    for row in _finished(study):
+    for row in _told(study):
         if rows and row.method != before:
             rules.append(len(rows) - 1)
         before = row.method
@@ -115,32 +123,6 @@ def _failures(context: PageContext, study: AccuracyStudy) -> list[Part]:
         if row.failed
     ]
     return [Paragraph(context.say("accuracy.failures")), Bullets(failed)] if failed else []
-
-
-def _budget(context: PageContext, study: AccuracyStudy) -> list[Part]:
-    """One figure for each unit (angles and lengths share no axis), one table for all."""
-    say, numbers = context.words, context.numbers
-    if not study.budget:
-        return []
-    parts: list[Part] = []
-    for unit in dict.fromkeys(line[1] for line in study.budget):
-        lines = [line for line in study.budget if line[1] == unit]
-        labels = [context.symbol(line[0]) for line in lines]
-        groups = [
-            Bar(say(f"accuracy.{key}"), tuple(line[3:6][index] for line in lines)) for index, key in enumerate(BUDGET_PARTS)
-        ]
-        svg, height = bars(f"budget-{len(parts) + 1}", labels, groups, say("accuracy.difference", unit=unit))
-        alt = say("accuracy.budget_alt", names=context.symbol_list([line[0] for line in lines]))
-        parts.append(Figure(svg, WIDTH, height, alt, context.say("accuracy.budget")))
-    heads = ("coordinate", "total", *BUDGET_PARTS)
-    columns = [Column(context.say(f"accuracy.{key}"), words=key == "coordinate") for key in heads]
-    rows: list[list[Cell]] = []
-    for line in study.budget:
-        amounts = [
-            numeral(context.with_unit(numbers.scalar(value, 4), line[1])) for value in (line[2], line[3], line[4], line[5])
-        ]
-        rows.append([context.symbol_runs([line[0]]), *amounts])
-    return [*parts, Table(columns, rows)]
 
 
 def _overhead(context: PageContext, study: AccuracyStudy) -> list[Part]:

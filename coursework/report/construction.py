@@ -19,15 +19,17 @@ def graph_check(context: PageContext) -> list[Part]:
     graph = context.run.graph
     if graph is None:
         return []
-    parts: list[Part] = [*drawn_parts(context, graph.drawing(context.words.written, blank=context.run.blank))]
+    sheet: list[Part] = [*drawn_parts(context, graph.drawing(context.words.written, blank=context.run.blank))]
     if context.run.blank:
-        return parts
+        return sheet
+    parts: list[Part] = []
     keys = ("quantity", "read", "relation", "measured", "tabled", "difference")
     heads = [Column(context.say(f"graph.{key}"), words=key in {"quantity", "relation"}) for key in keys]
     rows = [_row(context, one) for one in graph.readings]
     if rows:
         parts.append(Table(heads, rows, context.say("graph.table")))
-    return [*parts, *([Bullets([context.rich(note) for note in graph.notes])] if graph.notes else [])]
+    notes = [Bullets([context.rich(note) for note in graph.notes])] if graph.notes else []
+    return [*parts, *notes, *sheet]
 
 
 def _row(context: PageContext, one: Reading) -> list[Cell]:
