@@ -13,12 +13,13 @@ import numpy as np
 
 from coursework.drawing.board import Board, fit
 from coursework.drawing.lengths import lengths
-from coursework.drawing.outline import Outline, read_outline
+from coursework.drawing.outline import Outline
 from coursework.drawing.painter import Painter
 from coursework.drawing.poses import Poses, all_rows, read_poses
 from coursework.drawing.record import Drawing
 from coursework.drawing.sheet import ITALIC, Sheet
 from coursework.drawing.symbols import length_text, rate_word, short
+from coursework.drawing.tracing import read_outline
 from coursework.integration.motion import Motion, Stop
 from coursework.mechanism import Mechanism
 from coursework.reduction.equations import VelocityEquations

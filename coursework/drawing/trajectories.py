@@ -15,12 +15,12 @@ from numpy.typing import NDArray
 
 from coursework.drawing.board import SPEEDS, Board, fit
 from coursework.drawing.figures import HIGHEST, VELOCITY, room
-from coursework.drawing.outline import read_outline
 from coursework.drawing.painter import Painter
 from coursework.drawing.poses import read_poses
 from coursework.drawing.record import Drawing
 from coursework.drawing.sheet import ITALIC, number
 from coursework.drawing.symbols import decimal, short
+from coursework.drawing.tracing import read_outline
 from coursework.integration.motion import Motion
 from coursework.kinematics.points import point_rows
 from coursework.mechanism import Mechanism

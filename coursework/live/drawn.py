@@ -9,7 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from coursework.drawing.outline import Outline, read_outline
+from coursework.drawing.outline import Outline
+from coursework.drawing.tracing import read_outline
 from coursework.scene import Scene
 
 

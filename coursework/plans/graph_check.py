@@ -15,8 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from coursework.drawing.lengths import stretching
-from coursework.drawing.outline import read_outline
 from coursework.drawing.record import Drawing
+from coursework.drawing.tracing import read_outline
 from coursework.errors import Fault, InputError
 from coursework.geometry.time_derivatives import jets
 from coursework.integration.motion import Motion

@@ -13,9 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.drawing.lengths import stretching
-from coursework.drawing.outline import Outline, read_outline
+from coursework.drawing.outline import Outline
 from coursework.drawing.poses import all_rows
 from coursework.drawing.record import Drawing
+from coursework.drawing.tracing import read_outline
 from coursework.errors import Fault, InputError
 from coursework.integration.motion import Motion
 from coursework.mechanism import Mechanism

@@ -12,8 +12,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from coursework.drawing.outline import Outline, read_outline
+from coursework.drawing.outline import Outline
 from coursework.drawing.poses import Poses, read_poses
+from coursework.drawing.tracing import read_outline
 from coursework.formula.tree import Formula
 from coursework.geometry.time_derivatives import compile_rows
 from coursework.integration.motion import Motion

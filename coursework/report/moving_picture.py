@@ -14,8 +14,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.drawing.outline import Outline, read_outline
+from coursework.drawing.outline import Outline
 from coursework.drawing.poses import Poses, read_poses
+from coursework.drawing.tracing import read_outline
 from coursework.errors import InputError
 from coursework.integration.motion import Motion
 from coursework.report.figures import STYLES, drawing, label_text

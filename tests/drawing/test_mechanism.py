@@ -11,9 +11,10 @@ import pytest
 from coursework import load, solve
 from coursework.catalogue import names
 from coursework.drawing.lengths import lengths
-from coursework.drawing.outline import Outline, read_outline
+from coursework.drawing.outline import Outline
 from coursework.drawing.record import Drawing
 from coursework.drawing.sheet import Sheet
+from coursework.drawing.tracing import read_outline
 from coursework.formula.tree import spelled
 from coursework.mechanism import build
 from coursework.run import Run
