@@ -321,7 +321,7 @@ def accuracy_command(
 @click.option("--scheduler", help="Address of a Dask scheduler: the same on a cluster.")
 @click.option("--limit", type=click.FloatRange(0.1, 3600), default=10.0, show_default=True, help="Seconds a submission may take.")
 @click.option("--memory", type=click.IntRange(256, 65536), default=1024, show_default=True, help="MiB a submission may take.")
-@_spoken(passed_on=False)
+@_spoken(passed_on=True)
 def grade_command(source: Path, **options: Any) -> int:
     """Grade SOURCE, a folder or zip of submissions."""
     from coursework.commands.grade import grade_source

@@ -113,6 +113,22 @@ class Phrases:
             return template.join(map(self.written, parts))
         return self.filled(key, template, {name: self._filling(name, value) for name, value in values.items()})
 
+    def said(self, key: str, /, **values: object) -> str:
+        """Return the sentence of a key in this language, for a template that says it itself."""
+        return self.composed(key, values)
+
+    def throughout(self, value: Any) -> Any:
+        """Return nested dicts, lists and tuples with every `Sentence` in them in this language."""
+        if isinstance(value, str):
+            return self.written(value)
+        if isinstance(value, dict):
+            return {name: self.throughout(part) for name, part in value.items()}
+        return type(value)(map(self.throughout, value)) if type(value) in {list, tuple} else value
+
+    def number(self, value: float, spec: str) -> str:
+        """Return a number in a format such as ".4g" with the decimal sign of this language."""
+        return format(_Number(value, self.template("decimal")), spec)
+
     def listing(self, parts: Sequence[str]) -> str:
         """Return "a, b and c"."""
         *first, last = parts or [""]

@@ -33,7 +33,7 @@ from coursework.sentences import joined, say
 def grade_source(
     source: Path, *, variant: str | None, roster: Path | None, out: Path, rubric: Path | None, overrides: Path | None,
     worksheet: Path | None, canvas: Path | None, results: str | None, no_pages: bool, jobs: int, scheduler: str | None,
-    limit: float, memory: int,
+    limit: float, memory: int, language: str,
 ) -> int:  # fmt: skip
     """Return the exit status of grading one source."""
     if (variant is None) == (roster is None):
@@ -43,7 +43,7 @@ def grade_source(
     if results:
         if variant is None:
             raise InputError(say("fault.C024"))
-        return _one(source, variant, marking, text, out, results, limit, memory)
+        return _one(source, variant, marking, text, out, results, limit, memory, language)
     with Source(source) as opened:
         sheet = read_worksheet(_bytes(worksheet), str(worksheet)) if worksheet else None
         if sheet is not None:
@@ -53,7 +53,7 @@ def grade_source(
         for found in listed.variants.values():
             check_rubric(marking, found, str(rubric or "rubric"))
         decided = _decided(overrides, listed, marking)
-        setup = Setup(text, not no_pages, class_tables(listed.variants), memory, pieces_in_use())
+        setup = Setup(text, not no_pages, class_tables(listed.variants), memory, pieces_in_use(), language)
         _prepare(out)
         with (
             Journal(out) as journal,
@@ -64,7 +64,9 @@ def grade_source(
             )
             bar.finish()
             moodle = opened.platform == "moodle" and not no_pages
-            written = write_gradebook(out, listed, graded, marking, worksheet=sheet, canvas=gradebook, moodle=moodle)
+            written = write_gradebook(
+                out, listed, graded, marking, worksheet=sheet, canvas=gradebook, moodle=moodle, language=language
+            )
             _tell(listed, graded.fresh, len(graded.changes), out, written, {e.id: e.grade["status"] for e in graded.entries()})
             journal.rewrite([graded.places[student] for student in sorted(graded.places)])
     return 0
@@ -84,15 +86,15 @@ def _decided(overrides: Path | None, listed: ClassList, rubric: Rubric) -> dict[
 
 
 def _one(
-    source: Path, variant: str, rubric: Rubric, text: str, out: Path, results: str, limit: float, memory: int
+    source: Path, variant: str, rubric: Rubric, text: str, out: Path, results: str, limit: float, memory: int, language: str
 ) -> int:  # fmt: skip
     """Mark one submission and write the results file of an autograder, and nothing else."""
     chosen, content = read_source(variant, Path())
     check_rubric(rubric, chosen)
     submission = collect_one(source)
-    with Supervisor(Setup(text, pages=False, memory_mib=memory), limit) as supervisor:
+    with Supervisor(Setup(text, pages=False, memory_mib=memory, language=language), limit) as supervisor:
         outcome = supervisor.grade(Task(submission, content))
-    autograder_results(outcome.grade, results, out / "results.json")
+    autograder_results(outcome.grade, results, out / "results.json", language)
     return 0
 
 

@@ -8,10 +8,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import click
 import numpy as np
 
 from coursework.api import load
-from coursework.commands.screen import tell
+from coursework.commands.screen import in_language, tell
 from coursework.errors import InputError
 from coursework.grading.contents import Contents
 from coursework.grading.expected import Expected, grid_of
@@ -38,7 +39,7 @@ def precheck_files(files: tuple[Path, ...], variant: str | None) -> int:
     fine = _tell_table(key, contents)
     fine &= _tell_equations(contents)
     for found in contents.notes:
-        tell(f"  {found.text}")
+        click.echo(f"  {in_language(found.text)}")
     return 0 if fine else 1
 
 

@@ -25,7 +25,7 @@ class Note:
 
     def plain(self) -> dict[str, str]:
         """Return the note as grades.json writes it."""
-        return {"code": self.code, "text": str(self.text)}
+        return {"code": self.code, "text": self.text}
 
 
 def note(code: str, key: str = "", /, **values: object) -> Note:
@@ -100,8 +100,22 @@ def submission_from(plain: dict[str, Any]) -> Submission:
 
 
 def _said(sentence: Sentence | None) -> dict[str, Any] | None:
-    return None if sentence is None else {"key": sentence.key, "values": dict(sentence.values)}
+    if sentence is None:
+        return None
+    return {"key": sentence.key, "values": {name: _carried(value) for name, value in sentence.values.items()}}
+
+
+def _carried(value: object) -> Any:
+    if isinstance(value, tuple):
+        return [_carried(part) for part in value]
+    return _said(value) if isinstance(value, Sentence) else value
 
 
 def _sentence(plain: dict[str, Any] | None) -> Sentence | None:
-    return None if plain is None else say(plain["key"], **plain["values"])
+    return None if plain is None else say(plain["key"], **{name: _value(found) for name, found in plain["values"].items()})
+
+
+def _value(plain: Any) -> Any:
+    if isinstance(plain, list):
+        return tuple(map(_value, plain))
+    return _sentence(plain) if isinstance(plain, dict) else plain

@@ -18,7 +18,7 @@ from coursework.grading.batch.decisions import Override, overridden
 from coursework.grading.marking.grade import blank_grade
 from coursework.grading.marking.rubric import read_rubric
 from coursework.grading.submission import Submission, submission_from
-from coursework.sentences import Sentence
+from coursework.sentences import ENGLISH, Sentence, load_phrases
 
 # Raised whenever marks may come out otherwise: a second run then grades everything anew.
 GRADING_VERSION = 1
@@ -56,7 +56,7 @@ def source_from(plain: Mapping[str, Any]) -> VariantSource:
 class Setup:
     """What holds for a whole batch: the rubric's text, whether pages are wanted, Euler's tables of the class's variants.
 
-    `pieces` are the instructor's own pieces of pages, by name.
+    `pieces` are the instructor's own pieces of pages, by name; `language` is that of pages and sentences.
     """
 
     rubric: str = ""
@@ -64,12 +64,13 @@ class Setup:
     class_tables: Mapping[str, list[list[float]]] = field(default_factory=dict)
     memory_mib: int = 1024
     pieces: Mapping[str, bytes] = field(default_factory=dict)
+    language: str = ENGLISH
 
     def plain(self) -> dict[str, Any]:
         """Return the setup as JSON can carry it."""
         return {
             "rubric": self.rubric, "pages": self.pages, "memory_mib": self.memory_mib,
-            "class_tables": dict(self.class_tables),
+            "class_tables": dict(self.class_tables), "language": self.language,
             "pieces": {name: base64.b64encode(content).decode("ascii") for name, content in self.pieces.items()},
         }  # fmt: skip
 
@@ -77,7 +78,7 @@ class Setup:
 def setup_from(plain: Mapping[str, Any]) -> Setup:
     """Return the setup that `plain()` wrote."""
     pieces = {name: base64.b64decode(content) for name, content in plain["pieces"].items()}
-    return Setup(plain["rubric"], plain["pages"], plain["class_tables"], plain["memory_mib"], pieces)
+    return Setup(plain["rubric"], plain["pages"], plain["class_tables"], plain["memory_mib"], pieces, plain["language"])
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,12 +99,13 @@ class Task:
 
     def key(self, setup: Setup) -> str:
         """Return the content a journal knows this work by, one hash a reason to grade anew; never a path or a clock."""
+        looks = (GRADING_VERSION, coursework.__version__, setup.pages, sorted(setup.pieces.items()), setup.language)
         parts = {
             "files": json.dumps(self.submission.plain(), sort_keys=True),
             "variant": self.variant.sha256,
             "rubric": setup.rubric,
             "overrides": json.dumps([override.plain() for override in self.overrides]),
-            "version": f"{GRADING_VERSION} {coursework.__version__} {setup.pages} {sorted(setup.pieces.items())}",
+            "version": " ".join(map(str, looks)),
         }
         return " ".join(hashlib.sha256(text.encode()).hexdigest()[:_DIGITS] for text in parts.values())
 
@@ -145,8 +147,9 @@ def outcome_from(line: bytes) -> Outcome:
 def failed(task: Task, setup: Setup, status: str, reason: Sentence) -> Outcome:
     """Return the outcome of a submission that could not be graded; it has no number, and is no zero."""
     rubric = read_rubric(setup.rubric)
-    grade = overridden(blank_grade(status, reason, rubric), task.overrides, rubric)
+    words = load_phrases(setup.language)
+    grade = overridden(blank_grade(status, words.written(reason), rubric), task.overrides, rubric)
     from coursework.grading.pages.feedback import short_page
 
-    page = short_page(task.submission.id, task.submission.name, grade) if setup.pages else ""
+    page = short_page(task.submission.id, task.submission.name, grade, words) if setup.pages else ""
     return Outcome(task.submission.id, grade, page)

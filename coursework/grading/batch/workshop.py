@@ -19,7 +19,7 @@ from coursework.grading.marking.rubric import Rubric, read_rubric
 from coursework.grading.pages.feedback import feedback_page
 from coursework.grading.submission import Submission
 from coursework.grading.understand import understand
-from coursework.sentences import say
+from coursework.sentences import load_phrases, say
 from coursework.variant.reader import parse_variant
 
 KEPT = 8  # keys at once: a class shares one, or each student has an own one
@@ -29,7 +29,7 @@ class Workshop:
     """What a child keeps between submissions."""
 
     def __init__(self, setup: Setup) -> None:
-        self.setup = setup
+        self.setup, self.words = setup, load_phrases(setup.language)
         self.rubric: Rubric = read_rubric(setup.rubric) if setup.rubric else Rubric()
         self._tables = {name: np.array(table) for name, table in setup.class_tables.items()}
         self._markers: OrderedDict[str, tuple[Marker, Expected]] = OrderedDict()
@@ -42,8 +42,8 @@ class Workshop:
             grade = self.grade(submission, source)
         except MemoryError:
             return failed(task, self.setup, "unreadable", say("grading.memory"))
-        plain = overridden(grade.plain(), task.overrides, self.rubric)
-        page = feedback_page(grade, submission.id, submission.name, plain) if self.setup.pages else ""
+        plain = self.words.throughout(overridden(grade.plain(), task.overrides, self.rubric))
+        page = feedback_page(grade, submission.id, submission.name, plain, self.words) if self.setup.pages else ""
         return Outcome(submission.id, plain, page)
 
     def grade(self, submission: Submission, source: VariantSource) -> Grade:

@@ -23,6 +23,7 @@ from coursework.grading.pages.class_page import class_page
 from coursework.grading.platforms.canvas import Gradebook
 from coursework.grading.platforms.feedback_zip import feedback_zip
 from coursework.grading.platforms.worksheet import Worksheet
+from coursework.sentences import ENGLISH, load_phrases
 
 COLUMNS = (
     "id", "name", "status", "points", "max", "table", "equations", "answers", "wrong_cells", "missing_cells", "first_wrong",
@@ -40,7 +41,7 @@ def submission_record(place: Place, grade: Mapping[str, Any], page: str) -> dict
 
 def write_gradebook(
     out: Path, listed: ClassList, graded: Graded, rubric: Rubric, *, worksheet: Worksheet | None = None,
-    canvas: Gradebook | None = None, moodle: bool = False,
+    canvas: Gradebook | None = None, moodle: bool = False, language: str = ENGLISH,
 ) -> list[str]:  # fmt: skip
     """Write every file but pages and journal; return their names."""
     places = {place.id: place for place in listed.places}
@@ -61,7 +62,7 @@ def write_gradebook(
     write_bytes(out / "grades.csv", _csv(COLUMNS, lines))
     write_bytes(out / "grades.json", b"".join(_json(rubric, records, strangers, facts)))
     changes = [(change.id, change.before, change.after, change.reason) for change in graded.changes]
-    page = class_page(facts, changes, [(str(entry["name"]), list(entry["files"])) for entry in strangers])
+    page = class_page(facts, changes, [(str(entry["name"]), list(entry["files"])) for entry in strangers], load_phrases(language))
     write_bytes(out / "class.html", page.encode("utf-8"))
     write_bytes(out / "changes.csv", _changes(graded.changes))
     if worksheet is not None:

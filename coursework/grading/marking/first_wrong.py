@@ -34,7 +34,7 @@ class FirstWrong:
         """Return the record as grades.json writes it."""
         return {
             "t": self.t, "row": self.row, "column": self.column, "found": self.found, "expected": self.expected,
-            "tolerance": self.tolerance, "way": self.way, "sentence": str(self.sentence),
+            "tolerance": self.tolerance, "way": self.way, "sentence": self.sentence,
         }  # fmt: skip
 
 

@@ -78,7 +78,7 @@ class Grade:
             "score": self.total if graded else None,
             "max": self.rubric.points,
             "proposed": proposed,
-            "reason": str(self.reason) if self.reason else "",
+            "reason": self.reason or "",
             "files": [entry.plain() for entry in self.contents.files],
             "reading": self.table.table.reading.plain() if self.table else None,
             "table": self._table(),

@@ -53,7 +53,7 @@ def key_of(variant: Variant) -> Key:
 
     return Key(
         variant, variant.time.step, rows, lambda: _exact(variant), tuple(block.unknowns for block in model.blocks),
-        velocities_at, sets_at, block_at, lambda code: _rewritten(variant, code), str(stop.sentence) if stop else "",
+        velocities_at, sets_at, block_at, lambda code: _rewritten(variant, code), stop.sentence if stop else "",
         lambda: other_assemblies(variant, rows),
     )  # fmt: skip
 

@@ -1,6 +1,6 @@
 """The page of a whole class: what to look at first, then how it went, in pictures where these say more.
 
-Enters: `ClassFacts`, changes since the last run.  Leaves: HTML without script.  Used by `written.py`.
+Enters: `ClassFacts`, changes since the last run, the words of a language.  Leaves: HTML without script.  Used by `written.py`.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from coursework.grading.pages.bars import bars
 from coursework.grading.pages.class_facts import ClassFacts
 from coursework.grading.pages.feedback import misconception_sentence, shown_points
 from coursework.page_text import clean, template
-from coursework.sentences import ENGLISH, Sentence, say
+from coursework.sentences import Phrases, Sentence, say
 
 PARTS = 10  # of the distribution
 MOST_LISTED = 200
@@ -22,47 +22,64 @@ GIVEN, FEW = 0.25, 6
 
 
 def class_page(
-    facts: ClassFacts, changes: Sequence[tuple[str, str, str, str]], not_on_roster: Sequence[tuple[str, Sequence[str]]]
-) -> str:
+    facts: ClassFacts, changes: Sequence[tuple[str, str, str, str]], not_on_roster: Sequence[tuple[str, Sequence[str]]],
+    words: Phrases,
+) -> str:  # fmt: skip
     """Return the page; `changes` are (id, before, after, reason), `not_on_roster` (name, files)."""
     first, last = (min(facts.first_rows), max(facts.first_rows)) if facts.first_rows else (1, 0)
     named = sorted(facts.misconceptions.items(), key=lambda item: (-len(item[1]), item[0]))
     variants = sorted(facts.by_variant.items())
     called = _called(facts)
-    return template("class.html.j2").render(
-        say=say,
-        language=ENGLISH,
-        count=sum(facts.states.values()),
-        states=[(_state(state), number) for state, number in sorted(facts.states.items())],
-        graded=len(facts.scores),
-        mean=shown_points(round(statistics.fmean(facts.scores), 2)) if facts.scores else "–",
-        median=shown_points(round(statistics.median(facts.scores), 2)) if facts.scores else "–",
-        most=shown_points(facts.most),
-        distribution=bars(_tenths(facts)),
-        first_rows=bars([(str(row), facts.first_rows[row]) for row in range(first, last + 1)]),
-        hardest=facts.hardest_column,
-        columns=[(name, number) for name, number in facts.first_columns.most_common()],
-        misconceptions=[(misconception_sentence(code), len(ids), _listed([called[who] for who in ids])) for code, ids in named],
-        to_look_at=[(called[who], facts.pages.get(who), _state(s), clean(why)) for who, s, why in facts.to_look_at[:MOST_LISTED]],
-        same_files=[_same(files, ids, called) for ids, files in sorted(facts.shared.items())[:MOST_LISTED]],
-        other_data=[(called[who], clean(whose)) for who, whose in facts.other_data[:MOST_LISTED]],
-        everyone=[
-            (called[who], facts.pages.get(who), _state(state), shown_points(score), clean(first))
+    content = {
+        "count": sum(facts.states.values()),
+        "states": [(_state(state), number) for state, number in sorted(facts.states.items())],
+        "graded": len(facts.scores),
+        "mean": shown_points(statistics.fmean(facts.scores), words) if facts.scores else "–",
+        "median": shown_points(statistics.median(facts.scores), words) if facts.scores else "–",
+        "most": shown_points(facts.most, words),
+        "distribution": bars(_tenths(facts, words)),
+        "first_rows": bars([(str(row), facts.first_rows[row]) for row in range(first, last + 1)]),
+        "hardest": facts.hardest_column,
+        "columns": [(name, number) for name, number in facts.first_columns.most_common()],
+        "misconceptions": [
+            (misconception_sentence(code), len(ids), _listed([called[who] for who in ids])) for code, ids in named
+        ],
+        "to_look_at": [
+            (called[who], facts.pages.get(who), _state(s), clean(why)) for who, s, why in facts.to_look_at[:MOST_LISTED]
+        ],
+        "same_files": [_same(files, ids, called) for ids, files in sorted(facts.shared.items())[:MOST_LISTED]],
+        "other_data": [(called[who], clean(whose)) for who, whose in facts.other_data[:MOST_LISTED]],
+        "everyone": [
+            (called[who], facts.pages.get(who), _state(state), shown_points(score, words), _cell(first, words))
             for who, state, score, first in facts.everyone
         ],
-        variants=[
-            (clean(name), len(scores), shown_points(round(statistics.fmean(scores), 2)))
-            for name, scores in variants[:MOST_LISTED]
+        "variants": [
+            (clean(name), len(scores), shown_points(statistics.fmean(scores), words)) for name, scores in variants[:MOST_LISTED]
         ]
         if len(variants) > 1
         else [],
-        changes=[(called.get(who, clean(who)), *map(clean, change)) for who, *change in changes[:MOST_LISTED]],
-        not_on_roster=[(clean(name), _listed(files)) for name, files in not_on_roster[:MOST_LISTED]],
-    )
+        "changes": [
+            (called.get(who, clean(who)), _mark(before, words), _mark(after, words), say(f"class.reason.{why}"))
+            for who, before, after, why in changes[:MOST_LISTED]
+        ],
+        "not_on_roster": [(clean(name), _listed(files)) for name, files in not_on_roster[:MOST_LISTED]],
+    }
+    return template("class.html.j2").render(say=words.said, language=words.language, **words.throughout(content))
 
 
 def _state(state: str) -> Sentence:
     return say(f"feedback.state.{state.replace('-', '_')}")
+
+
+def _mark(mark: str, words: Phrases) -> str:
+    """Return a grade of changes.csv as a person reads it: points, or a state."""
+    return shown_points(float(mark), words) if mark[:1].isdigit() else _state(mark)
+
+
+def _cell(first: str, words: Phrases) -> str:
+    """Return "row 11 w2" of grades.csv as the page says it."""
+    _, row, column = first.split(" ", 2) if first else ("", "", "")
+    return f"{words.said('gate.row', row=row)} {clean(column)}" if row else ""
 
 
 def _called(facts: ClassFacts) -> dict[str, str]:
@@ -79,12 +96,12 @@ def _same(files: Sequence[str], ids: Sequence[str], called: Mapping[str, str]) -
     return say("class.same", files=named, who=_listed([called[who] for who in ids]))
 
 
-def _tenths(facts: ClassFacts) -> list[tuple[str, int]]:
+def _tenths(facts: ClassFacts, words: Phrases) -> list[tuple[str, int]]:
     """Return how many scores lie in each tenth of the points; full points belong to the last."""
     counts = [0] * PARTS
     for score in facts.scores:
         counts[min(int(PARTS * score / (facts.most or 1.0)), PARTS - 1)] += 1
-    edges = [shown_points(round(facts.most * part / PARTS, 2)) for part in range(PARTS + 1)]
+    edges = [shown_points(facts.most * part / PARTS, words) for part in range(PARTS + 1)]
     return [(f"{edges[part]}–{edges[part + 1]}", counts[part]) for part in range(PARTS)]
 
 

@@ -10,6 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from coursework.sentences import Phrases
+
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 WIDTH, HEIGHT, EDGE = 300.0, 110.0, 6.0
@@ -30,7 +32,7 @@ class Panel:
     high: str
 
 
-def panel(name: str, unit: str, t: Array, key: Array, found: Array, is_wrong: Flags) -> Panel:
+def panel(name: str, unit: str, t: Array, key: Array, found: Array, is_wrong: Flags, words: Phrases) -> Panel:
     """Return the panel of one column; what lies far outside the key's range stands at the edge."""
     low, high = float(key.min()), float(key.max())
     margin = 0.25 * ((high - low) or max(abs(high), 1e-9))
@@ -47,5 +49,5 @@ def panel(name: str, unit: str, t: Array, key: Array, found: Array, is_wrong: Fl
         name, unit, " ".join(places(key, np.ones_like(there))),
         "".join(f"M{place}h0" for place in places(found, there & ~wrong)),
         "".join(f"M{place}{_CROSS}" for place in places(found, there & wrong)),
-        f"{low:.3g}", f"{high:.3g}",
+        words.number(low, ".3g"), words.number(high, ".3g"),
     )  # fmt: skip

@@ -1,6 +1,7 @@
 """The page a student gets: points, the first wrong cell, how the file was read, the table, the equations, the curves.
 
-Enters: a `Grade`.  Leaves: HTML without script, all that came from the student escaped.  Used by the children of a batch.
+Enters: a `Grade`, the words of a language.  Leaves: HTML without script, all that came from the student escaped.
+Used by the children of a batch.
 """
 
 from __future__ import annotations
@@ -14,7 +15,8 @@ from coursework.grading.marking.cells import CARRIED, GIVEN, KEY, MISSING, WRONG
 from coursework.grading.marking.grade import Grade, TableMarks
 from coursework.grading.pages.curves import panel
 from coursework.page_text import clean, template
-from coursework.sentences import ENGLISH, Sentence, load_phrases, say
+from coursework.sentences import Phrases, Sentence, load_phrases, say
+from coursework.variant.texts import in_language
 
 # Longer tables show their first rows and those with wrong cells: the page stays one that a person reads.
 FIRST_ROWS, MOST_ROWS = 25, 60
@@ -29,14 +31,13 @@ _SIGNS = {
 _VERDICT_SIGNS = {"right": "✓", "rounded": "✓", "closure": "✓", "half": "½", "wrong": "✗", "unreadable": "?", "blank": "–"}
 
 
-def feedback_page(grade: Grade, student: str, name: str | None, decided: Mapping[str, Any] | None = None) -> str:
-    """Return the page of a grade; `decided` is the grade as grades.json says it after the instructor's decisions."""
-    final = decided or grade.plain()
+def feedback_page(grade: Grade, student: str, name: str | None, final: Mapping[str, Any], words: Phrases) -> str:
+    """Return the page of a grade; `final` is the grade as grades.json says it after the instructor's decisions."""
     parts = [
         {
             "name": say(f"feedback.part.{part}"),
-            "points": shown_points((final[part] or {}).get("score")),
-            "most": shown_points(most),
+            "points": shown_points((final[part] or {}).get("score"), words),
+            "most": shown_points(most, words),
         }
         for part in grade.parts
         if grade.rubric.weights[part]
@@ -46,44 +47,51 @@ def feedback_page(grade: Grade, student: str, name: str | None, decided: Mapping
         final,
         student,
         name,
-        variant=grade.key.variant.title,
+        words,
+        variant=in_language(grade.key.variant, words.language).title,
         parts=parts,
         verdict=grade.verdicts.sentence if grade.table or grade.equations else "",
-        notes=[clean(str(entry.text), LONGEST_TEXT) for entry in grade.notes],
-        table=_table(grade, grade.table) if grade.table else None,
-        equations=_equations(grade),
-        answers=_answers(grade),
+        notes=[clean(words.written(entry.text), LONGEST_TEXT) for entry in grade.notes],
+        table=_table(grade, grade.table, words) if grade.table else None,
+        equations=_equations(grade, words),
+        answers=_answers(grade, words),
         misconception=_misconception(grade),
     )
 
 
-def short_page(student: str, name: str | None, decided: Mapping[str, Any]) -> str:
+def short_page(student: str, name: str | None, final: Mapping[str, Any], words: Phrases) -> str:
     """Return the page of a submission that nobody could look into."""
     nothing = {"variant": "", "parts": [], "verdict": "", "notes": []}
-    return _page(decided, student, name, **nothing, table=None, equations=None, answers=None, misconception=None)
+    return _page(final, student, name, words, **nothing, table=None, equations=None, answers=None, misconception=None)
 
 
-def _page(final: Mapping[str, Any], student: str, name: str | None, **content: Any) -> str:
+def _page(final: Mapping[str, Any], student: str, name: str | None, words: Phrases, **content: Any) -> str:
     reason = final["reason"] if final["score"] is None else ""
     return template("feedback.html.j2").render(
-        say=say,
-        language=ENGLISH,
+        say=words.said,
+        language=words.language,
         student="" if name and student.startswith(name) else clean(student, LONGEST_TEXT),
         name=clean(name or student, LONGEST_TEXT),
-        status=say(f"feedback.status.{final['status'].replace('-', '_')}"),
+        status=words.said(f"feedback.status.{final['status'].replace('-', '_')}"),
         reason=clean(reason, 2 * LONGEST_TEXT),
-        points=shown_points(final["score"]),
-        most=shown_points(final["max"]),
-        overrides=[
-            {key: clean(str(value), LONGEST_TEXT) for key, value in entry.items()} for entry in final.get("overrides", ())
-        ],
-        **content,
+        points=shown_points(final["score"], words),
+        most=shown_points(final["max"], words),
+        overrides=[_decision(entry, words) for entry in final.get("overrides", ())],
+        **words.throughout(content),
     )
 
 
-def shown_points(value: float | None) -> str:
+def _decision(entry: Mapping[str, Any], words: Phrases) -> dict[str, str]:
+    part = entry["check"]
+    return {
+        "check": words.said(f"feedback.part.{part}"), "points": shown_points(entry["points"], words),
+        "reason": clean(entry["reason"], LONGEST_TEXT),
+    }  # fmt: skip
+
+
+def shown_points(value: float | None, words: Phrases) -> str:
     """Return points as a person writes them, "–" for none."""
-    return "–" if value is None else f"{value:.2f}".rstrip("0").rstrip(".")
+    return "–" if value is None else words.number(round(value, 2), ".10g")
 
 
 def misconception_sentence(code: str) -> Sentence | str:
@@ -109,7 +117,7 @@ def _misconception(grade: Grade) -> dict[str, Any] | None:
     }
 
 
-def _table(grade: Grade, marked: TableMarks) -> dict[str, Any]:
+def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
     key, cells = grade.key, marked.cells
     reading = marked.table.reading
     wrong_rows = np.flatnonzero(cells.wrong.any(axis=1)).tolist()
@@ -123,12 +131,12 @@ def _table(grade: Grade, marked: TableMarks) -> dict[str, Any]:
             (clean(column.texts[row], LONGEST_CELL) if column else "", *_SIGNS[mark])
             for column, mark in zip(columns, cells.marks[row].tolist(), strict=True)
         ]
-        rows.append({"number": row + 1, "t": f"{key.t[row]:.6g}", "cells": entries})
+        rows.append({"number": row + 1, "t": words.number(key.t[row], ".6g"), "cells": entries})
     m = len(key.coordinates)
     panels = [
         panel(
-            name, key.variant.unit_of(name), key.t, key.table[:, m + place], cells.student.values[:, m + place],
-            cells.wrong[:, m + place],
+            name, words.unit(key.variant.unit_of(name)), key.t, key.table[:, m + place], cells.student.values[:, m + place],
+            cells.wrong[:, m + place], words,
         )
         for place, name in enumerate(key.velocities)
     ]  # fmt: skip
@@ -137,7 +145,7 @@ def _table(grade: Grade, marked: TableMarks) -> dict[str, Any]:
             "name": name,
             "at": entry["at"],
             "by": say(f"feedback.by.{entry['by']}"),
-            "unit": _RATES.get(entry["unit"], entry["unit"]),
+            "unit": words.unit(_RATES.get(entry["unit"], entry["unit"])),
         }
         for name, entry in reading.columns.items()
     ]
@@ -148,19 +156,21 @@ def _table(grade: Grade, marked: TableMarks) -> dict[str, Any]:
             "cells": marked.points.cells,
         },
         "file": clean(reading.file, LONGEST_TEXT), "reading": reading, "read": read, "names": key.names,
-        "units": [key.variant.unit_of(name) for name in key.names], "rows": rows,
-        "left_out": len(key.table) - len(chosen), "end": f"{key.t[-1]:.6g}", "panels": panels, "least": key.least_decimals,
+        "second": words.unit("s"),
+        "units": [words.unit(key.variant.unit_of(name)) for name in key.names], "rows": rows,
+        "left_out": len(key.table) - len(chosen), "end": words.number(key.t[-1], ".6g"),
+        "panels": panels, "least": key.least_decimals,
     }  # fmt: skip
 
 
-def _equations(grade: Grade) -> dict[str, Any] | None:
+def _equations(grade: Grade, words: Phrases) -> dict[str, Any] | None:
     if grade.equations is None:
         return None
     items = []
     for mark in grade.equations.marks:
         hint = ""
         if mark.hint:
-            text = clean(mark.hint.text, LONGEST_TEXT)
+            text = clean(words.written(mark.hint.text), LONGEST_TEXT)
             hint = say(f"feedback.hint.{mark.hint.kind}", text=text, column=mark.hint.column, others=mark.hint.others)
         items.append(
             {
@@ -174,12 +184,12 @@ def _equations(grade: Grade) -> dict[str, Any] | None:
     return {"items": items, "count": count, "dependent": dependent}
 
 
-def _answers(grade: Grade) -> list[dict[str, Any]] | None:
+def _answers(grade: Grade, words: Phrases) -> list[dict[str, Any]] | None:
     if grade.answers is None:
         return None
     return [
         {
-            "name": clean(mark.name, LONGEST_TEXT), "found": "–" if mark.found is None else f"{mark.found:.4g}",
+            "name": clean(mark.name, LONGEST_TEXT), "found": "–" if mark.found is None else words.number(mark.found, ".4g"),
             "sign": _VERDICT_SIGNS[mark.verdict], "verdict": say(f"feedback.answer.{mark.verdict}"),
         }
         for mark in grade.answers.marks

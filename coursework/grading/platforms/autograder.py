@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from coursework.grading.escapes import shown
-from coursework.sentences import say
+from coursework.sentences import ENGLISH, load_phrases, say
 
 _MOST_TEXT = 60_000  # characters of one output: both platforms take a megabyte in all
 _NOT_GRADABLE = {"unreadable", "missing"}
@@ -39,7 +39,7 @@ class Outcome:
     problems: Sequence[str] = ()
 
 
-def gradescope(outcome: Outcome) -> dict[str, Any]:
+def gradescope(outcome: Outcome, language: str = ENGLISH) -> dict[str, Any]:
     """Return `results.json` of Gradescope: one test a part, which sum to the score; without a number it is 0 and says so."""
     scores = _summing([part.score or 0.0 for part in outcome.parts], outcome.score or 0.0)
     totals = _summing([part.max_score for part in outcome.parts], outcome.max_score)
@@ -54,9 +54,7 @@ def gradescope(outcome: Outcome) -> dict[str, Any]:
         }
         for part, score, total in zip(outcome.parts, scores, totals, strict=True)
     ]
-    lines = (
-        [say("platform.not_marked", status=outcome.status), outcome.output, *outcome.problems] if unmarked else [outcome.output]
-    )
+    lines = [_not_marked(outcome, language), outcome.output, *outcome.problems] if unmarked else [outcome.output]
     output = _text("\n".join(lines))
     return {
         "score": 0.0 if unmarked else round(outcome.score or 0.0, 2),
@@ -66,13 +64,13 @@ def gradescope(outcome: Outcome) -> dict[str, Any]:
     }
 
 
-def prairielearn(outcome: Outcome) -> dict[str, Any]:
+def prairielearn(outcome: Outcome, language: str = ENGLISH) -> dict[str, Any]:
     """Return `results.json` of PrairieLearn: score from 0 to 1; what cannot be read is not gradable, and no attempt is lost."""
     gradable = outcome.status not in _NOT_GRADABLE
     scores = _summing([part.score or 0.0 for part in outcome.parts], outcome.score or 0.0)
     totals = _summing([part.max_score for part in outcome.parts], outcome.max_score)
     share = (outcome.score or 0.0) / outcome.max_score if outcome.max_score > 0 else 0.0
-    message = "" if outcome.score is not None else say("platform.not_marked", status=outcome.status)
+    message = "" if outcome.score is not None else _not_marked(outcome, language)
     return {
         "gradable": gradable,
         "score": min(max(round(share, 6), 0.0), 1.0),
@@ -96,6 +94,11 @@ def prairielearn(outcome: Outcome) -> dict[str, Any]:
 def results_json(results: dict[str, Any]) -> bytes:
     """Return the bytes of `results.json`."""
     return (json.dumps(results, ensure_ascii=False, indent=1, allow_nan=False) + "\n").encode("utf-8")
+
+
+def _not_marked(outcome: Outcome, language: str) -> str:
+    state = say(f"feedback.state.{outcome.status.replace('-', '_')}")
+    return load_phrases(language).said("platform.not_marked", status=state)
 
 
 def _summing(values: Sequence[float], total: float) -> list[float]:

@@ -29,8 +29,8 @@ def grade(source, out, *options):
 @pytest.mark.filterwarnings("ignore")
 def test_the_cluster_writes_the_same_bytes(cluster, tmp_path):
     source = small_class(tmp_path / "in")
-    grade(source, tmp_path / "serial", "--jobs", "1")
-    grade(source, tmp_path / "cluster", "--scheduler", cluster.scheduler_address)
+    grade(source, tmp_path / "serial", "--jobs", "1", "--language", "uk")
+    grade(source, tmp_path / "cluster", "--scheduler", cluster.scheduler_address, "--language", "uk")
     serial, found = (
         {path.relative_to(folder): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
         for folder in (tmp_path / "serial", tmp_path / "cluster")
