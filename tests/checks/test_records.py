@@ -70,8 +70,9 @@ def test_what_a_check_needs_and_has_not_is_said(monkeypatch):
 def test_the_page_shows_two_groups_and_the_summary_first():
     run = coursework.solve("31", quantities=["table", "checks"])
     plain = build_model(run).plain()["sections"]
-    result = next(item for item in plain[0]["parts"][0]["items"] if item[0] == "Result")
-    assert "".join(piece.get("t", "") for piece in result[1]).startswith("The table is computed right: 5 of 5.")
+    answer = next(part["right"] for part in plain[0]["parts"] if part["kind"] == "beside")
+    assert answer["title"] == "Result"
+    assert "".join(piece.get("t", "") for piece in answer["items"][0]).startswith("The table is computed right: 5 of 5.")
     checks = next(section for section in plain if section["name"] == "checks")
     groups = [part for part in checks["parts"] if part["kind"] == "checks"]
     assert [part["title"] for part in groups] == [
