@@ -24,24 +24,24 @@ Names = tuple[str, ...]
 def gather(results: MotionResults, asked: Names) -> tuple[Names, Any]:
     """Return the columns of a motion, with those of the quantities asked for that are columns."""
     names, rows = results.motion.names, [results.motion.rows]
-    for _, table in columns_beside(results, asked):
+    for *_, table in columns_beside(results, asked):
         names += table.names
         rows.append(table.rows)
     return names, np.hstack(rows)
 
 
-def columns_beside(results: MotionResults, asked: Names) -> Iterator[tuple[Quantity[Any], ExtraTable]]:
-    """Yield the quantities asked for that stand as columns beside those of the results table."""
-    for quantity in quantities_for(asked).values():
+def columns_beside(results: MotionResults, asked: Names) -> Iterator[tuple[str, Quantity[Any], ExtraTable]]:
+    """Yield the names asked for, and their quantities, that stand as columns beside those of the results table."""
+    for name, quantity in quantities_for(asked).items():
         if isinstance(quantity.shows, Columns):
-            yield quantity, quantity.shows.of(results, quantity.compute.of(results))
+            yield name, quantity, quantity.shows.of(results, quantity.compute.of(results))
 
 
 def units_of(results: MotionResults, asked: Names) -> dict[str, str]:
     """Return the unit of each column of the results table, t and those beside it included."""
     motion, variant = results.motion, results.scene.variant
     units = {name: variant.unit_of(name) for name in ("t", *motion.names)}
-    for _, table in columns_beside(results, asked):
+    for *_, table in columns_beside(results, asked):
         units |= dict(zip(table.names, table.units, strict=True))
     return units
 
@@ -54,12 +54,12 @@ def page_tables(results: MotionResults, asked: Names) -> dict[str, ExtraTable]:
     t = results.motion.t
     if len(t) < 2:
         return tables  # a motion that stops at once has nothing to tabulate beside its one row
-    for quantity, table in columns_beside(results, asked):
+    for name, quantity, table in columns_beside(results, asked):
         assert isinstance(quantity.shows, Columns)
         printed = quantity.shows.on_page(table)
         if printed.names:
             rows = np.column_stack([t, printed.rows])
-            tables[quantity.name] = ExtraTable(printed.title, ("t", *printed.names), ("s", *printed.units), rows)
+            tables[name] = ExtraTable(printed.title, ("t", *printed.names), ("s", *printed.units), rows)
     return tables | own_tables(results, asked)
 
 

@@ -61,7 +61,7 @@ class Model:
         >>> import coursework
         >>> model = coursework.compile_model("31")
         >>> [round(float(model.bind({"r3": length}).exact.velocities[0, 2]), 4) for length in ("457 mm", "450 mm")]
-        [5.5518, 5.6381]
+        [5.5518, 5.6382]
         """
         given, start = self.data(data).of(0, self.variant)
         return scene_of(self.variant.with_data(given, start) if given or start else self.variant, settings or Settings())

@@ -15,6 +15,7 @@ from coursework.integration.motion import Array, Motion
 from coursework.report import graph_paper
 from coursework.report.graph_paper import (
     EXACT_PEN,
+    MOST_POINTS,
     SCHEME_INK,
     SCHEME_PEN,
     STOP_PEN,
@@ -24,6 +25,7 @@ from coursework.report.graph_paper import (
     letters,
     sheet,
     smooth,
+    sparse,
 )
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Panel, Panels, Part
@@ -65,22 +67,26 @@ def dotted(context: PageContext) -> Motion | None:
 
 
 def _curves(context: PageContext) -> Callable[[str], tuple[Array, Array]]:
-    """Return a function that gives the smooth exact curve of a column, nothing where it is not known."""
+    """Return a function that gives the smooth exact curve of a column, nothing where it is not known.
+
+    Between rows coordinates follow from values and rates, velocities from the equations at those coordinates.
+    """
     exact = context.exact
     if exact is None or not len(exact.t):
         return lambda name: (np.zeros(0), np.zeros(0))
-    accelerations = context.run.scene.exact_accelerations
-    variant = context.run.variant
-    rate_of = {coordinate.name: coordinate.rate for coordinate in variant.coordinates}
+    scene, rate_of = context.run.scene, {one.name: one.rate for one in context.run.variant.coordinates}
+    rates = scene.passing(scene.rates)
+    between = {name: smooth(exact.t, exact.column(name), exact.column(rate_of[name])) for name in exact.coordinate_names}
+    times = [between[name][0] for name in rates.coordinates]
+    if times and all(len(t) == len(times[0]) for t in times):
+        velocities, _ = rates.table(times[0], np.column_stack([between[name][1] for name in rates.coordinates]))
+        found = zip(rates.velocities, velocities.T, strict=True)
+        between |= {name: (times[0], column) for name, column in found if np.isfinite(column).all()}
 
     def curve(name: str) -> tuple[Array, Array]:
         if name not in exact.names:
             return np.zeros(0), np.zeros(0)
-        if name in exact.velocity_names:
-            rates = accelerations[:, exact.velocity_names.index(name)]
-        else:
-            rates = exact.column(rate_of[name])
-        return smooth(exact.t, exact.column(name), rates)
+        return between.get(name) or (sparse(exact.t, MOST_POINTS), sparse(exact.column(name), MOST_POINTS))
 
     return curve
 
@@ -124,7 +130,7 @@ def _panel(context: PageContext, rows: Rows) -> Panel:
     if len(rows.curve):
         inside += f'<path {EXACT_PEN} d="{field.path(rows.curve_t, rows.curve)}"/>'
     if len(rows.t):
-        t, values = (graph_paper.sparse(one, graph_paper.MOST_POINTS) for one in (rows.t, rows.values))
+        t, values = (sparse(one, MOST_POINTS) for one in (rows.t, rows.values))
         inside += f'<path {SCHEME_PEN} d="{field.path(t, values)}"/>'
         inside += f'<path class="dots" fill="{SCHEME_INK}" d="{dots(field, rows.t, rows.values)}"/>'
     both = np.concatenate([rows.values, rows.curve])

@@ -52,7 +52,7 @@ def notebook_html(run: Run, language: str = "en") -> str:
     >>> import coursework
     >>> page = notebook_html(coursework.solve("31", quantities=["table", "checks"]))
     >>> page.count("<svg"), "PERIOD-POSITION" in page
-    (2, True)
+    (8, True)
     """
     context = PageContext(run, load_words(language))
     parts = [part for write, quantity in SHOWN if quantity is None or run.asks(quantity) for part in write(context)]
