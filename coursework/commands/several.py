@@ -57,6 +57,7 @@ class Item:
 class Outcome:
     """What became of one variant; `verdicts` counts its checks, `message` is everything that went wrong.
 
+    `code` is that of the first fault of a variant that was refused;
     `page` is what its report says, where all are to be printed together.
     """
 
@@ -66,6 +67,7 @@ class Outcome:
     stop: str = ""
     verdicts: Counter[str] = field(default_factory=Counter)
     message: str = ""
+    code: str = ""
     page: dict[str, Any] | None = None
 
     @property
@@ -101,7 +103,7 @@ class RunTask:
             with watched(self.budget, item.variant):
                 return self._run(item, hidden)
         except (CourseworkError, MemoryError) as error:
-            return Outcome(item, WRONG_INPUT, message=self._message(error))
+            return Outcome(item, WRONG_INPUT, message=self._message(error), code=_code(error))
         except Exception as error:
             crashed = say("screen.crashed", variant=item.variant, kind=type(error).__name__, error=str(error))
             message = f"{crashed}\n{traceback.format_exc()}"
@@ -128,7 +130,11 @@ class RunTask:
         wrong = {"FAIL", "ERROR", *(["COARSE"] if strict else [])}
         failed = "; ".join(f"{check.code}: {written(check.sentence)}" for check in checks if check.verdict in wrong)
         page = results.model.plain() if self.combined else None
-        return Outcome(item, run.status(strict), len(run.motion.t), stop, Counter(c.verdict for c in checks), failed, page)
+        return Outcome(item, run.status(strict), len(run.motion.t), stop, Counter(c.verdict for c in checks), failed, page=page)
+
+
+def _code(error: CourseworkError | MemoryError) -> str:
+    return error.faults[0].code if isinstance(error, CourseworkError) else ""
 
 
 def run_variants(
@@ -190,13 +196,13 @@ def run_several(variants: Sequence[str], jobs: int, task: RunTask) -> int:
 
 
 def summary_csv(ordered: Iterable[Outcome]) -> str:
-    """Return the summary: a line a variant, its exit status, rows, checks by verdict, and what went wrong."""
+    """Return the summary: a line a variant, its exit status, rows, checks by verdict, what went wrong and the code of a fault."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(["variant", "folder", "status", "rows", *(verdict.lower() for verdict in VERDICTS), "sentence"])
+    writer.writerow(["variant", "folder", "status", "rows", *(verdict.lower() for verdict in VERDICTS), "sentence", "code"])
     for each in ordered:
         counts = [each.verdicts[verdict] for verdict in VERDICTS]
-        writer.writerow([each.item.variant, each.item.folder, each.status, each.rows, *counts, each.sentence])
+        writer.writerow([each.item.variant, each.item.folder, each.status, each.rows, *counts, each.sentence, each.code])
     return text.getvalue()
 
 

@@ -47,6 +47,9 @@ def test_each_gets_a_folder_and_the_faulty_ones_a_line(folder):
     assert [row["status"] for row in rows.values()] == ["0", "2", "1", "2", "0"]
     assert (rows["mine"]["rows"], rows["stops.toml"]["rows"], rows["bad.toml"]["rows"]) == ("25", "6", "0")
     assert rows["bad.toml"]["sentence"][5:].startswith("bad.toml:1")
+    assert {name: row["code"] for name, row in rows.items() if row["code"]} == {
+        name: rows[name]["sentence"][:4] for name in ("bad.toml", "nosuch")
+    }
     assert rows["stops.toml"]["sentence"] == "stopped (dead point) at t = 0.116889 s"
     assert int(rows["mine"]["pass"]) >= 5
     assert int(rows["mine"]["coarse"]) >= 1

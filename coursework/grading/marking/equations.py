@@ -15,6 +15,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from coursework.errors import Fault
 from coursework.formula.tree import Formula, number, spelled
 from coursework.grading.contents import EquationLine
 from coursework.grading.marking.edits import Edit, Values, applied, edits
@@ -41,10 +42,12 @@ class Hint:
     column: int
     text: str
     others: int = 0
+    fault: Fault | None = None
 
     def plain(self) -> dict[str, Any]:
-        """Return the record as grades.json writes it."""
-        return {"kind": self.kind, "column": self.column, "text": self.text, "others": self.others}
+        """Return the record as grades.json writes it; that of a line nobody could read has the code of the fault too."""
+        told = {"kind": self.kind, "column": self.column, "text": self.text, "others": self.others}
+        return told if self.fault is None else told | {"code": self.fault.code, "values": self.fault.message.plain()}
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,7 +157,7 @@ class Judge:
         if line.left is None or line.right is None:
             column = line.fault.column if line.fault else 1
             message = line.fault.message if line.fault else ""
-            return EquationMark(line, "unreadable", Hint("reader", column, message))
+            return EquationMark(line, "unreadable", Hint("reader", column, message, fault=line.fault))
         tree = difference(line)
         verdict = self._verdict(tree)
         if verdict == "wrong":

@@ -6,7 +6,7 @@ import re
 from coursework.grading.batch.work import Setup, setup_from
 from coursework.grading.submission import Submission, submission_from
 from coursework.sentences import load_phrases, say
-from tests.grading.batch.classroom import small_class
+from tests.grading.batch.classroom import hand_in, small_class
 from tests.grading.batch.test_batch import grade, rows, submissions
 
 PAGE_WORDS = re.compile(r"<style>.*?</style>|<code>.*?</code>|<[^>]*>", re.DOTALL)
@@ -39,6 +39,20 @@ def test_a_class_in_ukrainian(tmp_path):
     assert 'lang="en"' in (grade(source, out) and (out / "feedback" / "ada.html").read_text(encoding="utf-8"))
     english = load_phrases()
     assert english.said("class.reason.overrides") in (out / "class.html").read_text(encoding="utf-8")
+
+
+def test_an_unreadable_variant_file_has_a_code_in_every_language(tmp_path):
+    told = {}
+    hand_in(tmp_path / "in" / "hugo")
+    (tmp_path / "in" / "hugo" / "equations.txt").unlink()
+    (tmp_path / "in" / "hugo" / "31.toml").write_text("format = 1\ntitle = \n", encoding="utf-8")
+    for language in ("en", "uk"):
+        assert grade(tmp_path / "in", tmp_path / language, "--language", language).exit_code == 0
+        told[language] = submissions(tmp_path / language)["hugo"]["equations"]["items"][0]["hint"]
+    assert re.fullmatch(r"[A-Z]\d{3}", told["en"]["code"])
+    assert told["uk"]["code"] == told["en"]["code"]
+    assert told["uk"]["values"].keys() == told["en"]["values"].keys()
+    assert told["uk"]["text"] != told["en"]["text"]
 
 
 def test_the_results_for_an_autograder_in_ukrainian(tmp_path):
