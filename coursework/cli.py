@@ -10,15 +10,24 @@ Only click is imported at start; everything else inside the command that needs i
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
-from itertools import pairwise
 from pathlib import Path
 from typing import Any, NoReturn
 
 import click
 
 from coursework.errors import CourseworkError
-from coursework.output.formats import formats_for
+from coursework.options import (
+    SET,
+    VARIANT,
+    CommandWithTemplates,
+    Formats,
+    SchemeOption,
+    limited,
+    listed,
+    offered,
+    spoken,
+    templates,
+)
 from coursework.sentences import say
 from coursework.standard_streams import patient_streams
 
@@ -79,151 +88,47 @@ def _tell(key: str) -> None:
     tell(say(key), err=True)
 
 
-class Formats(click.ParamType):  # type: ignore[type-arg]  # generic only in the newest click
-    """Formats that a command offers, commas between."""
-
-    name = "formats"
-
-    def __init__(self, user: str) -> None:
-        self.user = user
-
-    def get_metavar(self, param: click.Parameter, ctx: click.Context | None = None) -> str:
-        """Return what the help shows."""
-        return ",".join(formats_for(self.user))
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[str, ...]:
-        """Return the suffixes."""
-        return _listed(ctx, param, value) if isinstance(value, str) else value
-
-
 @click.group(cls=Program, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(package_name="coursework", prog_name="coursework")
 def main() -> None:
     """Euler-scheme coursework of two-degree-of-freedom mechanisms: table, plots, checks, report."""
 
 
-def _listed(_context: click.Context | None, _option: click.Parameter | None, value: str | None) -> tuple[str, ...]:
-    return tuple(part.strip() for part in value.split(",") if part.strip()) if value else ()
-
-
-def _offered(name: str) -> Callable[[click.Context, click.Parameter, str], list[Any]]:
-    """Return what completes a word in the shell; nothing is imported before the tab key is pressed."""
-
-    def complete(context: click.Context, parameter: click.Parameter, typed: str) -> list[Any]:
-        from coursework.commands import completion
-
-        found: list[Any] = getattr(completion, name)(context, parameter, typed)
-        return found
-
-    return complete
-
-
-class _Scheme(click.Option):
-    """An option whose help lists the schemes; they are looked up when somebody asks for help."""
-
-    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
-        from coursework.schemes import scheme_names
-
-        self.help = f"{', '.join(scheme_names())} (default: that of the file)."
-        return super().get_help_record(ctx)
-
-
-_VARIANT = click.argument("variant", shell_complete=_offered("variants"))
-
-
-def _speaks(_context: click.Context, _option: click.Parameter, language: str) -> str:
-    from coursework.commands.screen import speak
-
-    speak(language)
-    return language
-
-
-def _spoken(*, passed_on: bool) -> Callable[[Callable[..., int]], Callable[..., int]]:
-    """Add the option of every command that says in which language it speaks; `passed_on` to one that makes pages."""
-    return click.option(
-        "--language", envvar="COURSEWORK_LANGUAGE", default="en", show_default=True, is_eager=True, expose_value=passed_on,
-        callback=_speaks, shell_complete=_offered("languages"),
-        help="Language of pages and messages: a words file in reports/.",
-    )  # fmt: skip
-
-
-class _WithTemplates(click.Command):
-    """A command with `--templates`: the pieces stand before anything is said, wherever in the line the option is."""
-
-    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        given = [after for word, after in pairwise(args) if word == "--templates"]
-        given += [word.partition("=")[2] for word in args if word.startswith("--templates=")]
-        if given:
-            from coursework.commands.templates import with_templates
-
-            ctx.with_resource(with_templates(Path(given[-1])))
-        try:
-            return super().parse_args(ctx, args)
-        except BaseException:
-            ctx.close()
-            raise
-
-
-def _templates(*, passed_on: bool) -> Callable[[Callable[..., int]], Callable[..., int]]:
-    return click.option(
-        "--templates", type=click.Path(path_type=Path), expose_value=passed_on,
-        help="Folder of your own pieces of pages; each stands before the piece of reports/ of the same name.",
-    )  # fmt: skip
-
-
-_SET = click.option(
-    "--set", "set_values", multiple=True, metavar="NAME=VALUE",
-    help="Other data, such as r1=0.91m; start values; step, end, period; N=3 (the guide's row of the check). Again for more.",
-)  # fmt: skip
-
-
-def _limited(command: Callable[..., int]) -> Callable[..., int]:
-    """Add the two limits of whatever computes."""
-    above_zero = click.FloatRange(min=0, min_open=True)
-    seconds = click.option(
-        "--budget", type=above_zero, default=60.0, show_default=True, help="Most processor time of a variant, s."
-    )
-    memory = click.option(
-        "--memory", type=above_zero, default=1024.0, show_default=True, help="Most memory beyond the start, MiB."
-    )
-    return seconds(memory(command))
-
-
-@main.command("run", cls=_WithTemplates)
-@click.argument("variants", nargs=-1, required=True, metavar="VARIANT...", shell_complete=_offered("variants"))
+@main.command("run", cls=CommandWithTemplates)
+@click.argument("variants", nargs=-1, required=True, metavar="VARIANT...", shell_complete=offered("variants"))
 @click.option(
     "--out",
     type=click.Path(path_type=Path),
     help="Folder for the results (default: coursework-NAME; for several coursework-runs).",
 )
 @click.option("--format", "formats", type=Formats("run"), help="Files to write (default: all of these).")
-@click.option("--scheme", cls=_Scheme, shell_complete=_offered("schemes"))
+@click.option("--scheme", cls=SchemeOption, shell_complete=offered("schemes"))
 @click.option("--step", help='Step in s, such as 0.02; "h/4": a part of the file\'s step; "auto" with --error.')
 @click.option("--error", type=float, help="With --step auto: largest error wanted over the rows, rad or m.")
 @click.option("--end", type=float, help="End of the run in s.")
-@_SET
+@SET
 @click.option("--check-row", type=click.IntRange(min=1), help="Row of the graph-analytical check, from 1.")
 @click.option(
     "--blank", is_flag=True, help="Leave the construction of the graph-analytical check to the student: the mechanism alone."
 )
-@click.option("--quantities", callback=_listed, help="What to compute: quantities, or columns of the table; commas between.")
+@click.option("--quantities", callback=listed, help="What to compute: quantities, or columns of the table; commas between.")
 @click.option("--project", is_flag=True, help="One Newton projection onto the position equations a step.")
 @click.option("--gain", type=float, default=0.0, help="Baumgarte's gain in 1/s (a teaching knob; gain times step below 2).")
 @click.option("--precision", type=click.Choice(["double", "single"]), default="double", help="single: see what round-off does.")
 @click.option("--strict", is_flag=True, help="End with status 1 also where a check only needs a finer step (COARSE).")
 @click.option("--plan", is_flag=True, help="Print what would be computed and what is left out, and stop.")
 @click.option("--profile", is_flag=True, help="Print calls and time of every quantity.")
-@_spoken(passed_on=True)
+@spoken(passed_on=True)
 @click.option("--live/--no-live", default=True, show_default=True, help="Let the mechanism move on the page of a screen.")
 @click.option("--student", help="Name for the title block.")
 @click.option("--group", help="Group for the title block.")
 @click.option("--teacher", help="Teacher for the title block.")
 @click.option("--institution", help="Institution for the title block.")
 @click.option("--date", help="Date for the title block.")
-@_templates(passed_on=True)
+@templates(passed_on=True)
 @click.option("--combined", is_flag=True, help="All variants in one PDF too: combined.pdf.")
 @click.option("--jobs", type=click.IntRange(min=1), default=1, show_default=True, help="Processes that share several variants.")
-@_limited
+@limited
 def run_command(variants: tuple[str, ...], **options: Any) -> int:
     """Run VARIANT (a name of the catalogue or a file) and write its report; several, or a pattern, get a folder each."""
     from coursework.commands.several import run_variants
@@ -232,11 +137,11 @@ def run_command(variants: tuple[str, ...], **options: Any) -> int:
 
 
 @main.command("animate")
-@_VARIANT
+@VARIANT
 @click.option("--out", type=click.Path(path_type=Path), help="The picture to write (default: NAME.gif).")
-@click.option("--scheme", cls=_Scheme, shell_complete=_offered("schemes"))
-@_limited
-@_spoken(passed_on=True)
+@click.option("--scheme", cls=SchemeOption, shell_complete=offered("schemes"))
+@limited
+@spoken(passed_on=True)
 def animate_command(variant: str, out: Path | None, scheme: str | None, budget: float, memory: float, language: str) -> int:
     """Write VARIANT in motion as one animated picture, the true mechanism beside that of the table."""
     from coursework.budget import Budget, watched
@@ -248,9 +153,9 @@ def animate_command(variant: str, out: Path | None, scheme: str | None, budget: 
 
 
 @main.command("check")
-@_VARIANT
-@_limited
-@_spoken(passed_on=False)
+@VARIANT
+@limited
+@spoken(passed_on=False)
 def check_command(variant: str, budget: float, memory: float) -> int:
     """Look at VARIANT: its faults, mobility, blocks, and whether the whole motion is possible."""
     from coursework.budget import Budget, watched
@@ -262,7 +167,7 @@ def check_command(variant: str, budget: float, memory: float) -> int:
 
 
 @main.command("variants")
-@_spoken(passed_on=False)
+@spoken(passed_on=False)
 def variants_command() -> int:
     """List the catalogue."""
     from coursework.catalogue import entries
@@ -276,9 +181,9 @@ def variants_command() -> int:
 
 @main.command("new")
 @click.argument("name")
-@click.option("--from", "original", shell_complete=_offered("variants"), help="Copy this variant, with the tables it reads.")
-@_SET
-@_spoken(passed_on=False)
+@click.option("--from", "original", shell_complete=offered("variants"), help="Copy this variant, with the tables it reads.")
+@SET
+@spoken(passed_on=False)
 def new_command(name: str, original: str | None, set_values: tuple[str, ...]) -> int:
     """Write NAME.toml, a commented variant file to fill in, or a copy of another."""
     from coursework.commands.new import new_variant
@@ -286,13 +191,13 @@ def new_command(name: str, original: str | None, set_values: tuple[str, ...]) ->
     return new_variant(name, original, set_values)
 
 
-@main.command("accuracy", cls=_WithTemplates)
-@_VARIANT
+@main.command("accuracy", cls=CommandWithTemplates)
+@VARIANT
 @click.option("--out", type=click.Path(path_type=Path), help="Folder for the page (default: coursework-NAME).")
 @click.option("--format", "formats", type=Formats("accuracy"), help="Files to write (default: all of these).")
-@_templates(passed_on=False)
-@_limited
-@_spoken(passed_on=True)
+@templates(passed_on=False)
+@limited
+@spoken(passed_on=True)
 def accuracy_command(
     variant: str, out: Path | None, formats: tuple[str, ...] | None, budget: float, memory: float, language: str
 ) -> int:
@@ -305,9 +210,9 @@ def accuracy_command(
         return accuracy_page(variant, out, formats, language)
 
 
-@main.command("grade", cls=_WithTemplates)
+@main.command("grade", cls=CommandWithTemplates)
 @click.argument("source", type=click.Path(path_type=Path))
-@click.option("--variant", shell_complete=_offered("variants"), help="The variant that everybody has.")
+@click.option("--variant", shell_complete=offered("variants"), help="The variant that everybody has.")
 @click.option("--roster", type=click.Path(path_type=Path), help="ROSTER.csv: id,name,email,variant.")
 @click.option("--out", type=click.Path(path_type=Path), required=True, help="Folder for the gradebook.")
 @click.option("--rubric", type=click.Path(path_type=Path), help="Points, parts, answers (TOML).")
@@ -316,12 +221,12 @@ def accuracy_command(
 @click.option("--canvas", type=click.Path(path_type=Path), help="Canvas's gradebook export, to be filled in.")
 @click.option("--results", type=click.Choice(["gradescope", "prairielearn"]), help="One submission, for an autograder.")
 @click.option("--no-pages", is_flag=True, help="No feedback pages.")
-@_templates(passed_on=False)
+@templates(passed_on=False)
 @click.option("--jobs", type=click.IntRange(0, 256), default=0, help="Submissions at once (default: the cores, at most 8).")
 @click.option("--scheduler", help="Address of a Dask scheduler: the same on a cluster.")
 @click.option("--limit", type=click.FloatRange(0.1, 3600), default=10.0, show_default=True, help="Seconds a submission may take.")
 @click.option("--memory", type=click.IntRange(256, 65536), default=1024, show_default=True, help="MiB a submission may take.")
-@_spoken(passed_on=True)
+@spoken(passed_on=True)
 def grade_command(source: Path, **options: Any) -> int:
     """Grade SOURCE, a folder or zip of submissions."""
     from coursework.commands.grade import grade_source
@@ -329,16 +234,16 @@ def grade_command(source: Path, **options: Any) -> int:
     return grade_source(source, **options)
 
 
-@main.command("assign", cls=_WithTemplates)
+@main.command("assign", cls=CommandWithTemplates)
 @click.argument("roster", type=click.Path(path_type=Path))
-@click.option("--template", required=True, shell_complete=_offered("variants"), help="The variant whose data are drawn anew.")
+@click.option("--template", required=True, shell_complete=offered("variants"), help="The variant whose data are drawn anew.")
 @click.option("--ranges", help="What the data may be (TOML; default: those of the template in the catalogue).")
 @click.option("--seed", required=True, help="Any number or word: the same seed gives everybody the same data.")
 @click.option("--out", type=click.Path(path_type=Path), required=True, help="Folder for variants, sheets and keys.")
 @click.option("--pdf", is_flag=True, help="All sheets in one PDF, too.")
 @click.option("--deadline", default="", help="What stands on the line of the deadline (default: a line to write on).")
-@_templates(passed_on=False)
-@_spoken(passed_on=True)
+@templates(passed_on=False)
+@spoken(passed_on=True)
 def assign_command(roster: Path, **options: Any) -> int:
     """Give every student of ROSTER (id,name,email) a variant of their own, a task sheet, and you the key."""
     from coursework.commands.assign import assign_class
@@ -348,8 +253,8 @@ def assign_command(roster: Path, **options: Any) -> int:
 
 @main.command("precheck")
 @click.argument("files", nargs=-1, required=True, type=click.Path(path_type=Path))
-@click.option("--variant", shell_complete=_offered("variants"), help="The variant you were given.")
-@_spoken(passed_on=False)
+@click.option("--variant", shell_complete=offered("variants"), help="The variant you were given.")
+@spoken(passed_on=False)
 def precheck_command(files: tuple[Path, ...], variant: str | None) -> int:
     """See how FILES of yours would be read, before you hand them in; no number of the key is shown."""
     from coursework.commands.precheck import precheck_files

@@ -1,6 +1,6 @@
 """What the shell offers behind the tab key.
 
-Enters: what has been typed of a word.  Leaves: its completions.  Used by `cli.py`.
+Enters: what has been typed of a word.  Leaves: its completions.  Used by `options.py`.
 """
 
 from __future__ import annotations

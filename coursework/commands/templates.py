@@ -1,6 +1,6 @@
 """`--templates DIR`: an instructor's own pieces of pages, looked at before they are used.
 
-Enters: a folder, or None.  Leaves: a block in which they stand in.  Raises `InputError`.  Used by `cli.py` and `several.py`.
+Enters: a folder, or None.  Leaves: a block in which they stand in.  Raises `InputError`.  Used by `options.py` and `several.py`.
 """
 
 from __future__ import annotations

@@ -1,0 +1,122 @@
+"""The options that several commands have in common, and what each does before a command begins.
+
+Enters: the words of a command line, through click.  Leaves: decorators of commands.  Only click is imported at start.
+Used by `cli.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import click
+
+from coursework.output.formats import formats_for
+
+
+class Formats(click.ParamType):  # type: ignore[type-arg]  # generic only in the newest click
+    """Formats that a command offers, commas between."""
+
+    name = "formats"
+
+    def __init__(self, user: str) -> None:
+        self.user = user
+
+    def get_metavar(self, param: click.Parameter, ctx: click.Context | None = None) -> str:
+        """Return what the help shows."""
+        return ",".join(formats_for(self.user))
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[str, ...]:
+        """Return the suffixes."""
+        return listed(ctx, param, value) if isinstance(value, str) else value
+
+
+def listed(_context: click.Context | None, _option: click.Parameter | None, value: str | None) -> tuple[str, ...]:
+    """Return the parts of a word with commas between."""
+    return tuple(part.strip() for part in value.split(",") if part.strip()) if value else ()
+
+
+def offered(name: str) -> Callable[[click.Context, click.Parameter, str], list[Any]]:
+    """Return what completes a word in the shell; nothing is imported before the tab key is pressed."""
+
+    def complete(context: click.Context, parameter: click.Parameter, typed: str) -> list[Any]:
+        from coursework.commands import completion
+
+        found: list[Any] = getattr(completion, name)(context, parameter, typed)
+        return found
+
+    return complete
+
+
+class SchemeOption(click.Option):
+    """An option whose help lists the schemes; they are looked up when somebody asks for help."""
+
+    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
+        from coursework.schemes import scheme_names
+
+        self.help = f"{', '.join(scheme_names())} (default: that of the file)."
+        return super().get_help_record(ctx)
+
+
+VARIANT = click.argument("variant", shell_complete=offered("variants"))
+
+
+def _speaks(_context: click.Context, _option: click.Parameter, language: str) -> str:
+    from coursework.commands.screen import speak
+
+    speak(language)
+    return language
+
+
+def spoken(*, passed_on: bool) -> Callable[[Callable[..., int]], Callable[..., int]]:
+    """Add the option of every command that says in which language it speaks; `passed_on` to one that makes pages."""
+    return click.option(
+        "--language", envvar="COURSEWORK_LANGUAGE", default="en", show_default=True, is_eager=True, expose_value=passed_on,
+        callback=_speaks, shell_complete=offered("languages"),
+        help="Language of pages and messages: a words file in reports/.",
+    )  # fmt: skip
+
+
+class CommandWithTemplates(click.Command):
+    """A command with `--templates`: the pieces stand before anything is said, wherever in the line the option is."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        given = [after for word, after in pairwise(args) if word == "--templates"]
+        given += [word.partition("=")[2] for word in args if word.startswith("--templates=")]
+        if given:
+            from coursework.commands.templates import with_templates
+
+            ctx.with_resource(with_templates(Path(given[-1])))
+        try:
+            return super().parse_args(ctx, args)
+        except BaseException:
+            ctx.close()
+            raise
+
+
+def templates(*, passed_on: bool) -> Callable[[Callable[..., int]], Callable[..., int]]:
+    """Add `--templates` to a `CommandWithTemplates`; `passed_on` where the command itself asks for the folder."""
+    return click.option(
+        "--templates", type=click.Path(path_type=Path), expose_value=passed_on,
+        help="Folder of your own pieces of pages; each stands before the piece of reports/ of the same name.",
+    )  # fmt: skip
+
+
+SET = click.option(
+    "--set", "set_values", multiple=True, metavar="NAME=VALUE",
+    help="Other data, such as r1=0.91m; start values; step, end, period; N=3 (the guide's row of the check). Again for more.",
+)  # fmt: skip
+
+
+def limited(command: Callable[..., int]) -> Callable[..., int]:
+    """Add the two limits of whatever computes."""
+    above_zero = click.FloatRange(min=0, min_open=True)
+    seconds = click.option(
+        "--budget", type=above_zero, default=60.0, show_default=True, help="Most processor time of a variant, s."
+    )
+    memory = click.option(
+        "--memory", type=above_zero, default=1024.0, show_default=True, help="Most memory beyond the start, MiB."
+    )
+    return seconds(memory(command))
