@@ -80,7 +80,7 @@ def test_results_into_a_device():
     done = subprocess.run([*COMMAND, "run", "31", *CSV, "--out", str(FULL)], capture_output=True, check=False)
     assert done.returncode == 2
     assert done.stderr.decode() == (
-        "/dev/full: could not be written: a part of the path is a file, not a folder. Choose another folder with --out.\n"
+        "W005 /dev/full  could not be written: a part of the path is a file, not a folder. Choose another folder with --out.\n"
     )
 
 
