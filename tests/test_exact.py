@@ -181,19 +181,20 @@ def test_both_motions_are_in_the_plots_and_the_page_says_so():
     run = coursework.solve("example-1", quantities=["table", "plots"])
     sections = {section["name"]: section for section in build_model(run).plain()["sections"]}
     told = {name: text_of(section) for name, section in sections.items()}
-    assert "Euler at this step" in told["plots"]
-    assert "explicit Euler with the same step" in told["plots"]
-    assert "Euler at this step" in told["title"]
+    assert "explicit Euler" in told["graphs"]
+    assert "exact motion" in told["graphs"]
+    assert "Euler at this step" in told["method"]
     assert "closed form of the groups" in told["method"]
     assert "q_{i+1}" not in told["method"]
-    both, alone = (
-        text.count("<path") for text in (sections["plots"]["parts"][0]["svg"], _plot(coursework.solve("example-1", "euler")))
-    )
-    assert both == alone
+    panels = sections["graphs"]["parts"][0]["items"]
+    assert all('class="dots"' in panel["svg"] for panel in panels)
+    assert [panel["svg"].count("<path") for panel in panels] == _paths(coursework.solve("example-1", "euler"))
 
 
-def _plot(run):
-    return next(s for s in build_model(run).plain()["sections"] if s["name"] == "plots")["parts"][0]["svg"]
+def _paths(run):
+    """Return how many lines each panel of a run has."""
+    graphs = next(section for section in build_model(run).plain()["sections"] if section["name"] == "graphs")
+    return [panel["svg"].count("<path") for panel in graphs["parts"][0]["items"]]
 
 
 def test_the_cost_of_accuracy_beside_an_exact_table_is_that_of_euler():
