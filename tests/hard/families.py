@@ -22,8 +22,23 @@ CRANK = '[[group]]\nkind = "crank"\nfrom = ["(0, 0)"]\nmeets = "A"\nlengths = ["
 
 
 @dataclass(frozen=True)
+class Passing:
+    """A length that runs through zero with its sign while one motion only goes on, in closed form.
+
+    `signed(t)` (m): the determinant changes its sign where this does, and nowhere else.  `link(t)`: the link at the angle p, as
+    a complex number of length 1.
+    """
+
+    signed: Margin
+    link: Callable[[np.ndarray], np.ndarray]
+
+
+@dataclass(frozen=True)
 class Case:
-    """`text` of the variant; `margins` in m: each must stay positive; `loops` must stay zero; `size` the largest length."""
+    """`text` of the variant; `margins` in m: each must stay positive; `loops` must stay zero; `size` the largest length.
+
+    `passing`: what is known of a motion that goes on through a singular position; None where no determinant changes its sign.
+    """
 
     family: str
     form: str
@@ -35,6 +50,7 @@ class Case:
     loops: Loops
     closes: bool = True
     notes: dict[str, float] = field(default_factory=dict)
+    passing: Passing | None = None
 
 
 @dataclass(frozen=True)
@@ -127,8 +143,31 @@ def four_bar(random: Random) -> Case:
         f"{crank_coordinate(start)}\np = {{ {starts[0]} }}\nq = {{ {starts[1]} }}", given=data(a=a, b=b, c=c, d=d),
         drive=f'w1 = "{law.formula}"', step=step, end=law.end, equations=equations, closures=closures, more=more,
     )  # fmt: skip
-    margins = (lambda t: b + c - apart(t), lambda t: apart(t) - abs(b - c))
-    return Case("four-bar", form, text, law.end, step, max(a, b, c, d), margins, loops, found is not None)
+    margins: tuple[Margin, ...] = (lambda t: b + c - apart(t), lambda t: apart(t) - abs(b - c))
+    passing = None
+    if a == d and b == c:  # A reaches the other pivot and goes through it: nothing ends there
+        passing, margins = kite(a, b, mode, law), margins[:1]
+    return Case("four-bar", form, text, law.end, step, max(a, b, c, d), margins, loops, found is not None, passing=passing)
+
+
+def kite(a: float, b: float, mode: int, law: Turning) -> Passing:
+    """Return how the crank's end A of a kite (a = d, b = c) goes through the other pivot D at theta = 2 pi k.
+
+    From A to D is d - a e^(i theta) = -2i a sin(theta/2) e^(i theta/2): the line AD turns half as fast as the crank, and its
+    length changes its sign.  The joint stands on the perpendicular bisector, which goes on turning too: it stays on its side
+    of e^(i theta/2), and so comes to the other side of the way from A to D.
+    """
+
+    def signed(t: np.ndarray) -> np.ndarray:
+        return 2 * a * np.sin(law.angle(t) / 2)
+
+    side = mode * np.sign(signed(np.array(0.0)))
+
+    def link(t: np.ndarray) -> np.ndarray:
+        half = signed(t) / 2
+        return (half + 1j * side * np.sqrt(np.maximum(b * b - half**2, 0))) / b * -1j * np.exp(1j * law.angle(t) / 2)
+
+    return Passing(signed, link)
 
 
 def slider_crank(random: Random) -> Case:
