@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import islice
 
 from coursework.grading.answers import read_answer
 from coursework.grading.contents import AnswerLine, EquationLine, Reading
@@ -18,6 +19,7 @@ from coursework.grading.names_in_text import Spellings
 _SIGNS = {";": ";", "tab": "\t"}  # a comma may stand in an equation, a blank always does
 _EDGES = " \t;,\"'"  # what a spreadsheet puts round a line that was typed into one cell
 _WORD = re.compile(r"[^\W\d]\w*")
+_TRIED = 10  # lines of a text that are tried for each equation that may be handed in
 
 
 def read_lines(text: str, name: str, expected: Expected) -> tuple[list[EquationLine], list[AnswerLine]]:
@@ -26,7 +28,7 @@ def read_lines(text: str, name: str, expected: Expected) -> tuple[list[EquationL
     most = most_lines(expected)
     equations: list[EquationLine] = []
     answers: dict[str, AnswerLine] = {}
-    for number, line in _written(text, 10 * most):
+    for number, line in islice(_written(text), _TRIED * most):
         if answer := _answer(line, name, number, expected):
             answers.setdefault(answer.name, answer)
         elif "=" in line or is_equation_without_sign(line, spellings):
@@ -40,17 +42,16 @@ def lines_beside_table(text: str, reading: Reading, expected: Expected) -> tuple
     """Return the equations and answers above or below a table in one text.
 
     Titles of tables hold "=" too (`h = 0.02 s`, `w1 = 13.08`), so an equation is what names a sought velocity and something it
-    depends on; lines that cannot be read are told only where others can.
+    depends on; lines that cannot be read are told only where others can.  Rows of the table are passed over and do not count
+    among the lines that are tried.
     """
     spellings = spellings_for(expected)
+    most = most_lines(expected)
     sought = {*expected.variant.sought}
     sign = _SIGNS.get(reading.separator)
     equations: list[EquationLine] = []
     answers: dict[str, AnswerLine] = {}
-    for number, line in _written(text, None):
-        bare = line.strip(_EDGES)
-        if "=" not in bare or (sign and sign in bare):
-            continue
+    for number, bare in islice(_beside(text, sign), _TRIED * most):
         if answer := _answer(bare, reading.file, number, expected):
             answers.setdefault(answer.name, answer)
             continue
@@ -58,21 +59,25 @@ def lines_beside_table(text: str, reading: Reading, expected: Expected) -> tuple
         named = _names(read, spellings)
         if named & sought and named - sought - {"t"}:
             equations.append(read)
-        if len(equations) > most_lines(expected):
+        if len(equations) > most:
             break
     return (equations if any(line.left is not None for line in equations) else []), list(answers.values())
 
 
-def _written(text: str, most: int | None) -> Iterator[tuple[int, str]]:
-    """Give the lines that are neither blank nor remarks with their numbers, at most `most`."""
-    given = 0
+def _written(text: str) -> Iterator[tuple[int, str]]:
+    """Give the lines that are neither blank nor remarks with their numbers."""
     for number, line in enumerate(text.split("\n"), start=1):
         bare = line.partition("#")[0].strip()
         if bare:
-            given += 1
             yield number, bare
-        if given == most:
-            return
+
+
+def _beside(text: str, sign: str | None) -> Iterator[tuple[int, str]]:
+    """Give the lines that may be an equation or an answer, with a name and "=", and no rows of a table separated by `sign`."""
+    for number, line in _written(text):
+        bare = line.strip(_EDGES)
+        if "=" in bare and not (sign and sign in bare) and _WORD.search(bare):
+            yield number, bare
 
 
 def _answer(line: str, name: str, number: int, expected: Expected) -> AnswerLine | None:

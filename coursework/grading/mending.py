@@ -77,7 +77,9 @@ def _dotted(text: str, spellings: Spellings) -> str:
 
 
 def _side(text: str, spellings: Spellings) -> str:
-    tokens = [token for found in _TOKEN.finditer(text) for token in _spelled(str(found.lastgroup), found[0], spellings)]
+    pieces = [(str(found.lastgroup), found[0]) for found in _TOKEN.finditer(text)]
+    spelled = {piece: _spelled(*piece, spellings) for piece in dict.fromkeys(pieces)}  # each name is looked up once
+    tokens = [token for piece in pieces for token in spelled[piece]]
     return _written(_applied(_joined(tokens, spellings)))
 
 

@@ -97,6 +97,15 @@ def test_titles_above_a_table_are_no_equations_and_a_file_of_equations_goes_firs
     assert both.table is not None
 
 
+def test_of_many_lines_beside_a_table_only_the_first_are_tried() -> None:
+    rows = table("csv_utf8").removeprefix(b"\xef\xbb\xbf")
+    line = LINES[0].encode() + b"\n"
+    some, many = (read(("t.csv", rows + b"a=b\n" * number + line)) for number in (50, 5000))
+    assert some.table is not None and many.table is not None
+    assert some.equations is not None and [read.text for read in some.equations] == [LINES[0]]
+    assert many.equations is None
+
+
 def test_answers_beside_a_table_are_read() -> None:
     rows = table("csv_utf8").removeprefix(b"\xef\xbb\xbf")
     contents = read(("t.csv", b"wAB = -0.35 rad/s\n" + rows), answers=("wAB",))
