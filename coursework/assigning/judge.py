@@ -116,7 +116,7 @@ def _judge_alike(model: Model, data: Data, variants: list[Variant], limits: Limi
     for index in range(data.count):
         mine = {name: float(column[index]) for name, column in numbers.items()}
         refused = "" if movable[index] else "motion"
-        refused = refused or ("" if runs[index] and followed[index] else "euler")
+        refused = refused or ("" if runs[index] and followed[index] else "stepped_over")
         verdicts.append(Verdict(refused or _beyond(limits, mine, time.step), mine))
     return verdicts
 

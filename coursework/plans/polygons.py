@@ -113,7 +113,7 @@ class _Plan:
                     if name not in self.images:
                         self.along_bar(bar, base, name)
                         crank = bar.rate in {rate for rate, _ in self.outline.cranks}
-                        rule = "crank" if crank else "similar"
+                        rule = "turned" if crank else "similar"
                         if frozenset((base, name)) in self.stretching:
                             rule = "stretches"
                         self.place(name, rule, (Line("bar", base, bar.link),))

@@ -27,7 +27,7 @@ def first_step(context: PageContext) -> list[Part]:
     rate_of = {coordinate.name: coordinate.rate for coordinate in run.variant.coordinates}
     names = run.motion.coordinate_names[:MOST_LINES]
     index = [_line(context, name, rate_of[name]) for name in names]
-    parts: list[Part] = [Paragraph(context.say("derivation.euler", step=context.quantity(run.step, "s"))), Equations(_two(index))]
+    parts: list[Part] = [Paragraph(context.say("derivation.along", step=context.quantity(run.step, "s"))), Equations(_two(index))]
     if len(run.motion.t) > 1 and not run.settings.project and not run.settings.gain:
         numbers = [_numbers(context, name, rate_of[name]) for name in names]
         parts += [Paragraph(context.say("derivation.first_step")), Equations(numbers)]

@@ -114,4 +114,4 @@ def test_a_table_beyond_every_bound_keeps_its_page_and_says_why_there_is_no_stud
     assert outside.accuracy.rows == ()
     told = html_text(render_html(build_model(outside)))
     assert "The runs of this study are left out: 25 rows of this mechanism with every scheme take" in told
-    assert "Last row minus first row" in told
+    assert "Positions and velocities by" in told

@@ -106,8 +106,8 @@ def test_a_table_that_steps_over_a_dead_point_is_refused():
     stops = coursework.solve_many(coarse, sets).stops
     assert (
         [verdict.refused for verdict in verdicts]
-        == ["" if stop is None else "euler" for stop in stops]
-        == ["euler", "euler", "", ""]
+        == ["" if stop is None else "stepped_over" for stop in stops]
+        == ["stepped_over", "stepped_over", "", ""]
     )
 
 

@@ -125,8 +125,9 @@ def test_a_wrong_sign_is_refused_by_name(name, place):
     assert PAGE.count(f'"{right} = 0"') == 1
     with pytest.raises(coursework.InputError) as caught:
         solved(PAGE.replace(right, wrong)).columns()
-    told = r"12 \(line 43\) or 16 \(line 48\)" if name in {"12", "16"} else name
-    assert re.search(rf"^v\.toml:\d+  equation {told} contradicts the geometry of \[points\] and \[closure\]", str(caught.value))
+    both = name in {"12", "16"}
+    told = r"V303 v\.toml:43  one of these equations" if both else rf"V302 v\.toml:\d+  equation {name}"
+    assert re.search(rf"^{told} contradicts the geometry of \[points\] and \[closure\]", str(caught.value))
 
 
 @pytest.mark.parametrize("factor", ["-", "2*", "(1 + sin(phi1)^2)*"])
