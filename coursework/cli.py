@@ -28,7 +28,6 @@ from coursework.options import (
     spoken,
     templates,
 )
-from coursework.sentences import say
 from coursework.standard_streams import patient_streams
 
 PASSED, FAILED, WRONG_INPUT, OUR_FAULT, INTERRUPTED = 0, 1, 2, 3, 130
@@ -84,6 +83,7 @@ class Program(click.Group):
 
 def _tell(key: str) -> None:
     from coursework.commands.screen import tell
+    from coursework.sentences import say
 
     tell(say(key), err=True)
 

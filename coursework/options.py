@@ -13,8 +13,6 @@ from typing import Any
 
 import click
 
-from coursework.output.formats import formats_for
-
 
 class Formats(click.ParamType):  # type: ignore[type-arg]  # generic only in the newest click
     """Formats that a command offers, commas between."""
@@ -26,6 +24,8 @@ class Formats(click.ParamType):  # type: ignore[type-arg]  # generic only in the
 
     def get_metavar(self, param: click.Parameter, ctx: click.Context | None = None) -> str:
         """Return what the help shows."""
+        from coursework.output.formats import formats_for
+
         return ",".join(formats_for(self.user))
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[str, ...]:

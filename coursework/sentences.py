@@ -7,8 +7,6 @@ Used by every floor above; no finding that reaches a page is written in Python.
 
 from __future__ import annotations
 
-import difflib
-import tomllib
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
@@ -177,6 +175,8 @@ def load_phrases(language: str = ENGLISH) -> Phrases:
 
 @cache
 def _phrases(place: Path, language: str) -> Phrases:
+    import tomllib  # only a command that says something pays for it
+
     path = place / f"words.{language}.toml"
     if not path.is_file():
         known = sorted(file.name.split(".")[1] for file in place.glob("words.*.toml"))
@@ -192,6 +192,8 @@ def say(key: str, /, **values: object) -> Sentence:
 
 def closest(word: str, known: Sequence[str], alike: float = 0.6) -> str:
     """Return ' Did you mean "…"?' with the closest known word, or an empty text; `alike` is 1 for the same word."""
+    import difflib  # only a mistake pays for it
+
     found = difflib.get_close_matches(word, list(known), n=1, cutoff=alike)
     return say("hint.closest", name=found[0]) if found else ""
 

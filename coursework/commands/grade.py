@@ -11,7 +11,6 @@ from pathlib import Path
 import click
 
 from coursework.commands.screen import in_language, tell
-from coursework.data import pieces_in_use
 from coursework.errors import Fault, InputError, OutputError
 from coursework.grading.batch.class_list import ClassList, class_of_one, class_of_roster, read_source
 from coursework.grading.batch.decisions import Override, read_overrides
@@ -27,6 +26,7 @@ from coursework.grading.marking.rubric import Rubric, check_rubric, read_rubric
 from coursework.grading.platforms.canvas import read_gradebook
 from coursework.grading.platforms.roster import read_roster
 from coursework.grading.platforms.worksheet import Worksheet, read_worksheet
+from coursework.own_pieces import pieces_in_use
 from coursework.sentences import joined, say
 
 

@@ -8,8 +8,9 @@ from __future__ import annotations
 from contextlib import AbstractContextManager
 from pathlib import Path
 
-from coursework.data import REPORTS, folder, own_pieces, pieces_in
+from coursework.data import REPORTS, folder
 from coursework.errors import Fault, InputError
+from coursework.own_pieces import own_pieces, pieces_in
 from coursework.sentences import closest, say
 
 MOST_BYTES = 4 * 2**20  # of one piece: a page with more does not open well anywhere

@@ -13,7 +13,7 @@ from math import isfinite
 from typing import TYPE_CHECKING, Any
 
 from coursework.asked import units_of
-from coursework.data import stamp_of_pieces
+from coursework.own_pieces import stamp_of_pieces
 from coursework.quantities import Quantity, quantities_for
 from coursework.run import Run
 

@@ -6,6 +6,7 @@ Source of the row: ISO 5455, GOST 2.302 (1:1, 1:2, 1:2.5, 1:4, 1:5, 1:10 ...); t
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from coursework.plans.foot import FOOT
@@ -64,12 +65,23 @@ def lay_out(sketch: Sketch, findings: Findings) -> Layout:
     Where nothing fits (a mechanism of many kilometres) the smallest scale is taken.
     """
     smallest = SCALES[-1]
-    for scale in SCALES if sketch.pose.size > 0 else (1.0,):
+    for scale in _possible(sketch) if sketch.pose.size > 0 else (1.0,):
         for longest in ARROWS:
             found = [way for wide in (False, True) if (way := _try(sketch, findings, scale, longest, wide))]
             if found:
                 return max(found, key=lambda way: (len(way.near), not way.wide))
     return Layout(smallest, 1.0, False, *PAGE, complex(PAGE[0] / 2, PAGE[1] / 2), frozenset())
+
+
+def _possible(sketch: Sketch) -> Iterator[float]:
+    """Yield the scales at which the points alone would not already be longer than the longer side of a page."""
+    places = [sketch.pose.positions[name] * 1000 for name in _points(sketch)]
+    extent = max((max(way) - min(way) for way in zip(*((z.real, z.imag) for z in places), strict=True)), default=0.0)
+    return (scale for scale in SCALES if extent <= max(PAGE + LANDSCAPE) * scale)
+
+
+def _points(sketch: Sketch) -> list[str]:
+    return sorted({name for body in sketch.pose.bodies for name in body.points} | set(sketch.hinges))
 
 
 def _try(sketch: Sketch, findings: Findings, scale: float, longest: float, wide: bool) -> Layout | None:
@@ -100,10 +112,10 @@ def _try(sketch: Sketch, findings: Findings, scale: float, longest: float, wide:
 def _box(sketch: Sketch, findings: Findings, mm: float, speed: float) -> Box:
     """Return what must be on the sheet (mm, y up): left, bottom, right, top."""
     positions = sketch.pose.positions
-    points = {name for body in sketch.pose.bodies for name in body.points} | set(sketch.hinges)
-    first = positions[next(iter(sorted(points)))] * mm if points else 0j
+    points = _points(sketch)
+    first = positions[points[0]] * mm if points else 0j
     box = (first.real, first.imag, first.real, first.imag)
-    for name in sorted(points):
+    for name in points:
         at = positions[name] * mm
         box = _join(box, at, ROOM["hinge" if name in sketch.hinges else "point"])
         if velocity := findings.velocities.get(name, 0j):

@@ -47,7 +47,7 @@ def rows():
     yield "1000 sets of variant 31, one by one", "`solve_many`", many.gain(), f"at least {many.LEAST_GAIN}"
     for arguments, imports, limit in whole.CASES:
         with tempfile.TemporaryDirectory() as folder:
-            process = whole.ratio(arguments, imports, limit, folder)
+            process = whole.against(arguments, imports, limit, folder)
         yield f"`coursework {' '.join(arguments)}`", f"importing {imports}", process, f"at most {limit}"
     with tempfile.TemporaryDirectory() as folder:
         yield f"the same with {whole.MANY} rows", "with 25 rows, csv", whole.growth(folder), f"at most {whole.MOST_GROWTH}"

@@ -35,11 +35,6 @@ def cost(code: str, folder) -> float:
     return min(costs[1:])
 
 
-def ratio(arguments, imports, limit, folder) -> float:
-    """Return our cost against a bare import."""
-    return against(arguments, f"import {imports}", limit, folder)
-
-
 def against(arguments, yardstick, limit, folder) -> float:
     """Return our cost against another code; least costs of up to four rounds, as a busy machine only ever adds to them."""
     ours = bare = float("inf")
@@ -51,11 +46,21 @@ def against(arguments, yardstick, limit, folder) -> float:
     return ours / bare
 
 
+# A program of as many commands and options that does nothing but print its help: what click itself costs.
+BARE_HELP = """
+import click
+main = click.Group("main", help="What the program does.")
+for number in range(10):
+    options = [click.Option([f"--option-{k}"], help=f"What {k} says.", type=click.Path() if k % 2 else int) for k in range(8)]
+    main.add_command(click.Command(f"command-{number}", params=[click.Argument(["one"]), *options], help=f"Do work {number}."))
+main(["--help"])
+"""
+
 # A run judges its table against the exact motion and runs the step it advises before it tells it: that is in its time.
 CASES = [
-    (["run", "31", "--format", "csv"], "numpy, pandas, sympy", 1.8),
-    (["run", "31"], "numpy, pandas, sympy, matplotlib.figure, jinja2, typst", 2.3),
-    (["--help"], "click", 1.5),
+    (["run", "31", "--format", "csv"], "import numpy, pandas, sympy", 1.8),
+    (["run", "31"], "import numpy, pandas, sympy, matplotlib.figure, jinja2, typst", 2.3),
+    (["--help"], BARE_HELP, 1.5),
 ]
 
 
@@ -72,6 +77,6 @@ def test_a_thousand_times_the_rows_against_the_rows_of_the_file(tmp_path):
     assert growth(tmp_path) <= MOST_GROWTH
 
 
-@pytest.mark.parametrize(("arguments", "imports", "limit"), CASES, ids=["table", "report", "help"])
-def test_against_bare_imports(arguments, imports, limit, tmp_path):
-    assert ratio(arguments, imports, limit, tmp_path) <= limit
+@pytest.mark.parametrize(("arguments", "yardstick", "limit"), CASES, ids=["table", "report", "help"])
+def test_against_the_bare_libraries(arguments, yardstick, limit, tmp_path):
+    assert against(arguments, yardstick, limit, tmp_path) <= limit

@@ -9,7 +9,8 @@ import pytest
 from click.testing import CliRunner, Result
 
 from coursework.cli import main
-from coursework.data import folder, own_pieces
+from coursework.data import folder
+from coursework.own_pieces import own_pieces
 from tests.grading.batch.classroom import hand_in
 
 PLAIN = folder("reports")

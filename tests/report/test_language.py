@@ -14,7 +14,7 @@ from click.testing import CliRunner
 
 import coursework
 from coursework.cli import main
-from coursework.data import own_pieces
+from coursework.own_pieces import own_pieces
 from coursework.report import build_model, words
 from coursework.run import Run
 from coursework.sentences import PLURALS, Phrases, Sentence, joined, load_phrases, say, say_count

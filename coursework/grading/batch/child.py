@@ -41,9 +41,9 @@ def most_memory() -> int:
 
 def serve(lines: BinaryIO, answers: BinaryIO) -> None:
     """Answer every line until there are none."""
-    from coursework.data import pieces_standing_in
     from coursework.grading.batch.work import setup_from
     from coursework.grading.batch.workshop import Workshop
+    from coursework.own_pieces import pieces_standing_in
 
     setup = setup_from(json.loads(lines.readline()))
     with pieces_standing_in(setup.pieces):

@@ -1,0 +1,87 @@
+"""An instructor's own pieces of `reports/`, standing before those of the package of the same name.
+
+Enters: a folder of own pieces, or their content from another process.  Leaves: contexts in which they stand in; their stamp.
+Used by `commands/`, `grading/batch/` and `output/`.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import shutil
+import tempfile
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+
+from coursework.data import REPORTS, folder_of_package, standing_in
+
+PACKAGE = "package"  # in the names that own templates extend or import
+
+
+@contextmanager
+def own_pieces(own: Path | None) -> Iterator[None]:
+    """Let the files of a folder stand before those of `reports/` of the same name; what it does not have stays as it is.
+
+    Templates include each other by name, and Typst reads from one folder only, so both are laid together for as long as this
+    lasts.  The pieces of the package stand in "package/" beside them, to be extended.  Own pieces are the instructor's, and
+    trusted; the folder itself is only read.
+    """
+    if own is None:
+        yield
+        return
+    with tempfile.TemporaryDirectory(prefix="coursework-templates-") as place:
+        together = Path(place) / REPORTS
+        shutil.copytree(folder_of_package(REPORTS), together)
+        shutil.copytree(folder_of_package(REPORTS), together / PACKAGE)
+        for path in pieces_in(own):
+            target = together / path.relative_to(own)
+            target.parent.mkdir(exist_ok=True)
+            shutil.copyfile(path, target)
+        standing_in.append(together)
+        try:
+            yield
+        finally:
+            standing_in.remove(together)
+
+
+def pieces_in(own: Path) -> list[Path]:
+    """Return the files of a folder of own pieces, and of the folders in it that `reports/` has too."""
+    parts = [own, *(own / part.name for part in sorted(folder_of_package(REPORTS).iterdir()) if part.is_dir())]
+    return sorted(path for part in parts if part.is_dir() for path in part.iterdir() if path.is_file())
+
+
+def pieces_in_use() -> dict[str, bytes]:
+    """Return the own pieces that stand in now, by name: what another process or machine needs to write the same pages."""
+    if not standing_in:
+        return {}
+    together, package = standing_in[-1], folder_of_package(REPORTS)
+    found = {path.relative_to(together).as_posix(): path.read_bytes() for path in pieces_in(together)}
+    return {
+        name: content
+        for name, content in found.items()
+        if not (package / name).is_file() or (package / name).read_bytes() != content
+    }
+
+
+@contextmanager
+def pieces_standing_in(pieces: Mapping[str, bytes]) -> Iterator[None]:
+    """Let pieces that `pieces_in_use` gave in another process stand in here."""
+    if not pieces:
+        yield
+        return
+    with tempfile.TemporaryDirectory(prefix="coursework-pieces-") as place:
+        for name, content in pieces.items():
+            target = Path(place) / name
+            target.parent.mkdir(exist_ok=True)
+            target.write_bytes(content)
+        with own_pieces(Path(place)):
+            yield
+
+
+def stamp_of_pieces() -> str:
+    """Return a hash of the own pieces in use, "" without any: what is written with others is another page."""
+    digest = hashlib.sha256()
+    pieces = pieces_in_use()
+    for name, content in sorted(pieces.items()):
+        digest.update(name.encode() + b"\0" + content)
+    return digest.hexdigest() if pieces else ""
