@@ -12,6 +12,10 @@ import math
 from collections.abc import Iterable, Sequence
 from html import escape
 
+import numpy as np
+
+from coursework.drawing.cover import Lines, common
+
 FONT = "'DejaVu Sans', Verdana, 'Segoe UI', sans-serif"
 LETTER = 3.2  # mm, 9 pt
 SIZES = (LETTER, 2.3, 2.7)  # mm: of a word, of what is set lower, of what follows
@@ -48,14 +52,6 @@ def number(value: float) -> str:
 
 def inside(a: complex, b: complex, box: Rectangle) -> tuple[complex, complex] | None:
     """Return the part of a segment within a rectangle (left, top, right, bottom), None where there is none."""
-    # Nearly every segment lies wholly beside the rectangle; asked tens of thousands of times a drawing.
-    if (
-        max(a.real, b.real) < box[0]
-        or min(a.real, b.real) > box[2]
-        or max(a.imag, b.imag) < box[1]
-        or min(a.imag, b.imag) > box[3]
-    ):
-        return None
     low, high = 0.0, 1.0
     step = b - a
     for at, rate, least, most in ((a.real, step.real, box[0], box[2]), (a.imag, step.imag, box[1], box[3])):
@@ -77,6 +73,7 @@ class Sheet:
         self.segments: list[tuple[complex, complex]] = []
         self.boxes: list[Rectangle] = []  # symbols that words keep off
         self.words: list[Rectangle] = []  # words so far
+        self._lines = Lines([])  # the segments as arrays, made anew when there are more
 
     def line(self, a: complex, b: complex, pen: str, data: str = "") -> None:
         """Draw a segment, clipped to the drawing field."""
@@ -117,15 +114,14 @@ class Sheet:
         left, top, right, bottom = self.field
         wide = high = length + 3.5
         corners = [complex(x, y) for y in (bottom - high, top) for x in (left, right - wide)]
-        _, corner = min(
-            (self._covered(at + complex(wide, high) / 2, wide, high, math.inf, self.segments), k) for k, at in enumerate(corners)
-        )
-        at = corners[corner] + complex(1, high - 1.5)
+        costs = self._covered([corner + complex(wide, high) / 2 for corner in corners], wide, high)
+        corner = corners[costs.index(min(costs))]
+        at = corner + complex(1, high - 1.5)
         pen = 'stroke="black" stroke-width="0.2"'
         for way, name, shift in ((complex(length), "x", 0.5 + 0.9j), (-length * 1j, "y", 1.0 + 1.2j)):
             self.arrow(at, at + way, pen, head=1.6)
             self.text(at + way + shift, (name, "", ""), ITALIC, 2.6)
-        self.words.append((corners[corner].real, corners[corner].imag, corners[corner].real + wide, corners[corner].imag + high))
+        self.words.append((corner.real, corner.imag, corner.real + wide, corner.imag + high))
 
     def hatch(self, a: complex, b: complex, away: complex) -> None:
         """Hatch one side of a segment: short strokes that lean towards `away` (a direction)."""
@@ -186,50 +182,34 @@ class Sheet:
         for ring in RINGS:
             if 0.5 * ring >= best:
                 break
-            # Only what comes this near can be covered from this ring.
-            far = gap + ring + width + height
-            around = (near.real - far, near.imag - far, near.real + far, near.imag + far)
-            segments = [segment for segment in self.segments if inside(*segment, around)]
+            middles, prices = [], []
             for k in range(DIRECTIONS):
                 turned = math.tau * k / DIRECTIONS
                 unit = cmath.rect(1.0, toward + turned)
                 # The rectangle touches the circle of radius `gap + ring` about the point.
                 reach = min(width / 2 / max(abs(unit.real), 1e-9), height / 2 / max(abs(unit.imag), 1e-9))
-                middle = near + unit * (gap + ring + reach)
-                price = 0.5 * ring + 0.6 * (1 - math.cos(turned))
-                if price >= best - 1e-9:
-                    continue
-                cost = price + self._covered(middle, width, height, best - price, segments)
-                if cost < best - 1e-9:
-                    best, found = cost, middle
+                middles.append(near + unit * (gap + ring + reach))
+                prices.append(0.5 * ring + 0.6 * (1 - math.cos(turned)))
+            for middle, price, covered in zip(middles, prices, self._covered(middles, width, height), strict=True):
+                if price + covered < best - 1e-9:
+                    best, found = price + covered, middle
         return best, found
 
-    def _covered(
-        self, middle: complex, width: float, height: float, limit: float, segments: list[tuple[complex, complex]]
-    ) -> float:
-        """Return how much a rectangle covers: mm of some lines, and more for other labels and for leaving the field.
-
-        Counting ends at `limit`.
-        """
+    def _covered(self, middles: Sequence[complex], width: float, height: float) -> list[float]:
+        """Return how much each of the equal rectangles covers: mm of lines, more for other labels and beyond the field."""
         margin = 0.5
-        left, top = middle.real - width / 2 - margin, middle.imag - height / 2 - margin
-        box = (left, top, left + width + 2 * margin, top + height + 2 * margin)
-        field = self.field
-        beyond = (field[0] - box[0], field[1] - box[1], box[2] - field[2], box[3] - field[3])
-        cost = 30.0 * sum(max(0.0, part) for part in beyond)
-        for other in self.boxes:
-            across = min(box[2], other[2]) - max(box[0], other[0])
-            down = min(box[3], other[3]) - max(box[1], other[1])
-            if across > 0 and down > 0:
-                cost += 6.0 + 3.0 * across * down
-        if cost < limit:
-            cost += WORD_ON_WORD * sum(_meet(box, word) for word in self.words)
-        for a, b in segments:
-            if cost >= limit:
-                break
-            if part := inside(a, b, box):
-                cost += 1.0 + abs(part[1] - part[0])
-        return cost
+        half = np.array([width / 2 + margin, height / 2 + margin])
+        at = np.array([(middle.real, middle.imag) for middle in middles])
+        low, high = at - half, at + half
+        field = np.array(self.field)
+        beyond = np.maximum(field[:2] - low, 0.0) + np.maximum(high - field[2:], 0.0)
+        symbols, words = common(low, high, self.boxes), common(low, high, self.words)
+        if self._lines.count != len(self.segments):
+            self._lines = Lines(self.segments)
+        crossed, covered = self._lines.within(low, high)
+        cost = 30.0 * beyond.sum(axis=1) + 3.0 * symbols.sum(axis=1) + covered + crossed
+        cost += 6.0 * np.count_nonzero(symbols, axis=1) + WORD_ON_WORD * np.count_nonzero(words, axis=1)
+        return [float(value) for value in cost]
 
     def svg(self) -> str:
         """Return the drawing."""
@@ -241,10 +221,6 @@ class Sheet:
             "</g>",
             "</svg>",
         ))  # fmt: skip
-
-
-def _meet(a: Rectangle, b: Rectangle) -> bool:
-    return min(a[2], b[2]) > max(a[0], b[0]) and min(a[3], b[3]) > max(a[1], b[1])
 
 
 def middle_of(points: Iterable[complex]) -> complex:

@@ -1,0 +1,47 @@
+"""What a rectangle covers: against cases that are counted by hand, and against sampling along the lines."""
+
+import numpy as np
+import pytest
+
+from coursework.drawing.cover import Lines, common
+
+BOX = np.array([[1.0, 2.0]]), np.array([[4.0, 6.0]])
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "length"),
+    [
+        (0 + 3j, 9 + 3j, 3.0),  # across
+        (2 + 0j, 2 + 9j, 4.0),  # down
+        (2 + 3j, 3 + 3j, 1.0),  # wholly within
+        (0 + 1j, 6 + 7j, 3 * np.sqrt(2)),  # through a corner and out at a side
+        (2 + 3j, 2 + 3j, 0.0),  # a point within
+        (0 + 1j, 0 + 9j, None),  # beside it
+        (5 + 0j, 9 + 9j, None),
+        (0 + 9j, 9 + 9j, None),
+        (0 + 5.5j, 2 + 9j, None),  # past a corner
+    ],
+)
+def test_the_part_of_a_line_by_hand(a, b, length):
+    crossed, covered = Lines([(a, b)]).within(*BOX)
+    assert (crossed[0], covered[0]) == pytest.approx((int(length is not None), length or 0.0))
+
+
+def test_many_lines_and_rectangles_against_sampling():
+    random = np.random.default_rng(5)
+    ends = random.uniform(0, 10, (40, 2, 2))
+    low = random.uniform(0, 7, (16, 2))
+    high = low + random.uniform(0.5, 3, (16, 2))
+    crossed, covered = Lines([(complex(*a), complex(*b)) for a, b in ends]).within(low, high)
+    along = (np.arange(20_000) + 0.5) / 20_000
+    samples = ends[:, 0, None] + along[:, None] * (ends[:, 1] - ends[:, 0])[:, None]
+    for place in range(16):
+        part = np.mean(np.all((samples > low[place]) & (samples < high[place]), axis=2), axis=1)
+        assert covered[place] == pytest.approx(np.sum(part * np.hypot(*(ends[:, 1] - ends[:, 0]).T)), abs=0.02)
+        assert abs(crossed[place] - np.count_nonzero(part)) <= 1  # a line may touch a corner between two samples
+
+
+def test_shared_areas_by_hand():
+    others = [(0.0, 0.0, 2.0, 3.0), (4.0, 2.0, 5.0, 6.0), (2.0, 3.0, 3.0, 4.0)]
+    assert common(*BOX, others).tolist() == [[1.0, 0.0, 1.0]]
+    assert common(*BOX, []).shape == (1, 0)
