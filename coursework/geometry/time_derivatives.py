@@ -13,7 +13,7 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from coursework.codegen.names import acceleration, private
-from coursework.codegen.programs import Assign, as_columns, compile_function
+from coursework.codegen.programs import Assign, Program, as_columns, compile_function
 from coursework.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.reduction.symbolic import TIME, constants, local, symbol
 from coursework.reduction.system import scene_program
@@ -39,9 +39,12 @@ def compile_rows(equations: VelocityEquations, wanted: Sequence[sp.Expr], order:
     if order >= 2:
         arguments += map(acceleration, velocities)
     results = [f"_out{place}" for place in range(len(wanted))]
-    statements = [Assign(local(result), value) for result, value in zip(results, wanted, strict=True)]
     known = [symbol(name) for name in velocities] if order >= 1 else ()
-    body = scene_program(equations, statements, known).bind(constants(variant))
+
+    def written() -> Program:
+        return scene_program(equations, [Assign(local(name), value) for name, value in zip(results, wanted, strict=True)], known)
+
+    body = equations.once(("rows", order, *wanted), written).bind(constants(variant))
     function: RowFunction = compile_function("rows", arguments, body, results, numpy=True)
 
     def rows(t: Array, q: Array, u: Array | None = None, du: Array | None = None) -> Array:
