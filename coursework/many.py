@@ -22,6 +22,7 @@ from coursework.errors import CourseworkError, InputError
 from coursework.integration.motion import Stop
 from coursework.model.data import Data
 from coursework.model.model import Model
+from coursework.model.one_set import horizons
 from coursework.model.rows import rows_of
 from coursework.model.sets import prepare
 from coursework.scene import Scene
@@ -106,14 +107,14 @@ def solve_many(
 
 
 def feasible(variant: Variant | str | Path) -> tuple[bool, str]:
-    """Return whether the whole motion of a variant is possible, and if not why.
+    """Return whether the whole motion of a variant is possible, and if not why: through its table and through a period.
 
     >>> import coursework
     >>> coursework.feasible("31")
     (True, '')
     """
     chosen = load(variant) if isinstance(variant, (str, Path)) else variant
-    scene = Scene(chosen, Settings())
+    scene = Scene(chosen.timed(None, chosen.time.whole), Settings())
     try:
         return (True, "") if scene.stop is None else (False, scene.stop.sentence)
     except CourseworkError as error:
@@ -132,8 +133,9 @@ def feasible_many(variant: Variant | Model | str | Path, data: Any) -> tuple[Fla
     possible = np.ones(sets.count, dtype=bool)
     reasons = [""] * sets.count
     for part, chunk in _chunks(sets):
-        prepared = prepare(model, chunk, model.variant.time.end)
-        for place in np.flatnonzero(~prepared.sure).tolist():
+        ends = horizons(model.variant, chunk)
+        prepared = prepare(model, chunk, float(np.max(ends, initial=0.0, where=np.isfinite(ends))))
+        for place in np.flatnonzero(~prepared.sure | ~np.isfinite(ends)).tolist():
             index = part.start + place
             try:
                 possible[index], reasons[index] = feasible(_with(model.variant, sets, index))

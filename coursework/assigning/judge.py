@@ -17,11 +17,11 @@ from numpy.typing import NDArray
 
 from coursework.assigning.ranges import Limits
 from coursework.errors import CourseworkError
-from coursework.formula.tree import FormulaFault, evaluate
 from coursework.grading.marking.key import gap_of
 from coursework.many import feasible
 from coursework.model.data import Data
 from coursework.model.model import Model
+from coursework.model.one_set import with_numbers
 from coursework.model.rows import rows_of
 from coursework.model.sets import prepare
 from coursework.model.start import start_of
@@ -48,7 +48,7 @@ class Verdict:
 
 def judge(model: Model, data: Data, limits: Limits) -> list[Verdict]:
     """Return the verdict on each set of data."""
-    variants = [_with_numbers(model.variant, data, index) for index in range(data.count)]
+    variants = [with_numbers(model.variant, data, index) for index in range(data.count)]
     verdicts = [_refused_at_sight(model.variant, data, index, variants[index]) for index in range(data.count)]
     groups: dict[tuple[float, float], list[int]] = {}
     for index, verdict in enumerate(verdicts):
@@ -74,26 +74,6 @@ def _refused_at_sight(template: Variant, data: Data, index: int, variant: Varian
     return Verdict("" if sound else "refused")
 
 
-def _with_numbers(template: Variant, data: Data, index: int) -> Variant:
-    """Return the template with the numbers of one set and the times that follow from them; nothing else is read anew."""
-    given = tuple(replace(one, value=float(data.given[one.name][index])) for one in template.given)
-    values = {one.name: one.value for one in given}
-    times: dict[str, float] = {}
-    for path, formula in template.times.items():
-        if path[0] == "time":
-            try:
-                times[str(path[1])] = evaluate(formula, values)
-            except FormulaFault:
-                times[str(path[1])] = math.nan
-    starts = data.start[index].tolist()
-    guesses = [None if math.isnan(start) else start for start in starts]
-    coordinates = tuple(
-        replace(c, start=guess if c.start is not None else None, near=None if c.start is not None else guess)
-        for c, guess in zip(template.coordinates, guesses, strict=True)
-    )
-    return replace(template, given=given, coordinates=coordinates, time=replace(template.time, **times))  # type: ignore[arg-type]
-
-
 def _some(data: Data, places: list[int]) -> Data:
     return Data(len(places), {name: column[places] for name, column in data.given.items()}, data.start[places], data.changed)
 
@@ -101,7 +81,7 @@ def _some(data: Data, places: list[int]) -> Data:
 def _judge_alike(model: Model, data: Data, variants: list[Variant], limits: Limits) -> list[Verdict]:
     """Return the verdicts on sets whose rows stand at the same times."""
     time = variants[0].time
-    horizons = np.array([max(one.time.end, one.time.period or 0.0) for one in variants])
+    horizons = np.array([one.time.whole for one in variants])
     prepared = prepare(model, data, float(np.max(horizons)))
     movable = _movable(model, data, prepared.sure, horizons)
     rows, runs = rows_of(model, prepared, SCHEMES[DEFAULT_SCHEME.name], np.arange(time.steps + 1).astype(np.float64) * time.step)
@@ -145,11 +125,10 @@ def _movable(model: Model, data: Data, sure: NDArray[np.bool_], horizons: Array)
         start = start_of(model, data, model.numbers(data))
     clear = ~start.doubtful & (not model.own_breaks(data.changed))
     for place in places.tolist():
-        end = float(horizons[place])
-        if clear[place] and _stops(model, data, place, start.closed[:, place].tolist(), end):
+        if clear[place] and _stops(model, data, place, start.closed[:, place].tolist(), float(horizons[place])):
             continue
         try:
-            movable[place] = feasible(model.variant.with_data(*data.of(place, model.variant)).timed(None, end))[0]
+            movable[place] = feasible(model.variant.with_data(*data.of(place, model.variant)))[0]
         except CourseworkError:
             movable[place] = False
     return movable

@@ -1,6 +1,6 @@
 """What is found out about many sets before any table: where they begin, and which of them are sure to move.
 
-Enters: a `Model` and `Data`.  Leaves: `Sets`.  Used by `many.py`.
+Enters: a `Model` and `Data`.  Leaves: `Sets`.  Used by `many.py` and `assigning/judge.py`.
 """
 
 from __future__ import annotations

@@ -88,6 +88,11 @@ class Time:
         """Return the number of whole steps that fit."""
         return whole_steps(self.step, self.end)
 
+    @property
+    def whole(self) -> float:
+        """Return how long a motion must go on to be possible as a whole (s): the table or a period, whichever is longer."""
+        return max(self.end, self.period or 0.0)
+
 
 def whole_steps(step: float, end: float) -> int:
     """Return how many steps reach `end`; a quotient within 1e-9 of a whole number counts as that number."""

@@ -186,3 +186,24 @@ def test_equations_that_fit_their_own_data_alone_are_told_as_alone():
     possible, reasons = coursework.feasible_many(variant, {"k": [1.0, 1.001]})
     assert possible.tolist() == [True, False]
     assert "contradicts the geometry" in reasons[1]
+
+
+def test_the_whole_motion_lasts_through_a_period_that_is_longer_than_the_table():
+    """A table that ends before the dead point of 0.116889 s: the file without a period stops looking there, with one it does not."""
+    short = find("31").read_text(encoding="utf-8").replace("0.48", "0.1", 1)
+    bare = "\n".join(line for line in short.splitlines() if not line.startswith("period"))
+    data = {"alpha": [4.35, 0.02]}
+    for text, seen in ((short, False), (bare, True)):
+        variant = coursework.parse_variant(text, "31")
+        possible, reasons = coursework.feasible_many(variant, data)
+        assert possible.tolist() == [True, seen]
+        assert (possible[1], reasons[1]) == coursework.feasible(variant.with_data(given={"alpha": 0.02}))
+        assert seen or "0.116889" in reasons[1]
+
+
+def test_each_set_is_followed_for_its_own_time():
+    """With w0 the table of the homework lasts 2 π / w0: the dead point of a crank that cannot go round moves with it."""
+    possible, reasons = coursework.feasible_many("homework", {"w0": [10.0, 2.0, 0.0], "r1": [0.4, 0.9, 0.4]})
+    assert possible.tolist() == [True, False, False]
+    variant = coursework.load("homework").with_data(given={"w0": 2.0, "r1": 0.9})
+    assert (False, reasons[1]) == coursework.feasible(variant)

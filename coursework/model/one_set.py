@@ -1,0 +1,43 @@
+"""One set of data -> the template with its numbers, without reading the file anew.
+
+Enters: a template, `Data`, the place of a set.  Leaves: a `Variant` whose numbers and times are those of the set.
+Used by `many.py` and `assigning/judge.py`.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.formula.tree import FormulaFault, evaluate
+from coursework.model.data import Data
+from coursework.variant.record import Variant
+
+
+def horizons(template: Variant, data: Data) -> NDArray[np.float64]:
+    """Return how long (n,) the motion of each set must go on (s); nan where its data give no time."""
+    if any({*formula.names()} & {*data.changed} for formula in template.times.values()):
+        return np.array([with_numbers(template, data, index).time.whole for index in range(data.count)])
+    return np.full(data.count, template.time.whole)
+
+
+def with_numbers(template: Variant, data: Data, index: int) -> Variant:
+    """Return the template with the numbers of one set and the times that follow from them; nothing else is read anew."""
+    given = tuple(replace(one, value=float(data.given[one.name][index])) for one in template.given)
+    values = {one.name: one.value for one in given}
+    try:
+        times = {str(path[1]): evaluate(formula, values) for path, formula in template.times.items() if path[0] == "time"}
+    except FormulaFault:
+        times = {"end": math.nan}  # data from which no time follows make no table
+    starts = data.start[index].tolist()
+    guesses = [None if math.isnan(start) else start for start in starts]
+    coordinates = tuple(
+        replace(c, start=guess if c.start is not None else None, near=None if c.start is not None else guess)
+        for c, guess in zip(template.coordinates, guesses, strict=True)
+    )
+    return replace(template, given=given, coordinates=coordinates, time=replace(template.time, **times))  # type: ignore[arg-type]
+
+
