@@ -14,14 +14,17 @@ from dataclasses import dataclass, field
 from coursework.assigning.draw import PILOT, Lots
 from coursework.assigning.judge import Verdict, judge
 from coursework.assigning.ranges import Path
-from coursework.errors import Fault, InputError
+from coursework.errors import InputError
 from coursework.model.data import read_data
 from coursework.model.model import Model
 from coursework.sentences import Sentence, joined, say
 
 PILOTS = 25  # feasible draws whose median is the centre of difficulty
+# A draw that is not possible costs most.  The pilot stops where fewer than one in so many is, looked at from so many draws on.
+ONE_IN, SURELY, BATCH = 20, 100, 50
 _TOGETHER = 256  # draws that are judged in one array
-_AT_ONCE = 2  # draws of one student that are judged together
+_AT_ONCE, _ALONE = 4, 64  # draws of one student that are judged together: among the class, and where few are left
+_IN_COMPANY = 32  # draws after which those who have nothing yet are served one by one, so that a hopeless case ends soon
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,26 +65,35 @@ class Acceptance:
         """Return what each student is given; `done` is told how many more are ready.  Raises `InputError` with counts."""
         listed = [*students]
         found: dict[str, Accepted] = {}
-        refused: dict[str, Counter[str]] = {student: Counter() for student in listed}
-        waiting, attempt = [*dict.fromkeys(listed)], 0
-        while waiting and attempt < self.ranges.limits.tries:
-            attempts = range(attempt, min(attempt + _AT_ONCE, self.ranges.limits.tries))
+        waiting, tries = [*dict.fromkeys(listed)], self.ranges.limits.tries
+        refused: dict[str, Counter[str]] = {student: Counter() for student in waiting}
+        for attempts in _rounds(0, min(_IN_COMPANY, tries), _AT_ONCE):
             for some in _parts(waiting, _TOGETHER // _AT_ONCE):
-                lots = [(student, number) for student in some for number in attempts]
-                for (student, number), (values, verdict) in zip(lots, self._judged(lots), strict=True):
-                    if student in found:
-                        continue
-                    reason = verdict.refused or self._outside(verdict.numbers)
-                    if reason:
-                        refused[student][reason] += 1
-                    else:
-                        found[student] = Accepted(student, values, number, verdict.numbers)
-                done(sum(student in found for student in some))
+                done(self._tried(some, attempts, found, refused))
             waiting = [student for student in waiting if student not in found]
-            attempt = attempts.stop
-        if waiting:
-            raise InputError([Fault(self._too_few(student, refused[student])) for student in waiting[:3]])
+        for student in waiting:
+            for attempts in _rounds(_IN_COMPANY, tries, _ALONE):
+                if self._tried([student], attempts, found, refused):
+                    done(1)
+                    break
+            else:
+                raise InputError(self._refusal("fault.A005", refused[student], student=student))
         return [found[student] for student in listed]
+
+    def _tried(
+        self, students: Sequence[str], attempts: range, found: dict[str, Accepted], refused: Mapping[str, Counter[str]]
+    ) -> int:
+        """Find what students are given among some attempts, or count why not; return for how many it was found."""
+        before = len(found)
+        lots = [(student, number) for student in students for number in attempts]
+        for (student, number), (values, verdict) in zip(lots, self._judged(lots), strict=True):
+            if student not in found:
+                reason = verdict.refused or self._outside(verdict.numbers)
+                if reason:
+                    refused[student][reason] += 1
+                else:
+                    found[student] = Accepted(student, values, number, verdict.numbers)
+        return len(found) - before
 
     def _judged(self, lots: Sequence[tuple[str, int]]) -> list[tuple[dict[Path, str], Verdict]]:
         draws = [self.lots.draw(student, number) for student, number in lots]
@@ -90,40 +102,46 @@ class Acceptance:
 
     def _outside(self, numbers: Mapping[str, float]) -> str:
         """Return the measure that lies outside the band, "" where none does."""
-        band = self.ranges.difficulty.band
         for name in self.ranges.difficulty.numbers:
-            centre = self.centre.numbers[name]
-            if not abs(numbers[name] - centre) <= band * abs(centre):
+            low, high = self.band(name)
+            if not low <= numbers[name] <= high:
                 return f"band_{name}"
         return ""
+
+    def band(self, name: str) -> tuple[float, float]:
+        """Return within which limits a measure lies for every student, whoever is in the class."""
+        low, high = self.ranges.difficulty.reach
+        return low * self.centre.numbers[name], high * self.centre.numbers[name]
 
     def _centre(self) -> Centre:
         """Return the middle of the first feasible draws of a stream that no student has."""
         kept: list[Verdict] = []
         refused: Counter[str] = Counter()
-        drawn, since = 0, 0
-        while len(kept) < PILOTS and since < self.ranges.limits.tries:
-            lots = [(PILOT, drawn + number) for number in range(2 * PILOTS)]
+        drawn, least = 0, min(SURELY, self.ranges.limits.tries)
+        while len(kept) < PILOTS:
+            if drawn >= least and len(kept) * ONE_IN < drawn:
+                raise InputError(self._refusal("fault.A004", refused, feasible=len(kept), share=ONE_IN))
+            lots = [(PILOT, drawn + number) for number in range(min(BATCH, least))]
             for _, verdict in self._judged(lots):
-                drawn, since = drawn + 1, since + 1
+                drawn += 1
                 if verdict.refused:
                     refused[verdict.refused] += 1
                 else:
                     kept.append(verdict)
-                    since = 0
-                if len(kept) == PILOTS or since == self.ranges.limits.tries:
+                if len(kept) == PILOTS:
                     break
-        if len(kept) < PILOTS:
-            raise InputError(self._too_few("", refused))
         numbers = {name: statistics.median(one.numbers[name] for one in kept) for name in kept[0].numbers}
         return Centre(numbers, len(kept), drawn, dict(refused))
 
-    def _too_few(self, student: str, refused: Counter[str]) -> Sentence:
+    def _refusal(self, key: str, refused: Counter[str], feasible: int = 0, **values: object) -> Sentence:
         """Return why the ranges leave too few mechanisms, and what refused how many."""
         counts = [say(f"assign.refused.{reason}", number=number) for reason, number in refused.most_common()]
-        key = "fault.A005" if student else "fault.A004"
-        values = {"file": self.ranges.file, "number": sum(refused.values()), "reasons": joined(counts, "assign.refused.join")}
-        return say(key, student=student, **values)
+        values |= {"number": feasible + sum(refused.values()), "feasible": feasible}
+        return say(key, file=self.ranges.file, reasons=joined(counts, "assign.refused.join"), **values)
+
+
+def _rounds(first: int, end: int, size: int) -> Iterable[range]:
+    return (range(start, min(start + size, end)) for start in range(first, end, size))
 
 
 def _parts(listed: Sequence[str], size: int) -> Iterable[Sequence[str]]:

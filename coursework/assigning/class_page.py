@@ -50,9 +50,8 @@ def _measure(name: str, accepted: Sequence[Accepted], assignment: Assignment, wo
     """Return the strip of one measure of difficulty; what the band does not hold has its own reach for a band."""
     values = [one.numbers[name] for one in accepted]
     centre = assignment.acceptance.centre.numbers[name]
-    difficulty = assignment.ranges.difficulty
-    banded = name in difficulty.numbers
-    low, high = ((1 - difficulty.band) * centre, (1 + difficulty.band) * centre) if banded else (min(values), max(values))
+    banded = name in assignment.ranges.difficulty.numbers
+    low, high = assignment.acceptance.band(name) if banded else (min(values), max(values))
     ends = tuple(with_unit(words.numbers.scalar(value), MEASURES[name]) for value in (min(low, *values), max(high, *values)))
     return {"title": words(f"assigned.{name}"), "strip": strip(values, low, high, centre, (ends[0], ends[1]))}
 

@@ -7,6 +7,7 @@ Used by every part of this room; made by `reader.py`.
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
@@ -74,10 +75,20 @@ class Limits:
 
 @dataclass(frozen=True, slots=True)
 class Difficulty:
-    """Each of `numbers` lies within ±`band` (a part of it) of the middle of the class."""
+    """Each of `numbers` lies within ±`band` (a part of it) of the median of the class, whoever the class consists of."""
 
     band: float = 0.30
     numbers: tuple[str, ...] = USUAL
+
+    @property
+    def reach(self) -> tuple[float, float]:
+        """Return the limits of a number, as parts of its median over the pilot stream.
+
+        The class is not known when a student's data are drawn, and its median may lie anywhere between the limits.  The upper
+        one is therefore 1 + band times the lower one: then nobody is farther than the band from any such median.
+        """
+        root = math.sqrt(1 + self.band)
+        return 1 / root, root
 
 
 @dataclass(frozen=True, slots=True)

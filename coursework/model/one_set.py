@@ -39,5 +39,3 @@ def with_numbers(template: Variant, data: Data, index: int) -> Variant:
         for c, guess in zip(template.coordinates, guesses, strict=True)
     )
     return replace(template, given=given, coordinates=coordinates, time=replace(template.time, **times))  # type: ignore[arg-type]
-
-

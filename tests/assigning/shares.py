@@ -37,9 +37,11 @@ def measured(name, count, first=0):
     draws = [lots.draw(STREAM, number) for number in range(first, first + count)]
     columns = {path[1]: [draw[path] for draw in draws] for path in draws[0] if path[0] != "time"}
     verdicts = judge(model, model.data(columns), lots.ranges.limits)
-    centre, difficulty = acceptance.centre.numbers, lots.ranges.difficulty
+    difficulty = lots.ranges.difficulty
+    ends = {key: (centre / (1 + difficulty.band) ** 0.5, centre * (1 + difficulty.band) ** 0.5)
+            for key, centre in acceptance.centre.numbers.items()}  # fmt: skip
     banded = [
-        not one.refused and all(abs(one.numbers[key] / centre[key] - 1) <= difficulty.band for key in difficulty.numbers)
+        not one.refused and all(ends[key][0] <= one.numbers[key] <= ends[key][1] for key in difficulty.numbers)
         for one in verdicts
     ]
     return verdicts, banded

@@ -7,9 +7,10 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import coursework
+from coursework.assigning.accept import Acceptance
 from coursework.assigning.draw import Lots
-from coursework.assigning.judge import judge
-from coursework.assigning.ranges import Limits
+from coursework.assigning.judge import Verdict, judge
+from coursework.assigning.ranges import MEASURES, Limits
 from coursework.assigning.variants import load_ranges
 from tests.assigning import closed_form
 from tests.assigning.test_draw import acceptance, model
@@ -112,7 +113,7 @@ def test_a_table_that_steps_over_a_dead_point_is_refused():
 
 
 def test_the_band_is_held_around_the_median_of_the_pilot_stream():
-    usual, band = acceptance(), 0.3
+    usual = acceptance()
     streams = {student: [usual.lots.draw(student, attempt) for attempt in range(40)] for student in ("", "s1", "s2", "s3")}
     draws = [draw for stream in streams.values() for draw in stream]
     data = model().data({path[1]: [draw[path] for draw in draws] for path in draws[0] if path[0] != "time"})
@@ -125,15 +126,48 @@ def test_the_band_is_held_around_the_median_of_the_pilot_stream():
         )
     for number, accepted in enumerate(usual.accepted(["s1", "s2", "s3"]), start=1):
         of_student = verdicts[40 * number : 40 * (number + 1)]
-        inside = [not one.refused and all(abs(one.numbers[name] / usual.centre.numbers[name] - 1) <= band
+        inside = [not one.refused and all(abs(math.log(one.numbers[name] / usual.centre.numbers[name])) <= math.log(1.3) / 2
                                           for name in usual.ranges.difficulty.numbers) for one in of_student]  # fmt: skip
         assert accepted.attempt == inside.index(True)
         assert accepted.values == streams[accepted.id][accepted.attempt]
 
 
+@pytest.mark.parametrize("size", [2, 3, 5, 30])
+def test_nobody_is_farther_than_the_band_from_the_median_of_any_class(size):
+    """Of 60 students the worst class of each size is taken: the easiest with the one hardest, and the other way round."""
+    everybody = acceptance().accepted([f"s{number}" for number in range(60)])
+    for name in acceptance().ranges.difficulty.numbers:
+        values = sorted(one.numbers[name] for one in everybody)
+        for group in (values[: size - 1] + values[-1:], values[:1] + values[1 - size :], values):
+            assert 0.7 <= min(group) / np.median(group) <= max(group) / np.median(group) <= 1.3
+
+
+@pytest.mark.parametrize(("feasible", "ends"), [(5, True), (4, False)])
+def test_the_pilot_stops_where_fewer_than_one_draw_in_twenty_is_possible(monkeypatch, feasible, ends):
+    """Of the first hundred draws so many are possible, after them all: five are enough, four are not."""
+    numbers = dict.fromkeys(MEASURES, 1.0)
+    drawn = []
+
+    def judged(model, data, limits):
+        places = range(len(drawn), len(drawn) + data.count)
+        drawn.extend(places)
+        return [
+            Verdict("" if place >= 100 or (place % 20 == 0 and place // 20 < feasible) else "motion", numbers) for place in places
+        ]
+
+    monkeypatch.setattr("coursework.assigning.accept.judge", judged)
+    if ends:
+        assert Acceptance(model(), acceptance().lots).centre.drawn == 120
+    else:
+        with pytest.raises(
+            coursework.InputError, match=r"of 100 draws 96 could not go .* and 4 can be given out\. At least one in 20"
+        ):
+            Acceptance(model(), acceptance().lots)
+
+
 def test_ranges_that_leave_too_few_are_refused_with_reasons():
     never = {"given": {"alpha": {"from": "0 rad", "to": "0.05 rad", "step": "0.01 rad"}}, "limits": {"tries": 10}}
-    with pytest.raises(coursework.InputError, match=r"of 10 draws 10 could not go through the whole motion\. Take narrower"):
+    with pytest.raises(coursework.InputError, match=r"of 10 draws 10 could not go through the whole motion, and 0 can be given"):
         coursework.draw("31", never, 1, "ada")
     r1, V1 = {"from": "0.94 m", "to": "0.96 m", "step": "0.001 m"}, {"from": "4.3 m/s", "to": "4.7 m/s", "step": "0.01 m/s"}
     strict = {"given": {"r1": r1, "V1": V1}, "limits": {"tries": 3}, "difficulty": {"band": 0.000001}}

@@ -189,7 +189,7 @@ def test_equations_that_fit_their_own_data_alone_are_told_as_alone():
 
 
 def test_the_whole_motion_lasts_through_a_period_that_is_longer_than_the_table():
-    """A table that ends before the dead point of 0.116889 s: the file without a period stops looking there, with one it does not."""
+    """The table ends before the dead point of 0.116889 s: without a period nothing beyond it is asked, with one it is."""
     short = find("31").read_text(encoding="utf-8").replace("0.48", "0.1", 1)
     bare = "\n".join(line for line in short.splitlines() if not line.startswith("period"))
     data = {"alpha": [4.35, 0.02]}
