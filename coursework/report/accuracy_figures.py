@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.axis import Axis
     from matplotlib.figure import Figure as Drawing
 
-PLOT_HEIGHT = 82.0  # mm of the axes with their labels
+PLOT_HEIGHT = 74.0  # mm of the axes with their labels
 LEGEND_COLUMNS = 3
 OTHER_ENTRIES = 3  # of the legend: the own step, the last row, round-off
 LEGEND_LINE = 4.4  # mm of one line of the legend

@@ -31,7 +31,7 @@ def control(context: PageContext) -> list[Part]:
         )
         for finding in judged
     ]
-    return [Paragraph(context.say("control.intro")), Claims(lines)]
+    return [Paragraph(context.say("control.intro"), style="note"), Claims(lines)]
 
 
 def _claim(context: PageContext, finding: Finding) -> str:

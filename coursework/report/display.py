@@ -15,7 +15,7 @@ from coursework.page_text import clean
 from coursework.report.equations import Setter, text_equation
 from coursework.report.parts import Display, Runs
 
-LINE = 60  # characters of text form (spaces and subscripts not counted) that fit a line of the printed page
+LINE = 64  # characters of text form (spaces and subscripts not counted) that fit a line of the printed page
 INDENT = 4  # the same measure: what a continued line loses on the left
 
 Piece = tuple[int, str]  # width, source

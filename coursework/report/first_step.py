@@ -27,20 +27,14 @@ def first_step(context: PageContext) -> list[Part]:
     rate_of = {coordinate.name: coordinate.rate for coordinate in run.variant.coordinates}
     names = run.motion.coordinate_names[:MOST_LINES]
     index = [_line(context, name, rate_of[name]) for name in names]
-    parts: list[Part] = [Paragraph(context.say("derivation.along", step=context.quantity(run.step, "s"))), Equations(_two(index))]
+    parts: list[Part] = [
+        Paragraph(context.say("derivation.along", step=context.quantity(run.step, "s"))),
+        Equations(index, flow=True),
+    ]
     if len(run.motion.t) > 1 and not run.settings.project and not run.settings.gain:
         numbers = [_numbers(context, name, rate_of[name]) for name in names]
-        parts += [Paragraph(context.say("derivation.first_step")), Equations(numbers)]
+        parts += [Paragraph(context.say("derivation.first_step")), Equations(numbers, flow=True)]
     return parts
-
-
-def _two(lines: list[Display]) -> list[Display]:
-    """Return the lines two beside each other."""
-    found = []
-    for first in range(0, len(lines), 2):
-        pair = lines[first : first + 2]
-        found.append(Display(", quad ".join(one.math for one in pair), ", ".join(one.text for one in pair)))
-    return found
 
 
 def _line(context: PageContext, name: str, rate: str) -> Display:

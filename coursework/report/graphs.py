@@ -123,7 +123,7 @@ def _panel(context: PageContext, rows: Rows) -> Panel:
     stop = [np.array([run.stop.time])] if run.stop is not None else []
     field = field_for(SIZE, [rows.t, rows.curve_t, *stop], [rows.values, rows.curve])
     label = letters(symbol) + (f", {escape(unit)}" if unit else "")
-    inside = axes(field, context.numbers, label)
+    inside = axes(field, context.numbers, label, context.unit("s"))
     if run.stop is not None:
         x = field.x(run.stop.time)
         inside += f'<path {STOP_PEN} d="M{x:.2f} {graph_paper.TOP:g}V{field.height - graph_paper.BOTTOM:g}"/>'

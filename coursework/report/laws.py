@@ -14,25 +14,12 @@ from coursework.report.parts import Display, Equations, Paragraph, Part
 from coursework.report.text_runs import runs
 from coursework.variant.record import Law
 
-SHORT = 26  # characters of a law that shares its line with others
-
 
 def laws_shown(context: PageContext, laws: tuple[Law, ...]) -> list[Part]:
-    """Return the laws, short ones beside each other, each table as a sentence."""
+    """Return the laws, each table as a sentence."""
     tabulated = [Paragraph(runs(_tabulated(context, law))) for law in laws if law.table]
-    shown = _joined([_law(context, law) for law in laws if not law.table])
-    return [*([Equations(shown)] if shown else []), *tabulated]
-
-
-def _joined(laws: list[Display]) -> list[Display]:
-    """Return two laws on one line where both are short."""
-    lines: list[Display] = []
-    for law in laws:
-        if lines and len(lines[-1].text) + len(law.text) <= 2 * SHORT and "cases" not in lines[-1].math + law.math:
-            lines[-1] = Display(f"{lines[-1].math}, quad {law.math}", f"{lines[-1].text}, {law.text}")
-        else:
-            lines.append(law)
-    return lines
+    shown = [_law(context, law) for law in laws if not law.table]
+    return [*([Equations(shown, flow=True)] if shown else []), *tabulated]
 
 
 def _law(context: PageContext, law: Law) -> Display:

@@ -23,7 +23,6 @@ from coursework.report.page_context import PageContext
 from coursework.report.parts import Bullets, Display, Equations, Paragraph, Part
 from coursework.report.text_runs import runs
 
-SHORT = 62  # characters of text that share a line
 PI = Formula("name", name="pi")
 
 
@@ -70,28 +69,17 @@ def _derived_from_points(context: PageContext, found: Derivation) -> list[Part]:
     say = context.words
     nought = [f"{known.point}{axis}" for known in found.graph.known for axis in "xy" if known.part(axis) == ZERO]
     zero = [context.symbol(f"V{clean(name)}") for name in nought]
-    line = Display(", quad ".join(f"{one.typst} = 0" for one in zero), ", ".join(f"{one.text} = 0" for one in zero))
+    line = [Display(f"{one.typst} = 0", f"{one.text} = 0") for one in zero]
     ways = ", ".join("–".join(clean(point) for point in path.points) for path in found.paths)
-    nought_first: list[Part] = [Paragraph(context.say("constraints.joints")), Equations([line])] if zero else []
+    nought_first: list[Part] = [Paragraph(context.say("constraints.joints")), Equations(line, flow=True)] if zero else []
     return [
         *nought_first,
         Paragraph(runs(say("constraints.paths", paths=ways))),
-        Equations(joined([_vector_equation(path) for path in found.paths], SHORT)),
+        Equations([_vector_equation(path) for path in found.paths], flow=True),
         Paragraph(context.say("constraints.projections")),
         Equations([_projection(context, one) for one in found.projections]),
         *_reductions(context, found.projections),
     ]
-
-
-def joined(lines: Sequence[Display], longest: int) -> list[Display]:
-    """Return displays, those that are short together on one line."""
-    found: list[Display] = []
-    for line in lines:
-        if found and len(found[-1].text) + len(line.text) <= longest:
-            found[-1] = Display(f"{found[-1].math}, quad {line.math}", f"{found[-1].text}, {line.text}")
-        else:
-            found.append(line)
-    return found
 
 
 def _vector_equation(path: Path) -> Display:
@@ -146,14 +134,14 @@ def _part_of_pi(part: Fraction) -> Formula:
 
 
 def _reductions(context: PageContext, found: Sequence[Numbered]) -> list[Part]:
-    """Return the reduction formulas that the projections need, on one line."""
+    """Return the reduction formulas that the projections need."""
     used: dict[tuple[str, Fraction, bool], None] = {}
     for one in found:
         for term in one.projection.terms:
             if term.angle.offset:
                 used[term.function, term.angle.offset, term.angle.base is not None] = None
     lines = [_reduction(*key) for key in used if key[1] in _QUARTERS]
-    return [Paragraph(context.say("constraints.reductions")), Equations(joined(lines, SHORT))] if lines else []
+    return [Paragraph(context.say("constraints.reductions")), Equations(lines, flow=True)] if lines else []
 
 
 _QUARTERS = {Fraction(1, 2): 1, Fraction(1): 2, Fraction(3, 2): 3}
@@ -212,7 +200,7 @@ def _contours(context: PageContext) -> list[Part]:
         vector = display(_put_in(context, contour.left), _put_in(context, contour.right), context.rates)
         parts += [
             Paragraph(context.lettered(context.words("constraints.contour", name=clean(contour.name, 40)))),
-            Equations([vector]), Paragraph(context.say("constraints.two")), Equations(_two(context, contour)),
+            Equations([vector]), Paragraph(context.say("constraints.two")), Equations(_two(context, contour), flow=True),
             Paragraph(context.say("constraints.derivatives")),
             Equations([replace(_shown(context, one), before=[]) for one in both]),
         ]  # fmt: skip
@@ -241,11 +229,11 @@ def _points(context: PageContext, contours: Sequence[Contour]) -> list[Part]:
         for name, formula in mechanism.points
         if name in named and (set(formula.names()) & coordinates)
     ]
-    return [Paragraph(context.say("constraints.points")), Equations(joined(shown, SHORT))] if shown else []
+    return [Paragraph(context.say("constraints.points")), Equations(shown, flow=True)] if shown else []
 
 
 def _constant_angles(context: PageContext) -> Iterator[Part]:
     """Yield the line that defines each constant angle."""
     if lines := [display(Formula("name", name=name), angle, context.rates) for name, angle in context.angles.angles]:
         yield Paragraph(context.say("constraints.angles"))
-        yield Equations(joined(lines, SHORT))
+        yield Equations(lines, flow=True)

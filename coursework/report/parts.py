@@ -81,10 +81,15 @@ class Display:
 
 @dataclass(frozen=True, slots=True)
 class Equations:
-    """Displayed equations, one below the other; `compact`: the words before each stand at its side where there is room."""
+    """Displayed equations, one below the other.
+
+    `compact`: the words before each stand at its side where there is room; `flow`: as many as fit share a line, the words
+    before the first stand above, those after the last below.
+    """
 
     items: list[Display]
     compact: bool = False
+    flow: bool = False
     kind: str = field(default="equations", init=False)
 
 

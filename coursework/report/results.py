@@ -15,6 +15,7 @@ from coursework.report.tables import motion_parts, pieces
 from coursework.report.tangent import tangent_figure
 from coursework.report.text_runs import numeral, runs
 from coursework.schemes import SCHEMES, Scheme
+from coursework.sentences import title_of
 
 PARTS = ("first", "last", "total", "scheme", "period")
 FINE = 1  # decimals that a difference is printed with beyond those of its column
@@ -72,7 +73,7 @@ def _why(context: PageContext, found: list[Split], step: LocalError | None) -> l
         gap = context.with_unit(context.numbers.scalar(abs(step.gap), 3), step.unit)
         values = {"symbol": context.symbol(step.column).text, "rate": context.symbol(step.rate_name).text, "gap": gap}
         values |= {"row": str(step.row), "next": str(step.row + 1)}
-        title = context.told(scheme.title)
+        title = context.told(title_of(scheme))
         if scheme.order == 1:
             told.append(say("why.tangent", scheme=title[:1].upper() + title[1:], **values))
             told.append(say("why.half"))

@@ -13,13 +13,10 @@ from coursework.reduction.solution import Solution
 from coursework.report import equations as setting
 from coursework.report.display import display
 from coursework.report.first_step import first_step
-from coursework.report.motion_equations import joined
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Display, Equations, Paragraph, Part, Runs
 from coursework.report.text_runs import runs
 from coursework.sentences import say
-
-SHORT = 70  # characters of text that share a line
 
 
 def solution(context: PageContext) -> list[Part]:
@@ -53,7 +50,7 @@ def _single(context: PageContext, block: Block, formulas: Solution, delta: str, 
     origin = context.words(key, equations=_names(context, block), known=context.symbol_list(used))
     shown = [_set(context, Formula("name", name=name), formula) for name, formula in formulas]
     shown[0] = Display(shown[0].math, shown[0].text, before=runs(origin), after=_vanishing(context, block, delta))
-    return [Equations(shown)]
+    return [Equations(shown, compact=True)]
 
 
 def _set(context: PageContext, left: Formula, right: Formula) -> Display:
@@ -76,7 +73,7 @@ def _by_cramer(context: PageContext, block: Block, shown: Cramer, formulas: Solu
         determinants.append(_named(context, delta, place, numerator))
     quotients = [_quotient(context, name, delta, place, formula) for place, (name, formula) in enumerate(formulas, start=1)]
     quotients[-1] = Display(quotients[-1].math, quotients[-1].text, after=_vanishing(context, block, delta, shown.determinant))
-    return [Paragraph(runs(intro)), Equations([*joined(rows, SHORT), *joined(determinants, SHORT), *quotients])]
+    return [Paragraph(runs(intro)), *(Equations(lines, flow=True) for lines in (rows, determinants, quotients))]
 
 
 def _gathered(row: tuple[Formula, Formula], names: list[Formula]) -> Formula:

@@ -15,7 +15,7 @@ from coursework.report.graph_paper import EXACT_PEN, SCHEME_INK, Field, axes, fi
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Figure
 
-SIZE = (120.0, 44.0)  # mm
+SIZE = (120.0, 40.0)  # mm
 LETTER = 1.9  # mm, the mean width of a letter
 BESIDE = 0.35  # of a step, shown before and behind it
 TANGENT_PEN = f'class="rows" fill="none" stroke="{SCHEME_INK}" stroke-width="0.42" stroke-dasharray="2.4 1.2"'
@@ -40,7 +40,7 @@ def tangent_figure(context: PageContext, step: LocalError) -> Figure | None:
     unit = context.unit(step.unit)
     symbol = context.symbol(step.column)
     label = letters(symbol) + (f", {escape(unit)}" if unit else "")
-    inside = axes(field, context.numbers, label)
+    inside = axes(field, context.numbers, label, context.unit("s"))
     inside += f'<path {EXACT_PEN} d="{field.path(t, curve)}"/>'
     line = field.path(np.array([foot[0], top[0]]), np.array([foot[1], top[1]]))
     inside += f'<path {TANGENT_PEN} d="{line}"/>'

@@ -1,0 +1,148 @@
+"""The page on paper: how many pages, how full they are, and where they may break."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import cache
+from types import ModuleType
+from typing import Any
+
+import pymupdf
+import pytest
+
+import coursework
+from coursework.report import build_model, render_pdf
+from coursework.report.parts import Checks, Claims, Column, Display, Equations, Judged, Paragraph, Part, Runs, Section, Table
+from coursework.report.pdf import render_pages
+
+MM = 72 / 25.4
+HEAD, FOOT = 18 * MM, 15 * MM  # above and below stand the running line and the number of the page
+PAGES, APPENDIX = 5, 3  # of variant 31
+LEAST_FULL = 1 / 3
+BEFORE, AFTER = 4, 3  # rows of a table at the end and at the beginning of a page
+
+
+@cache
+def paper(name: str, language: str = "en") -> bytes:
+    return render_pdf(build_model(coursework.solve(name), language))
+
+
+def filled(made: bytes) -> list[float]:
+    """Return for each page which share of its height the lowest mark lies at."""
+    shares = []
+    with pymupdf.open(stream=made, filetype="pdf") as document:
+        for sheet in document:
+            low = sheet.rect.height - FOOT
+            marks = [box[3] for _, box in sheet.get_bboxlog() if HEAD < box[3] < low + 1]
+            shares.append((max(marks, default=HEAD) - HEAD) / (low - HEAD))
+    return shares
+
+
+@pytest.mark.parametrize("language", ["en", "ru", "uk", "zh"])
+def test_variant_31_takes_five_pages_and_three_of_appendix(language: str) -> None:
+    made = paper("31", language)
+    with pymupdf.open(stream=made, filetype="pdf") as document:
+        contents = [(title, page) for _, title, page in document.get_toc()]
+        begins = contents[-3][1]  # three appendices are the end of the list
+        assert begins - 1 <= PAGES, contents
+        assert len(document) - (begins - 1) <= APPENDIX, contents
+        turned = [sheet.number + 1 for sheet in document if sheet.rect.width > sheet.rect.height]
+        assert turned == [PAGES]
+    assert min(filled(made)[:-1]) >= LEAST_FULL
+
+
+@pytest.mark.parametrize("name", ["v107", "jansen", "example-3", "example-1", "homework", "stopped"])
+def test_no_page_but_the_last_is_less_than_a_third_full(real: ModuleType, name: str) -> None:
+    made = render_pdf(build_model(real.stopped())) if name == "stopped" else paper(name)
+    shares = filled(made)
+    assert len(shares) > 4
+    assert min(shares[:-1]) >= LEAST_FULL, shares
+
+
+def test_a_page_that_is_hardly_begun_is_seen() -> None:
+    model = build_model(coursework.solve("31", quantities=["table"]))
+    shares = [filled(render_pdf(replace(model, sections=(_lines(count),))))[0] for count in (10, 14, 40)]
+    assert shares[0] < LEAST_FULL < shares[1] < shares[2] <= 1
+
+
+def _runs(text: str) -> Runs:
+    return [{"t": text}]
+
+
+def _lines(count: int) -> Section:
+    return Section("lines", "Lines", [Paragraph(_runs(f"line {number}")) for number in range(count)])
+
+
+def _table(rows: int, *, whole: bool) -> Table:
+    cells: list[list[Any]] = [[f"row{number}", f"{number}.5"] for number in range(rows)]
+    columns = [Column(_runs("row")), Column(_runs("x"), "m")]
+    return Table(
+        columns, cells, _runs("the caption"), rules=list(range(4, rows, 5)), note=_runs("the note"), whole=whole, label="T"
+    )
+
+
+def _claims(rows: int) -> Claims:
+    return Claims([("✓", "holds", _runs(f"row{number}"), "1") for number in range(rows)])
+
+
+def _checks(rows: int) -> Checks:
+    items = [
+        Judged("✓", "holds", "CODE", _runs(f"row{n}"), _runs("words " * 40), "1", "2", "", ["a"], [["b"]]) for n in range(rows)
+    ]
+    return Checks("the caption", ["verdict", "check", "value", "limit"], items)
+
+
+def pages_of(parts: Sequence[Part]) -> list[list[str]]:
+    """Return the texts of the pages of reports, each with more lines before a section of these parts than the last."""
+    model = build_model(coursework.solve("31", quantities=["table"]))
+    shown = Section("shown", "The heading", list(parts))
+    made = render_pages([replace(model, sections=(_lines(count), shown)).plain() for count in range(18, 54)])
+    found: list[list[str]] = []
+    with pymupdf.open(stream=made, filetype="pdf") as document:
+        for sheet in document:
+            text = sheet.get_text()
+            found += [[]] if "line 0\n" in text else []
+            found[-1].append(text)
+    return found
+
+
+def _rows(text: str) -> int:
+    return len(re.findall(r"\brow\d+", text))
+
+
+@pytest.mark.parametrize(
+    ("part", "before", "after"),
+    [
+        (_table(12, whole=False), BEFORE, AFTER), (_table(7, whole=False), 7, 7), (_table(9, whole=True), 9, 9),
+        (_claims(12), BEFORE, AFTER), (_checks(9), 2, 2),
+    ],
+)  # fmt: skip
+def test_a_break_leaves_enough_rows_on_both_sides(part: Part, before: int, after: int) -> None:
+    parted = set()
+    for pages in pages_of([part]):
+        rows = [_rows(page) for page in pages]
+        shown = [count for count in rows if count]
+        assert shown[0] >= before, rows
+        assert shown[-1] >= after, rows
+        begin = next(page for page, count in zip(pages, rows, strict=True) if count)
+        for words in ("The heading", "the caption", "the note"):
+            assert (words in begin) == any(words in page for page in pages), words
+        parted.add(tuple(shown))
+    if before < sum(shown):
+        # It breaks as soon as it may; a line above is higher than a row.
+        assert min(shown[0] for shown in parted) <= before + 1
+        assert min(shown[-1] for shown in parted if len(shown) > 1) == after
+
+
+@pytest.mark.parametrize("flow", [True, False])
+def test_words_that_lead_to_formulas_stay_with_them(flow: bool) -> None:
+    items = [Display(f"x_{n} = frac(y, z)", f"x{n}", name="" if flow else "7") for n in range(24 if flow else 4)]
+    moved = set()
+    for pages in pages_of([Paragraph(_runs("It follows:")), Equations(items, flow=flow)]):
+        at = next(number for number, page in enumerate(pages) if "It follows" in page)
+        assert "The heading" in pages[at]
+        assert "𝑥" in pages[at].split("It follows:")[1]
+        moved.add(at)
+    assert moved == {0, 1}
