@@ -12,11 +12,13 @@ from click.testing import CliRunner
 import coursework
 from coursework import quantities
 from coursework.cli import main
+from coursework.data import folder
 from coursework.drawing.record import Drawing
 from coursework.graph import computed
 from coursework.kinematics.extra import ExtraTable
 from coursework.quantities import QUANTITIES, Columns, OwnFigure, OwnSection, OwnTable, Quantity
-from coursework.report import build_model
+from coursework.report import build_model, sections
+from coursework.report.parts import Paragraph
 from coursework.report.sections import APPENDIX, NUMBERED, PAPER
 from coursework.sentences import say
 from coursework.variant.record import Variant
@@ -96,6 +98,31 @@ def test_it_is_counted_and_costs_nothing_unasked(dummy):
 def test_a_table_of_any_motion_has_the_columns_of_the_record(monkeypatch):
     monkeypatch.setattr(quantities, "QUANTITIES", (*QUANTITIES, Quantity(power, SHOWN["columns"])))
     assert list(coursework.exact("31", quantities=["table", "power"]).columns)[-1] == "power"
+
+
+def power_of_links(context):
+    """A section of tomorrow."""
+    return [Paragraph(context.rich(f"{np.max(context.run.of(quantities.QUANTITIES[-1])):.3f} W"))]
+
+
+def test_a_quantity_with_a_section_of_its_own(tmp_path, monkeypatch):
+    record = Quantity(power, OwnSection())
+    monkeypatch.setattr(quantities, "QUANTITIES", (*QUANTITIES, record))
+    monkeypatch.setattr(sections, "PAPER", (*PAPER, (power_of_links, record)))
+    monkeypatch.chdir(tmp_path)
+    words = (folder("reports") / "words.en.toml").read_text(encoding="utf-8")
+    Path("own").mkdir()
+    titled = words.replace("[section]\n", '[section]\npower_of_links = "Power of the links"\n')
+    Path("own/words.en.toml").write_text(titled, encoding="utf-8")
+    for asked in ("table", "table,power"):
+        line = ["run", "31", "--quantities", asked, "--format", "csv,html", "--out", "out", "--templates", "own"]
+        told = CliRunner().invoke(main, line)
+        assert told.exit_code == 0, told.output
+        page = Path("out/report.html").read_text(encoding="utf-8")
+        assert ("Power of the links" in page, 'id="power_of_links"' in page) == (("power" in asked),) * 2
+    said = json.loads(Path("out/run.json").read_text(encoding="utf-8"))
+    assert (said["contents"][-1]["name"], said["contents"][-1]["shown"]) == ("power", "section")
+    assert "power" not in said["columns"]
 
 
 def test_every_record_is_shown_somewhere():
