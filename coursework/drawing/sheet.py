@@ -18,6 +18,7 @@ from coursework.drawing.cover import Lines, common
 
 FONT = "'DejaVu Sans', Verdana, 'Segoe UI', sans-serif"
 LETTER = 3.2  # mm, 9 pt
+AXIS_LETTER = 2.85  # mm, 8 pt: as small as print gets
 SIZES = (LETTER, 2.3, 2.7)  # mm: of a word, of what is set lower, of what follows
 BROAD = frozenset("MWmwωΩΨΦφψЖШЩЮФМжшщюфмы%@…—=+−<>")
 LONGEST = 60  # letters of a text; what is longer would run over the drawing
@@ -120,7 +121,7 @@ class Sheet:
         pen = 'stroke="black" stroke-width="0.2"'
         for way, name, shift in ((complex(length), "x", 0.5 + 0.9j), (-length * 1j, "y", 1.0 + 1.2j)):
             self.arrow(at, at + way, pen, head=1.6)
-            self.text(at + way + shift, (name, "", ""), ITALIC, 2.6)
+            self.text(at + way + shift, (name, "", ""), ITALIC, AXIS_LETTER)
         self.words.append((corner.real, corner.imag, corner.real + wide, corner.imag + high))
 
     def hatch(self, a: complex, b: complex, away: complex) -> None:

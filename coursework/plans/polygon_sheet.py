@@ -128,7 +128,7 @@ class _Inset:
         sheet.words.append((corner.real, corner.imag, right, corner.imag + HEAD))
         words = written(say("plans.inset", times=self.times, scale=decimal(unit / self.times), unit=UNITS[plan]))
         for k, line in enumerate(words.split("\n")):
-            sheet.text(corner + complex(1.5, 3.6 + 3.4 * k), (line, "", ""), size=2.4)
+            sheet.text(corner + complex(1.5, 3.6 + 3.4 * k), (line, "", ""), size=2.85)
         pole = corner + self.origin
         sheet.circle(pole, 0.6, 'fill="white" stroke="black" stroke-width="0.3"')
         tips: list[tuple[complex, str]] = []

@@ -182,7 +182,7 @@ def _slope(
     axes.fill([left, right, right], [top, top, bottom], facecolor="none", edgecolor=colour, linewidth=0.8, zorder=4)
     axes.annotate(
         method.order_text, (right, math.sqrt(top * bottom)), xytext=(2.5, 0), textcoords="offset points", ha="left",
-        va="center", fontsize=7.5, color="black", parse_math=False,
+        va="center", fontsize=8, color="black", parse_math=False,
     )  # fmt: skip
 
 

@@ -20,10 +20,13 @@ from coursework.report.symbols import Symbol
 
 FACE = "'DejaVu Sans', Verdana, 'Segoe UI', sans-serif"
 LETTERS = 2.9  # mm: 8 points on paper, 12 pixels on a phone
-LEFT, RIGHT, TOP, BOTTOM = 13.5, 3.0, 6.0, 7.0  # mm around the field
-TICK = 0.9  # mm
+LEFT, RIGHT, TOP, BOTTOM = 13.5, 3.0, 6.0, 7.0  # mm around the field; longer words at the ticks take more at the left
+DIGIT = 0.68  # of the height of letters: the widest digit or sign
+TICK, APART = 0.9, 0.6  # mm: a tick, and between it and its words
+PLAIN = Numbers()
 MOST_DECIMALS, LARGEST = 5, 1e6  # of a number at a tick; beyond them stand powers of ten
 TIME_ROOM = 6.0  # mm at the end of the axis of t, for its name
+MOST_TICKS = 5  # of the values
 ROOM = 0.07  # of the range of the values, above and below
 RADIUS = 0.62  # mm of a dot
 MOST_DOTS = 60
@@ -46,10 +49,11 @@ class Field:
     last: float
     low: float
     high: float
+    left: float = LEFT
 
     def x(self, t: float) -> float:
         """Return mm from the left edge."""
-        return LEFT + (t - self.first) / (self.last - self.first) * (self.width - LEFT - RIGHT)
+        return self.left + (t - self.first) / (self.last - self.first) * (self.width - self.left - RIGHT)
 
     def y(self, value: float) -> float:
         """Return mm from the upper edge."""
@@ -67,8 +71,8 @@ class Field:
         return "".join(steps)
 
 
-def field_for(size: tuple[float, float], t: Sequence[Array], values: Sequence[Array]) -> Field:
-    """Return the field that holds all values; a constant gets room around it."""
+def field_for(size: tuple[float, float], t: Sequence[Array], values: Sequence[Array], numbers_as: Numbers = PLAIN) -> Field:
+    """Return the field that holds all values, and at its left the words at its ticks; a constant gets room around it."""
     times, numbers = np.concatenate(t), np.concatenate(values)
     numbers = numbers[np.isfinite(numbers)]
     low, high = (float(numbers.min()), float(numbers.max())) if len(numbers) else (0.0, 1.0)
@@ -76,7 +80,10 @@ def field_for(size: tuple[float, float], t: Sequence[Array], values: Sequence[Ar
     if high - low <= 1e-9 * max(abs(low), abs(high)):
         room = 0.5 * max(abs(low), abs(high)) or 1.0
     first, last = float(times.min()), float(times.max())
-    return Field(*size, first, last if last > first else first + 1.0, low - room, high + room)
+    low, high = low - room, high + room
+    longest = max(map(len, tick_texts(*round_ticks(low, high, MOST_TICKS), numbers_as)), default=0)
+    left = max(LEFT, TICK + APART + DIGIT * LETTERS * longest)
+    return Field(*size, first, last if last > first else first + 1.0, low, high, left)
 
 
 def smooth(t: Array, values: Array, rates: Array) -> tuple[Array, Array]:
@@ -148,15 +155,15 @@ def words(x: float, y: float, inside: str, anchor: str = "start", more: str = ""
 
 def axes(field: Field, numbers: Numbers, label: str, unit: str) -> str:
     """Return frame, ticks, zero line and the words of a graph; `label` stands above, t and its `unit` at the end of its axis."""
-    left, right, top, bottom = LEFT, field.width - RIGHT, TOP, field.height - BOTTOM
-    parts = [f'<path class="axis" fill="none" stroke="{INK}" stroke-width="0.2" d="M{left} {top}V{bottom}H{right}"/>']
+    left, right, top, bottom = field.left, field.width - RIGHT, TOP, field.height - BOTTOM
+    parts = [f'<path class="axis" fill="none" stroke="{INK}" stroke-width="0.2" d="M{left:g} {top}V{bottom}H{right}"/>']
     if field.low < 0 < field.high:
-        parts.append(f'<path class="zero" stroke="{FAINT}" stroke-width="0.15" d="M{left} {field.y(0):.2f}H{right}"/>')
-    ticks, decimals = round_ticks(field.low, field.high, 5)
+        parts.append(f'<path class="zero" stroke="{FAINT}" stroke-width="0.15" d="M{left:g} {field.y(0):.2f}H{right}"/>')
+    ticks, decimals = round_ticks(field.low, field.high, MOST_TICKS)
     for value, text in zip(ticks, tick_texts(ticks, decimals, numbers), strict=True):
         y = field.y(value)
-        parts.append(f'<path class="axis" stroke="{INK}" stroke-width="0.2" d="M{left} {y:.2f}h{-TICK}"/>')
-        parts.append(words(left - TICK - 0.6, y + 1.0, text, "end"))
+        parts.append(f'<path class="axis" stroke="{INK}" stroke-width="0.2" d="M{left:g} {y:.2f}h{-TICK}"/>')
+        parts.append(words(left - TICK - APART, y + 1.0, text, "end"))
     ticks, decimals = round_ticks(field.first, field.last, 6)
     for value, text in zip(ticks, tick_texts(ticks, decimals, numbers), strict=True):
         x = field.x(value)
@@ -172,7 +179,7 @@ def sheet(field: Field, inside: str, more: str = "") -> str:
     """Return the whole SVG, its ranges readable by the live part of a page."""
     ranges = (
         f'data-time="{field.first:.9g} {field.last:.9g}" data-values="{field.low:.9g} {field.high:.9g}" '
-        f'data-box="{LEFT:g} {TOP:g} {field.width - RIGHT:g} {field.height - BOTTOM:g}"'
+        f'data-box="{field.left:g} {TOP:g} {field.width - RIGHT:g} {field.height - BOTTOM:g}"'
     )
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{field.width:g}mm" height="{field.height:g}mm" '

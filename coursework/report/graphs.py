@@ -121,7 +121,7 @@ def _panel(context: PageContext, rows: Rows) -> Panel:
     unit = context.unit(run.variant.unit_of(rows.name))
     symbol = context.symbol(rows.name)
     stop = [np.array([run.stop.time])] if run.stop is not None else []
-    field = field_for(SIZE, [rows.t, rows.curve_t, *stop], [rows.values, rows.curve])
+    field = field_for(SIZE, [rows.t, rows.curve_t, *stop], [rows.values, rows.curve], context.numbers)
     label = letters(symbol) + (f", {escape(unit)}" if unit else "")
     inside = axes(field, context.numbers, label, context.unit("s"))
     if run.stop is not None:

@@ -15,7 +15,7 @@ from coursework.report.graph_paper import EXACT_PEN, SCHEME_INK, Field, axes, fi
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Figure
 
-SIZE = (120.0, 40.0)  # mm
+SIZE = (110.0, 40.0)  # mm; the screen of a phone shows it whole
 LETTER = 1.9  # mm, the mean width of a letter
 BESIDE = 0.35  # of a step, shown before and behind it
 TANGENT_PEN = f'class="rows" fill="none" stroke="{SCHEME_INK}" stroke-width="0.42" stroke-dasharray="2.4 1.2"'
@@ -36,7 +36,7 @@ def tangent_figure(context: PageContext, step: LocalError) -> Figure | None:
     kept = (t >= exact.t[begin] - BESIDE * h) & (t <= exact.t[end] + BESIDE * h)
     t, curve = t[kept], curve[kept]
     foot, top = (float(exact.t[begin]), float(q[begin])), (float(exact.t[end]), float(q[begin] + h * rate[begin]))
-    field = field_for(SIZE, [t], [curve, np.array([foot[1], top[1]])])
+    field = field_for(SIZE, [t], [curve, np.array([foot[1], top[1]])], context.numbers)
     unit = context.unit(step.unit)
     symbol = context.symbol(step.column)
     label = letters(symbol) + (f", {escape(unit)}" if unit else "")
