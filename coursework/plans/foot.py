@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from coursework.drawing.sheet import ITALIC, Sheet
+from coursework.drawing.sheet import AXIS_LETTER, ITALIC, Sheet
 from coursework.sentences import say
 
 FOOT = 17.0  # mm for the bar and the scales
@@ -31,4 +31,4 @@ def draw_foot(sheet: Sheet, lines: Sequence[str], written: Callable[[str], str])
     at = complex(sheet.width - 12, sheet.height - 4.5)
     for way, name, shift in ((8 + 0j, "x", 0.6 + 0.8j), (-8j, "y", -2.6 + 0.5j)):
         sheet.arrow(at, at + way, 'stroke="black" stroke-width="0.2"', head=1.6)
-        sheet.text(at + way + shift, (name, "", ""), look=ITALIC, size=2.6)
+        sheet.text(at + way + shift, (name, "", ""), look=ITALIC, size=AXIS_LETTER)
