@@ -22,6 +22,7 @@ _RUN = re.compile(
     r"|\ue000(?P<own>.)\ue001"
     r"|(?P<greek>(?<![^\W\d_])[α-ωϕ]\u0307?(?![^\W\d_]))"
     r"|(?P<raised>(?<=[\d\w)])[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
+    r"|(?P<typed>(?<![\w-])--[a-z]+(?:-[a-z]+)*(?: (?:h/)?\d[\w./-]*(?<!\.))?)"
 )
 ITALIC = ("\ue000", "\ue001")  # around a letter of our own words; `clean` removes both from all other text
 _RAISED = re.compile("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]")
@@ -34,9 +35,10 @@ _PLAIN_DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶�
 
 
 def runs(text: str, names: Iterable[str] = ()) -> list[Run]:
-    """Split a sentence into runs {"t": text}, {"v": letter, "s": subscript} and {"p": raised}, to be set like a book.
+    """Split a sentence into runs, to be set like a book.
 
-    Finds "V_My", "φ₁", "ω", "10⁻⁷", and those of `names` that are symbols beyond doubt ("phi1", "w3"); the rest stays text.
+    A run is {"t": text}, {"v": letter, "s": subscript}, {"p": raised} or {"c": what is typed}: "V_My", "φ₁", "ω", "10⁻⁷",
+    "--step h/19", and those of `names` that are symbols beyond doubt ("phi1", "w3"); the rest stays text.
     """
     text = _spelt(text, names)
     found: list[Run] = []
@@ -46,6 +48,8 @@ def runs(text: str, names: Iterable[str] = ()) -> list[Run]:
             found.append({"t": text[end : match.start()]})
         if match["raised"]:
             found.append({"p": match["raised"].translate(_PLAIN_DIGITS)})
+        elif match["typed"]:
+            found.append({"c": match["typed"]})
         else:
             low = (match["low"] or match["digits"] or "").translate(_PLAIN_DIGITS)
             found.append({"v": match["letter"] or match["own"] or match["greek"], "s": low})
