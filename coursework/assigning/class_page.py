@@ -16,7 +16,7 @@ from coursework.assigning.spread import BASE, HEIGHT, LEFT, MARK, RIGHT, WIDTH, 
 from coursework.assigning.variants import Assignment
 from coursework.formula.units import read
 from coursework.page_text import clean, template
-from coursework.report.numbers import with_unit
+from coursework.report.numbers import unit_text, with_unit
 from coursework.report.words import Words
 
 LONGEST = 120
@@ -39,9 +39,9 @@ def class_page(handouts: Sequence[Handout], assignment: Assignment, seed: str, w
         difficulty=[_measure(name, accepted, assignment, words) for name in MEASURES] if accepted else [],
         data=[_datum(one, accepted, assignment, words) for one in ranges if one.count > 1] if accepted else [],
         axis={"width": WIDTH, "left": LEFT, "right": RIGHT, "mark": MARK, "foot": HEIGHT - BASE},
-        heads=[_head(one, assignment, words) for one in ranges], measures=[words(f"assigned.{name}") for name in MEASURES],
-        units=list(MEASURES.values()),
-        students=[_student(handout, assignment, words) for handout in handouts],
+        columns=[_column(one, accepted, assignment, words) for one in ranges],
+        measures=[(words(f"assigned.{name}"), MEASURES[name]) for name in MEASURES],
+        students=[_student(handout, words) for handout in handouts],
         same=[", ".join(group) for group in _equal(accepted)],
     )  # fmt: skip
 
@@ -78,14 +78,22 @@ def _dressed(text: str, words: Words) -> str:
     return with_unit(quantity.text.replace("-", "−").replace(".", words("decimal")), quantity.unit)
 
 
-def _student(handout: Handout, assignment: Assignment, words: Words) -> Plain:
+def _column(one: Range, accepted: Sequence[Accepted], assignment: Assignment, words: Words) -> Plain:
+    """Return the column of one datum: its unit stands at the head where all have the same."""
+    texts = [each.values[one.path] for each in accepted]
+    units = {read(text).unit for text in texts}
+    unit = units.pop() if len(units) == 1 else ""
+    cells = [_dressed(read(text).text if unit else text, words) for text in texts]
+    return {"symbol": _head(one, assignment, words), "unit": unit_text(unit), "cells": cells}
+
+
+def _student(handout: Handout, words: Words) -> Plain:
     accepted = handout.individual.accepted
     return {
         "id": clean(handout.student.id, LONGEST),
         "name": clean(handout.student.name, LONGEST),
         "file": handout.stem,
         "decimals": handout.least_decimals,
-        "data": [_dressed(accepted.values[one.path], words) for one in assignment.ranges.ranges],
         "numbers": [difficulty_text(accepted.numbers[name]).replace(".", words("decimal")) for name in MEASURES],
     }
 

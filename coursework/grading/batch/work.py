@@ -21,7 +21,7 @@ from coursework.grading.submission import Submission, submission_from
 from coursework.sentences import ENGLISH, Sentence, load_phrases
 
 # Raised whenever marks may come out otherwise: a second run then grades everything anew.
-GRADING_VERSION = 1
+GRADING_VERSION = 2
 
 
 @dataclass(frozen=True)

@@ -23,7 +23,7 @@ from coursework.grading.pages.class_page import class_page
 from coursework.grading.platforms.canvas import Gradebook
 from coursework.grading.platforms.feedback_zip import feedback_zip
 from coursework.grading.platforms.worksheet import Worksheet
-from coursework.sentences import ENGLISH, load_phrases
+from coursework.sentences import ENGLISH, Phrases, load_phrases
 
 COLUMNS = (
     "id", "name", "status", "points", "max", "table", "equations", "answers", "wrong_cells", "missing_cells", "first_wrong",
@@ -44,6 +44,7 @@ def write_gradebook(
     canvas: Gradebook | None = None, moodle: bool = False, language: str = ENGLISH,
 ) -> list[str]:  # fmt: skip
     """Write every file but pages and journal; return their names."""
+    words = load_phrases(language)
     places = {place.id: place for place in listed.places}
     facts = ClassFacts()
     lines: list[list[str]] = []
@@ -52,7 +53,7 @@ def write_gradebook(
         place = places[entry.id]
         record = submission_record(place, entry.grade, entry.page)
         facts.add(record, entry.grade["reason"])
-        lines.append(_line(record, entry.grade["reason"]))
+        lines.append(_line(record, _told(entry.grade, words)))
         records.append(json.dumps(record, ensure_ascii=False, allow_nan=False))
     strangers = [
         {"name": parcel.name or parcel.folder or parcel.id, "files": [name for name, _ in parcel.files]}
@@ -62,11 +63,11 @@ def write_gradebook(
     write_bytes(out / "grades.csv", _csv(COLUMNS, lines))
     write_bytes(out / "grades.json", b"".join(_json(rubric, records, strangers, facts)))
     changes = [(change.id, change.before, change.after, change.reason) for change in graded.changes]
-    page = class_page(facts, changes, [(str(entry["name"]), list(entry["files"])) for entry in strangers], load_phrases(language))
+    page = class_page(facts, changes, [(str(entry["name"]), list(entry["files"])) for entry in strangers], words)
     write_bytes(out / "class.html", page.encode("utf-8"))
     write_bytes(out / "changes.csv", _changes(graded.changes))
     if worksheet is not None:
-        write_bytes(out / "worksheet.csv", worksheet.filled(_marks(listed, graded)))
+        write_bytes(out / "worksheet.csv", worksheet.filled(_marks(listed, graded, words)))
         written.append("worksheet.csv")
     if canvas is not None:
         write_bytes(out / "canvas.csv", canvas.filled(_points(listed, graded, canvas)))
@@ -77,11 +78,25 @@ def write_gradebook(
     return written
 
 
-def _line(record: Mapping[str, Any], reason: str) -> list[str]:
+def _told(grade: Mapping[str, Any], words: Phrases) -> str:
+    """Return the one sentence about a submission: why it has no number, else the first number or equation that is wrong."""
+    if grade["score"] is None:
+        return str(grade["reason"])
+    if first := grade["first_wrong"]:
+        return str(first["sentence"])
+    decided = {override["check"] for override in grade.get("overrides", [])}
+    equations = grade["equations"] if not decided & {"equations", "total"} else None
+    for item in equations["items"] if equations else ():
+        if item["verdict"] == "wrong":
+            hint = words.said(f"feedback.hint.{item['hint']['kind']}", **item["hint"]) if item["hint"] else ""
+            return words.said("feedback.line_wrong", line=item["line"], hint=hint).rstrip()
+    if equations and equations["independent"] < equations["needed"]:
+        return words.said("feedback.independent", independent=equations["independent"], needed=equations["needed"])
+    return ""
+
+
+def _line(record: Mapping[str, Any], sentence: str) -> list[str]:
     parts = [record[part] for part in ("table", "equations", "answers")]
-    sentence = reason
-    if record["score"] is not None:
-        sentence = record["first_wrong"]["sentence"] if record["first_wrong"] else ""
     return [
         record["id"], record["name"] or "", record["status"], _number(record["score"]), _number(record["max"]),
         *(_number(part.get("score") if part else None) for part in parts),
@@ -115,16 +130,16 @@ def _json(rubric: Rubric, records: Sequence[str], strangers: Sequence[Mapping[st
     yield b"\n],\n" + json.dumps(tail, ensure_ascii=False, allow_nan=False)[1:].encode() + b"\n"
 
 
-def _marks(listed: ClassList, graded: Graded) -> dict[int, tuple[float | None, str]]:
+def _marks(listed: ClassList, graded: Graded, words: Phrases) -> dict[int, tuple[float | None, str]]:
     """Return points and comment by the record of the worksheet."""
     rows = {place.id: place.row for place in listed.places if place.row is not None}
     marks: dict[int, tuple[float | None, str]] = {}
     for entry in graded.entries():
         if (row := rows.get(entry.id)) is not None:
-            first, decided = entry.grade["first_wrong"], entry.grade.get("overrides", [])
-            comment = entry.grade["reason"]
-            if entry.grade["score"] is not None:
-                comment = " ".join([first["sentence"]] if first else [str(override["reason"]) for override in decided])
+            comment = _told(entry.grade, words)
+            if entry.grade["score"] is not None and not entry.grade["first_wrong"]:
+                decided = [str(override["reason"]) for override in entry.grade.get("overrides", [])]
+                comment = " ".join(decided or [comment])
             marks[row.record] = entry.grade["score"], comment
     return marks
 

@@ -12,12 +12,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+PARTS = ("table", "equations", "answers")
 SAME_FILE_KINDS = ("table", "equations", "answers", "variant", "attachment")
 
 
 @dataclass
 class ClassFacts:
-    """Counts over the class; `names` and `pages` by id; `everyone` (id, state, points, first wrong cell)."""
+    """Counts over the class; `names` and `pages` by id; `everyone` (id, state, points, points of the parts, first wrong
+    cell).
+    """
 
     states: Counter[str] = field(default_factory=Counter)
     scores: list[float] = field(default_factory=list)
@@ -31,7 +34,7 @@ class ClassFacts:
     to_look_at: list[tuple[str, str, str]] = field(default_factory=list)
     names: dict[str, str] = field(default_factory=dict)
     pages: dict[str, str] = field(default_factory=dict)
-    everyone: list[tuple[str, str, float | None, str]] = field(default_factory=list)
+    everyone: list[tuple[str, str, float | None, tuple[float | None, ...], str]] = field(default_factory=list)
     file_names: dict[str, str] = field(default_factory=dict)
 
     def add(self, entry: Mapping[str, Any], reason: str = "") -> None:
@@ -40,7 +43,8 @@ class ClassFacts:
         self.names[entry["id"]] = entry["name"] or entry["id"]
         if entry["page"]:
             self.pages[entry["id"]] = entry["page"]
-        self.everyone.append((entry["id"], entry["status"], entry["score"], entry["table"]["first_wrong"] or ""))
+        parts = tuple(entry[part].get("score") if entry[part] else None for part in PARTS)
+        self.everyone.append((entry["id"], entry["status"], entry["score"], parts, entry["table"]["first_wrong"] or ""))
         self.most = max(self.most, float(entry["max"] or 0.0))
         if entry["score"] is not None:
             self.scores.append(entry["score"])

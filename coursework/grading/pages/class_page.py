@@ -10,12 +10,12 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 
 from coursework.grading.pages.bars import bars
-from coursework.grading.pages.class_facts import ClassFacts
+from coursework.grading.pages.class_facts import PARTS, ClassFacts
 from coursework.grading.pages.feedback import misconception_sentence, shown_points
 from coursework.page_text import clean, template
 from coursework.sentences import Phrases, Sentence, say
 
-PARTS = 10  # of the distribution
+TENTHS = 10  # parts of the distribution
 MOST_LISTED = 200
 # A file that more than this part of a class shares was given to it, so those who have it are counted, not listed.
 GIVEN, FEW = 0.25, 6
@@ -29,6 +29,7 @@ def class_page(
     first, last = (min(facts.first_rows), max(facts.first_rows)) if facts.first_rows else (1, 0)
     named = sorted(facts.misconceptions.items(), key=lambda item: (-len(item[1]), item[0]))
     variants = sorted(facts.by_variant.items())
+    parts = [place for place in range(len(PARTS)) if any(earned[place] is not None for _, _, _, earned, _ in facts.everyone)]
     called = _called(facts)
     content = {
         "count": sum(facts.states.values()),
@@ -49,14 +50,22 @@ def class_page(
         ],
         "same_files": [_same(files, ids, called) for ids, files in sorted(facts.shared.items())[:MOST_LISTED]],
         "other_data": [(called[who], clean(whose)) for who, whose in facts.other_data[:MOST_LISTED]],
+        "parts": [say(f"feedback.part.{PARTS[place]}") for place in parts],
         "everyone": [
-            (called[who], facts.pages.get(who), _state(state), shown_points(score, words), _cell(first, words))
-            for who, state, score, first in facts.everyone
+            (
+                called[who],
+                facts.pages.get(who),
+                _state(state),
+                shown_points(score, words),
+                [shown_points(earned[place], words) for place in parts],
+                _cell(first, words),
+            )
+            for who, state, score, earned, first in facts.everyone
         ],
         "variants": [
             (clean(name), len(scores), shown_points(statistics.fmean(scores), words)) for name, scores in variants[:MOST_LISTED]
         ]
-        if len(variants) > 1
+        if 1 < len(variants) < len(facts.scores)  # of individual variants each has one
         else [],
         "changes": [
             (called.get(who, clean(who)), _mark(before, words), _mark(after, words), say(f"class.reason.{why}"))
@@ -98,11 +107,11 @@ def _same(files: Sequence[str], ids: Sequence[str], called: Mapping[str, str]) -
 
 def _tenths(facts: ClassFacts, words: Phrases) -> list[tuple[str, int]]:
     """Return how many scores lie in each tenth of the points; full points belong to the last."""
-    counts = [0] * PARTS
+    counts = [0] * TENTHS
     for score in facts.scores:
-        counts[min(int(PARTS * score / (facts.most or 1.0)), PARTS - 1)] += 1
-    edges = [shown_points(facts.most * part / PARTS, words) for part in range(PARTS + 1)]
-    return [(f"{edges[part]}–{edges[part + 1]}", counts[part]) for part in range(PARTS)]
+        counts[min(int(TENTHS * score / (facts.most or 1.0)), TENTHS - 1)] += 1
+    edges = [shown_points(facts.most * part / TENTHS, words) for part in range(TENTHS + 1)]
+    return [(f"{edges[part]}–{edges[part + 1]}", counts[part]) for part in range(TENTHS)]
 
 
 def _listed(names: Sequence[str]) -> str:

@@ -49,5 +49,5 @@ def panel(name: str, unit: str, t: Array, key: Array, found: Array, is_wrong: Fl
         name, unit, " ".join(places(key, np.ones_like(there))),
         "".join(f"M{place}h0" for place in places(found, there & ~wrong)),
         "".join(f"M{place}{_CROSS}" for place in places(found, there & wrong)),
-        words.number(low, ".3g"), words.number(high, ".3g"),
+        *(words.number(end, ".3g").replace("-", "−") for end in (low, high)),
     )  # fmt: skip

@@ -6,6 +6,7 @@ Used by the children of a batch.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -21,6 +22,7 @@ from coursework.variant.texts import in_language
 # Longer tables show their first rows and those with wrong cells: the page stays one that a person reads.
 FIRST_ROWS, MOST_ROWS = 25, 60
 LONGEST_TEXT = 300
+_NEGATIVE = re.compile(r"(?<![\w.-])-(?=\d)")
 LONGEST_CELL = 24
 _RATES = {"1/s": "rad/s"}  # as the heads of the table say it
 # The sign of a mark and the class of its cell.
@@ -111,7 +113,7 @@ def _misconception(grade: Grade) -> dict[str, Any] | None:
     named = grade.table.misconception
     return {
         "told": misconception_sentence(named.code) if named else "",
-        "share": f"{100 * named.share:.0f}" if named else "",
+        "share": str(int(100 * named.share + 1e-9)) if named else "",  # 100 only where it is all of the table
         "ties": [misconception_sentence(code) for code in named.ties] if named else [],
         "hidden": [misconception_sentence(code) for code in grade.table.hidden],
     }
@@ -125,13 +127,15 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
     if len(key.table) <= MOST_ROWS:
         chosen = list(range(len(key.table)))
     columns = [marked.table.column(name) for name in key.names]
+    digits = max(len(f"{t:.6g}".partition(".")[2]) for t in key.t.tolist())
+    times = [words.number(t, f".{digits}f") for t in key.t.tolist()]
     rows = []
     for row in chosen:
         entries = [
             (clean(column.texts[row], LONGEST_CELL) if column else "", *_SIGNS[mark])
             for column, mark in zip(columns, cells.marks[row].tolist(), strict=True)
         ]
-        rows.append({"number": row + 1, "t": words.number(key.t[row], ".6g"), "cells": entries})
+        rows.append({"number": row + 1, "t": times[row], "cells": entries})
     m = len(key.coordinates)
     panels = [
         panel(
@@ -150,7 +154,7 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
         for name, entry in reading.columns.items()
     ]
     return {
-        "first": marked.first.sentence if marked.first else "",
+        "first": typeset(words.written(marked.first.sentence)) if marked.first else "",
         "counts": {
             "wrong": int(cells.wrong.sum()), "missing": int(cells.missing.sum()), "carried": int(cells.carried.sum()),
             "cells": marked.points.cells,
@@ -161,6 +165,15 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
         "left_out": len(key.table) - len(chosen), "end": words.number(key.t[-1], ".6g"),
         "panels": panels, "least": key.least_decimals,
     }  # fmt: skip
+
+
+def typeset(text: str) -> str:
+    """Return a sentence with a minus where a hyphen stands before a number.
+
+    >>> typeset("1.5 + 0.02·(-1.92); x-2 and 1e-5 stay")
+    '1.5 + 0.02·(−1.92); x-2 and 1e-5 stay'
+    """
+    return _NEGATIVE.sub("−", text)
 
 
 def _equations(grade: Grade, words: Phrases) -> dict[str, Any] | None:

@@ -53,6 +53,8 @@ def test_every_submission_has_a_state_and_only_graded_ones_a_number(graded):
     assert found["carl"]["first_wrong"] == "row 11 w2"
     assert found["dora"]["misconception"] == "heun"
     assert found["emil"]["equations"] == "30.00"
+    assert found["emil"]["sentence"].startswith("Line 4 of the equations is not right. A sign at column ")
+    assert found["ada"]["sentence"] == ""
     assert "PDF" in found["fred"]["sentence"]
 
 
@@ -86,7 +88,7 @@ def test_pages_are_small_without_scripts_and_say_what_is_wrong(graded):
     assert "All 172 cells that count are right." in (graded[1] / "feedback" / "ada.html").read_text(encoding="utf-8")
     page = (graded[1] / "feedback" / "dora.html").read_text(encoding="utf-8")
     assert "Heun" in page
-    assert page.index("too few to show") < page.index("were rounded to 2 decimal(s)")
+    assert page.index("too few to show") < page.index("were rounded before the step, to so many decimals: 2")
     assert "too few to show" not in (graded[1] / "feedback" / "carl.html").read_text(encoding="utf-8")
 
 
@@ -269,7 +271,7 @@ def test_the_class_page_calls_people_by_name_and_leads_to_their_pages(tmp_path):
     hand_in(source / "Ann 1_799_assignsubmission_file_", students.slip(8, 1, 1.2))
     assert grade(source, tmp_path / "out").exit_code == 0
     page = (tmp_path / "out" / "class.html").read_text(encoding="utf-8")
-    assert re.search(r'<a href="feedback/x-[0-9a-f]{16}\.html">Ann 0</a></td><td>9\d\.\d+</td>', page)
+    assert re.search(r'<a href="feedback/x-[0-9a-f]{16}\.html">Ann 0</a></td><td><b>9\d\.\d+</b></td>', page)
     assert "row 10 w1" in page
     assert page.count("Ann 1_799") == page.count("Ann 1_701")  # two of one name keep what tells them apart
     assert "came from 9 people" in page  # the equations, which all have
