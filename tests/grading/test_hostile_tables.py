@@ -171,6 +171,12 @@ def test_position_counts_only_where_the_heads_agree() -> None:
     assert refused(half).code == "count_columns"
 
 
+def test_ten_times_too_much_is_a_slip_and_no_unit() -> None:
+    tenfold = read(csv([[*row[:4], *(f"{float(text) * 10:.4f}" for text in row[4:])] for row in ROWS]))
+    assert [tenfold.column(name).unit for name in ("phi1", "w1", "w4")] == ["rad", "1/s", "1/s"]  # type: ignore[union-attr]
+    assert codes(tenfold) == []
+
+
 def test_units_from_the_header_and_from_the_numbers() -> None:
     rpm = [[*row[:4], *(f"{float(text) * 30 / math.pi:.4f}" for text in row[4:])] for row in ROWS]
     table = read(csv(rpm))

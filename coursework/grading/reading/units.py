@@ -30,9 +30,16 @@ def unit_of_column(column: GridColumn, head: str, values: Sequence[float]) -> st
     # What begins as the task begins is in that unit; a wrong table may grow to any multiple of the right one later.
     for seen in (ratios, _ratios(_increments(column.values), _increments(values)), ratios[:1]):
         for unit, factor in known.items():
-            if seen and 2 * sum(abs(ratio * factor - 1) <= _WIDTH for ratio in seen) > len(seen):
+            if seen and _in_unit(seen, factor):
                 return unit
     return next(iter(known))
+
+
+def _in_unit(ratios: Sequence[float], factor: float) -> bool:
+    """Return whether most ratios are those of a unit; where they are nearer to ten, a point has slipped: rpm is 9.55."""
+    middle = median(ratios)
+    most = 2 * sum(abs(ratio * factor - 1) <= _WIDTH for ratio in ratios) > len(ratios)
+    return most and abs(middle * factor - 1) <= abs(middle / 10 - 1)
 
 
 def factor_of(column: GridColumn, unit: str) -> float:
