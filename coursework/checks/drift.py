@@ -28,8 +28,7 @@ def drift(evidence: Evidence) -> Finding:
     closure = evidence.closure
     assert closure is not None
     motion = evidence.motion
-    targets = closure.targets(motion.t)[0]
-    residual, _ = closure.residual(motion.t, motion.coordinates, targets)
+    residual, _ = closure.residual(motion.t, motion.coordinates, closure.targets(motion.t)[0])
     shortest = evidence.once("shortest length", lambda: shortest_length(evidence))
     angles = np.array([position.unit == "rad" for position in evidence.equations.positions])
     shares = np.abs(residual) / np.where(angles, 1.0, shortest)
@@ -41,7 +40,7 @@ def drift(evidence: Evidence) -> Finding:
         for name, size, angle in zip(closure.names, np.max(np.abs(residual), axis=0), angles, strict=True)
     )
     size = float(abs(residual[row, equation]))
-    if (jump := _jump(evidence, closure, targets, np.where(angles, 1.0, shortest))) is not None:
+    if (jump := _jump(evidence, closure, np.where(angles, 1.0, shortest))) is not None:
         at, which = jump
         sentence = say("check.DRIFT.jump", name=closure.names[which], row=at, next=at + 1, time=float(motion.t[at]))
         return Finding("FAIL", sentence, value, LIMIT, say("unit.of_the_scale"), closure.names[which], at + 1, rows=lines)
@@ -52,14 +51,12 @@ def drift(evidence: Evidence) -> Finding:
     return Finding(verdict, sentence, value, LIMIT, say("unit.of_the_scale"), name, row + 1, rows=lines)
 
 
-def _jump(evidence: Evidence, closure: Closure, targets: Array, scales: Array) -> tuple[int, int] | None:
+def _jump(evidence: Evidence, closure: Closure, scales: Array) -> tuple[int, int] | None:
     """Return the first row (from 0) and the equation that the motion of the velocities itself leaves open, None if all hold."""
     exact = evidence.exact
     if exact is None or not len(exact.t):
         return None
-    if not np.array_equal(exact.t, evidence.motion.t):
-        targets = closure.targets(exact.t)[0]
-    residual, _ = closure.residual(exact.t, exact.coordinates, targets)
+    residual, _ = closure.residual(exact.t, exact.coordinates, closure.targets(exact.t)[0])
     open_rows = np.abs(residual) / scales > LIMIT
     if open_rows[0].any() or not open_rows.any():
         return None

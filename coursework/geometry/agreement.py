@@ -106,14 +106,11 @@ def _configurations(closure: Closure) -> list[tuple[float, Sequence[float]]]:
     end = closure.equations.variant.time.end
     times = np.linspace(0.0, end / 50, _CONFIGURATIONS)
     kept, known = closure.targets(times)
-    found: list[tuple[float, Sequence[float]]] = []
-    q = closure.start
-    for index, t in enumerate(times.tolist()):
-        guess = q.copy()
-        guess[list(closure.driven)] = known[index]
-        closed = closure.newton(t, guess, kept[index])
-        if closed is None:
-            break
-        q = closed
-        found.append((t, q.tolist()))
-    return found or [(0.0, closure.start.tolist())]
+    guess = np.tile(closure.start, (len(times), 1))
+    guess[:, list(closure.driven)] = known
+    try:
+        q, closed = closure.newton_rows(times, guess, kept)
+    except np.linalg.LinAlgError:
+        closed = np.zeros(len(times), dtype=bool)
+    count = int(np.argmin(closed)) if not closed.all() else len(times)
+    return list(zip(times[:count].tolist(), q[:count].tolist(), strict=True)) if count else [(0.0, closure.start.tolist())]

@@ -6,7 +6,7 @@ Enters: `VelocityEquations` with positions.  Leaves: `Closure`.  Used by `integr
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -29,6 +29,7 @@ MAX_NEWTON = 25
 # shrinking; closed where the corrections run out.
 FARTHEST, SETTLED, SHRINKING, CLOSED = 10.0, 1e-15, 1e-11, 1e-9
 OPEN = 0.01  # of the largest length: more than this is a wrong start, not a rounded one
+_REMEMBERED = 4  # grids of times: a table, its exact rows and its checks ask for the same one
 MOST_COMBINED = 12  # equations; beyond it pairs are not tried
 
 
@@ -40,7 +41,7 @@ class Closure:
     `drives` per equation the name of the drive it follows ("" for none); `origin` the value kept (m or rad).
     `function(t, *q)` gives the values and their derivatives by the free coordinates, `rows` the same over arrays (n,).
     `combination` (k, k) adds and subtracts equations so that they fall into `blocks` (rows, free columns), solved in turn.
-    `agreed` names the written velocity equations that these positions confirm.
+    `agreed` names the written velocity equations that these positions confirm; `asked` are targets that were worked out.
     """
 
     names: tuple[str, ...]
@@ -55,6 +56,7 @@ class Closure:
     combination: Array
     blocks: tuple[tuple[list[int], list[int]], ...]
     agreed: tuple[str, ...] = ()
+    asked: dict[bytes, tuple[Array, Array]] = field(default_factory=dict, repr=False, compare=False)
 
     @property
     def complete(self) -> bool:
@@ -69,6 +71,14 @@ class Closure:
 
     def targets(self, times: Array) -> tuple[Array, Array]:
         """Return the kept values (n, equations) and the driven coordinates (n, driven) at times growing from 0."""
+        key = times.tobytes()
+        if key not in self.asked:
+            if len(self.asked) == _REMEMBERED:
+                del self.asked[next(iter(self.asked))]
+            self.asked[key] = self._targets(times)
+        return self.asked[key]
+
+    def _targets(self, times: Array) -> tuple[Array, Array]:
         rates = self.equations.variant.rates
         drives = sorted({name for name in self.drives if name} | {rates[place] for place in self.driven})
         moved = dict(zip(drives, integrals(self.equations, drives, times).T, strict=True))

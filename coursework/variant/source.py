@@ -30,6 +30,7 @@ _NOT_STRUCTURE = re.compile(
     r"""|'''.*?(?:'''|\Z)|'[^'\n]*'?|#[^\n]*""",
     re.DOTALL,
 )
+_BRACKET = re.compile(r"[\[\]{}]")
 _MANY_PARTS = re.compile(rf"(?<![\w-])[\w-]++(?:[ \t]*+\.[ \t]*+[\w-]++){{{_MAX_KEY_PARTS}}}")
 
 
@@ -157,8 +158,8 @@ def _too_deep(text: str) -> int:
     bare = _NOT_STRUCTURE.sub(lambda match: "q" + "\n" * match[0].count("\n"), text)
     depth = 0
     for number, line in enumerate(bare.split("\n"), start=1):
-        for letter in line:
-            depth += {"[": 1, "{": 1, "]": -1, "}": -1}.get(letter, 0)
+        for bracket in _BRACKET.findall(line):
+            depth += 1 if bracket in "[{" else -1
             if depth > _MAX_NESTING:
                 return number
         if _MANY_PARTS.search(line):
