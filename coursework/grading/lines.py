@@ -1,6 +1,6 @@
 """A text line by line -> the equations and answers in it, alone or beside a table.
 
-Enters: decoded text, `Expected`.  Leaves: `EquationLine`s and `AnswerLine`s.
+Enters: decoded text, `Expected`, how a table in the text was read.  Leaves: `Lines`.
 Used by `understand.py`.
 """
 
@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from itertools import islice
+from dataclasses import dataclass, field
 
+from coursework.formula.reader import MAX_CHARACTERS
 from coursework.grading.answers import read_answer
 from coursework.grading.contents import AnswerLine, EquationLine, Reading
 from coursework.grading.equations import is_equation_without_sign, most_lines, read_line, spellings_for
@@ -19,49 +20,45 @@ from coursework.grading.names_in_text import Spellings
 _SIGNS = {";": ";", "tab": "\t"}  # a comma may stand in an equation, a blank always does
 _EDGES = " \t;,\"'"  # what a spreadsheet puts round a line that was typed into one cell
 _WORD = re.compile(r"[^\W\d]\w*")
-_TRIED = 10  # lines of a text that are tried for each equation that may be handed in
+# So many lines of a text are tried for each equation that may be handed in, and so many characters: each costs its time.
+_TRIED, _CHARACTERS = 10, 60_000
 
 
-def read_lines(text: str, name: str, expected: Expected) -> tuple[list[EquationLine], list[AnswerLine]]:
-    """Return the equations and answers in a text; `#` begins a remark, prose without "=" is passed over."""
-    spellings = spellings_for(expected)
-    most = most_lines(expected)
-    equations: list[EquationLine] = []
-    answers: dict[str, AnswerLine] = {}
-    for number, line in islice(_written(text), _TRIED * most):
-        if answer := _answer(line, name, number, expected):
-            answers.setdefault(answer.name, answer)
-        elif "=" in line or is_equation_without_sign(line, spellings):
-            equations.append(read_line(line, name, number, spellings))
-        if len(equations) > most:
-            break
-    return equations, list(answers.values())
+@dataclass(slots=True)
+class Lines:
+    """What stands in a text; `unread` counts the lines that may hold an equation too and were not tried."""
+
+    equations: list[EquationLine] = field(default_factory=list)
+    answers: list[AnswerLine] = field(default_factory=list)
+    unread: int = 0
 
 
-def lines_beside_table(text: str, reading: Reading, expected: Expected) -> tuple[list[EquationLine], list[AnswerLine]]:
-    """Return the equations and answers above or below a table in one text.
+def read_lines(text: str, name: str, expected: Expected, beside: Reading | None = None) -> Lines:
+    """Return the equations and answers in a text; `#` begins a remark, prose without "=" is passed over.
 
-    Titles of tables hold "=" too (`h = 0.02 s`, `w1 = 13.08`), so an equation is what names a sought velocity and something it
-    depends on; lines that cannot be read are told only where others can.  Rows of the table are passed over and do not count
-    among the lines that are tried.
+    `beside` is the table in the same text.  Its rows are passed over and do not count among the lines that are tried.  Its titles
+    may hold "=" too (`h = 0.02 s`, `w1 = 13.08`): there an equation is what names a sought velocity and something it depends on,
+    and lines that cannot be read are told only where others can.
     """
     spellings = spellings_for(expected)
     most = most_lines(expected)
-    sought = {*expected.variant.sought}
-    sign = _SIGNS.get(reading.separator)
-    equations: list[EquationLine] = []
-    answers: dict[str, AnswerLine] = {}
-    for number, bare in islice(_beside(text, sign), _TRIED * most):
-        if answer := _answer(bare, reading.file, number, expected):
+    lines = _written(text) if beside is None else _beside(text, _SIGNS.get(beside.separator))
+    found, answers = Lines(), dict[str, AnswerLine]()
+    tried = characters = 0
+    for number, line in lines:
+        tried, characters = tried + 1, characters + min(len(line), MAX_CHARACTERS)
+        if tried > _TRIED * most or characters > _CHARACTERS or len(found.equations) > most:
+            found.unread += "=" in line
+        elif answer := _answer(line, name, number, expected):
             answers.setdefault(answer.name, answer)
-            continue
-        read = read_line(bare, reading.file, number, spellings)
-        named = _names(read, spellings)
-        if named & sought and named - sought - {"t"}:
-            equations.append(read)
-        if len(equations) > most:
-            break
-    return (equations if any(line.left is not None for line in equations) else []), list(answers.values())
+        elif beside is None and ("=" in line or is_equation_without_sign(line, spellings)):
+            found.equations.append(read_line(line, name, number, spellings))
+        elif beside is not None and _relates(read := read_line(line, name, number, spellings), spellings, expected):
+            found.equations.append(read)
+    if beside is not None and all(line.left is None for line in found.equations):
+        found.equations = []
+    found.answers = [*answers.values()]
+    return found
 
 
 def _written(text: str) -> Iterator[tuple[int, str]]:
@@ -82,6 +79,12 @@ def _beside(text: str, sign: str | None) -> Iterator[tuple[int, str]]:
 
 def _answer(line: str, name: str, number: int, expected: Expected) -> AnswerLine | None:
     return read_answer(line[:500], name, number, expected.answers) if expected.answers else None
+
+
+def _relates(read: EquationLine, spellings: Spellings, expected: Expected) -> bool:
+    """Return whether a line names a sought velocity and something it depends on."""
+    named, sought = _names(read, spellings), {*expected.variant.sought}
+    return bool(named & sought and named - sought - {"t"})
 
 
 def _names(read: EquationLine, spellings: Spellings) -> set[str]:

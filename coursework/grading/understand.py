@@ -14,7 +14,7 @@ from coursework.grading.contents import AnswerLine, Contents, EquationLine, File
 from coursework.grading.equations import most_lines, spellings_for
 from coursework.grading.expected import Expected
 from coursework.grading.kinds import OLD_EXCEL, is_html, is_ignored, is_named_as_table, kind_of_parts, real_kind
-from coursework.grading.lines import lines_beside_table, read_lines
+from coursework.grading.lines import Lines, read_lines
 from coursework.grading.page_text import text_of
 from coursework.grading.reading.archive import Archive, legible_name
 from coursework.grading.reading.encoding import Decoded, decode
@@ -40,6 +40,13 @@ class _Found:
     notes: list[Note] = field(default_factory=list)
     entries: list[FileEntry] = field(default_factory=list)
     review: Sentence | None = None
+    unread: int = 0  # lines that were not tried
+
+    def take(self, lines: Lines, equations: list[EquationLine]) -> None:
+        """Add what stands in a text, its equations to one of the two lists."""
+        equations += lines.equations
+        self.answers += lines.answers
+        self.unread += lines.unread
 
 
 def understand(submission: Submission, expected: Expected) -> Contents:
@@ -54,8 +61,8 @@ def understand(submission: Submission, expected: Expected) -> Contents:
     table, trouble = _one_table(found)
     handed = found.equations or found.beside
     lines = handed[: most_lines(expected)]
-    if len(handed) > len(lines):
-        found.notes.append(note("ignored_file", "lines", number=len(handed) - len(lines), limit=len(lines)))
+    if unread := found.unread + len(handed) - len(lines):
+        found.notes.append(note("ignored_file", "lines", number=unread))
     if repaired := sum(bool(line.repaired) for line in lines):
         found.notes.append(note("repaired", number=repaired))
     return Contents(
@@ -131,19 +138,16 @@ def _read_text(file: SubmittedFile, could_be_table: bool, expected: Expected, fo
     try:
         if (table := table_of_text(decoded, file.name, expected.grid)) is not None:
             found.tables.append(table)
-            beside, answers = lines_beside_table(decoded.text, table.reading, expected)
-            found.beside += beside
-            found.answers += answers
+            found.take(read_lines(decoded.text, file.name, expected, table.reading), found.beside)
             return "table"
     except Refused as error:
         refused = error
-    equations, answers = read_lines(decoded.text, file.name, expected)
-    if refused and not answers and all(line.left is None for line in equations):
+    lines = read_lines(decoded.text, file.name, expected)
+    if refused and not lines.answers and all(line.left is None for line in lines.equations):
         raise refused
-    found.equations += equations
-    found.answers += answers
-    if equations or answers:
-        return "equations" if equations else "answers"
+    found.take(lines, found.equations)
+    if lines.equations or lines.answers:
+        return "equations" if lines.equations else "answers"
     if could_be_table:
         raise unreadable("no_table", name=file.name)
     found.notes.append(note("ignored_file", name=file.name, why=say("reading.why.nothing")))

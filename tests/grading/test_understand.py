@@ -97,13 +97,19 @@ def test_titles_above_a_table_are_no_equations_and_a_file_of_equations_goes_firs
     assert both.table is not None
 
 
-def test_of_many_lines_beside_a_table_only_the_first_are_tried() -> None:
-    rows = table("csv_utf8").removeprefix(b"\xef\xbb\xbf")
-    line = LINES[0].encode() + b"\n"
-    some, many = (read(("t.csv", rows + b"a=b\n" * number + line)) for number in (50, 5000))
-    assert some.table is not None and many.table is not None
-    assert some.equations is not None and [read.text for read in some.equations] == [LINES[0]]
-    assert many.equations is None
+@pytest.mark.parametrize(("filling", "number"), [("a=b", 280), ("a=" + "b" * 998, 60)])
+def test_of_many_lines_beside_a_table_only_the_first_are_tried_and_the_others_are_told(filling: str, number: int) -> None:
+    """280 lines are tried for the 28 equations that may be handed in, or 60 000 characters."""
+    rows, line = table("csv_utf8").removeprefix(b"\xef\xbb\xbf"), LINES[0].encode() + b"\n"
+    before = f"{filling}\n".encode()
+    last, late = (read(("t.csv", rows + before * count + line)) for count in (number - 1, number))
+    assert last.table is not None and late.table is not None
+    assert last.equations is not None and [one.text for one in last.equations] == [LINES[0]]
+    assert "ignored_file" not in codes(last)
+    assert late.equations is None
+    assert [entry.text for entry in late.notes if entry.code == "ignored_file"] == [
+        "Lines that may be equations were not read, since enough of them stand before: 1."
+    ]
 
 
 def test_answers_beside_a_table_are_read() -> None:
@@ -155,7 +161,7 @@ def test_only_so_many_equations_are_read() -> None:
     contents = read(("equations.txt", b"w1 = 0\n" * 100))
     assert contents.equations is not None
     assert len(contents.equations) == 2 * 4 + 20
-    assert "ignored_file" in codes(contents)
+    assert [entry.text[-3:] for entry in contents.notes if entry.code == "ignored_file"] == ["72."]
 
 
 def test_kinds_by_content() -> None:

@@ -162,7 +162,7 @@ class Marker:
             table.misconception if table else None,
         )
         status, reason, notes = self._status(contents, shares)
-        notes = (*contents.notes, *(contents.table.notes if contents.table else ()), *self._notes(table), *notes)
+        notes = (*contents.notes, *self._notes(table), *notes)
         if status == "graded" and notes:
             status = "graded-with-notes"
         return Grade(status, shares, self.rubric, self.key, contents, table, equations, answers, judged, notes, reason)

@@ -277,3 +277,12 @@ def test_the_class_page_calls_people_by_name_and_leads_to_their_pages(tmp_path):
     assert "came from 9 people" in page  # the equations, which all have
     found = json.loads((tmp_path / "out" / "grades.json").read_text(encoding="utf-8"))["class"]["same_files"]
     assert sorted(map(len, found)) == [7, 9]
+
+
+def test_a_note_is_told_once(tmp_path):
+    rpm = students.table()
+    rpm[:, 3:] *= 60 / (2 * 3.141592653589793)
+    hand_in(tmp_path / "in" / "ada", rpm)
+    assert grade(tmp_path / "in", tmp_path / "out").exit_code == 0
+    ada = submissions(tmp_path / "out")["ada"]
+    assert (ada["score"], [entry["code"] for entry in ada["notes"]]) == (100, ["rpm"])
