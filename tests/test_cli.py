@@ -8,25 +8,16 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 
 import coursework
 from coursework.catalogue import entries
 from coursework.checks.check import CHECKS
 from coursework.cli import main
+from tests.command import call
 
+pytestmark = pytest.mark.usefixtures("folder")
 PAGE = (Path(__file__).parent / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
 QUICK = ["--quantities", "table,checks", "--format", "csv"]
-
-
-@pytest.fixture(autouse=True)
-def folder(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
-
-
-def call(*arguments):
-    return CliRunner().invoke(main, [str(argument) for argument in arguments])
 
 
 def process(*arguments, **environment):

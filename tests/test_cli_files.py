@@ -12,11 +12,7 @@ import coursework
 from coursework import files
 from tests.test_cli import QUICK, call, process
 
-
-@pytest.fixture(autouse=True)
-def folder(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
+pytestmark = pytest.mark.usefixtures("folder")
 
 
 def test_table_has_the_columns_of_the_file_and_every_digit():

@@ -9,15 +9,10 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.usefixtures("folder")
 CSV = ["--quantities", "table,checks", "--format", "csv"]
 COMMAND = [sys.executable, "-m", "coursework"]
 FULL = Path("/dev/full")
-
-
-@pytest.fixture(autouse=True)
-def folder(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
 
 
 def started(*arguments, **options):

@@ -6,30 +6,20 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 
 import coursework
 from coursework.catalogue import entries
 from coursework.checks.evidence import worst
-from coursework.cli import main
 from coursework.report import build_model
 from coursework.schemes import EXACT
 from coursework.variant.reader import parse_variant
+from tests.command import call
 from tests.report.real import text_of
 
+pytestmark = pytest.mark.usefixtures("folder")
 ROOT = Path(__file__).parents[1]
 PAGE = (ROOT / "tests" / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
 OPEN = PAGE[: PAGE.index("# --- geometry")]
-
-
-@pytest.fixture(autouse=True)
-def folder(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
-
-
-def call(*arguments):
-    return CliRunner().invoke(main, [str(argument) for argument in arguments])
 
 
 def rows_of(path):

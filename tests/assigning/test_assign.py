@@ -6,10 +6,9 @@ import re
 
 import pymupdf
 import pytest
-from click.testing import CliRunner
 
 import coursework
-from coursework.cli import main
+from tests.command import call
 from tests.grading.batch.classroom import EQUATIONS
 
 ROSTER = (
@@ -21,13 +20,9 @@ ROSTER = (
 STEMS = ("ada", "x-")
 
 
-def run(*words):
-    return CliRunner().invoke(main, [str(word) for word in words])
-
-
 def assigned(folder, roster=ROSTER, *more, template="31", out="out"):
     (folder / "roster.csv").write_text(roster, encoding="utf-8")
-    result = run("assign", folder / "roster.csv", "--template", template, "--seed", "2026", "--out", folder / out, *more)
+    result = call("assign", folder / "roster.csv", "--template", template, "--seed", "2026", "--out", folder / out, *more)
     assert result.exit_code == 0, result.output
     return folder / out
 
@@ -117,7 +112,7 @@ def test_the_drawing_of_the_sheet_is_true_to_scale_on_paper(out):
 
 
 def test_the_key_is_the_table_that_a_run_writes(out):
-    result = run("run", out / "ada.toml", "--format", "csv", "--out", out.parent / "run")
+    result = call("run", out / "ada.toml", "--format", "csv", "--out", out.parent / "run")
     assert result.exit_code == 0, result.output
     assert (out / "key" / "ada.csv").read_bytes() == (out.parent / "run" / "table.csv").read_bytes()
     page = page_of(out / "key" / "ada.html")
@@ -172,7 +167,7 @@ def test_what_each_student_runs_and_hands_in_earns_full_marks(tmp_path, template
     )
     for line in lines(out):
         folder = tmp_path / "submissions" / line["id"]
-        assert run("run", out / line["variant"], "--format", "csv", "--out", folder).exit_code == 0
+        assert call("run", out / line["variant"], "--format", "csv", "--out", folder).exit_code == 0
         decimals = int(line["least_decimals"])
         table = [row.split(",") for row in (folder / "table.csv").read_text(encoding="utf-8").splitlines()]
         rounded = [table[0], *([row[0], *(f"{float(cell):.{decimals}f}" for cell in row[1:])] for row in table[1:])]
@@ -183,7 +178,7 @@ def test_what_each_student_runs_and_hands_in_earns_full_marks(tmp_path, template
             (folder / "equations.txt").write_text("\n".join(EQUATIONS), encoding="utf-8")
     rubric = tmp_path / "rubric.toml"
     rubric.write_text("" if most == 100 else "[parts]\ntable = 60\nequations = 0\n", encoding="utf-8")
-    result = run(
+    result = call(
         "grade", tmp_path / "submissions", "--roster", out / "roster.csv", "--out", tmp_path / "marks", "--rubric", rubric
     )
     assert result.exit_code == 0, result.output
@@ -197,8 +192,8 @@ def test_another_students_data_are_told_apart(tmp_path):
     out = assigned(tmp_path, "id,name,email\na,A,a@x\nb,B,b@x\n")
     for student, other in (("a", "b"), ("b", "b")):
         folder = tmp_path / "submissions" / student
-        assert run("run", out / f"{other}.toml", "--format", "csv", "--out", folder).exit_code == 0
-    assert run("grade", tmp_path / "submissions", "--roster", out / "roster.csv", "--out", tmp_path / "marks").exit_code == 0
+        assert call("run", out / f"{other}.toml", "--format", "csv", "--out", folder).exit_code == 0
+    assert call("grade", tmp_path / "submissions", "--roster", out / "roster.csv", "--out", tmp_path / "marks").exit_code == 0
     grades = json.loads((tmp_path / "marks" / "grades.json").read_text(encoding="utf-8"))
     assert "variant_b" in json.dumps(grades) or "other" in json.dumps(grades)
 
@@ -221,7 +216,7 @@ def test_another_students_data_are_told_apart(tmp_path):
 )
 def test_what_cannot_be_assigned_is_told_and_nothing_is_written(tmp_path, roster, words, told):
     (tmp_path / "roster.csv").write_text(roster, encoding="utf-8")
-    result = run("assign", tmp_path / "roster.csv", "--template", "31", "--seed", "1", "--out", tmp_path / "out", *words)
+    result = call("assign", tmp_path / "roster.csv", "--template", "31", "--seed", "1", "--out", tmp_path / "out", *words)
     assert result.exit_code == 2
     assert told in result.output
     assert not (tmp_path / "out").exists()

@@ -7,22 +7,13 @@ import time
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 
 from coursework import budget
 from coursework.budget import Budget, BudgetSpent, memory_held, watched
-from coursework.cli import main
 from coursework.graph import under_way
+from tests.command import call
 
-
-@pytest.fixture(autouse=True)
-def folder(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
-
-
-def call(*arguments):
-    return CliRunner().invoke(main, [str(argument) for argument in arguments])
+pytestmark = pytest.mark.usefixtures("folder")
 
 
 def busy(seconds: float) -> None:

@@ -9,11 +9,7 @@ from coursework.catalogue import names
 from coursework.data import folder as data_folder
 from tests.test_cli import QUICK, call
 
-
-@pytest.fixture(autouse=True)
-def folder(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
+pytestmark = pytest.mark.usefixtures("folder")
 
 
 def test_the_template_runs_as_it_is(folder):

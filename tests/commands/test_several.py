@@ -7,11 +7,10 @@ import sys
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 
-from coursework.cli import main
 from coursework.commands import several, workers
 from coursework.commands.several import Item, Outcome
+from tests.command import call
 
 PAGE = (Path(__file__).parents[1] / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
 CSV = ["--format", "csv", "--quantities", "table,checks"]
@@ -24,10 +23,6 @@ def folder(tmp_path, monkeypatch):
     (tmp_path / "stops.toml").write_text(PAGE.replace('"4.35 rad"', '"0.02 rad"'), encoding="utf-8")
     (tmp_path / "bad.toml").write_text("broken = ", encoding="utf-8")
     return tmp_path
-
-
-def call(*arguments):
-    return CliRunner().invoke(main, [str(argument) for argument in arguments])
 
 
 def files_below(place: Path) -> dict[str, bytes]:

@@ -6,26 +6,16 @@ import json
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 
 import coursework
-from coursework.cli import main
 from coursework.errors import OutputError
 from coursework.output import formats
 from coursework.output.formats import FORMATS, Format, formats_for
 from coursework.output.tables import STUDY_HEAD
+from tests.command import call
 
+pytestmark = pytest.mark.usefixtures("folder")
 README = Path(__file__).parents[2] / "README.md"
-
-
-@pytest.fixture(autouse=True)
-def folder(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
-
-
-def call(*arguments):
-    return CliRunner().invoke(main, [str(argument) for argument in arguments])
 
 
 def _dummy(results):

@@ -8,27 +8,17 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 
 import coursework
 from coursework.checks import check
-from coursework.cli import main
 from coursework.errors import InputError
 from coursework.output.gate import pass_gate
+from tests.command import call
 from tests.hard.scenes import V31_IMPOSSIBLE, solve
 
+pytestmark = pytest.mark.usefixtures("folder")
 PAGE = (Path(__file__).parents[1] / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
 POINTS = ["--quantities", "table,points", "--format", "csv"]
-
-
-@pytest.fixture(autouse=True)
-def folder(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
-
-
-def call(*arguments):
-    return CliRunner().invoke(main, [str(argument) for argument in arguments])
 
 
 def leg(formula: str) -> int:

@@ -11,15 +11,15 @@ from pathlib import Path
 
 import pymupdf
 import pytest
-from click.testing import CliRunner
 
 import coursework
 from coursework import file_set
-from coursework.cli import main
 from coursework.errors import OutputError
 from coursework.file_set import files_of, publish, working_folder
 from coursework.output.record import stamp_of
+from tests.command import call
 
+pytestmark = pytest.mark.usefixtures("folder")
 CSV = ["--quantities", "table,checks", "--format", "csv"]
 # The same command as a process that ends the way power fails: at the n-th move of a file, without any cleaning up.
 KILLED = """
@@ -34,16 +34,6 @@ pathlib.Path.replace = replace
 from coursework.cli import main
 main({arguments!r})
 """
-
-
-@pytest.fixture(autouse=True)
-def folder(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
-
-
-def call(*arguments):
-    return CliRunner().invoke(main, [str(argument) for argument in arguments])
 
 
 def killed(at: int, *arguments: str) -> None:

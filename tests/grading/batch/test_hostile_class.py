@@ -133,7 +133,7 @@ HOSTILE: dict[str, tuple[dict[str, bytes], str, str, float | None]] = {
          "t.csv": GOOD}, "graded", "counts neither way", 60.0,
     ),
     "26-dependent": ({"t.csv": GOOD, "equations.txt": "\n".join([*EQUATIONS[:3], EQUATIONS[2]]).encode()},
-                     "graded", "add nothing", 60.0),
+                     "graded", "adds nothing", 60.0),
     "27-toml": ({"31.toml": b"format = 1\n[given\n", "t.csv": GOOD}, "graded", "", 60.0),
     "27-deep": ({"31.toml": b"format = 1\n" + b"a." * 20_000 + b"b = 1", "t.csv": GOOD}, "graded", "", 60.0),
     "28-other": ({"x.toml": (coursework.load("v101").path).read_bytes(), "t.csv": GOOD}, "needs-review", "v101", 60.0),

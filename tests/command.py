@@ -1,0 +1,13 @@
+"""The command line, called in the process of the tests.
+
+Enters: arguments as a user types them.  Leaves: click's result: exit code, output.
+"""
+
+from click.testing import CliRunner, Result
+
+from coursework.cli import main
+
+
+def call(*arguments: object) -> Result:
+    """Return what came of a command."""
+    return CliRunner().invoke(main, [str(argument) for argument in arguments])
