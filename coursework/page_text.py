@@ -18,7 +18,9 @@ if TYPE_CHECKING:
     from jinja2 import Template
 
 LONGEST = 2000  # characters of one text: a word of 1 MB would take Typst half a minute
-_UNBROKEN = re.compile(r"\S{25,}")
+HAN = "\u2e80-\u9fff\uff00-\uffef"  # signs of Chinese: no spaces between them, and a line may break at any of them
+_LINE_END = re.compile(rf"(?<=[{HAN}])[ \t]*\n\s*(?=[{HAN}])")
+_UNBROKEN = re.compile(rf"[^\s{HAN}]{{25,}}")
 _SHORT = 24  # characters, below which no word needs a place to break
 _PIECE = re.compile(r"\S{1,12}")
 _INVISIBLE = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
@@ -50,7 +52,8 @@ def clean(text: str, longest: int = LONGEST) -> str:
     """
     if len(text) < _SHORT and text.isascii() and text.isprintable() and "  " not in text:
         return text.strip()[:longest]  # nearly every cell of a table
-    spaced = re.sub(r"[^\S\u00a0\u202f]+", " ", unicodedata.normalize("NFC", text[: 4 * longest]))
+    joined = _LINE_END.sub("", unicodedata.normalize("NFC", text[: 4 * longest]))
+    spaced = re.sub(r"[^\S\u00a0\u202f]+", " ", joined)
     plain = "".join(letter for letter in spaced if unicodedata.category(letter) not in _INVISIBLE).strip()
     if len(plain) > longest:
         plain = plain[: longest - 1].rstrip() + "…"

@@ -130,7 +130,7 @@ class Phrases:
     def listing(self, parts: Sequence[str]) -> str:
         """Return "a, b and c"."""
         *first, last = parts or [""]
-        return f" {self.template('and')} ".join([", ".join(first), last] if first else [last])
+        return f" {self.template('and')} ".join([self.template("join.comma").join(first), last] if first else [last])
 
     def unit(self, unit: str) -> str:
         """Return a unit such as "rad/s" as this language writes it; one that the words file does not have as it is."""
@@ -155,7 +155,10 @@ class Phrases:
 
 
 class _Number(float):
-    """A number that is written with the decimal sign of a language, whatever its format."""
+    """A number that is written with the decimal sign of a language, whatever its format.
+
+    The format "r" writes a round number as it is, without a power of ten and zeros behind: 0.0002.
+    """
 
     mark: str
 
@@ -165,7 +168,8 @@ class _Number(float):
         return made
 
     def __format__(self, spec: str) -> str:
-        return super().__format__(spec).replace(".", self.mark)
+        text = f"{float(self):.12f}".rstrip("0").rstrip(".") if spec == "r" else super().__format__(spec)
+        return text.replace(".", self.mark)
 
 
 def load_phrases(language: str = ENGLISH) -> Phrases:

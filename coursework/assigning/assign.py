@@ -48,7 +48,7 @@ def assign(
     `drawn` and `made` are told how many students more have data and files.  Raises `InputError`, `OutputError`.
     """
     individuals = assignment.individuals([student.id for student in roster.students], drawn)
-    equations = key_equations(Scene(assignment.template, assignment.settings))
+    equations = key_equations(Scene(assignment.template, assignment.settings), words)
     for name, content in assignment.tables.items():
         _write(out / name, content)
     handouts: list[Handout] = []

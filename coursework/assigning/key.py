@@ -29,11 +29,11 @@ def key_csv(handout: Handout) -> str:
     return text.getvalue()
 
 
-def key_equations(scene: Scene) -> tuple[list[Equation], list[Equation]]:
+def key_equations(scene: Scene, words: Words) -> tuple[list[Equation], list[Equation]]:
     """Return the constraints as written and the velocities solved from them, the same for every student of a template."""
     variant = scene.variant
-    written = [equation(variant, one.left, one.right, one.name) for one in variant.constraints]
-    solved = [equation(variant, named(name), formula) for block in scene.solutions for name, formula in block]
+    written = [equation(variant, one.left, one.right, words, one.name) for one in variant.constraints]
+    solved = [equation(variant, named(name), formula, words) for block in scene.solutions for name, formula in block]
     return written, solved
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 from coursework.formula.tree import Formula
 from coursework.page_text import clean
-from coursework.report.display import math_equation
+from coursework.report.display import display, marked, marked_text
 from coursework.report.equations import Setter
 from coursework.report.numbers import with_unit
 from coursework.report.symbols import symbol
@@ -60,12 +60,10 @@ def datum(text: str, unit: str, words: Words) -> str:
     return with_unit(clean(text, LONGEST).replace("-", "−").replace(".", words("decimal")), unit)
 
 
-def equation(variant: Variant, left: Formula, right: Formula, name: str = "") -> Equation:
+def equation(variant: Variant, left: Formula, right: Formula, words: Words, name: str = "") -> Equation:
     """Return a displayed equation; `name` stands at its margin."""
-    rates = frozenset(velocities(variant))
-    plain = Setter(typst=False, rates=rates)
-    text = f"{plain.set(left).source} = {plain.set(right).source}"
-    return {"math": math_equation(left, right, rates), "text": text, "name": clean(name, 40)}
+    shown = marked(display(left, right, frozenset(velocities(variant)), name), words("decimal"))
+    return {"math": shown.math, "text": shown.text, "name": shown.name}
 
 
 def named(name: str) -> Formula:
@@ -79,9 +77,9 @@ def drives(variant: Variant, words: Words) -> tuple[list[Equation], list[str]]:
     told: list[str] = []
     for law in variant.drive:
         if law.formula is not None:
-            shown.append(equation(variant, named(law.name), law.formula))
+            shown.append(equation(variant, named(law.name), law.formula, words))
         elif law.pieces:
-            shown += [equation(variant, named(law.name), piece, _from(at, words)) for at, piece in law.pieces]
+            shown += [equation(variant, named(law.name), piece, words, _from(at, words)) for at, piece in law.pieces]
         else:
             told.append(words("sheet.tabled", name=symbol_text(variant, law.name), file=clean(law.file, LONGEST)))
     return shown, told + [_function(variant, law, words) for law in variant.functions]
@@ -93,7 +91,7 @@ def _function(variant: Variant, law: Law, words: Words) -> str:
         return words("sheet.tabled", name=name, file=clean(law.file, LONGEST))
     plain = Setter(typst=False, rates=frozenset(velocities(variant)))
     parts = [law.formula] if law.formula is not None else [piece for _, piece in law.pieces]
-    return "; ".join(f"{name} = {plain.set(part).source}" for part in parts)
+    return "; ".join(f"{name} = {marked_text(plain.set(part).source, words('decimal'))}" for part in parts)
 
 
 def _from(time: float, words: Words) -> str:

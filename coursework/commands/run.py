@@ -19,7 +19,7 @@ from coursework.output.results import Results
 from coursework.output.write import write_set
 from coursework.run import Run
 from coursework.schemes import DEFAULT_SCHEME, EXACT, PRECISE, SCHEMES
-from coursework.sentences import Sentence, joined, say
+from coursework.sentences import Sentence, joined, say, say_count
 from coursework.variant.record import Variant
 from coursework.variant.set_values import with_set
 
@@ -50,7 +50,7 @@ def run_variant(
         used, left = run.blocks_evaluated()
         title = run.scheme_title
         tell(
-            say("screen.evaluations", title=title, count=run.tableau.slopes) if run.tableau else say("screen.scheme", title=title)
+            say_count("screen.evaluations", run.tableau.slopes, title=title) if run.tableau else say("screen.scheme", title=title)
         )
         tell(say("screen.each_row", used=tuple(used), left=tuple(left) or say("screen.nothing")))
         return 0

@@ -10,6 +10,8 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from coursework.drawing.sheet import Rectangle, Sheet
+from coursework.drawing.symbols import ratio
+from coursework.sentences import Sentence
 
 EDGE = 2.0  # mm
 COLUMN = 170.0  # mm: the text of an A4 page with margins of 20 mm
@@ -36,9 +38,9 @@ class Board:
         return 1000 / self.scale
 
     @property
-    def scale_text(self) -> str:
+    def scale_text(self) -> Sentence:
         """Return "1:10", or "5:1" for an enlargement."""
-        return f"1:{self.scale:g}" if self.scale >= 1 else f"{1 / self.scale:g}:1"
+        return ratio(self.scale)
 
     def put(self, z: complex) -> complex:
         """Return the place on the sheet (mm, y down) of a point (m)."""

@@ -10,6 +10,7 @@ import re
 
 from coursework.formula.alphabet import greek
 from coursework.formula.tree import Formula, spelled
+from coursework.sentences import Sentence, say
 
 LONGEST_NAME = 12  # letters of the name of a point or link
 LONGEST_LENGTH = 14  # letters of the length beside a link; a longer formula says less than none
@@ -40,6 +41,11 @@ def length_text(length: Formula) -> str:
     return text if len(text) <= LONGEST_LENGTH else ""
 
 
-def decimal(value: float) -> str:
+def decimal(value: float) -> Sentence:
     """Return a round number without a power of ten: 0.0002."""
-    return f"{value:.12f}".rstrip("0").rstrip(".")
+    return say("drawing.round", value=float(value))
+
+
+def ratio(scale: float) -> Sentence:
+    """Return "1:10" for a scale of 10, "5:1" for an enlargement."""
+    return say("drawing.reduced", value=float(scale)) if scale >= 1 else say("drawing.enlarged", value=1 / scale)

@@ -128,8 +128,8 @@ class _Drawing:
                 self.sheet.arrow(part[1] - 5 * along, part[1], CONSTRUCTION, head=2.6)
                 places.append((part[1] - 6 * along, self.middle - part[1], 1.4))
         decimals = max(0, math.ceil(math.log10(READ / layout.scale) - 1e-9))
-        where = f" ({centre.at.real:.{decimals}f}; {centre.at.imag:.{decimals}f}) m".replace("-", "−")
-        self.marks.append(((self.letter, short(link), where), places))
+        where = say("drawing.place", x=round(centre.at.real, decimals) + 0.0, y=round(centre.at.imag, decimals) + 0.0)
+        self.marks.append(((self.letter, short(link), self.written(where).replace("-", "−")), places))
 
     # words
 

@@ -9,9 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from coursework.drawing.symbols import ratio
 from coursework.plans.foot import FOOT
 from coursework.plans.instant_centres import Findings
 from coursework.plans.sketch import Sketch
+from coursework.sentences import Sentence
 
 PAGE = (170.0, 190.0)  # mm: the text width of A4 with margins of 20 mm, and room for a caption
 LANDSCAPE = (257.0, 138.0)  # mm: the same page lying, with room for heading and caption
@@ -54,9 +56,9 @@ class Layout:
         return (EDGE, EDGE, self.width - EDGE, self.height - FOOT)
 
     @property
-    def scale_text(self) -> str:
+    def scale_text(self) -> Sentence:
         """Return "1:10", or "5:1" for an enlargement."""
-        return f"1:{self.scale:g}" if self.scale >= 1 else f"{1 / self.scale:g}:1"
+        return ratio(self.scale)
 
 
 def lay_out(sketch: Sketch, findings: Findings) -> Layout:

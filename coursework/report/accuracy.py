@@ -68,8 +68,8 @@ def _figure(context: PageContext, study: AccuracyStudy) -> Figure:
     page = Panels(tuple(methods), own, study.floor, say("accuracy.error", unit=_unit(context)), labels)
     floor = context.with_unit(context.numbers.scalar(study.floor, 2), _unit(context))
     caption = say("accuracy.caption_two" if page.timed else "accuracy.caption_one")
-    caption += " " + say("accuracy.caption_rest", floor=floor)
-    caption += " " + say("accuracy.reference", label=printed(context.told(study.reference_label)).rstrip("."))
+    reference = say("accuracy.reference", label=printed(context.told(study.reference_label)).rstrip(".。"))
+    caption = say.sentences([caption, say("accuracy.caption_rest", floor=floor), reference])
     alt = say("accuracy.alt", methods=say.listing([method.name for method in methods]))
     svg, height = panels("accuracy", page)
     return Figure(svg, WIDTH, height, alt, context.lettered(caption))
@@ -110,9 +110,19 @@ def _table(context: PageContext, study: AccuracyStudy) -> Table:
         rows.append(cells)
     notes = [context.words("accuracy.own_mark", mark=MARK)] if strong else []
     if study.orders:
-        orders = ", ".join(f"{context.told(name, LONGEST_NAME)} {_order_text(context, study, name)}" for name in study.orders)
+        orders = context.words("join.comma").join(
+            f"{context.told(name, LONGEST_NAME)} {_order_text(context, study, name)}" for name in study.orders
+        )
         notes.append(context.words("accuracy.orders", orders=orders))
-    return Table(columns, rows, context.say("accuracy.study"), strong, rules, runs(" ".join(notes)), whole=len(rows) <= ONE_PAGE)
+    return Table(
+        columns,
+        rows,
+        context.say("accuracy.study"),
+        strong,
+        rules,
+        runs(context.words.sentences(notes)),
+        whole=len(rows) <= ONE_PAGE,
+    )
 
 
 def _failures(context: PageContext, study: AccuracyStudy) -> list[Part]:

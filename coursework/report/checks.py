@@ -10,7 +10,8 @@ from coursework.page_text import clean
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Cell, Checks, Judged, Paragraph, Part, Runs
 from coursework.report.tables import thinned
-from coursework.report.text_runs import numeral, runs
+from coursework.report.text_runs import numeral
+from coursework.sentences import Sentence
 
 MOST_LINES = 30  # further lines of one check; more are thinned
 SHORT_UNIT = 12  # letters of a unit that stands behind its number; a longer one stands below
@@ -22,7 +23,7 @@ def counts(context: PageContext) -> str:
     if set(verdicts) == {"PASS"}:
         return context.words.count("count.all_passed", len(verdicts))
     kinds = [kind for kind in VERDICTS if kind in verdicts]
-    return ", ".join(context.words.count(f"count.{kind}", verdicts.count(kind)) for kind in kinds)
+    return context.words("join.comma").join(context.words.count(f"count.{kind}", verdicts.count(kind)) for kind in kinds)
 
 
 def checks(context: PageContext) -> list[Part]:
@@ -32,7 +33,7 @@ def checks(context: PageContext) -> list[Part]:
         return []
     heads = [context.words(f"checks.{key}") for key in ("verdict", "check", "value", "limit")]
     total = counts(context)
-    parts: list[Part] = [Paragraph(runs(f"{total[:1].upper()}{total[1:]}."))]
+    parts: list[Part] = [Paragraph(context.say("checks.counted", counts=total[:1].upper() + total[1:]))]
     for group in GROUPS:
         if chosen := [_judged(context, finding) for finding in findings if finding.group == group]:
             parts.append(Checks(context.words(f"checks.group.{group}"), heads, chosen))
@@ -61,14 +62,12 @@ def _judged(context: PageContext, check: Finding) -> Judged:
 
 
 def _lines(context: PageContext, check: Finding) -> tuple[list[str], list[list[Cell]]]:
-    """Return the further lines; labels "phi1: scheme", "phi1: period" … become a row with a column for each part."""
-    parts = [context.words.written(label).partition(": ") for label, _, _ in check.rows]
-    columns = list(dict.fromkeys(tail for _, _, tail in parts))
-    rows = list(dict.fromkeys(head for head, _, _ in parts))
-    values = {
-        (head, tail): numeral(context.numbers.scalar(row[1])) for (head, _, tail), row in zip(parts, check.rows, strict=True)
-    }
-    units = {head: {row[2] for (own, _, _), row in zip(parts, check.rows, strict=True) if own == head} for head in rows}
+    """Return the further lines; the scheme's part of phi1, the period's part of it … become a row with a column for each."""
+    parts = [_line(context, label) for label, _, _ in check.rows]
+    columns = list(dict.fromkeys(tail for _, tail in parts))
+    rows = list(dict.fromkeys(head for head, _ in parts))
+    values = {pair: numeral(context.numbers.scalar(row[1])) for pair, row in zip(parts, check.rows, strict=True)}
+    units = {head: {row[2] for (own, _), row in zip(parts, check.rows, strict=True) if own == head} for head in rows}
     complete = len(columns) > 1 and all(columns) and len(values) == len(check.rows) == len(columns) * len(rows)
     if complete and all(len(found) == 1 for found in units.values()):
         table: list[list[Cell]] = []
@@ -79,6 +78,14 @@ def _lines(context: PageContext, check: Finding) -> tuple[list[str], list[list[C
         return ["", *(clean(column) for column in columns)], table
     kept = [check.rows[index] for index in thinned(len(check.rows), most=MOST_LINES)]
     return [], [[_label(context, row[0]), _amount(context, row)] for row in kept]
+
+
+def _line(context: PageContext, label: str) -> tuple[str, str]:
+    """Return what a line is about and which part of it, "" where it says all of it."""
+    if isinstance(label, Sentence) and label.key == "check.line":
+        name, part = label.values["name"], label.values["part"]
+        return str(name), context.words.written(part if isinstance(part, str) else str(part))
+    return context.words.written(label), ""
 
 
 def _label(context: PageContext, label: str) -> Runs:

@@ -2,23 +2,26 @@
 
 Enters: both sides as `Formula`.  Leaves: Typst math.  What does not fit a line is broken before a sign; a quotient whose
 numerator is too wide becomes a short fraction before brackets.
-Used by `assigning/page_words.py`, `laws.py`, `motion_equations.py` and `solution.py`.
+Used by `assigning/page_words.py`, `laws.py`, `model.py`, `motion_equations.py` and `solution.py`.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 
 from coursework.formula.tree import Formula
 from coursework.page_text import clean
 from coursework.report.equations import Setter, text_equation
+from coursework.report.numbers import POINT
 from coursework.report.parts import Display, Runs
 
 LINE = 64  # characters of text form (spaces and subscripts not counted) that fit a line of the printed page
 INDENT = 4  # the same measure: what a continued line loses on the left
 
 Piece = tuple[int, str]  # width, source
+_DECIMAL = re.compile(r"(?<![\w.])(\d+)\.(\d+)(?![\w.])")
 
 
 def math_equation(left: Formula, right: Formula, rates: frozenset[str] = frozenset()) -> str:
@@ -47,6 +50,20 @@ def display(
     return Display(
         math_equation(left, right, rates), text_equation(left, right, rates), name=clean(name, 40), before=before or []
     )
+
+
+def marked(one: Display, mark: str) -> Display:
+    """Return a display whose numbers have the decimal sign of a language."""
+    if mark == POINT:
+        return one
+    pieces = one.math.split('"')
+    math = '"'.join(piece if place % 2 else _DECIMAL.sub(rf'"\1{mark}\2"', piece) for place, piece in enumerate(pieces))
+    return replace(one, math=math, text=marked_text(one.text, mark))
+
+
+def marked_text(text: str, mark: str) -> str:
+    """Return a formula in plain text with the decimal sign of a language."""
+    return _DECIMAL.sub(rf"\1{mark}\2", text)
 
 
 def _terms(tree: Formula, typst: Setter, plain: Setter) -> Iterator[Piece]:

@@ -9,6 +9,7 @@ from coursework.report import lecture
 from coursework.report.numbers import MINUS
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Display, Equations, Paragraph, Part
+from coursework.sentences import title_of
 
 DECIMALS = 5  # of a result
 DIGITS, MOST_DIGITS = 6, 15  # of a factor: as many as give the printed result
@@ -23,7 +24,7 @@ def first_step(context: PageContext) -> list[Part]:
         return []
     if scheme.slopes > 1:
         lines = Equations([Display(math, text) for math, text in lecture.lines(scheme)])
-        return [Paragraph(context.say("derivation.scheme", scheme=context.told(scheme.title))), lines]
+        return [Paragraph(context.say("derivation.scheme", scheme=context.told(title_of(scheme)))), lines]
     rate_of = {coordinate.name: coordinate.rate for coordinate in run.variant.coordinates}
     names = run.motion.coordinate_names[:MOST_LINES]
     index = [_line(context, name, rate_of[name]) for name in names]

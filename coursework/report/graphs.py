@@ -111,7 +111,8 @@ def _figure(context: PageContext, shown: Sequence[Rows], number: int) -> Panels:
     names = [rows.name for rows in shown]
     caption = say("graphs.caption", symbols=context.symbol_list(names))
     if run.stop is not None:
-        caption += " " + say("graphs.stop", kind=context.event(run.stop.kind), time=context.quantity(run.stop.time, "s"))
+        stop = say("graphs.stop", kind=context.event(run.stop.kind), time=context.quantity(run.stop.time, "s"))
+        caption = say.sentences([caption, stop])
     panels = [_panel(context, rows) for rows in shown]
     return Panels(f"panels-{number}", *SIZE, legend, panels, context.lettered(caption))
 

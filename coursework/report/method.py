@@ -20,7 +20,7 @@ def method(context: PageContext) -> list[Part]:
     if run.tableau is None:
         label = clean(context.words.written(run.motion.label)).rstrip(".")
         told = [say("method.rows_exact", step=context.quantity(run.step, "s"), label=label)]
-        return [Paragraph(context.lettered(" ".join([*told, *_lesson(context)]))), *_versions(context)]
+        return [Paragraph(context.lettered(say.sentences([*told, *_lesson(context)]))), *_versions(context)]
     intro = context.say("method.intro", title=context.told(run.scheme_title), order=run.tableau.order)
     formula = Equations([Display(math, text) for math, text in lecture.lines(run.tableau)])
     parts: list[Part] = [Paragraph(intro), formula]
@@ -36,7 +36,7 @@ def method(context: PageContext) -> list[Part]:
     if context.exact is not None:
         label = context.words.written(context.exact.label) or say("graphs.exact")
         sentences.append(say("method.exact", label=clean(label).rstrip(".")))
-    parts.append(Paragraph(context.lettered(" ".join(sentences))))
+    parts.append(Paragraph(context.lettered(say.sentences(sentences))))
     if run.motion.notes:
         parts.append(Bullets([context.rich(note) for note in run.motion.notes]))
     return [*parts, *_versions(context)]

@@ -12,8 +12,9 @@ from typing import Any
 
 from coursework.live.page import LivePart, live_part
 from coursework.page_text import clean
+from coursework.report.display import marked
 from coursework.report.page_context import PageContext
-from coursework.report.parts import Beside, Figure, Panels, Part, Section, Table
+from coursework.report.parts import Beside, Equations, Figure, Panels, Part, Section, Table
 from coursework.report.sections import all_sections
 from coursework.report.text_runs import LONGEST_NAME
 from coursework.report.words import Words, load_words
@@ -74,7 +75,7 @@ def build_model(run: Run, language: str = "en", stamp: str = "", *, live: bool =
         language=language,
         kind=words("title.kind"),
         heading=heading,
-        title_language=language if language in run.variant.texts or language == ENGLISH else "",
+        title_language="" if context.is_foreign(context.variant.title) else language,
         author=author,
         running=" – ".join(running),
         footer=words("title.footer", version=run.versions["coursework"], stamp=stamp) if stamp else "",
@@ -91,13 +92,16 @@ def heading_of(context: PageContext) -> str:
 
 
 def _numbered(sections: Iterable[Section], words: Words) -> Iterator[Section]:
-    """Give tables and figures with a caption their numbers."""
+    """Give tables and figures with a caption their numbers, and formulas the decimal sign of the language."""
     counts = {"table": 0, "figure": 0}
+    mark = words("decimal")
 
     def labelled(part: Part) -> Part:
         if isinstance(part, Beside):
             left = labelled(part.left)
             return replace(part, left=left) if isinstance(left, Table) else part
+        if isinstance(part, Equations):
+            return replace(part, items=[marked(one, mark) for one in part.items])
         if isinstance(part, Table | Figure | Panels) and part.caption:
             kind = "table" if isinstance(part, Table) else "figure"
             counts[kind] += 1

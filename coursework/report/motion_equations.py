@@ -167,14 +167,14 @@ def _rank(context: PageContext, found: Derivation) -> list[Part]:
     told = [say("constraints.rank", count=len(found.projections), rank=found.rank)]
     sums = [_sum(one) for one in found.dependent if one.terms]
     if sums:
-        told.append(say("constraints.sums", sums="; ".join(sums)))
+        told.append(say("constraints.sums", sums=say("join.semicolon").join(sums)))
     names = {one.name for one in found.projections}
     mixed = [f"({clean(name, 40)})" for name in found.followed if name not in names]
     if mixed:
         told.append(say("constraints.mixed", names=say.listing(mixed)))
     if found.beyond:
         told.append(say("constraints.beyond", names=say.listing([f"({clean(name, 40)})" for name in found.beyond])))
-    return [Paragraph(runs(" ".join(told)))]
+    return [Paragraph(runs(say.sentences(told)))]
 
 
 def _sum(one: Combination) -> str:

@@ -9,6 +9,7 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
+POINT = "."  # the decimal sign of formulas, CSV and most languages
 MINUS = "−"
 NOTHING = "–"  # no number: a check that was skipped, a method that failed
 TIGHT = "\u00a0"  # a space that does not break, between a number and its unit
@@ -33,7 +34,7 @@ def superscript(text: str) -> str:
 class Numbers:
     """The writer of numbers of one language; `mark` is its decimal sign, `units` how it writes units, where otherwise."""
 
-    mark: str = "."
+    mark: str = POINT
     units: Mapping[str, str] = field(default_factory=dict)
 
     def fixed(self, value: float, decimals: int) -> str:

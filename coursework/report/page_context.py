@@ -19,6 +19,7 @@ from coursework.report.symbols import Symbol, symbol
 from coursework.report.text_runs import derivative, printed, runs
 from coursework.report.words import Words
 from coursework.run import Run
+from coursework.sentences import ENGLISH
 from coursework.variant.record import Variant
 from coursework.variant.texts import in_language
 
@@ -78,7 +79,7 @@ class PageContext:
         """Return "ω₁, ω₂" as runs, `after` behind them."""
         found: Runs = []
         for name in names:
-            found += [{"t": ", "}] if found else []
+            found += [{"t": self.words("join.comma")}] if found else []
             if "/" in name:
                 found += derivative(name)
                 continue
@@ -105,7 +106,16 @@ class PageContext:
 
     def quoted(self, text: str, longest: int = LONGEST) -> Runs:
         """Return a sentence of a file, cleaned, its symbols set and nothing else changed."""
-        return self.lettered(clean(text, longest))
+        return self.in_its_language(text, self.lettered(clean(text, longest)))
+
+    def in_its_language(self, text: str, found: Runs) -> Runs:
+        """Return the runs of a text of the file, marked where they are in another language than the page."""
+        return [{**run, "lang": ""} for run in found] if self.is_foreign(text) else found
+
+    def is_foreign(self, text: str) -> bool:
+        """Return whether a text of the file is not in the language of the page: a file without [text.…] is read as English."""
+        language, texts = self.words.phrases.language, self.run.variant.texts
+        return language != ENGLISH and (language not in texts or text not in texts[language].all)
 
     def lettered(self, text: str) -> Runs:
         """Return a sentence that is clean already, the names of this variant set as symbols."""

@@ -61,7 +61,7 @@ def _first_last(context: PageContext, found: list[Split], *, is_first: bool) -> 
     columns = [Column([], words=True)]
     columns += [Column(context.symbol_runs([split.name]), context.unit(split.unit)) for split in found]
     turned = [say("first_last.turns", symbol=context.symbol(s.name).text, turns=abs(s.turns)) for s in found if s.turns]
-    note = runs(say("first_last.taken_off", turned="; ".join(turned))) if turned else []
+    note = runs(say("first_last.taken_off", turned=say("join.semicolon").join(turned))) if turned else []
     return Table(columns, rows, context.say("first_last.caption"), strong=[2], note=note, id="first-last" if is_first else "")
 
 
@@ -82,7 +82,7 @@ def _why(context: PageContext, found: list[Split], step: LocalError | None) -> l
     if context.run.tableau is None and context.run.lesson is not None:
         told.append(say("why.exact", sentence=context.told(context.run.lesson.sentence)))
     told += _period(context, found)
-    return [Paragraph(context.lettered(" ".join(told)))] if told else []
+    return [Paragraph(context.lettered(say.sentences(told)))] if told else []
 
 
 def _period(context: PageContext, found: list[Split]) -> list[str]:

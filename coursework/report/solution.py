@@ -11,7 +11,7 @@ from coursework.reduction.blocks import Block
 from coursework.reduction.cramer import Cramer, cramer
 from coursework.reduction.solution import Solution
 from coursework.report import equations as setting
-from coursework.report.display import display
+from coursework.report.display import display, marked_text
 from coursework.report.first_step import first_step
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Display, Equations, Paragraph, Part, Runs
@@ -122,6 +122,7 @@ def _vanishing(context: PageContext, block: Block, delta: str, determinant: Form
     if shown is None:
         return []
     text = setting.text_equation(Formula("name", name=delta), context.angles.put_in(shown), context.rates)
+    text = marked_text(text, context.numbers.mark)
     if block.meaning == say("determinant.never"):
         return context.lettered(context.words("derivation.never", determinant=text))
     meaning = context.told(block.meaning).rstrip(".")
@@ -136,7 +137,7 @@ def _numeric(context: PageContext, block: Block) -> Part:
         sentence = context.words.count("derivation.long", block.size, **named)
     meaning = context.told(block.meaning).rstrip(".")
     if meaning and block.meaning != say("determinant.never"):
-        sentence += " " + context.words("derivation.numeric_vanishes", meaning=meaning)
+        sentence = context.words.sentences([sentence, context.words("derivation.numeric_vanishes", meaning=meaning)])
     return Paragraph(context.lettered(sentence))
 
 

@@ -22,6 +22,7 @@ from coursework.variant.record import Given
 MOST_REMARKS = 12  # on the first page, on which the results begin
 USUAL_ROW = 4  # the row that is compared where a file names none
 SHOWN_DIGITS = 5
+GAP = "\ue002"  # stands in a sentence where a text of the file goes; no text has it
 
 
 def statement(context: PageContext) -> list[Part]:
@@ -32,7 +33,7 @@ def statement(context: PageContext) -> list[Part]:
         *_task(context),
         *_mechanism(context),
         *([Beside(data, answer)] if data.rows else [answer]),
-        *[Paragraph(context.rich(text), style="note") for text in context.variant.remarks],
+        *[Paragraph(context.in_its_language(text, context.rich(text)), style="note") for text in context.variant.remarks],
         *_set(context),
         *_plausibility(context),
     ]
@@ -70,7 +71,7 @@ def _task(context: PageContext) -> list[Part]:
     variant, say = context.variant, context.words
     parts: list[Part] = []
     if variant.source:
-        parts.append(Paragraph(runs(say("statement.source", source=clean(variant.source, LONGEST_NAME))), style="note"))
+        parts.append(Paragraph(_source(context), style="note"))
     if variant.drive:
         key = "drive.point" if variant.driven else "drive.rates"
         parts += [Paragraph(context.say(key, point=clean(variant.driven or ""))), *laws_shown(context, variant.drive)]
@@ -78,7 +79,13 @@ def _task(context: PageContext) -> list[Part]:
         parts.append(Paragraph(context.say("drive.none")))
     if variant.functions:
         parts += [Paragraph(context.say("drive.functions")), *laws_shown(context, variant.functions)]
-    return [*parts, Paragraph(context.lettered(" ".join([*_held(context), *_sought(context)])))]
+    return [*parts, Paragraph(context.lettered(say.sentences([*_held(context), *_sought(context)])))]
+
+
+def _source(context: PageContext) -> Runs:
+    """Return where the task is from: our words around those of the file."""
+    before, _, behind = context.words("statement.source", source=GAP).partition(GAP)
+    return [*runs(before), *context.quoted(context.variant.source, LONGEST_NAME), *runs(behind)]
 
 
 def _held(context: PageContext) -> list[str]:
@@ -120,7 +127,7 @@ def _data(context: PageContext) -> Table:
     rows: list[list[Cell]] = [
         [
             context.symbol_runs([g.name]),
-            context.quoted(meaning(g, context.run.scene.mechanism.points)),
+            context.quoted(g.means, LONGEST_NAME) if g.means else runs(meaning(g, context.run.scene.mechanism.points)),
             _given(context, g.text, g.unit),
         ]
         for g in variant.given

@@ -80,7 +80,7 @@ def motion_parts(context: PageContext) -> list[Part]:
     if run.stop is not None:
         time = context.quantity(run.stop.time, "s")
         notes.append(say("table.stopped", row=len(run.motion.t), time=time))
-    return _by_row(context, Grid(names, units, run.motion.rows), run.motion.t, caption, " ".join(notes))
+    return _by_row(context, Grid(names, units, run.motion.rows), run.motion.t, caption, say.sentences(notes))
 
 
 def extra_parts(context: PageContext, extra: ExtraTable) -> list[Part]:
@@ -127,7 +127,7 @@ def _by_row(context: PageContext, grid: Grid, t: Any, caption: str, note: str) -
             Table(
                 columns,
                 rows,
-                context.lettered(f"{caption} {which}".strip()),
+                context.lettered(context.words.sentences([caption, which])),
                 strong,
                 rules_for(len(rows)),
                 below,

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
+from coursework.page_text import HAN
 from coursework.report.numbers import superscript
 from coursework.report.symbols import GREEK, symbol
 
@@ -17,20 +18,22 @@ LONGEST_NAME = 200  # characters of a name or title
 Run = dict[str, str]
 
 
+_WORD = rf"[^\W{HAN}]"  # a letter, digit or _; words of other letters end where Chinese begins, without a space
+_LETTER = rf"[^\W\d_{HAN}]"
 _RUN = re.compile(
-    r"(?<![\w_])(?P<letter>[^\W\d_]\u0307?)(?:_(?P<low>[^\W_]{1,4})(?![\w_])|(?P<digits>[₀-₉]+))"
-    r"|\ue000(?P<own>.)\ue001"
-    r"|(?P<greek>(?<![^\W\d_])[α-ωϕ]\u0307?(?![^\W\d_]))"
-    r"|(?P<raised>(?<=[\d\w)])[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
-    r"|(?P<typed>(?<![\w-])--[a-z]+(?:-[a-z]+)*(?: (?:h/)?\d[\w./-]*(?<!\.))?)"
+    rf"(?<!{_WORD})(?P<letter>{_LETTER}\u0307?)(?:_(?P<low>[^\W_{HAN}]{{1,4}})(?!{_WORD})|(?P<digits>[₀-₉]+))"
+    rf"|\ue000(?P<own>.)\ue001"
+    rf"|(?P<greek>(?<!{_LETTER})[α-ωϕ]\u0307?(?!{_LETTER}))"
+    rf"|(?P<raised>(?<=[\d\w)])[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
+    rf"|(?P<typed>(?<!{_WORD})(?<!-)--[a-z]+(?:-[a-z]+)*(?: (?:h/)?\d[\w./-]*(?<!\.))?)"
 )
 ITALIC = ("\ue000", "\ue001")  # around a letter of our own words; `clean` removes both from all other text
 _RAISED = re.compile("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]")
 _NAMELIKE = re.compile(r"\d|(?<=.)[A-Z]")  # w3, VMx: no word of a sentence looks like that
 _TIMES = re.compile(r"(?<=[\w)])\*(?=[\w(])")
-_POWER = re.compile(r"(?<![\w.])(\d+(?:\.\d+)?)[eE]([+-]?\d+)(?!\w)")
-_NEGATIVE = re.compile(r"(?<![\w.)])-(?=\d)")
-_COMPONENT = re.compile(r"(?<![\w.])[A-Z]\d?\.[va]?[xy](?!\w)")  # A.x, B2.vy
+_POWER = re.compile(rf"(?<!{_WORD})(?<!\.)(\d+(?:\.\d+)?)[eE]([+-]?\d+)(?!{_WORD})")
+_NEGATIVE = re.compile(rf"(?<!{_WORD})(?<![.)])-(?=\d)")
+_COMPONENT = re.compile(rf"(?<!{_WORD})(?<!\.)[A-Z]\d?\.[va]?[xy](?!{_WORD})")  # A.x, B2.vy
 _PLAIN_DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "01234567890123456789−")
 
 
@@ -85,4 +88,4 @@ def _spelt(text: str, names: Iterable[str]) -> str:
     if not sure:
         return text
     pattern = "|".join(sorted(map(re.escape, sure), key=len, reverse=True))
-    return re.sub(rf"(?<![\w.])({pattern})(?![\w(])", lambda match: symbol(match[1]).text, text)
+    return re.sub(rf"(?<!{_WORD})(?<!\.)({pattern})(?!{_WORD}|\()", lambda match: symbol(match[1]).text, text)

@@ -7,6 +7,7 @@ Used by `report/`, `assigning/` and `commands/`.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from coursework.report.numbers import Numbers
@@ -42,6 +43,10 @@ class Words:
     def listing(self, words: list[str]) -> str:
         """Return "a, b and c"."""
         return self.phrases.listing(words)
+
+    def sentences(self, told: Iterable[str]) -> str:
+        """Return sentences one behind the other; empty ones are left out."""
+        return self("join.sentences").join(part for part in told if part)
 
     @property
     def numbers(self) -> Numbers:

@@ -28,6 +28,12 @@ class Texts:
     because: Mapping[str, str] = field(default_factory=dict)
     means: Mapping[str, str] = field(default_factory=dict)
 
+    @property
+    def all(self) -> frozenset[str]:
+        """Return every text there is."""
+        one_by_one = (self.title, self.source, self.teaches)
+        return frozenset((*one_by_one, *self.remarks, *self.because.values(), *self.means.values()))
+
 
 def in_language(variant: Variant, language: str) -> Variant:
     """Return the variant with its texts in a language, as far as its file has them."""

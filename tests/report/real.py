@@ -67,7 +67,7 @@ def text_of(thing: Any) -> str:
     if isinstance(thing, str):
         return thing
     if isinstance(thing, dict):
-        keys = ("t", "v", "s", "p") if set(thing) <= {"t", "v", "s", "p"} else thing
+        keys = ("t", "v", "s", "p") if set(thing) <= {"t", "v", "s", "p", "lang"} else thing
         return "".join(text_of(thing.get(key, "")) for key in keys)
     if not isinstance(thing, list | tuple):
         return ""
