@@ -25,7 +25,7 @@ _RUN = re.compile(
     rf"|\ue000(?P<own>.)\ue001"
     rf"|(?P<greek>(?<!{_LETTER})[α-ωϕ]\u0307?(?!{_LETTER}))"
     rf"|(?P<raised>(?<=[\d\w)])[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
-    rf"|(?P<typed>(?<!{_WORD})(?<!-)--[a-z]+(?:-[a-z]+)*(?: (?:h/)?\d[\w./-]*(?<!\.))?)"
+    rf"|(?P<typed>(?<!{_WORD})(?<!-)--[a-z]+(?:-[a-z]+)*(?: (?:h/)?\d[A-Za-z0-9./-]*(?<!\.))?)"
 )
 ITALIC = ("\ue000", "\ue001")  # around a letter of our own words; `clean` removes both from all other text
 _RAISED = re.compile("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]")
