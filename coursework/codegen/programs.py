@@ -173,7 +173,7 @@ _ARRAYS |= {"asin": np.arcsin, "acos": np.arccos, "atan": np.arctan, "atan2": np
 _ARRAYS["_choose"] = lambda holds, yes, no: np.where(holds, yes(), no())
 
 
-@lru_cache(maxsize=1024)
+@lru_cache(maxsize=256)  # a structure has about thirty
 def _code(source: str, name: str) -> CodeType:
     """Return a source compiled; variants that differ in their data have the same one."""
     return compile(source, f"<generated {name}>", "exec")

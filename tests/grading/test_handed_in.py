@@ -15,6 +15,7 @@ from coursework.grading.escapes import csv_text, shown
 from coursework.grading.handed_in import Source, collect_one
 from coursework.grading.names import file_stem
 from coursework.grading.parcels import Parcel
+from coursework.grading.reading.archive import Archive
 from coursework.grading.submission import Submission
 
 
@@ -133,6 +134,16 @@ def test_a_zip_from_an_old_russian_program(tmp_path: Path) -> None:
     path.write_bytes(raw)
     _, found, _ = read(path)
     assert set(found) == {"Иванов", "yy"}
+
+
+def test_a_part_without_a_name_is_left_out() -> None:
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w") as file:
+        file.writestr("table.csv", b"t,w1")
+        file.writestr("named.csv", b"x")
+    damaged = content.getvalue().replace(b"named.csv", b"\0amed.csv")
+    archive = Archive(damaged)
+    assert {name: archive.read(name, 10) for name in archive.parts} == {"table.csv": b"t,w1"}
 
 
 def test_a_folder_around_the_whole_zip_is_taken_off(tmp_path: Path) -> None:

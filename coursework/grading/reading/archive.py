@@ -32,7 +32,8 @@ class Archive:
             self._zip = zipfile.ZipFile(io.BytesIO(content))
         except (zipfile.BadZipFile, ValueError, OSError, NotImplementedError, EOFError) as error:
             raise unreadable("damaged") from error
-        self.parts = {part.filename: part for part in self._zip.infolist() if not part.is_dir()}
+        # A damaged directory may hold a part without a name, which the library does not expect.
+        self.parts = {part.filename: part for part in self._zip.infolist() if part.filename and not part.is_dir()}
         if len(self._zip.infolist()) > most_parts:
             raise unreadable("too_large_open")
 
