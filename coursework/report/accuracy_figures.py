@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from coursework.report.figures import GREY, MM, STYLES, WIDTH, drawing, label_text, svg_text
 from coursework.report.numbers import superscript
@@ -19,14 +19,25 @@ if TYPE_CHECKING:
     from matplotlib.axis import Axis
     from matplotlib.figure import Figure as Drawing
 
-PLOT_HEIGHT = 74.0  # mm of the axes with their labels
-LEGEND_COLUMNS = 3
-OTHER_ENTRIES = 3  # of the legend: the own step, the last row, round-off
+Pen = dict[str, Any]  # what matplotlib is told of a line or, without a style of line, of a patch
+Sample = tuple[str, Pen]  # one entry of the legend
+OTHERS = ("own_legend", "end_legend", "floor_legend")  # below the methods
+
+PLOT_HEIGHT = 68.0  # mm of the axes with their labels
+LEGEND_COLUMNS = (3, 2, 1)  # as many as have room for their words
 LEGEND_LINE = 4.4  # mm of one line of the legend
+LEGEND_LEFT, LEGEND_PEN, LEGEND_GAP = 12.0, 9.0, 1.8  # mm: where it begins, of a sample, between it and its words
+LETTER, SIGN = 1.66, 2.9  # mm at 8 points: of a letter, a little more than the mean, and of a Chinese sign
 BAR_HEIGHT = 4.2  # mm of paper for one bar
 HATCHES = ("", "////", "....")
 FILLS = ("#9ecae1", "#fdd0a2", "#d9d9d9")
 NEAR = 3.0  # triangles closer than this factor of cost (its square in error) would overlap
+OWN: Pen = {
+    "linestyle": "none", "marker": "o", "markersize": 11, "markerfacecolor": "none", "markeredgecolor": "black",
+    "markeredgewidth": 1.3,
+}  # fmt: skip
+LAST_ROW: Pen = {"linewidth": 0.7, "linestyle": (0, (4, 2))}
+ROUND_OFF: Pen = {"color": "#e6e6e6", "linewidth": 0}
 SMALLEST = 1e-17  # an error of exactly 0 has no place on a logarithmic axis; it is drawn here
 
 
@@ -97,55 +108,95 @@ def _powers(*each: Axis) -> None:
 def panels(name: str, page: Panels) -> tuple[str, float]:
     """Return error against evaluations and, where times are shown, against seconds, sharing the error axis; and mm high."""
     with drawing(name):
-        legend = LEGEND_LINE * -(-(len(page.methods) + OTHER_ENTRIES) // LEGEND_COLUMNS)
+        columns = _columns([*(method.name for method in page.methods), *(page.labels[key] for key in OTHERS)])
+        legend = LEGEND_LINE * max(map(len, columns))
         height = PLOT_HEIGHT + legend
         figure = _sheet(height)
         below, tall = (legend + 11.0) / height, (PLOT_HEIGHT - 12.5) / height
         first = figure.add_axes((0.09, below, 0.43 if page.timed else 0.895, tall))
         first.set_ylabel(page.error_label, parse_math=False)
-        _panel(first, page, timed=False)
+        samples = _panel(first, page, timed=False)
         if page.timed:
             second = figure.add_axes((0.555, below, 0.43, tall), sharey=first)
             second.tick_params(labelleft=False)
             _panel(second, page, timed=True)
-        handles, words = first.get_legend_handles_labels()
-        figure.legend(
-            handles, words, loc="lower left", bbox_to_anchor=(0.07, 0.0), ncols=LEGEND_COLUMNS, frameon=False, fontsize=8,
-            handlelength=3.2, columnspacing=1.4, handletextpad=0.5, borderaxespad=0.2,
-        )  # fmt: skip
+        _legend(figure, dict(samples), columns, height)
         return svg_text(figure, WIDTH, height), height
 
 
-def _panel(axes: Axes, page: Panels, *, timed: bool) -> None:
+def _columns(words: list[str]) -> list[list[str]]:
+    """Return the words of a legend in columns that fit side by side."""
+    found = [words]
+    for count in LEGEND_COLUMNS:
+        rows = -(-len(words) // count)
+        found = [words[first : first + rows] for first in range(0, len(words), rows)]
+        if LEGEND_LEFT + sum(map(_wide, found)) <= WIDTH:
+            break
+    return found
+
+
+def _wide(column: list[str]) -> float:
+    """Return mm of a column of the legend, with room behind it."""
+    longest = max(sum(SIGN if sign >= "\u2e80" else LETTER for sign in words) for words in column)
+    return LEGEND_PEN + 2 * LEGEND_GAP + longest
+
+
+def _legend(figure: Drawing, pens: dict[str, Pen], columns: list[list[str]], height: float) -> None:
+    """Write the legend below the axes; matplotlib's own lays every word out eight times."""
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Rectangle
+
+    rows, begin = max(map(len, columns)), LEGEND_LEFT
+    for column in columns:
+        left, middle, right = (at / WIDTH for at in (begin, begin + LEGEND_PEN / 2, begin + LEGEND_PEN))
+        begin += _wide(column)
+        for row, words in enumerate(column):
+            pen = pens.get(words)
+            if pen is None:  # nothing of it is drawn
+                continue
+            y, thick = LEGEND_LINE * (rows - row - 0.5) / height, 2.4 / height
+            if "linestyle" in pen:
+                x = [middle] if pen["linestyle"] == "none" else [left, middle, right]
+                figure.add_artist(Line2D(x, [y] * len(x), markevery=[len(x) // 2], **pen))
+            else:
+                figure.add_artist(Rectangle((left, y - thick / 2), right - left, thick, **pen))
+            figure.text(right + LEGEND_GAP / WIDTH, y, words, fontsize=8, va="center_baseline", parse_math=False)
+
+
+def _panel(axes: Axes, page: Panels, *, timed: bool) -> list[Sample]:
+    """Draw the lines of one panel and return what its legend says."""
     axes.set_xscale("log")
     axes.set_yscale("log")
     _powers(axes.xaxis, axes.yaxis)
     _plain_axes(axes)
     triangles: list[tuple[float, float]] = []
+    samples: list[Sample] = []
     for index, method in enumerate(page.methods):
-        _line(axes, method, index, triangles, timed=timed)
+        if (pen := _line(axes, method, index, triangles, timed=timed)) is not None:
+            samples.append((method.name, pen))
     if page.own is not None:
         evaluations, seconds, error = page.own
         cost = seconds if timed else evaluations
         if cost is not None:
-            axes.plot(
-                [cost], [_shown(error)], linestyle="none", marker="o", markersize=11, markerfacecolor="none",
-                markeredgecolor="black", markeredgewidth=1.3, zorder=5, label=page.labels["own_legend"],
-            )  # fmt: skip
+            axes.plot([cost], [_shown(error)], zorder=5, **OWN)
+            samples.append((page.labels["own_legend"], OWN))
     # One line of the legend stands for all broken thin lines.
-    axes.plot([], [], color="#404040", linewidth=0.7, linestyle=(0, (4, 2)), label=page.labels["end_legend"])
+    samples.append((page.labels["end_legend"], {"color": "#404040", **LAST_ROW}))
     if page.floor > 0:
         low = min(axes.get_ylim()[0], page.floor / 10)
         axes.set_ylim(bottom=low)
-        axes.axhspan(low, page.floor, color="#e6e6e6", linewidth=0, zorder=0, label=page.labels["floor_legend"])
+        axes.axhspan(low, page.floor, zorder=0, **ROUND_OFF)
+        samples.append((page.labels["floor_legend"], ROUND_OFF))
     axes.set_xlabel(page.labels["seconds" if timed else "evaluations"], parse_math=False, labelpad=2)
+    return samples
 
 
 def _shown(error: float) -> float:
     return max(abs(error), SMALLEST)
 
 
-def _line(axes: Axes, method: Method, index: int, triangles: list[tuple[float, float]], *, timed: bool) -> None:
+def _line(axes: Axes, method: Method, index: int, triangles: list[tuple[float, float]], *, timed: bool) -> Pen | None:
+    """Draw one method and return its pen, None where it has nothing to show."""
     colour, dashes, mark = STYLES[index % len(STYLES)]
     costs = method.seconds if timed else method.evaluations
     points = sorted(
@@ -154,16 +205,17 @@ def _line(axes: Axes, method: Method, index: int, triangles: list[tuple[float, f
         if cost is not None and math.isfinite(error)
     )
     if not points:
-        return
+        return None
     x, y, end = zip(*points, strict=True)
-    axes.plot(
-        x, y, color=colour, linestyle=dashes, marker=mark, markersize=4, linewidth=1.2, markerfacecolor="white",
-        label=method.name.replace("$", r"\$"), zorder=3,
-    )  # fmt: skip
+    pen: Pen = {
+        "color": colour, "linestyle": dashes, "marker": mark, "markersize": 4, "linewidth": 1.2, "markerfacecolor": "white",
+    }  # fmt: skip
+    axes.plot(x, y, zorder=3, **pen)
     if any(math.isfinite(value) for value in end):
-        axes.plot(x, end, color=colour, linewidth=0.7, linestyle=(0, (4, 2)), zorder=2)
+        axes.plot(x, end, color=colour, zorder=2, **LAST_ROW)
     if method.order is not None and not timed:
         _slope(axes, x, y, method, colour, triangles)
+    return pen
 
 
 def _slope(
