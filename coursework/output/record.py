@@ -104,8 +104,19 @@ def study_record(run: Run) -> dict[str, Any]:
 
 
 def as_json(content: dict[str, Any]) -> bytes:
-    """Return a record as the bytes of its file."""
-    return (json.dumps(content, indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode("utf-8", "backslashreplace")
+    """Return a record as the bytes of its file: a line a key, and a line a record where a key holds a list of them."""
+    lines = ",\n".join(f" {_written(key)}: {_lines(value)}" for key, value in content.items())
+    return f"{{\n{lines}\n}}\n".encode("utf-8", "backslashreplace")
+
+
+def _lines(value: Any) -> str:
+    if not (isinstance(value, list) and value and isinstance(value[0], dict)):
+        return _written(value)
+    return "[\n  " + ",\n  ".join(map(_written, value)) + "\n ]"
+
+
+def _written(value: Any) -> str:
+    return json.dumps(value, ensure_ascii=False, allow_nan=False)
 
 
 def _stop(run: Run) -> dict[str, Any] | None:
