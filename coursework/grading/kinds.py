@@ -6,6 +6,7 @@ Used by `understand.py` and by whoever collects files.
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import PurePosixPath
 
@@ -50,6 +51,16 @@ def is_ignored(path: str) -> bool:
 def is_named_as_table(name: str) -> bool:
     """Return whether a file's name promises a table."""
     return PurePosixPath(name.replace("\\", "/")).suffix.lower() in TABLE_ENDINGS
+
+
+def is_json(text: str) -> bool:
+    """Return whether a text is data of a program, such as the `run.json` beside a table; "=" in it is no equation."""
+    if not text.lstrip("\ufeff \r\n\t").startswith(("{", "[")):
+        return False
+    try:
+        return isinstance(json.loads(text.lstrip("\ufeff")), (dict, list))
+    except (ValueError, RecursionError):
+        return False
 
 
 def is_html(text: str) -> bool:

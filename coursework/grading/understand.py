@@ -13,7 +13,7 @@ from typing import Literal
 from coursework.grading.contents import AnswerLine, Contents, EquationLine, FileEntry, Table, Trouble
 from coursework.grading.equations import most_lines, spellings_for
 from coursework.grading.expected import Expected
-from coursework.grading.kinds import OLD_EXCEL, is_html, is_ignored, is_named_as_table, kind_of_parts, real_kind
+from coursework.grading.kinds import OLD_EXCEL, is_html, is_ignored, is_json, is_named_as_table, kind_of_parts, real_kind
 from coursework.grading.lines import Lines, read_lines
 from coursework.grading.page_text import text_of
 from coursework.grading.reading.archive import Archive, legible_name
@@ -142,7 +142,7 @@ def _read_text(file: SubmittedFile, could_be_table: bool, expected: Expected, fo
             return "table"
     except Refused as error:
         refused = error
-    lines = read_lines(decoded.text, file.name, expected)
+    lines = Lines() if is_json(decoded.text) else read_lines(decoded.text, file.name, expected)
     if refused and not lines.answers and all(line.left is None for line in lines.equations):
         raise refused
     found.take(lines, found.equations)

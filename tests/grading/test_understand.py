@@ -157,6 +157,18 @@ def test_hostile_lines_are_unreadable_with_their_column_and_the_rest_is_read(lin
     assert good.left is not None
 
 
+def test_data_of_a_program_beside_a_table_are_no_equations() -> None:
+    told = '{"sentence": "All 4 equations hold at t = 0.", "left": "w1 = 0"}'
+    contents = read(("table.csv", table("csv_utf8")), ("run.json", told.encode()))
+    assert contents.table is not None and contents.equations is None
+    assert [entry.kind for entry in contents.files] == ["table", "ignored"]
+    assert codes(contents) == ["ignored_file"]
+    alone = read(("run.json", told.encode()))
+    assert alone.trouble is not None and alone.trouble.code == "no_table"
+    broken = read(("table.csv", table("csv_utf8")), ("lines.txt", b"[w1] - w2 = 0"))
+    assert broken.equations is not None  # brackets alone make no JSON
+
+
 def test_only_so_many_equations_are_read() -> None:
     contents = read(("equations.txt", b"w1 = 0\n" * 100))
     assert contents.equations is not None

@@ -86,13 +86,20 @@ def overridden(grade: Mapping[str, Any], overrides: Iterable[Override], rubric: 
             if changed["status"] not in GRADED:
                 changed["status"] = "graded-with-notes"
             continue
-        changed[override.check] = {**(changed[override.check] or {}), "score": points(override.points)}
+        part = override.check
+        changed[part] = {**(changed[part] or _unmarked(part, rubric)), "score": points(override.points)}
         if changed["status"] not in GRADED and not had_all and _have_points(changed, counted):
             changed["status"], changed["proposed"] = "graded-with-notes", None
         parts = [changed[part] for part in PARTS if changed[part]]
         number = "score" if changed["status"] in GRADED else "proposed"
         changed[number] = points(sum(part.get("score") or 0.0 for part in parts))
     return changed
+
+
+def _unmarked(part: str, rubric: Rubric) -> dict[str, Any]:
+    """Return a part that nobody counted anything in, with the keys that it has in grades.json."""
+    counts = {"independent": 0, "needed": 0} if part == "equations" else {}
+    return {"score": None, "max": points(rubric.most(part)), **counts, "items": []}
 
 
 def _have_points(grade: Mapping[str, Any], parts: Iterable[str]) -> bool:

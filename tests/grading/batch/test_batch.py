@@ -153,6 +153,7 @@ def test_a_missing_part_that_the_instructor_read_elsewhere_gives_a_number(tmp_pa
     assert grade(source, out, "--overrides", decided).exit_code == 0
     found = submissions(out)
     assert (found["ada"]["status"], found["ada"]["score"], found["ada"]["proposed"]) == ("graded-with-notes", 90, None)
+    assert found["ada"]["equations"] == {"score": 30, "max": 40, "independent": 0, "needed": 0, "items": []}
     assert (found["bert"]["status"], found["bert"]["score"], found["bert"]["proposed"]) == ("needs-review", None, 50)
 
 

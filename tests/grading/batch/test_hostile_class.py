@@ -11,6 +11,7 @@ import re
 import zipfile
 from pathlib import Path
 
+import jsonschema
 import numpy as np
 import pytest
 from click.testing import CliRunner
@@ -281,3 +282,9 @@ def test_overlapping_and_russian_names_in_a_zip(tmp_path):
     assert document["submissions"][0]["status"] == "graded"
     assert sorted(path.name for path in tmp_path.iterdir()) == ["all.zip", "out"]
     assert Path(tmp_path / "out").is_dir()
+
+
+def test_grades_json_has_the_shape_it_is_described_with(graded):
+    schema = json.loads((Path(__file__).parent / "grades.schema.json").read_text(encoding="utf-8"))
+    faults = jsonschema.Draft202012Validator(schema).iter_errors(graded[2])
+    assert [(list(fault.absolute_path), fault.message[:200]) for fault in faults] == []
