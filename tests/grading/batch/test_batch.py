@@ -84,7 +84,7 @@ def test_pages_are_small_without_scripts_and_say_what_is_wrong(graded):
     page = (graded[1] / "feedback" / "carl.html").read_text(encoding="utf-8")
     assert "Row 11" in page
     assert "w2" in page
-    assert "Of 172 cells that count, 1 are wrong" in page
+    assert "Of 172 cells that count, wrong: 1;" in page
     assert "All 172 cells that count are right." in (graded[1] / "feedback" / "ada.html").read_text(encoding="utf-8")
     page = (graded[1] / "feedback" / "dora.html").read_text(encoding="utf-8")
     assert "Heun" in page
