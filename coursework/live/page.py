@@ -24,7 +24,8 @@ MOST_BYTES, MOST_ROWS = 60_000, 512
 MOST_CELLS = 2000  # of a table finer than the file's that are written out
 SPEEDS = (0.05, 0.1, 0.2, 1.0)
 _LABORATORY = (
-    "numbers", "laboratory_motion", "page", "drawing", "additions", "cursors", "panels", "laboratory", "stop_watch", "animation",
+    "numbers", "marching", "slices", "laboratory_motion", "page", "drawing", "additions", "cursors", "panels", "lines", "stop_watch",
+    "laboratory", "animation",
 )  # fmt: skip
 _RECORDED = ("recorded_motion", "page", "drawing", "additions", "cursors", "animation")
 

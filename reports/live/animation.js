@@ -1,30 +1,21 @@
 // The clock: play, speed, scrub and keys; it moves drawing, cursors, rows and what is told beside them.
-// Enters: `motion`, `drawing`, `cursors` and, where there is a laboratory, `laboratory`.  The last piece: it starts the page.
+// Enters: `motion`, `drawing`, `cursors`; `begin`, `furnish`, `light` of what stands before it.  The last piece: it starts the page.
 const scrub = byId("scrub"), play = byId("play");
 const still = matchMedia("(prefers-reduced-motion: reduce)");
-let now = 0, playing = false, begun = 0, asked = 0, lit = null;
+let now = 0, playing = false, begun = 0, asked = 0;
 
 // Show the time t (s); the scrub stands at the row, counted from 0 with a fraction.
 const show = (t) => {
   now = Math.min(Math.max(t, 0), motion.duration);
   const row = motion.h > 0 ? now / motion.h : 0, nearest = Math.round(row) + 1;
+  light(nearest, playing);
   live.dataset.row = nearest;
   if (Number(scrub.value) !== row) scrub.value = row;
   const told = say("clock", { row: nearest, t: fixed(now, data.decimals + (playing ? 1 : 0)) });
   scrub.setAttribute("aria-valuetext", told);
   tell("live-clock", told);
   const places_ = drawing.draw(now);
-  cursors.place(now);
-  if (byId("lab-table")) {
-    const next = byId("lab-table").tBodies[0].rows[nearest - 1] ?? null;
-    if (lit !== next) lit?.classList.remove("live-now");
-    next?.classList.add("live-now");
-    if (next && playing && lit !== next) {
-      const box = next.closest(".live-scroll"), top = next.offsetTop;
-      if (top < box.scrollTop + 45 || top > box.scrollTop + box.clientHeight - 45) box.scrollTop = top - box.clientHeight / 2;
-    }
-    lit = next;
-  }
+  cursors.place(now, playing);
   const { right, ghost } = places_ ?? {};
   const rail = ghost && offRail(ghost), away = ghost && right && offPlace(ghost, right);
   const mm = (found) => (found.distance < 5e-8 ? "0" : shown(found.distance * 1000, 3));
@@ -55,6 +46,7 @@ const tick = () => {
 const run = (on) => {
   playing = on;
   play.setAttribute("aria-pressed", String(on));
+  if (!on) cursors.place(now, false);
   tell("play-text", data.words[on ? "pause" : "play"]);
   live.classList.toggle("live-playing", on);
   cancelAnimationFrame(asked);
@@ -97,11 +89,12 @@ addEventListener("resize", () => {
 
 live.hidden = false;
 document.documentElement.classList.add("live-on");
-start();
+// What moves is drawn first; the laboratory comes when the rest of the page is there, its tables and graphs behind this script.
+begin();
 drawing.prepare();
 changed();
-// The tables and graphs of the report stand behind this script.
 addEventListener("DOMContentLoaded", () => {
+  furnish();
   cursors.find();
   show(now);
 });

@@ -3,27 +3,36 @@
 const cursors = {
   panels: [],
   rows: [],
+  lit: null,
   // A graph, or the drawing in it, says data-box="left top right bottom" in its own units and data-time="first last" (s).
   find() {
     const graphs = [...document.querySelectorAll("[data-panel]")];
     const homes = graphs.map((graph) => (graph.dataset.box ? graph : graph.querySelector("[data-box]"))).filter(Boolean);
+    // While it moves, only the graphs that are on the screen follow.
+    const watching = new IntersectionObserver((entries) => entries.forEach((one) => (one.target.seen = one.isIntersecting)));
     this.panels = homes.map((home) => {
       const [left, top, right, bottom] = home.dataset.box.split(" ").map(Number);
       const [from, to] = home.dataset.time.split(" ").map(Number);
       const line = svg("line", { class: "live-cursor", y1: top, y2: bottom }, home);
-      return { line, at: (t) => left + ((right - left) * (t - from)) / (to - from || 1) };
+      watching.observe(home);
+      return { home, line, at: (t) => left + ((right - left) * (t - from)) / (to - from || 1) };
     });
     const rows = [...document.querySelectorAll("tr[data-row]")].filter((row) => !live.contains(row));
-    this.rows = rows.map((row) => [Number(row.dataset.row), row]);
+    this.rows = rows.map((row) => [Number(row.dataset.row), row]).sort(([a], [b]) => a - b);
   },
-  place(t) {
-    for (const { line, at } of this.panels) {
-      const x = at(t).toFixed(2);
-      line.setAttribute("x1", x);
-      line.setAttribute("x2", x);
+  place(t, moving) {
+    for (const { home, line, at } of this.panels) {
+      if (moving && !home.seen) continue;
+      const x = f1(at(t));
+      change(line, "x1", x);
+      change(line, "x2", x);
     }
+    // A printed table may have every n-th row only: the last one that is reached.
     const own = 1 + Math.round(t / data.step);
-    const reached = Math.max(...this.rows.map(([row]) => row).filter((row) => row <= own));
-    for (const [row, element] of this.rows) element.classList.toggle("live-now", row === reached);
+    const reached = this.rows.findLast(([row]) => row <= own)?.[1] ?? null;
+    if (reached === this.lit) return;
+    this.lit?.classList.remove("live-now");
+    reached?.classList.add("live-now");
+    this.lit = reached;
   },
 };

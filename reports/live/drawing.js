@@ -8,6 +8,8 @@ const along = (place, base, toward) => {
   const size = Math.hypot(x, y) || 1;
   return [x / size, y / size];
 };
+// A circle as part of a path.
+const round = (x, y, r) => `M${f1(x - r)} ${f1(y)}a${r} ${r} 0 1 0 ${f1(2 * r)} 0a${r} ${r} 0 1 0 ${f1(-2 * r)} 0`;
 
 const drawing = {
   field: byId("live-field"),
@@ -19,8 +21,9 @@ const drawing = {
       ]),
     );
     const line = (layer) => svg("path", {}, this.layers[layer]);
-    this.paths = { ghost: line("ghost"), body: line("body"), pins: line("pins"), filled: line("pins") };
-    this.paths.filled.setAttribute("class", "live-filled");
+    this.paths = Object.fromEntries(["ground", "ghost", "body", "pins"].map((name) => [name, line(name)]));
+    this.paths.hatch = svg("path", { class: "live-hatch" }, this.layers.ground);
+    this.paths.filled = svg("path", { class: "live-filled" }, this.layers.pins);
     this.numbers = data.links.map((link) => {
       const text = svg("text", { class: "live-link" }, this.layers.words);
       text.textContent = link.name;
@@ -36,7 +39,7 @@ const drawing = {
   refit() {
     if (!data.points.length) return;
     // On a small screen the drawing has fewer units, so that its letters keep their size.
-    this.WIDE = innerWidth < 600 ? 380 : 640;
+    this.WIDE = matchMedia("(max-width: 599px)").matches ? 380 : 640;
     const box = [Infinity, Infinity, -Infinity, -Infinity];
     const take = (x, y, room = 0) => {
       box[0] = Math.min(box[0], x - room);
@@ -69,8 +72,7 @@ const drawing = {
     this.scale = Math.min((this.WIDE - 90) / Math.max(box[2] - box[0], 1e-12), (0.2 * this.WIDE + 200) / Math.max(box[3] - box[1], 1e-12));
     const high = (box[3] - box[1]) * this.scale + 80;
     this.origin = [(this.WIDE - (box[0] + box[2]) * this.scale) / 2, high - 40 + box[1] * this.scale];
-    this.field.setAttribute("viewBox", `0 0 ${this.WIDE} ${f1(high)}`);
-    this.high = high;
+    change(this.field, "viewBox", `0 0 ${this.WIDE} ${f1(high)}`);
     this.samples[0].unshift(this.first);
     this.slots = data.slots.map((slot) => this.reach(slot));
     this.ground();
@@ -87,16 +89,13 @@ const drawing = {
   },
   // Rails, fixed circles and hinges, hatched where they are held.
   ground() {
-    const layer = this.layers.ground;
-    layer.replaceChildren();
+    let lines = "", thin = "";
     const hatch = (x1, y1, x2, y2, leanX, leanY) => {
       const count = Math.max(2, Math.round(Math.hypot(x2 - x1, y2 - y1) / 8));
-      let path = "";
       for (let i = 0; i < count; i++) {
         const share = (i + 0.5) / count, x = x1 + share * (x2 - x1), y = y1 + share * (y2 - y1);
-        path += `M${f1(x)} ${f1(y)}l${f1(leanX)} ${f1(leanY)}`;
+        thin += `M${f1(x)} ${f1(y)}l${f1(leanX)} ${f1(leanY)}`;
       }
-      svg("path", { d: path, class: "live-hatch" }, layer);
     };
     for (const rail of data.rails) {
       const [ux, uy] = along(this.first, rail.base, rail.toward), [x0, y0] = this.put(this.first, rail.at);
@@ -111,18 +110,20 @@ const drawing = {
       // A pin slides on the line itself, a wheel and a block stand beside it: the hatching is below or to the right.
       const side = ux < 0 || (ux === 0 && uy > 0) ? -1 : 1, gap = rail.rolls ? 0 : 7;
       const ox = uy * gap * side, oy = ux * gap * side;
-      svg("path", { d: `M${f1(ends[0] + ox)} ${f1(ends[1] + oy)}L${f1(ends[2] + ox)} ${f1(ends[3] + oy)}` }, layer);
+      lines += `M${f1(ends[0] + ox)} ${f1(ends[1] + oy)}L${f1(ends[2] + ox)} ${f1(ends[3] + oy)}`;
       hatch(ends[0] + ox, ends[1] + oy, ends[2] + ox, ends[3] + oy, (uy * side - ux * 0.7) * 6, (ux * side + uy * 0.7) * 6);
     }
     for (const track of data.tracks) {
       const [x, y] = this.put(this.first, track.centre), [rx, ry] = this.put(this.first, track.rim);
-      svg("circle", { cx: f1(x), cy: f1(y), r: f1(Math.hypot(rx - x, ry - y)) }, layer);
+      lines += round(x, y, f1(Math.hypot(rx - x, ry - y)));
     }
     for (const name of data.hinges) {
       const [x, y] = this.put(this.first, name);
-      svg("path", { d: `M${f1(x)} ${f1(y)}l-9 15h18z` }, layer);
+      lines += `M${f1(x)} ${f1(y)}l-9 15h18z`;
       hatch(x - 13, y + 15, x + 13, y + 15, -5, 6);
     }
+    change(this.paths.ground, "d", lines);
+    change(this.paths.hatch, "d", thin);
   },
   // One mechanism as a path: bars through their corners, slots, blocks, wheels with a spoke.
   outline(place, true_, t) {
@@ -150,7 +151,7 @@ const drawing = {
     for (const wheel of data.wheels) {
       const [x, y] = this.put(place, wheel.centre), [px, py] = this.put(place, wheel.contact);
       const r = f1(Math.hypot(px - x, py - y)), turned = this.turned(wheel, true_, t);
-      path += `M${f1(x - r)} ${f1(y)}a${r} ${r} 0 1 0 ${f1(2 * r)} 0a${r} ${r} 0 1 0 ${f1(-2 * r)} 0`;
+      path += round(x, y, r);
       if (turned !== null) path += `M${f1(x)} ${f1(y)}l${f1(r * Math.cos(turned))} ${f1(-r * Math.sin(turned))}`;
     }
     return path;
@@ -187,38 +188,35 @@ const drawing = {
   draw(t) {
     if (!data.points.length || !this.first) return;
     const right = motion.at(true, t), ghost = motion.at(false, t);
-    this.paths.body.setAttribute("d", right ? this.outline(right, true, t) : "");
-    this.paths.ghost.setAttribute("d", ghost ? this.outline(ghost, false, t) : "");
+    change(this.paths.body, "d", right ? this.outline(right, true, t) : "");
+    change(this.paths.ghost, "d", ghost ? this.outline(ghost, false, t) : "");
     if (right) this.joints(right);
     additions.draw(right, t);
     return { right, ghost };
   },
   joints(place) {
     let rings = "", dots = "";
-    const ring = (x, y, r) => `M${f1(x - r)} ${f1(y)}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0`;
+    const move = (text, x, y) => change(text, "transform", `translate(${f1(x)} ${f1(y)})`);
     data.shown_points.forEach((name, i) => {
       const [x, y] = this.put(place, name);
-      if (data.rings.includes(name)) rings += ring(x, y, 4);
-      else dots += ring(x, y, 3);
-      this.names[i].setAttribute("x", f1(x + 9));
-      this.names[i].setAttribute("y", f1(y - 8));
+      if (data.rings.includes(name)) rings += round(x, y, 4);
+      else dots += round(x, y, 3);
+      move(this.names[i], x + 9, y - 8);
     });
     data.links.forEach((link, i) => {
-      let longest = -1;
+      let longest = -1, x = 0, y = 0;
       for (let k = 1; k < link.points.length; k++) {
         const [x1, y1] = this.put(place, link.points[k - 1]), [x2, y2] = this.put(place, link.points[k]);
         const size = Math.hypot(x2 - x1, y2 - y1);
         if (size <= longest) continue;
         longest = size;
-        this.numbers[i].setAttribute("x", f1((x1 + x2) / 2 + (9 * (y2 - y1)) / (size || 1)));
-        this.numbers[i].setAttribute("y", f1((y1 + y2) / 2 - (9 * (x2 - x1)) / (size || 1) + 4));
+        x = (x1 + x2) / 2 + (9 * (y2 - y1)) / (size || 1);
+        y = (y1 + y2) / 2 - (9 * (x2 - x1)) / (size || 1) + 4;
       }
-      if (longest >= 0 || !link.points.length) return;
-      const [x, y] = this.put(place, link.points[0]);
-      this.numbers[i].setAttribute("x", f1(x - 16));
-      this.numbers[i].setAttribute("y", f1(y - 6));
+      if (longest >= 0) move(this.numbers[i], x, y);
+      else if (link.points.length) move(this.numbers[i], this.put(place, link.points[0])[0] - 16, this.put(place, link.points[0])[1] - 6);
     });
-    this.paths.pins.setAttribute("d", rings);
-    this.paths.filled.setAttribute("d", dots);
+    change(this.paths.pins, "d", rings);
+    change(this.paths.filled, "d", dots);
   },
 };

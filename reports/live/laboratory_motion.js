@@ -1,8 +1,7 @@
 // What is tried in the laboratory: step, scheme, one datum -> rows of the scheme beside the true motion.
-// Enters: `data` and the functions of numbers.js.  Leaves: `motion`, which the drawing and the panels read.
+// Enters: `data`, the generated functions, `march` and `follow`.  Leaves: `motion`, which the drawing and the panels read.
 // Points of the true motion from row to row of the file.
 const FINE = 16;
-const m = data.coordinates.length;
 const names = data.given_order.filter((name) => name in data.sliders);
 const tried = { halvings: 0, scheme: data.scheme, datum: names[0] ?? null, value: null };
 
@@ -57,38 +56,65 @@ const startFor = (d) => {
   return q;
 };
 
-const interpolated = (rows, h, t, into) => {
-  const i = Math.min(Math.max(Math.floor(t / h), 0), Math.max(rows.length - 2, 0));
-  const from = rows[i], to = rows[i + 1] ?? from, share = t / h - i;
-  for (let k = 0; k < into.length; k++) into[k] = from[k] + share * (to[k] - from[k]);
+const interpolated = (rows, t, into) => {
+  const i = Math.min(Math.max(Math.floor(t / rows.h), 0), Math.max(rows.n - 2, 0)), share = t / rows.h - i;
+  const from = i * m, to = i + 1 < rows.n ? from + m : from;
+  for (let k = 0; k < m; k++) into[k] = rows.q[from + k] + share * (rows.q[to + k] - rows.q[from + k]);
   return into;
 };
 
 const motion = {
-  d: null, truth: null, rows: null, worst: null, first: null, made: "",
-  // Compute what has changed since the last time: the true motion goes with the datum alone.
-  compute() {
-    const d = Float64Array.from(data.numbers);
-    if (tried.value !== null) d[data.given_order.indexOf(tried.datum)] = tried.value;
-    // What is as good as the true motion at its own points is measured by one made with still smaller steps.
-    const inside = data.schemes[tried.scheme].order < 4 ? 1 : Math.max(1, 2 ** (tried.halvings - 2));
-    const key = `${tried.value === null ? "" : tried.datum} ${tried.value} ${inside}`;
-    if (key !== this.made) {
-      this.made = key;
-      this.d = d;
-      this.start = startFor(d);
-      const known = tried.value === null ? data.stop : null;
-      this.truth = this.start && follow(data.step / FINE, inside, this.start, d, known);
+  d: null, start: null, h: data.step, truth: null, rows: table(), worst: null, first: null,
+  // The true motion of `made` is kept while only step and scheme are moved; `drawn` tells one true motion from another.
+  made: "", drawn: "", fine: table(), next: table(), rough: table(), spare: table(), timed: table(),
+  // Take over what is tried: the data, the start that goes with them, the step.
+  choose() {
+    const chosen = tried.value === null ? "" : `${tried.datum} ${tried.value}`;
+    if (chosen !== this.chosen) {
+      this.chosen = chosen;
+      this.d = Float64Array.from(data.numbers);
+      if (tried.value !== null) this.d[data.given_order.indexOf(tried.datum)] = tried.value;
+      this.start = startFor(this.d);
     }
     this.h = data.step / 2 ** tried.halvings;
-    this.rows = this.again();
-    this.worst = this.truth ? largestError(this.rows, this.truth) : { value: NaN, place: 0, row: 1 };
+    // What is as good as the true motion at its own points is measured by one made with still smaller steps.
+    this.inside = data.schemes[tried.scheme].order < 4 ? 1 : Math.max(1, 2 ** (tried.halvings - 2));
+    this.wanted = `${chosen} ${this.inside}`;
+    this.stop = tried.value === null ? data.stop : null;
+  },
+  // How many evaluations `compute` will make.
+  get cost() {
+    const steps = (h) => Math.max(1, wholeSteps(h, data.end));
+    const own = steps(this.h) * data.schemes[tried.scheme].inner.length;
+    return own + (this.wanted === this.made ? 0 : steps(data.step / FINE) * this.inside * data.schemes[data.precise].inner.length);
+  },
+  // The same with one step a row for the true motion and none finer for the table: enough to draw, not to be read.
+  sketch() {
+    this.worst = null;
+    this.truth = this.start && this.rough;
+    this.drawn = `rough ${this.chosen}`;
+    if (this.start) drain(follow(this.rough, data.step, 1, this.start, this.d, this.stop));
+    drain(this.again(this.rows, Math.max(this.h, data.step)));
+  },
+  // Compute what has changed since the last time: the true motion goes with the datum alone.  What is shown changes at the end.
+  *compute() {
+    let truth = this.start && this.fine;
+    if (truth && this.wanted !== this.made) {
+      truth = this.next;
+      yield* follow(truth, data.step / FINE, this.inside, this.start, this.d, this.stop);
+    }
+    yield* this.again(this.spare, this.h, truth);
+    [this.rows, this.spare, this.truth] = [this.spare, this.rows, truth];
+    if (truth === this.next) [this.fine, this.next] = [this.next, this.fine];
+    if (truth) this.made = this.wanted;
+    this.drawn = this.wanted;
+    this.worst = truth ? largestError(this.rows, truth) : { value: NaN, place: 0, row: 1 };
     this.first ??= { error: this.worst.value, evaluations: this.rows.evaluations };
   },
   // March once more with what is tried now: what the stop-watch times.
-  again() {
-    if (!this.truth) return { h: this.h, q: [], u: [], lost: true, evaluations: 0 };
-    return march(tried.scheme, this.h, this.start, this.d, this.truth.dead);
+  *again(into = this.timed, h = this.h, truth = this.truth) {
+    if (truth) yield* march(into, tried.scheme, h, this.start, this.d, truth.dead);
+    else Object.assign(clear(into, h, 0), { lost: true });
   },
   get dead() {
     return this.truth ? this.truth.dead : null;
@@ -107,22 +133,21 @@ const motion = {
   },
   // Where everything drawn is at t (s), flat x, y in m; null where that motion has no such time.
   at(true_, t) {
-    const [rows, h] = true_ ? [this.truth ? this.truth.q : [], data.step / FINE] : [this.rows.q, this.rows.h];
-    if (!rows.length || t > (rows.length - 1) * h * (1 + 1e-9)) return null;
-    return places(t, interpolated(rows, h, t, new Float64Array(m)), this.d, new Float64Array(2 * data.points.length));
+    const rows = true_ ? this.truth : this.rows;
+    if (!rows || !rows.n || t > (rows.n - 1) * rows.h * (1 + 1e-9)) return null;
+    return places(t, interpolated(rows, t, new Float64Array(m)), this.d, new Float64Array(2 * data.points.length));
   },
   // A velocity of the table at t, null where there is none.
   rate(true_, t, name) {
-    const k = data.velocities.indexOf(name);
-    const [rows, h] = true_ ? [this.truth ? this.truth.u : [], data.step / FINE] : [this.rows.u, this.rows.h];
-    const i = Math.min(Math.max(Math.floor(t / h), 0), rows.length - 1);
-    return k < 0 || i < 0 ? null : rows[i][k] + (t / h - i) * ((rows[i + 1] ?? rows[i])[k] - rows[i][k]);
+    const k = data.velocities.indexOf(name), rows = true_ ? this.truth : this.rows;
+    if (k < 0 || !rows || !rows.n) return null;
+    const i = Math.min(Math.max(Math.floor(t / rows.h), 0), rows.n - 1), from = rows.u[i * width + k];
+    return from + (t / rows.h - i) * (rows.u[Math.min(i + 1, rows.n - 1) * width + k] - from);
   },
-  // The column of a coordinate or velocity over all rows of one motion.
+  // The column of a coordinate or velocity in one motion: how many rows, and the value of each.
   column(true_, name) {
-    const rows = true_ ? this.truth : this.rows;
-    const place = data.coordinates.indexOf(name);
-    if (!rows) return [];
-    return place >= 0 ? rows.q.map((at) => at[place]) : rows.u.map((at) => at[data.velocities.indexOf(name)]);
+    const rows = (true_ ? this.truth : this.rows) ?? { n: 0 }, place = data.coordinates.indexOf(name);
+    const from = place < 0 ? data.velocities.indexOf(name) : place, [values, step] = place < 0 ? [rows.u, width] : [rows.q, m];
+    return { n: rows.n, h: rows.h, value: (i) => values[i * step + from] };
   },
 };

@@ -47,3 +47,10 @@ const tell = (id, text, value) => {
   if (value !== undefined) place.dataset.value = value;
 };
 const f1 = (value) => Math.round(10 * value) / 10;
+// Set an attribute where it is another than before: what is written is laid out and painted anew.
+const change = (element, name, value) => {
+  const kept = (element.kept ??= {});
+  if (kept[name] === value) return;
+  kept[name] = value;
+  element.setAttribute(name, value);
+};

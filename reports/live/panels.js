@@ -11,95 +11,99 @@ const ticks = (low, high, most) => {
   return found.map((value) => [value, fixed(Math.abs(value) < step / 2 ? 0 : value, Math.min(decimals, 9))]);
 };
 
+const widen = (range, value) => {
+  if (value < range[0]) range[0] = value;
+  if (value > range[1]) range[1] = value;
+};
+// The ends of an axis, at halves of its round numbers: they stay where they are while the values change a little.
+const ends = (least, most) => {
+  const room = 0.04 * (most - least) || Math.max(0.5, 0.1 * Math.abs(most)), low = least - room, high = most + room;
+  const half = 10 ** Math.floor(Math.log10((high - low) / 3)) / 2;
+  return [Math.floor(low / half) * half, Math.ceil(high / half) * half];
+};
+
 const panels = {
   prepare() {
+    this.x = (t) => f1(LEFT + ((RIGHT - LEFT) * t) / data.end);
     this.all = data.shown.map((name) => {
       const panel = svg("svg", { viewBox: `0 0 ${WIDE} ${HIGH}`, role: "img", "data-panel": name }, byId("live-panels"));
       panel.dataset.box = `${LEFT} ${TOP} ${RIGHT} ${BOTTOM}`;
+      panel.dataset.time = `0 ${data.end}`;
       const told = [label(name), data.unit_words[name]].filter(Boolean).join(", ");
       panel.setAttribute("aria-label", told);
       const title = svg("text", { x: LEFT + 4, y: 12, class: "live-title" }, panel);
       symbolic(title, told);
       const axes = svg("g", { class: "live-axes" }, panel);
+      let path = `M${LEFT} ${TOP}V${BOTTOM}H${RIGHT}`;
+      for (const [value, text] of ticks(0, data.end, 4)) {
+        path += `M${this.x(value)} ${BOTTOM}v3`;
+        svg("text", { x: this.x(value), y: BOTTOM + 15, "text-anchor": value ? "middle" : "start" }, axes).textContent = value ? text : "0";
+      }
+      svg("path", { d: path }, axes);
+      const scale = svg("g", {}, axes);
       const clip = svg("svg", { x: 0, y: TOP - 3, width: WIDE, height: BOTTOM - TOP + 6, viewBox: `0 ${TOP - 3} ${WIDE} ${BOTTOM - TOP + 6}` }, panel);
       const line = svg("path", { class: "live-true" }, clip), rows = svg("path", { class: "live-table" }, clip);
       const dots = svg("path", { class: "live-dots" }, clip), dead = svg("path", { class: "live-dead" }, panel);
-      return { name, panel, axes, line, rows, dots, dead };
+      return { name, scale, line, rows, dots, dead };
     });
   },
   draw() {
-    const last = data.end, x = (t) => f1(LEFT + ((RIGHT - LEFT) * t) / last);
+    const dead = motion.dead === null ? "" : `M${this.x(motion.dead)} ${TOP}V${BOTTOM}`;
     for (const one of this.all) {
-      one.panel.dataset.time = `0 ${last}`;
-      if (one.truth !== motion.truth) this.truth(one, x);
-      const rows = motion.column(false, one.name);
-      let [low, high] = this.range(motion.dead === null ? [one.range, rows] : [one.range]);
-      const room = 0.06 * (high - low) || Math.max(0.5, 0.1 * Math.abs(high));
-      low -= room;
-      high += room;
+      if (one.drawn !== motion.drawn) this.truth(one);
+      const { n, h, value } = motion.column(false, one.name);
+      const range = [...one.range];
+      for (let i = 0; i < n && !dead; i++) widen(range, value(i));
+      const [low, high] = ends(...range);
       const y = (value) => f1(Math.max(-999, Math.min(999, BOTTOM - ((BOTTOM - TOP) * (value - low)) / (high - low))));
       // The line of the true motion is kept; what changes is how its range lies in the panel.
-      const [from, to] = [y(one.range[0]), y(one.range[1])];
-      one.line.setAttribute("transform", `translate(0 ${from}) scale(1 ${(to - from) / 1000})`);
-      const stride = Math.ceil(rows.length / 200);
+      const [from, to] = one.range.map(y);
+      change(one.line, "transform", `translate(0 ${from}) scale(1 ${(to - from) / 1000})`);
+      const stride = Math.ceil(n / 200);
       let joined = "", dotted = "";
-      for (let i = 0; i < rows.length; i += stride) {
-        const at = `${x(i * motion.h)} ${y(rows[i])}`;
+      for (let i = 0; i < n; i += stride) {
+        const at = `${this.x(i * h)} ${y(value(i))}`;
         joined += `${i ? "L" : "M"}${at}`;
-        if (rows.length <= 80) dotted += `M${at}h0`;
+        if (n <= 80) dotted += `M${at}h0`;
       }
-      one.rows.setAttribute("d", joined);
-      one.dots.setAttribute("d", dotted);
-      one.dead.setAttribute("d", motion.dead === null ? "" : `M${x(motion.dead)} ${TOP}V${BOTTOM}`);
-      this.scale(one, `${low} ${high}`, low, high, y, x);
+      change(one.rows, "d", joined);
+      change(one.dots, "d", dotted);
+      change(one.dead, "d", dead);
+      this.scale(one, low, high, y);
     }
-  },
-  range(columns) {
-    let low = Infinity, high = -Infinity;
-    for (const column of columns) {
-      for (const value of column) {
-        if (value < low) low = value;
-        if (value > high) high = value;
-      }
-    }
-    return low <= high ? [low, high] : [0, 1];
   },
   // The line of the true motion, its range one thousand high.
-  truth(one, x) {
-    one.truth = motion.truth;
-    const right = motion.column(true, one.name), stride = Math.max(2, Math.ceil(right.length / 160));
-    one.range = this.range([right]);
-    if (motion.dead !== null && right.length) {
+  truth(one) {
+    one.drawn = motion.drawn;
+    const { n, h, value } = motion.column(true, one.name);
+    one.range = [Infinity, -Infinity];
+    for (let i = 0; i < n; i++) widen(one.range, value(i));
+    if (motion.dead !== null && n) {
       // Beside a dead point a velocity grows beyond bounds: nearly all of the rows say what is worth seeing.
-      const sorted = [...right].sort((a, b) => a - b), cut = 0.03 * (sorted.length - 1);
-      one.range = [sorted[Math.floor(cut)], sorted[Math.ceil(sorted.length - 1 - cut)]];
+      const sorted = Float64Array.from({ length: n }, (_, i) => value(i)).sort(), cut = 0.03 * (n - 1);
+      one.range = [sorted[Math.floor(cut)], sorted[Math.ceil(n - 1 - cut)]];
     }
-    const [low, high] = one.range, whole = high - low || 1;
+    if (!n) one.range = [0, 1];
+    const [low, high] = one.range, whole = high - low || 1, stride = Math.ceil(n / 160);
     let path = "";
-    for (let i = 0; i < right.length; i += stride) {
-      const share = Math.max(-9, Math.min(9, (right[i] - low) / whole));
-      path += `${i ? "L" : "M"}${x((i * data.step) / FINE)} ${Math.round(1000 * share)}`;
+    for (let i = 0; i < n; i += stride) {
+      const share = Math.max(-9, Math.min(9, (value(i) - low) / whole));
+      path += `${i ? "L" : "M"}${this.x(i * h)} ${Math.round(1000 * share)}`;
     }
-    one.line.setAttribute("d", path);
+    change(one.line, "d", path);
   },
-  // Axes and their numbers, written anew only where they have changed.
-  scale(one, key, low, high, y, x) {
+  // The numbers of the axis, written anew only where they have changed.
+  scale(one, low, high, y) {
+    const key = `${low} ${high}`;
     if (one.key === key) return;
     one.key = key;
-    one.axes.replaceChildren();
-    let path = `M${LEFT} ${TOP}V${BOTTOM}H${RIGHT}`;
-    const number = (text, x, y, anchor) => {
-      svg("text", { x, y, "text-anchor": anchor }, one.axes).textContent = text;
-    };
+    one.scale.replaceChildren();
+    let path = "";
     for (const [value, text] of ticks(low, high, 3)) {
       path += `M${LEFT - 3} ${y(value)}h3`;
-      number(text, LEFT - 5, y(value) + 4, "end");
+      svg("text", { x: LEFT - 5, y: y(value) + 4, "text-anchor": "end" }, one.scale).textContent = text;
     }
-    for (const [value, text] of ticks(0, data.end, 4)) {
-      path += `M${x(value)} ${BOTTOM}v3`;
-      number(value ? text : "0", x(value), BOTTOM + 15, value ? "middle" : "start");
-    }
-    svg("path", { d: path }, one.axes);
-    if (low < 0 && high > 0) svg("path", { d: `M${LEFT} ${y(0)}H${RIGHT}`, class: "live-zero" }, one.axes);
+    svg("path", { d: path }, one.scale);
+    if (low < 0 && high > 0) svg("path", { d: `M${LEFT} ${y(0)}H${RIGHT}`, class: "live-zero" }, one.scale);
   },
 };

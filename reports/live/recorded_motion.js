@@ -18,4 +18,6 @@ const motion = {
   },
   rate: () => null,
 };
-const start = () => {};
+const begin = () => {};
+const furnish = () => {};
+const light = () => {};

@@ -4,31 +4,48 @@ const MARKS = {
   euler: "M-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0", midpoint: "M-4 4h8l-4 -8z", heun: "M-4 -4h8v8h-8z",
   ralston: "M-4 -4h8l-4 8z", rk4: "M0 -5l5 5l-5 5l-5 -5z",
 };
+const MOST_TABLES = 2 ** 16;
 const OTHER_MARK = "M-4 -4l8 8m-8 0l8 -8";
 
 const watch = {
   tries: [],
-  waiting: 0,
-  // Wait until nothing moves any more, then measure.
+  // Wait until nothing is moved any more, then measure.
   later() {
-    clearTimeout(this.waiting);
     tell("lab-time", "…", "");
-    this.waiting = setTimeout(() => this.measure(), 200);
+    work.later(200, this.measure());
   },
-  // The best of some rounds, each of so many tables that the clock of a browser can tell.
-  measure() {
-    if (!motion.rows.q.length) return tell("lab-time", "–", "");
+  // The best of some rounds, each of so many tables that the clock of a browser can tell; nothing waits longer than for one round.
+  *measure() {
     let many = 1, best = Infinity;
     for (let round = 0; round < 6; ) {
-      const begun = performance.now();
-      for (let i = 0; i < many; i++) motion.again();
-      const took = performance.now() - begun;
+      // A clock that stands still measures nothing.
+      if (!motion.rows.n || many > MOST_TABLES) return tell("lab-time", "–", "");
+      const took = yield* this.round(many);
       if (took < 4) many *= 2;
       else {
         best = Math.min(best, took / many);
         round++;
       }
     }
+    this.note(best);
+  },
+  // The time (ms) of so many tables; a long table is interrupted, and the clock with it.
+  *round(many) {
+    let took = 0, begun = performance.now();
+    for (let i = 0; i < many; i++) {
+      for (const _ of motion.again()) {
+        const now = performance.now();
+        if (now - begun < 8) continue;
+        took += now - begun;
+        yield Infinity;
+        begun = performance.now();
+      }
+    }
+    took += performance.now() - begun;
+    yield Infinity;
+    return took;
+  },
+  note(best) {
     tell("lab-time", this.duration(best), String(best / 1000));
     this.first ??= best;
     tell("lab-time-ratio", say("time_ratio", { ratio: plain(best / this.first, 2) }));

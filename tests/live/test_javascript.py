@@ -18,10 +18,12 @@ from coursework.run import Run
 pytestmark = pytest.mark.browser
 # What the page itself does with the runtime, here handed to the test.
 ASKED = """
-window.marched = (name, h, d, dead) => { const {q, u, lost, evaluations} = march(name, h, data.start, d, dead);
-  return {rows: q.map((at, i) => [...at, ...u[i].slice(0, data.velocities.length)]), lost, evaluations}; };
-window.followed = (d, known) => { const truth = follow(data.step, 16, data.start, d, known);
-  return {rows: truth.q.map((at) => [...at]), dead: truth.dead}; };
+const positions = (found) => Array.from({length: found.n}, (_, i) => [...found.q.subarray(i * m, i * m + m)]);
+window.marched = (name, h, d, dead) => { const found = table(); drain(march(found, name, h, data.start, d, dead));
+  const rows = positions(found).map((at, i) => [...at, ...found.u.subarray(i * width, i * width + data.velocities.length)]);
+  return {rows, lost: found.lost, evaluations: found.evaluations}; };
+window.followed = (d, known) => { const truth = table(); drain(follow(truth, data.step, 16, data.start, d, known));
+  return {rows: positions(truth), dead: truth.dead}; };
 """
 
 
@@ -37,7 +39,7 @@ def started(page: Any, run: Run) -> dict[str, Any]:
     functions = live_functions(run.scene, [])
     numbers = live_numbers(run, functions)
     page.set_content(f'<script type="application/json" id="coursework">{json.dumps(numbers)}</script>')
-    page.evaluate(script_of(functions.text, ("numbers",)).removesuffix("})();") + ASKED + "})()")
+    page.evaluate(script_of(functions.text, ("numbers", "marching")).removesuffix("})();") + ASKED + "})()")
     return numbers
 
 
