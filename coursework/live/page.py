@@ -24,10 +24,10 @@ MOST_BYTES, MOST_ROWS = 60_000, 512
 MOST_CELLS = 2000  # of a table finer than the file's that are written out
 SPEEDS = (0.05, 0.1, 0.2, 1.0)
 _LABORATORY = (
-    "numbers", "marching", "slices", "laboratory_motion", "page", "drawing", "additions", "cursors", "panels", "lines", "stop_watch",
-    "laboratory", "animation",
+    "numbers", "marching", "slices", "laboratory_motion", "page", "drawing", "names", "additions", "cursors", "panels", "lines",
+    "stop_watch", "laboratory", "animation",
 )  # fmt: skip
-_RECORDED = ("recorded_motion", "page", "drawing", "additions", "cursors", "animation")
+_RECORDED = ("recorded_motion", "page", "drawing", "names", "additions", "cursors", "animation")
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,14 +88,8 @@ def _said(run: Run, drawn: Drawn, phrases: Phrases, label: Callable[[str], str],
         "labels": {name: label(name) for name in names},
         "unit_words": {name: unit(variant.unit_of(name)) for name in ("t", *variant.columns)},
         "decimal": phrases.template("decimal"),
-        "decimals": _decimals(run.step),
         "language": phrases.language,
     }
-
-
-def _decimals(step: float) -> int:
-    """Return the decimals that the times of the rows need, at most five."""
-    return next((places for places in range(5) if abs(round(step, places) - step) < 1e-9 * step), 5)
 
 
 def _words(phrases: Phrases) -> dict[str, str]:

@@ -11,7 +11,7 @@ const show = (t) => {
   light(nearest, playing);
   live.dataset.row = nearest;
   if (Number(scrub.value) !== row) scrub.value = row;
-  const told = say("clock", { row: nearest, t: fixed(now, data.decimals + (playing ? 1 : 0)) });
+  const told = say("clock", { row: nearest, t: fixed(now, decimalsOf(motion.h) + (playing ? 1 : 0)) });
   scrub.setAttribute("aria-valuetext", told);
   tell("live-clock", told);
   const places_ = drawing.draw(now);

@@ -24,16 +24,7 @@ const drawing = {
     this.paths = Object.fromEntries(["ground", "ghost", "body", "pins"].map((name) => [name, line(name)]));
     this.paths.hatch = svg("path", { class: "live-hatch" }, this.layers.ground);
     this.paths.filled = svg("path", { class: "live-filled" }, this.layers.pins);
-    this.numbers = data.links.map((link) => {
-      const text = svg("text", { class: "live-link" }, this.layers.words);
-      text.textContent = link.name;
-      return text;
-    });
-    this.names = data.shown_points.map((name) => {
-      const text = svg("text", {}, this.layers.words);
-      symbolic(text, label(name));
-      return text;
-    });
+    words.prepare(this.layers.words);
   },
   // Choose the window so that both motions fit, and draw what stands still.
   refit() {
@@ -76,6 +67,7 @@ const drawing = {
     this.samples[0].unshift(this.first);
     this.slots = data.slots.map((slot) => this.reach(slot));
     this.ground();
+    words.choose(this.first);
     additions.renew();
   },
   x(value) {
@@ -196,26 +188,12 @@ const drawing = {
   },
   joints(place) {
     let rings = "", dots = "";
-    const move = (text, x, y) => change(text, "transform", `translate(${f1(x)} ${f1(y)})`);
     data.shown_points.forEach((name, i) => {
       const [x, y] = this.put(place, name);
       if (data.rings.includes(name)) rings += round(x, y, 4);
       else dots += round(x, y, 3);
-      move(this.names[i], x + 9, y - 8);
     });
-    data.links.forEach((link, i) => {
-      let longest = -1, x = 0, y = 0;
-      for (let k = 1; k < link.points.length; k++) {
-        const [x1, y1] = this.put(place, link.points[k - 1]), [x2, y2] = this.put(place, link.points[k]);
-        const size = Math.hypot(x2 - x1, y2 - y1);
-        if (size <= longest) continue;
-        longest = size;
-        x = (x1 + x2) / 2 + (9 * (y2 - y1)) / (size || 1);
-        y = (y1 + y2) / 2 - (9 * (x2 - x1)) / (size || 1) + 4;
-      }
-      if (longest >= 0) move(this.numbers[i], x, y);
-      else if (link.points.length) move(this.numbers[i], this.put(place, link.points[0])[0] - 16, this.put(place, link.points[0])[1] - 6);
-    });
+    words.place(place);
     change(this.paths.pins, "d", rings);
     change(this.paths.filled, "d", dots);
   },

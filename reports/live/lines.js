@@ -41,7 +41,7 @@ const lines = {
       return largest > 0 ? Math.min(8, Math.max(0, 4 - Math.floor(Math.log10(largest)))) : 0;
     });
     columns.unshift((i) => i * h);
-    decimals.unshift(data.decimals + Math.max(0, tried.halvings));
+    decimals.unshift(decimalsOf(h));
     while (body.rows.length > count) this.kept.push(body.removeChild(body.lastElementChild));
     tell("lab-more", count < all ? say("first_rows", { rows: count, all }) : "");
     let line = body.firstElementChild;

@@ -25,6 +25,12 @@ const shown = (value, digits) => {
 // The same without zeros at the end.
 const plain = (value, digits) => written(String(Number(value.toPrecision(digits))));
 const fixed = (value, decimals) => written(value.toFixed(decimals));
+// The decimals that multiples of a step need, at most seven.
+const decimalsOf = (step) => {
+  let places = 0;
+  while (places < 7 && Math.abs(Number(step.toFixed(places)) - step) > 1e-9 * step) places++;
+  return places;
+};
 const say = (key, values) => data.words[key].replace(/\{(\w+)\}/g, (_, gap) => values[gap]);
 const label = (name) => data.labels[name] ?? name;
 // A symbol with its subscript lowered: "φ_c", "V_Mx".

@@ -1,6 +1,6 @@
 // Small graphs of what is tried: every column over time, the true motion as a line, the rows as dots.
 // Enters: `motion`.  Leaves: `panels`; each bears the box of its axes, so that the cursor finds it.
-const WIDE = 300, HIGH = 120, LEFT = 44, RIGHT = 292, TOP = 20, BOTTOM = 100;
+const WIDE = 300, HIGH = 120, LEFT = 52, RIGHT = 292, TOP = 20, BOTTOM = 100;
 // Some round numbers from low to high.
 const ticks = (low, high, most) => {
   const raw = (high - low) / most, power = 10 ** Math.floor(Math.log10(raw));
@@ -37,7 +37,9 @@ const panels = {
       let path = `M${LEFT} ${TOP}V${BOTTOM}H${RIGHT}`;
       for (const [value, text] of ticks(0, data.end, 4)) {
         path += `M${this.x(value)} ${BOTTOM}v3`;
-        svg("text", { x: this.x(value), y: BOTTOM + 15, "text-anchor": value ? "middle" : "start" }, axes).textContent = value ? text : "0";
+        // The first number and one at the end stay inside the picture.
+        const [x, anchor] = !value ? [LEFT, "start"] : this.x(value) > RIGHT - 12 ? [WIDE - 1, "end"] : [this.x(value), "middle"];
+        svg("text", { x, y: BOTTOM + 15, "text-anchor": anchor }, axes).textContent = value ? text : "0";
       }
       svg("path", { d: path }, axes);
       const scale = svg("g", {}, axes);
@@ -99,7 +101,8 @@ const panels = {
     one.key = key;
     one.scale.replaceChildren();
     let path = "";
-    for (const [value, text] of ticks(low, high, 3)) {
+    const few = ticks(low, high, 3);
+    for (const [value, text] of few.length > 1 ? few : ticks(low, high, 6)) {
       path += `M${LEFT - 3} ${y(value)}h3`;
       svg("text", { x: LEFT - 5, y: y(value) + 4, "text-anchor": "end" }, one.scale).textContent = text;
     }

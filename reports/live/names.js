@@ -1,0 +1,61 @@
+// Names of the points and numbers of the links, in the drawing beside what they name.
+// Enters: places of a drawing.  Leaves: `words`, moved with the mechanism; no word begins over another.
+const words = {
+  prepare(layer) {
+    this.numbers = data.links.map((link) => {
+      const text = svg("text", { class: "live-link" }, layer);
+      text.textContent = link.name;
+      return text;
+    });
+    this.names = data.shown_points.map((name) => {
+      const text = svg("text", {}, layer);
+      symbolic(text, label(name));
+      return text;
+    });
+  },
+  // Where the number of a link stands: beside the middle of its longest side, or beside its point.
+  ofLink(link, place, side) {
+    let longest = -1, found = null;
+    for (let k = 1; k < link.points.length; k++) {
+      const [x1, y1] = drawing.put(place, link.points[k - 1]), [x2, y2] = drawing.put(place, link.points[k]);
+      const size = Math.hypot(x2 - x1, y2 - y1), out = (9 * side) / (size || 1);
+      if (size <= longest) continue;
+      longest = size;
+      found = [(x1 + x2) / 2 + out * (y2 - y1), (y1 + y2) / 2 - out * (x2 - x1) + 4];
+    }
+    if (found || !link.points.length) return found;
+    const [x, y] = drawing.put(place, link.points[0]);
+    return [x - 16 * side, y - 6];
+  },
+  // Choose for each word, in the first position, the side on which it lies over no other word and no joint.
+  choose(place) {
+    const taken = data.shown_points.map((name) => drawing.put(place, name)).map(([x, y]) => [x - 4, y - 4, x + 4, y + 4]);
+    const choice = (boxes) => {
+      const over = ([left, top, right, bottom]) =>
+        taken.reduce((sum, [l, t, r, b]) => sum + Math.max(0, Math.min(right, r) - Math.max(left, l)) * Math.max(0, Math.min(bottom, b) - Math.max(top, t)), 0);
+      const costs = boxes.map(over), best = costs.indexOf(Math.min(...costs));
+      taken.push(boxes[best]);
+      return best;
+    };
+    this.sides = data.links.map((link) => {
+      if (!link.points.length) return 1;
+      const half = 4 * link.name.length + 1, sides = [1, -1];
+      return sides[choice(sides.map((side) => this.ofLink(link, place, side)).map(([x, y]) => [x - half, y - 11, x + half, y + 2]))];
+    });
+    this.besides = data.shown_points.map((name) => {
+      const [x, y] = drawing.put(place, name), wide = 9 * label(name).replace("_", "").length + 2;
+      const besides = [[9, -8], [9, 19], [-8 - wide, -8], [-8 - wide, 19], [16, 5], [-15 - wide, 5]];
+      return besides[choice(besides.map(([dx, dy]) => [x + dx, y + dy - 13, x + dx + wide, y + dy + 4]))];
+    });
+  },
+  place(place) {
+    const move = (text, [x, y]) => change(text, "transform", `translate(${f1(x)} ${f1(y)})`);
+    data.shown_points.forEach((name, i) => {
+      const [x, y] = drawing.put(place, name), [dx, dy] = this.besides[i];
+      move(this.names[i], [x + dx, y + dy]);
+    });
+    data.links.forEach((link, i) => {
+      if (link.points.length) move(this.numbers[i], this.ofLink(link, place, this.sides[i]));
+    });
+  },
+};

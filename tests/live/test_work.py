@@ -1,0 +1,130 @@
+"""How much the page does for a paint, a frame and a move: counted in a browser, never timed."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import coursework
+
+pytestmark = pytest.mark.browser
+# Counts what the page calls: trigonometry (velocities and places), elements made, attributes set, layouts asked for.
+# `tasks`: the trigonometry of every piece of work that was put off while the error was not known.
+COUNTING = """
+window.done = {trigonometry: 0, made: 0, set: 0, asked: 0, tasks: []};
+for (const name of ["sin", "cos"]) { const own = Math[name]; Math[name] = (x) => { done.trigonometry++; return own(x); }; }
+const counted = (home, name, key) => {
+  const own = home[name];
+  home[name] = function (...all) { done[key]++; return own.apply(this, all); };
+};
+counted(Document.prototype, "createElement", "made"); counted(Document.prototype, "createElementNS", "made");
+counted(Node.prototype, "cloneNode", "made"); counted(Element.prototype, "setAttribute", "set");
+counted(Element.prototype, "getBoundingClientRect", "asked");
+const later = window.setTimeout;
+window.setTimeout = (act, wait, ...rest) => later(() => {
+  const before = done.trigonometry, open = document.querySelector("#lab-error").dataset.value === "";
+  act();
+  if (open) done.tasks.push(done.trigonometry - before);
+}, wait, ...rest);
+addEventListener("DOMContentLoaded", () => {
+  const count = (wanted) => document.querySelectorAll(wanted).length;
+  const drawn = document.querySelector(".live-body path").getAttribute("d");
+  window.first = {...done, panels: count("#live-panels svg"), lines: count("#lab-table tbody tr"), drawn};
+}, true);
+"""
+EVALUATION = 7  # sines and cosines of the velocities of variant 31
+SLICE = 4256  # evaluations that nothing else has to wait for: a fraction of a frame
+
+
+def counted(opened: Any, folder: Any) -> Any:
+    return opened(folder, before=lambda page: page.add_init_script(COUNTING))
+
+
+def cost(page: Any, act: Any) -> dict[str, int]:
+    """Return how often each thing was done while something was done to the page."""
+    before = page.page.evaluate("({...done, tasks: 0})")
+    act()
+    after = page.page.evaluate("({...done, tasks: 0})")
+    return {key: after[key] - before[key] for key in before}
+
+
+@pytest.mark.parametrize("name", ["31", "jansen"])
+def test_the_mechanism_is_drawn_before_the_laboratory_is_built(written: Any, opened: Any, name: str) -> None:
+    page = counted(opened, written(name))
+    first, whole = page.page.evaluate("first"), page.page.evaluate("done.trigonometry")
+    assert first["drawn"].startswith("M")
+    assert (first["panels"], first["lines"]) == (0, 0)
+    # One Runge-Kutta step a row and the places of what is drawn, against sixteen steps a row.
+    assert 3 * first["trigonometry"] < whole
+    # When the page is there, so is all of the laboratory.
+    assert page.page.locator("#lab-table tbody tr").count() == len(coursework.solve(name).motion.t)
+    assert float(page.value("#lab-error")) > 0
+
+
+@pytest.mark.parametrize("name", ["31", "jansen"])
+def test_a_frame_makes_nothing_and_moves_only_what_is_seen(written: Any, opened: Any, name: str) -> None:
+    page = counted(opened, written(name))
+    page.page.wait_for_selector("#lab-time:not([data-value=''])")
+    page.page.select_option("#speed", "0.05")
+    page.page.click("#play")
+    frames = """new Promise((told) => {
+      let left = 20, from = null;
+      const since = (key) => done[key] - from[key];
+      const frame = () => {
+        from ??= {...done};
+        left-- ? requestAnimationFrame(frame) : told([since("made"), since("asked"), since("set") / 20]);
+      };
+      requestAnimationFrame(frame); })"""
+    made, asked, written_a_frame = page.page.evaluate(frames)
+    assert (made, asked) == (0, 0)
+    words = page.page.locator(".live-words > text").count()
+    on_screen = "all => all.filter((one) => one.getBoundingClientRect().top < innerHeight).length"
+    seen = page.page.locator("[data-panel]").evaluate_all(on_screen)
+    # Both mechanisms, joints, the text of the scrub, names and numbers, two ends of each cursor on the screen.
+    assert written_a_frame <= 6 + words + 2 * seen
+
+
+def test_a_move_does_only_what_it_changes(written: Any, opened: Any) -> None:
+    page = counted(opened, written("31"))
+    page.page.wait_for_selector("#lab-time:not([data-value=''])")
+    datum = cost(page, lambda: page.set("#lab-datum", 0.96))
+    page.page.wait_for_selector("#lab-time:not([data-value=''])")
+    scheme = cost(page, lambda: page.set("#lab-scheme", "heun", "change"))
+    # A scheme leaves the true motion, 24 rows of 16 steps of 4 slopes, as it is.
+    assert datum["trigonometry"] - scheme["trigonometry"] > 24 * 16 * 4 * EVALUATION * 0.9
+    page.page.wait_for_selector("#lab-time:not([data-value=''])")
+    cost(page, lambda: page.set("#lab-step", 1))
+    page.page.wait_for_selector("#lab-time:not([data-value=''])")
+    cost(page, lambda: page.set("#lab-step", 0))
+    page.page.wait_for_selector("#lab-time:not([data-value=''])")
+    # Lines and axes that were there before are not made again.
+    again = cost(page, lambda: page.set("#lab-step", 1))
+    assert again["made"] <= 10
+    assert again["asked"] == 0
+
+
+def test_a_long_table_is_computed_in_slices_and_its_numbers_wait_for_the_end(written: Any, opened: Any) -> None:
+    step = 0.48 / 511
+    page = counted(opened, written("31", step=step))
+    page.page.wait_for_selector("#lab-time:not([data-value=''])")
+    page.page.evaluate("done.tasks.length = 0")
+    drawn = "document.querySelector('.live-body path').getAttribute('d')"
+    move = """(value) => { const at = document.querySelector("#lab-datum"), body = document.querySelector(".live-body path");
+      const was = body.getAttribute("d"), error = document.querySelector("#lab-error"); at.value = value;
+      at.dispatchEvent(new Event("input", {bubbles: true}));
+      return [body.getAttribute("d") !== was, error.dataset.value, error.textContent]; }"""
+    assert page.page.evaluate(drawn).startswith("M")
+    value = 1.01 * coursework.load("31").values["r1"]
+    # At once it is drawn; what can be read is open until it is known.
+    assert page.page.evaluate(move, value) == [True, "", "…"]
+    page.page.wait_for_selector("#lab-error:not([data-value=''])")
+    right = coursework.solve(coursework.load("31").with_data(given={"r1": value}), step=step)
+    worst = np.abs(right.motion.coordinates - right.exact.coordinates).max()
+    assert float(page.value("#lab-error")) == pytest.approx(worst, rel=1e-6)
+    # 511 rows of 16 steps of 4 slopes, of which the first 8000 evaluations are made at once.
+    tasks = page.page.evaluate("done.tasks")
+    assert len(tasks) >= (511 * 64 - 8000) / SLICE
+    drawing = 2000 * EVALUATION
+    assert max(tasks) <= SLICE * EVALUATION + drawing
