@@ -46,6 +46,17 @@ class TableLaw:
         return _cubics(values, self.step) if self.method == "spline" else _quartics(values, self.step)
 
     @property
+    def levels(self) -> list[Array]:
+        """Return what the pieces are made from, (n,) each at the nodes: value and both derivatives; of a spline value and slope.
+
+        A slope is that of `spline_slopes`, per interval.  A page that carries these needs a fifth of the numbers.
+        """
+        values = np.array([row[1] for row in self.rows])
+        if self.method == "spline":
+            return [values, spline_slopes(values.tolist())]
+        return _levels(values, self.step)
+
+    @property
     def nodes(self) -> Array:
         """Return the arguments (n,) between which the law is one polynomial each."""
         return np.asarray(self.first + self.step * np.arange(self.intervals + 1), dtype=np.float64)
@@ -91,16 +102,23 @@ class TableLaw:
         return OutsideTable(say("fault.V522", name=self.name, first=self.first, last=self.last, found=found))
 
 
+def _levels(values: Array, step: float) -> list[Array]:
+    """Return the values of a table, their derivatives, and those of these."""
+    from coursework.five_point import five_point_derivative
+
+    first = five_point_derivative(values, step)
+    return [values, first, five_point_derivative(first, step)]
+
+
 def _quartics(values: Array, step: float) -> list[Array]:
     """Return the quartics through five nodes around each interval: of the values, their derivatives, and those of these."""
-    from coursework.five_point import NODES, five_point_derivative
+    from coursework.five_point import NODES
 
     intervals = np.arange(len(values) - 1)
     # The five nodes begin one before the interval, at the ends as far from them as must be.
     starts = np.clip(intervals - 1, 0, len(values) - NODES)
-    first = five_point_derivative(values, step)
     pieces = []
-    for level in (values, first, five_point_derivative(first, step)):
+    for level in _levels(values, step):
         around = level[starts[:, None] + np.arange(NODES)]
         found = np.empty_like(around)
         for offset in np.unique(starts - intervals):

@@ -75,10 +75,9 @@ def _program(scene: Scene, before: Sequence[Statement], wanted: Sequence[Any]) -
 
 
 def _tables(scene: Scene, called: Iterable[tuple[str, int]]) -> dict[str, dict[str, Any]]:
-    """Return of every law that is called where its table begins, its step, and its coefficients by order of derivative."""
-    found: dict[str, dict[str, Any]] = {}
-    for name, order in called:
-        law = scene.equations.tables[name]
-        found.setdefault(name, {"first": law.first, "step": law.step, "pieces": {}})
-        found[name]["pieces"][str(order)] = law.pieces[order].tolist()
-    return found
+    """Return of every law that is called where its table begins, its step, its method, and what stands at its nodes."""
+    laws = {name: scene.equations.tables[name] for name, _ in called}
+    return {
+        name: {"first": law.first, "step": law.step, "spline": law.method == "spline", "levels": [*map(list, law.levels)]}
+        for name, law in laws.items()
+    }

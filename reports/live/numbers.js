@@ -32,16 +32,26 @@ const _solve = (entries) => {
   return found;
 };
 
-// A tabulated law or its derivative: a polynomial between every two nodes; no number beyond the table.
+// A tabulated law or its derivative, from what stands at its nodes; no number beyond the table.
 const law = (name, order) => {
-  const { first, step, pieces } = data.tables[name];
-  const own = pieces[order];
+  const { first, step, spline, levels } = data.tables[name], count = levels[0].length - 1;
   return (argument) => {
     const place = (argument - first) / step;
-    if (!(place >= -1e-6 && place <= own.length + 1e-6)) return NaN;
-    const interval = Math.min(Math.max(Math.trunc(place), 0), own.length - 1);
-    let total = 0;
-    for (let k = own[interval].length - 1; k >= 0; k--) total = total * (place - interval) + own[interval][k];
-    return total;
+    if (!(place >= -1e-6 && place <= count + 1e-6)) return NaN;
+    const interval = Math.min(Math.max(Math.trunc(place), 0), count - 1);
+    return spline ? cubic(levels, interval, place - interval, order) / step ** order : quartic(levels[order], interval, place);
   };
+};
+// The cubic of the spline in an interval, or its derivative by u = 0 ... 1.
+const cubic = ([values, slopes], i, u, order) => {
+  const rise = values[i + 1] - values[i], a = slopes[i] + slopes[i + 1] - 2 * rise, b = 3 * rise - 2 * slopes[i] - slopes[i + 1];
+  if (order === 2) return 6 * a * u + 2 * b;
+  return order ? (3 * a * u + 2 * b) * u + slopes[i] : ((a * u + b) * u + slopes[i]) * u + values[i];
+};
+// Lagrange's quartic through five nodes, which begin one before the interval, at the ends as far from it as must be.
+const quartic = (values, interval, place) => {
+  const start = Math.min(Math.max(interval - 1, 0), values.length - 5);
+  const a = place - start, b = a - 1, c = a - 2, d = a - 3, e = a - 4;
+  const of = (k, product) => values[start + k] * product;
+  return of(0, b * c * d * e) / 24 - of(1, a * c * d * e) / 6 + of(2, a * b * d * e) / 4 - of(3, a * b * c * e) / 6 + of(4, a * b * c * d) / 24;
 };

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -24,6 +25,7 @@ window.marched = (name, h, d, dead) => { const found = table(); drain(march(foun
   return {rows, lost: found.lost, evaluations: found.evaluations}; };
 window.followed = (d, known) => { const truth = table(); drain(follow(truth, data.step, 16, data.start, d, known));
   return {rows: positions(truth), dead: truth.dead}; };
+window.lawOf = law;
 """
 
 
@@ -95,3 +97,21 @@ def test_data_are_arguments(engine: Any) -> None:
     moved = [{"p": 11.0, "r1": 0.6}.get(name, value) for name, value in numbers["given"].items()]
     found = engine.evaluate("([h, d]) => marched('euler', h, d, null)", [0.02, moved])
     assert scaled(found["rows"], other.motion.rows) < 1e-12
+
+
+@pytest.mark.parametrize("method", ["five-point", "spline"])
+def test_a_tabulated_law_is_that_of_python_by_either_method(engine: Any, method: str) -> None:
+    variant = coursework.load("variable-crank-table")
+    laws = tuple(replace(law, method=method) for law in variant.functions)
+    run = coursework.solve(replace(variant, functions=laws), scheme="euler")
+    law = run.scene.equations.tables[laws[0].name]
+    started(engine, run)
+    times = np.linspace(law.first, law.last, 77)
+    for order in range(3):
+        found = engine.evaluate("([name, order, times]) => times.map(lawOf(name, order))", [laws[0].name, order, times.tolist()])
+        right = law.function(order)(times)
+        assert np.max(np.abs(np.array(found) - right)) < 1e-12 * np.max(np.abs(right)), order
+        outside = engine.evaluate(
+            "([name, order, t]) => Number.isNaN(lawOf(name, order)(t))", [laws[0].name, order, law.last + law.step]
+        )
+        assert outside
