@@ -44,9 +44,10 @@ const law = (name, order) => {
 };
 // The cubic of the spline in an interval, or its derivative by u = 0 ... 1.
 const cubic = ([values, slopes], i, u, order) => {
-  const rise = values[i + 1] - values[i], a = slopes[i] + slopes[i + 1] - 2 * rise, b = 3 * rise - 2 * slopes[i] - slopes[i + 1];
+  const y0 = values[i], y1 = values[i + 1], m0 = slopes[i], m1 = slopes[i + 1];
+  const a = 2 * y0 - 2 * y1 + m0 + m1, b = -3 * y0 + 3 * y1 - 2 * m0 - m1;
   if (order === 2) return 6 * a * u + 2 * b;
-  return order ? (3 * a * u + 2 * b) * u + slopes[i] : ((a * u + b) * u + slopes[i]) * u + values[i];
+  return order ? (3 * a * u + 2 * b) * u + m0 : ((a * u + b) * u + m0) * u + y0;
 };
 // Lagrange's quartic through five nodes, which begin one before the interval, at the ends as far from it as must be.
 const quartic = (values, interval, place) => {
