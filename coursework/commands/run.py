@@ -23,6 +23,8 @@ from coursework.sentences import Sentence, joined, say, say_count
 from coursework.variant.record import Variant
 from coursework.variant.set_values import with_set
 
+LEFT_OF_ZERO = 1e-12  # of the largest entry of a column: what round-off leaves of a zero, told as 0 on the screen
+
 
 def run_variant(
     variant: str, *, out: Path | None, formats: tuple[str, ...] | None, step: str | None, error: float | None, end: float | None,
@@ -191,10 +193,14 @@ def tell_run(run: Run, folder: Path, written: list[str]) -> None:
     if gain := run.settings.gain:
         share = gain * motion.step
         tell(say("screen.gain", gain=gain, share=share, kept=1 - share))
-    names: tuple[Any, ...] = motion.names
     if len(motion.t):
+        sizes = abs(motion.rows).max(axis=0).tolist()
         for key, row in (("screen.first", 0), ("screen.last", -1)):
-            pairs = zip(names, motion.rows[row].tolist(), strict=True)
+            shown = [
+                value if abs(value) > LEFT_OF_ZERO * size else 0.0
+                for value, size in zip(motion.rows[row].tolist(), sizes, strict=True)
+            ]
+            pairs = zip(motion.names, shown, strict=True)
             values = joined([say("screen.named", name=name, value=value) for name, value in pairs], "join.comma")
             tell(say(key, time=float(motion.t[row]), values=values))
     if run.stop is not None:
