@@ -151,5 +151,5 @@ def _sample(*, dotted: bool) -> str:
         inside = f'<path {EXACT_PEN} d="M0 1.5H{width:g}"/>'
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:g}mm" height="{height:g}mm" '
-        f'viewBox="0 0 {width:g} {height:g}">{inside}</svg>'
+        f'viewBox="0 0 {width:g} {height:g}" aria-hidden="true">{inside}</svg>'
     )

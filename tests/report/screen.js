@@ -1,0 +1,137 @@
+// What a person or a screen reader would complain about on the page that is open; each function returns sentences.
+// Enters: a document.  Leaves: `judge` with `layout()`, `access()`, `contrast()`, `focus()`.
+const shown = (element) => element.checkVisibility() && element.getBoundingClientRect().width > 0;
+const name = (element) => {
+  const home = element.closest("[id]");
+  const own = element.tagName.toLowerCase() + (element.getAttribute("class") ? `.${element.getAttribute("class").trim()}` : "");
+  return `${home ? `#${home.id} ` : ""}${own}`;
+};
+const spoken = (element) => (element.getAttribute("aria-label") || element.textContent).trim();
+const scrolls = (element) => ["auto", "scroll"].includes(getComputedStyle(element).overflowX);
+
+function layout() {
+  const found = [];
+  const width = innerWidth;
+  if (document.documentElement.scrollWidth > width) found.push(`the page is ${document.documentElement.scrollWidth} px wide`);
+  for (const element of document.body.querySelectorAll("*")) {
+    if (element.closest("svg") && element.tagName !== "svg") continue;
+    let home = element.parentElement;
+    while (home && !scrolls(home)) home = home.parentElement;
+    if (!home && shown(element) && element.getBoundingClientRect().right > width + 0.5) found.push(`wider than the window: ${name(element)}`);
+  }
+  for (const svg of document.querySelectorAll("svg")) {
+    if (!shown(svg) || svg.closest(".formula, #live")) continue;
+    const sheet = svg.getBoundingClientRect();
+    const words = [...svg.querySelectorAll("text")].map((text) => [text, text.getBoundingClientRect()]).filter(([, box]) => box.width);
+    for (const [text, box] of words) {
+      const scale = Math.hypot(text.getScreenCTM().a, text.getScreenCTM().b);
+      const pixels = parseFloat(getComputedStyle(text).fontSize) * scale;
+      if (pixels < 9) found.push(`${pixels.toFixed(1)} px: ${name(svg)} "${text.textContent}"`);
+      const out = Math.max(sheet.left - box.left, box.right - sheet.right, sheet.top - box.top, box.bottom - sheet.bottom);
+      if (out > 1) found.push(`cut off by ${out.toFixed(1)} px: ${name(svg)} "${text.textContent}"`);
+    }
+    words.forEach(([text, a], place) => {
+      for (const [other, b] of words.slice(place + 1)) {
+        const across = Math.min(a.right, b.right) - Math.max(a.left, b.left);
+        const down = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
+        // A box is as high as its line: that of digits is free above and below.
+        if (across > 1 && down > 0.25 * Math.min(a.height, b.height)) {
+          found.push(`one on the other: ${name(svg)} "${text.textContent}" "${other.textContent}"`);
+        }
+      }
+    });
+  }
+  return found;
+}
+
+function access() {
+  const found = [];
+  const all = (selector) => [...document.querySelectorAll(selector)];
+  if (!document.documentElement.lang) found.push("the page has no language");
+  if (!document.title.trim()) found.push("the page has no title");
+  if (all("main").length !== 1 || all("h1").length !== 1) found.push("not one main and one h1");
+  all("nav, aside, section").filter((one) => !one.getAttribute("aria-label") && !one.querySelector("h2")).forEach((one) => found.push(`no name: ${name(one)}`));
+  const levels = all("h1, h2, h3, h4").filter(shown).map((one) => Number(one.tagName[1]));
+  levels.forEach((level, place) => level > (levels[place - 1] ?? 0) + 1 && found.push(`h${level} behind h${levels[place - 1] ?? 0}`));
+  const ids = all("[id]").map((one) => one.id);
+  ids.filter((id, place) => ids.indexOf(id) !== place).forEach((id) => found.push(`twice: #${id}`));
+  for (const picture of all("svg, img").filter(shown)) {
+    const home = picture.closest('[role="img"], [role="math"]');
+    const hidden = picture.closest('[aria-hidden="true"]') && !picture.closest(".formula");
+    if (!hidden && !(home && home.getAttribute("aria-label")) && !picture.alt) found.push(`a picture without words: ${name(picture)}`);
+  }
+  for (const table of all("table").filter(shown)) {
+    if (!table.caption && !(table.getAttribute("aria-label") || "").trim()) found.push(`a table without a name: ${name(table)}`);
+    if (!table.querySelector("th")) found.push(`a table without heads: ${name(table)}`);
+  }
+  for (const head of all("th")) {
+    if (!["col", "row"].includes(head.getAttribute("scope"))) found.push(`a head without scope: ${name(head)}`);
+    if (!spoken(head)) found.push(`an empty head: ${name(head)}`);
+  }
+  for (const link of all("a")) {
+    if (!spoken(link)) found.push(`a link without text: ${name(link)}`);
+    const target = link.getAttribute("href") || "";
+    if (target.startsWith("#") && !document.getElementById(target.slice(1))) found.push(`a link to nothing: ${target}`);
+  }
+  for (const control of all("button, input, select, textarea")) {
+    const label = control.tagName === "BUTTON" ? spoken(control) : control.getAttribute("aria-label") || [...(control.labels || [])].map(spoken).join("");
+    if (!label.trim()) found.push(`a control without a label: ${name(control)} ${control.id}`);
+  }
+  for (const box of all("*").filter((one) => scrolls(one) && one.scrollWidth > one.clientWidth + 1 && shown(one))) {
+    if (box.tabIndex < 0 && !box.querySelector("a, button, input, select, [tabindex]")) found.push(`moved only with a mouse: ${name(box)}`);
+  }
+  return found;
+}
+
+// WCAG 2.2, 1.4.3 and 1.4.11: 4.5 for text, 3 for large text and for lines that mean something.
+const channel = (part) => (part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4);
+const luminance = ([r, g, b]) => 0.2126 * channel(r / 255) + 0.7152 * channel(g / 255) + 0.0722 * channel(b / 255);
+const parts = (colour) => (colour.match(/[\d.]+/g) || []).map(Number);
+function ground(element) {
+  for (let at = element; at; at = at.parentElement) {
+    const colour = parts(getComputedStyle(at).backgroundColor);
+    if (colour.length === 3 || colour[3] === 1) return colour;
+  }
+  return [255, 255, 255];
+}
+function ratio(colour, element) {
+  const [light, dark] = [luminance(parts(colour)), luminance(ground(element))].sort((a, b) => b - a);
+  return (light + 0.05) / (dark + 0.05);
+}
+function contrast() {
+  const found = new Set();
+  const ask = (element, colour, least) => {
+    const is = ratio(colour, element);
+    if (is < least) found.add(`${is.toFixed(2)} instead of ${least}: ${name(element)}`);
+  };
+  const walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  while (walk.nextNode()) {
+    const element = walk.currentNode.parentElement;
+    if (!walk.currentNode.data.trim() || element.closest("script, style, defs") || !shown(element) || element.disabled) continue;
+    const style = getComputedStyle(element);
+    const size = parseFloat(style.fontSize);
+    const large = size >= 24 || (size >= 18.66 && Number(style.fontWeight) >= 700);
+    ask(element, element.closest("svg") ? style.fill : style.color, large ? 3 : 4.5);
+  }
+  for (const line of document.querySelectorAll(".panel :is(.exact, .rows, .axis, .stop), .formula svg")) {
+    if (!shown(line)) continue;
+    const style = getComputedStyle(line);
+    ask(line, line.tagName === "svg" ? style.fill : style.stroke, 3);
+  }
+  return [...found];
+}
+
+// Whatever the keyboard reaches shows that it has been reached.
+function focus() {
+  const found = [];
+  for (const element of document.querySelectorAll("a, button, input, select, [tabindex]")) {
+    if (!shown(element)) continue;
+    element.focus({ focusVisible: true });
+    const style = getComputedStyle(element);
+    if (document.activeElement !== element) found.push(`not reached: ${name(element)}`);
+    else if (style.outlineStyle === "none" || parseFloat(style.outlineWidth) < 2) found.push(`no outline: ${name(element)}`);
+  }
+  return found;
+}
+
+window.judge = { layout, access, contrast, focus };

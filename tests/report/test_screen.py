@@ -1,0 +1,90 @@
+"""Every page of the catalogue on a phone and a screen, light and dark: nothing cut, covered, pale or beyond the keyboard.
+
+The judge is `screen.js`, in a real browser; a page made of faults shows that it sees each of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import coursework
+from coursework.catalogue import names
+from coursework.report import build_model, render_html
+
+pytestmark = pytest.mark.browser
+
+HERE = Path(__file__).parent
+PHONE, SCREEN = {"width": 390, "height": 844}, {"width": 1400, "height": 900}
+TRANSLATED = (("31", "ru"), ("31", "uk"), ("31", "zh"), ("v107", "ru"), ("example-3", "zh"), ("epicyclic", "uk"))
+FAULTY = """<!DOCTYPE html><html lang=""><head><style>
+.low { color: #777; background: #fff; } .high { color: #767676; background: #fff; } .wide { width: 500px; }
+.box { width: 100px; overflow-x: auto; } a:focus-visible { outline: none; }
+</style></head><body><h1>One</h1><h3>Three</h3><p id="a" class="low">low</p><p id="a" class="high">high</p>
+<div class="wide">wide</div><div class="box"><div class="wide">moved</div></div><table><tr><th></th></tr></table>
+<a href="#nowhere"></a><a href="#a">here</a><input><section>no name</section>
+<svg width="100" height="40" viewBox="0 0 100 40"><text x="2" y="20">one</text><text x="12" y="20">two</text>
+<text x="90" y="30">three</text><text x="2" y="38" font-size="8">four</text></svg></body></html>"""
+
+
+@pytest.fixture(scope="module")
+def page(browser: Any) -> Iterator[Any]:
+    context = browser.new_context(viewport=PHONE)
+    context.add_init_script(path=HERE / "screen.js")
+    yield context.new_page()
+    context.close()
+
+
+def shown(variant: str, language: str, folder: Path, page: Any) -> list[str]:
+    """Open a page of a variant; return what the browser said of it."""
+    path = folder / "report.html"
+    path.write_text(render_html(build_model(coursework.solve(variant), language, live=True)), encoding="utf-8")
+    said: list[str] = []
+    page.on("console", lambda message: said.append(message.text))
+    page.on("pageerror", lambda error: said.append(str(error)))
+    page.goto(path.as_uri())
+    return said
+
+
+def faults(page: Any) -> list[str]:
+    """Return what a person would complain about: on a phone, and with both colours of a screen."""
+    page.set_viewport_size(PHONE)
+    found = [*page.evaluate("judge.layout()"), *page.evaluate("judge.access()")]
+    for scheme in ("light", "dark"):
+        page.emulate_media(color_scheme=scheme)
+        found += [f"{scheme}: {fault}" for fault in page.evaluate("judge.contrast()")]
+    return found
+
+
+@pytest.mark.parametrize(("variant", "language"), [*((name, "en") for name in names()), *TRANSLATED])
+def test_a_page_is_read_on_every_screen(variant: str, language: str, page: Any, tmp_path: Path) -> None:
+    assert shown(variant, language, tmp_path, page) == []
+    assert faults(page) == []
+
+
+def test_the_keyboard_is_seen_and_a_wide_screen_hides_nothing(page: Any, tmp_path: Path) -> None:
+    shown("31", "en", tmp_path, page)
+    page.set_viewport_size(SCREEN)
+    for scheme in ("light", "dark"):
+        page.emulate_media(color_scheme=scheme)
+        assert page.evaluate("judge.focus()") == []
+    assert page.evaluate("judge.layout()") == []
+    assert page.evaluate("judge.access()") == []
+
+
+def test_the_judge_sees_each_fault(page: Any, tmp_path: Path) -> None:
+    path = tmp_path / "faulty.html"
+    path.write_text(FAULTY, encoding="utf-8")
+    page.goto(path.as_uri())
+    found = "\n".join([*faults(page), *page.evaluate("judge.focus()")])
+    for fault in (
+        "px wide", "wider than the window: div.wide", 'one on the other: svg "one" "two"', 'svg "three"', '8.0 px: svg "four"',
+        "no language", "no title", "not one main", "no name: section", "h3 behind h1", "twice: #a", "a picture without words",
+        "a table without a name", "an empty head", "without scope", "a link without text", "a link to nothing: #nowhere",
+        "a control without a label", "moved only with a mouse: div.box", "4.48 instead of 4.5: #a p.low", "no outline: a",
+    ):  # fmt: skip
+        assert fault in found, fault
+    assert "p.high" not in found
