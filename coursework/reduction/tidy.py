@@ -17,17 +17,17 @@ import sympy as sp
 
 from coursework.codegen.names import private, public
 from coursework.formula.tree import Formula, number
+from coursework.reduction.sums import Term, gathered, written_sums
 from coursework.reduction.symbolic import expanded
 from coursework.variant.record import Variant
 
 # Beyond this many operations a formula is shown as it is: nobody reads it, and expanding it costs.
 MAX_OPERATIONS = 400
 Atoms = dict[sp.Expr, int]
-Term = tuple[Fraction, tuple[tuple[sp.Expr, int], ...]]
 
 
 class Order:
-    """The author's order: names and functions as they first appear in the equations."""
+    """The author's order: names and functions as they first appear in the equations; and `sums` that he writes as one."""
 
     def __init__(self, formulas: list[Formula], variant: Variant) -> None:
         names = [name for formula in formulas for name in formula.names()]
@@ -37,6 +37,7 @@ class Order:
         self._declared = variant.names
         calls = [node.name for formula in formulas for node in formula.walk() if node.op == "call"]
         self._calls = {name: place for place, name in enumerate(dict.fromkeys([*calls, "cos", "sin"]))}
+        self.sums = written_sums(formulas, frozenset(g.name for g in variant.given))
 
     def rank(self, atom: sp.Expr) -> tuple[int, ...]:
         """Return the place of a symbol, function or power: names before functions."""
@@ -44,6 +45,8 @@ class Order:
             return (0, self._names.get(atom.name, len(self._names)))
         if isinstance(atom, sp.Pow):
             return self.rank(atom.base)
+        if atom in self.sums:
+            return min(self.rank(name) for _, name in self.sums[atom])
         inner = tuple(sorted(self._names.get(s.name, len(self._names)) for s in atom.free_symbols))
         return (1, self._calls.get(_call_name(atom), 99), *inner)
 
@@ -75,7 +78,7 @@ def product(expr: sp.Expr, order: Order) -> Product:
         return Product(Fraction(0), (), ())
     if expr.count_ops() > MAX_OPERATIONS:
         return Product(Fraction(1), ((expr, 1),), ())
-    terms = _pair_angles([_term(part) for part in sp.Add.make_args(expanded(expr))], order)
+    terms = _pair_angles(_terms(expanded(expr), order), order)
     if not terms:
         return Product(Fraction(0), (), ())
     common = _common(terms)
@@ -116,11 +119,15 @@ def as_sum(expr: sp.Expr, order: Order) -> Formula:
     """Return an expression as the plain sum of its terms, as a velocity equation is written."""
     if expr.count_ops() > MAX_OPERATIONS:
         return _plain(expr, order)
-    return _sum(tuple(sorted(map(_term, sp.Add.make_args(sp.expand(expr))), key=order.term)), order)
+    return _sum(tuple(sorted(_terms(sp.expand(expr), order), key=order.term)), order)
 
 
 def _lcm(a: int, b: int) -> int:
     return a * b // gcd(a, b)
+
+
+def _terms(expr: sp.Expr, order: Order) -> list[Term]:
+    return gathered([_term(part) for part in sp.Add.make_args(expr)], order.sums)
 
 
 def _term(expr: sp.Expr) -> Term:
@@ -233,7 +240,7 @@ def _fraction(factor: Fraction, atoms: Atoms, up: tuple[Term, ...], down: tuple[
 def _factors(numeral: int, atoms: Atoms, terms: tuple[Term, ...], order: Order) -> Formula:
     parts = [] if numeral == 1 else [number(numeral)]
     for atom, power in sorted(atoms.items(), key=lambda item: order.rank(item[0])):
-        base = _plain(atom, order)
+        base = _argument(atom, order) if atom in order.sums else _plain(atom, order)
         parts.append(base if power == 1 else Formula("^", (base, number(power))))
     if terms:
         parts.append(_sum(terms, order))

@@ -86,11 +86,11 @@ def field_for(size: tuple[float, float], t: Sequence[Array], values: Sequence[Ar
     return Field(*size, first, last if last > first else first + 1.0, low, high, left)
 
 
-def smooth(t: Array, values: Array, rates: Array) -> tuple[Array, Array]:
-    """Return a curve with `BETWEEN` points a row by cubic Hermite from values and rates; many rows need fewer."""
+def smooth(t: Array, values: Array, rates: Array, between: int = BETWEEN) -> tuple[Array, Array]:
+    """Return a curve with `between` points a row by cubic Hermite from values and rates; many rows need fewer."""
     if len(t) < 2 or not np.isfinite(rates).all() or len(t) >= MOST_POINTS:
         return sparse(t, MOST_POINTS), sparse(values, MOST_POINTS)
-    between = max(1, min(BETWEEN, MOST_POINTS // (len(t) - 1)))
+    between = max(1, min(between, MOST_POINTS // (len(t) - 1)))
     s = np.arange(between) / between
     h = np.diff(t)[:, None]
     begin, end, out, into = values[:-1, None], values[1:, None], rates[:-1, None], rates[1:, None]

@@ -5,10 +5,12 @@ Enters: a `PageContext`.  Leaves: `figure#tangent`.  Used by `results.py`.
 
 from __future__ import annotations
 
+import math
 from html import escape
 
 import numpy as np
 
+from coursework.integration.motion import Array
 from coursework.report import graph_paper
 from coursework.report.closeness import LocalError, evidence
 from coursework.report.graph_paper import EXACT_PEN, SCHEME_INK, Field, axes, field_for, letters, sheet, smooth, words
@@ -17,7 +19,11 @@ from coursework.report.parts import Figure
 
 SIZE = (110.0, 40.0)  # mm; the screen of a phone shows it whole
 LETTER = 1.9  # mm, the mean width of a letter
-BESIDE = 0.35  # of a step, shown before and behind it
+BESIDE = 0.35  # of a step, shown before it and, at least, behind it
+FINE = 32  # points of the curve a step
+NARROW = 5.0  # mm: a gap too narrow for words between its ends
+ROOM = 0.25  # of the range of the values, for words beside it
+CLEAR = 2.6  # mm from the middle of a word to a line that it must not touch
 TANGENT_PEN = f'class="rows" fill="none" stroke="{SCHEME_INK}" stroke-width="0.42" stroke-dasharray="2.4 1.2"'
 GAP_PEN = 'class="gap" fill="none" stroke="#111" stroke-width="0.3"'
 
@@ -31,12 +37,17 @@ def tangent_figure(context: PageContext, step: LocalError) -> Figure | None:
     begin, end = step.row - 1, step.row
     rows = slice(max(begin - 1, 0), min(end + 2, len(exact.t)))
     q, rate = exact.column(step.column), exact.column(step.rate_name)
-    t, curve = smooth(exact.t[rows], q[rows], rate[rows])
+    t, curve = smooth(exact.t[rows], q[rows], rate[rows], FINE)
     h = float(exact.t[end] - exact.t[begin])
     kept = (t >= exact.t[begin] - BESIDE * h) & (t <= exact.t[end] + BESIDE * h)
     t, curve = t[kept], curve[kept]
     foot, top = (float(exact.t[begin]), float(q[begin])), (float(exact.t[end]), float(q[begin] + h * rate[begin]))
-    field = field_for(SIZE, [t], [curve, np.array([foot[1], top[1]])], context.numbers)
+    gap = context.with_unit(context.numbers.scalar(abs(step.gap), 3), step.unit)
+    times = [t, np.array([top[0] + _behind(gap) * h])]
+    field = field_for(SIZE, times, [curve, np.array([foot[1], top[1]])], context.numbers)
+    if abs(field.y(top[1]) - field.y(float(q[end]))) < NARROW:  # room for its words on the other side of the tangent
+        away = top[1] + math.copysign(ROOM * (field.high - field.low), top[1] - float(q[end]))
+        field = field_for(SIZE, times, [curve, np.array([foot[1], top[1], away])], context.numbers)
     unit = context.unit(step.unit)
     symbol = context.symbol(step.column)
     label = letters(symbol) + (f", {escape(unit)}" if unit else "")
@@ -45,8 +56,7 @@ def tangent_figure(context: PageContext, step: LocalError) -> Figure | None:
     line = field.path(np.array([foot[0], top[0]]), np.array([foot[1], top[1]]))
     inside += f'<path {TANGENT_PEN} d="{line}"/>'
     inside += _gap(field, float(exact.t[end]), float(q[end]), top[1])
-    gap = context.with_unit(context.numbers.scalar(abs(step.gap), 3), step.unit)
-    inside += _gap_words(field, float(exact.t[end]), 0.5 * (float(q[end]) + top[1]), gap)
+    inside += _gap_words(field, top, t, curve, gap)
     for at, value in (foot, top):
         inside += f'<circle class="dots" cx="{field.x(at):.2f}" cy="{field.y(value):.2f}" r="0.9" fill="{SCHEME_INK}"/>'
     told = {"symbol": symbol.text, "row": step.row, "next": step.row + 1, "gap": gap}
@@ -60,7 +70,18 @@ def _gap(field: Field, t: float, curve: float, tangent: float) -> str:
     return f'<path {GAP_PEN} d="M{x - 1:.2f} {first:.2f}h2M{x:.2f} {first:.2f}V{last:.2f}M{x - 1:.2f} {last:.2f}h2"/>'
 
 
-def _gap_words(field: Field, t: float, value: float, gap: str) -> str:
-    x, y = field.x(t), field.y(value) + graph_paper.LETTERS / 3
-    fits = x + 1.8 + LETTER * len(gap) < field.width
-    return words(x + 1.8, y, escape(gap)) if fits else words(x - 1.8, y, escape(gap), "end")
+def _behind(gap: str) -> float:
+    """Return which part of a step must be shown behind it, so that the words of the gap have room there."""
+    across = SIZE[0] - 1.5 * graph_paper.LEFT - graph_paper.RIGHT  # long words at the ticks take more
+    wide = 2.5 + LETTER * len(gap)
+    return max(BESIDE, wide * (1 + BESIDE) / (across - wide))
+
+
+def _gap_words(field: Field, top: tuple[float, float], t: Array, curve: Array, gap: str) -> str:
+    """Write how wide the gap is behind it: between its ends, or beyond tangent and curve where it is narrow."""
+    after = [field.y(float(value)) for value in curve[t >= top[0] - 1e-9 * abs(top[0])]]
+    first, last = field.y(top[1]), after[0]
+    middle = (first + last) / 2
+    if abs(last - first) < NARROW:
+        middle = max(first, *after) + CLEAR if first >= last else min(first, *after) - CLEAR
+    return words(field.x(top[0]) + 1.8, middle + graph_paper.LETTERS / 3, escape(gap))

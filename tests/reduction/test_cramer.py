@@ -10,7 +10,8 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 import coursework
-from coursework.formula.tree import evaluate
+from coursework.formula.tree import evaluate, spelled
+from coursework.reduction.cramer import cramer
 from coursework.reduction.system import compile_system
 from coursework.variant.reader import parse_variant
 
@@ -191,3 +192,18 @@ def test_no_solver_and_no_simplifier_of_sympy_is_called(monkeypatch):
     for name in ("31", "v108", "jansen", "example-6", "variable-crank"):
         run = coursework.solve(name, quantities=["table", "accelerations"])
         assert len(run.columns()[1]) == len(run.motion.t)
+
+
+def test_a_sum_that_the_author_wrote_as_one_length_stays_one():
+    run = coursework.solve("v108", quantities=["table"])
+    first, _, _ = cramer(run.scene.equations, run.scene.reduction, [True] * 3)
+    assert spelled(first.determinant) == "(R0 + R4)*(a*sin(phi3 - theta) + c*cos(phi3 - theta))"
+    assert spelled(first.coefficients[0][1]) == "(R0 + R4)*sin(theta)"
+    told = " ".join(spelled(formula) for solution in run.solutions for _, formula in solution)
+    assert "(R0 + R4)" in told
+    values = {given.name: given.value for given in run.variant.given} | {"phi3": 0.7, "theta": 2.1, "VMx": 1.3, "VMy": -0.4}
+    (a, b), (c, d) = ([evaluate(one, values) for one in row] for row in first.coefficients)
+    assert evaluate(first.determinant, values) == pytest.approx(a * d - b * c)
+    assert evaluate(first.numerators[0], values) == pytest.approx(
+        evaluate(first.right_sides[0], values) * d - b * evaluate(first.right_sides[1], values)
+    )

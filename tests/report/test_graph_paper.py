@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 import re
+from itertools import pairwise
 from types import ModuleType
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 
+import coursework
 from coursework.report import build_model
 from coursework.report.figures import label_text
 from coursework.report.graph_paper import BETWEEN, field_for, round_ticks, smooth, sparse, tick_texts
 from coursework.report.numbers import Numbers
+from coursework.report.parts import Figure
 from coursework.report.symbols import symbol
+from tests.drawing import measured
 
 T = np.linspace(0, 0.48, 25)
 
@@ -87,3 +92,28 @@ def test_symbols_without_a_unicode_subscript_are_set_by_our_own_table() -> None:
     assert label_text(symbol("w3")) == "ω₃"
     assert label_text(symbol("VMx")) == r"$V_{\mathrm{Mx}}$"
     assert "$" not in label_text(symbol("speed"))
+
+
+@pytest.mark.parametrize("name", ["31", "cardan", "whitworth", "watt", "v107"])
+def test_the_words_of_the_gap_touch_no_line(name: str) -> None:
+    parts = [part for s in build_model(coursework.solve(name, quantities=["table", "checks"])).sections for part in s.parts]
+    (figure,) = [part for part in parts if isinstance(part, Figure) and part.id == "tangent"]
+    drawing = ElementTree.fromstring(figure.svg)
+    x = re.search(r"M([\d.]+) [\d.]+h2M", paths(drawing, "gap")[0])
+    assert x
+    label = next(one for one in drawing.iter(f"{measured.SVG}text") if abs(float(one.get("x", "0")) - float(x[1]) - 2.8) < 0.01)
+    wide, up, _ = measured.size(label.text or "", 2.9)
+    left, bottom = float(label.get("x", "0")), float(label.get("y", "0"))
+    middle = bottom - up / 2
+    assert left + wide < figure.width
+    for drawn in (*paths(drawing, "exact"), *paths(drawing, "rows")):
+        points = [complex(*map(float, pair.split())) for pair in re.split("[ML]", drawn) if pair]
+        for a, b in pairwise(points):
+            for k in range(21):
+                at = a + (b - a) * k / 20
+                assert not (left < at.real < left + wide and abs(at.imag - middle) < up / 2 + 0.3), (name, at)
+
+
+def paths(drawing: ElementTree.Element, kind: str) -> list[str]:
+    """Return the d of the paths of a class."""
+    return [one.get("d", "") for one in drawing.iter(f"{measured.SVG}path") if one.get("class") == kind]
