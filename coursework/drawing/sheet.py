@@ -30,6 +30,7 @@ BOLD, ITALIC = 'font-weight="bold"', 'font-style="italic"'
 Rectangle = tuple[float, float, float, float]
 Word = tuple[str, str, str]  # text, what is set lower, what follows
 Place = tuple[complex, complex, float]  # beside this point, rather in this direction, at this distance
+_NO_LINES = Lines(())
 
 
 def plain(text: str, longest: int = LONGEST) -> str:
@@ -74,7 +75,7 @@ class Sheet:
         self.segments: list[tuple[complex, complex]] = []
         self.boxes: list[Rectangle] = []  # symbols that words keep off
         self.words: list[Rectangle] = []  # words so far
-        self._lines = Lines([])  # the segments as arrays, made anew when there are more
+        self._lines = _NO_LINES  # the segments as arrays, made anew when there are more
 
     def line(self, a: complex, b: complex, pen: str, data: str = "") -> None:
         """Draw a segment, clipped to the drawing field."""
