@@ -23,7 +23,7 @@ from coursework.accuracy.sentences import sentences_of
 from coursework.accuracy.timing import seconds
 from coursework.accuracy.trace import errors, slope
 from coursework.integration.exact_motion import refine
-from coursework.integration.following import follow_closure
+from coursework.integration.following import NotReached, follow_closure
 from coursework.integration.motion import Motion
 from coursework.schemes import SCHEMES
 from coursework.sentences import say, title_of
@@ -60,7 +60,7 @@ def make_study(
                 fine[trial.fine] = _finer(problem, trial.fine, closed=is_same)
             # Compared with itself the closure would have no error at all.
             found = errors(positions, other if trial.closed and is_same else fine[trial.fine])
-        except (ArithmeticError, ValueError, np.linalg.LinAlgError) as error:
+        except (ArithmeticError, ValueError, np.linalg.LinAlgError, NotReached) as error:
             rows.append(
                 StudyRow(trial.method, trial.setting, 0, np.nan, np.nan, None, say("study.failed", kind=type(error).__name__))
             )

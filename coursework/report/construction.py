@@ -9,6 +9,7 @@ import math
 
 from coursework.plans.readings import Reading
 from coursework.report.figures import drawn_parts
+from coursework.report.numbers import NOTHING
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Bullets, Cell, Column, Part, Table
 from coursework.report.text_runs import numeral
@@ -37,8 +38,9 @@ def _row(context: PageContext, one: Reading) -> list[Cell]:
     numbers, words = context.numbers, context.words
     read = words("graph.given") if one.read is None and one.length else numbers.plain(one.read) if one.read is not None else ""
     length = f"{one.length} = " if one.length else ""
-    apart = numbers.plain(100 * one.difference, 2) if math.isfinite(one.difference) else words("none")
+    apart = numbers.plain(100 * one.difference, 2) if math.isfinite(one.difference) else NOTHING
     explained = f" (±{numbers.plain(100 * one.explained, 2)})" if one.explained else ""
-    both = (numbers.plain(one.found, 4), numbers.scalar(one.table) if math.isfinite(one.table) else words("none"))
-    values = [numeral(context.with_unit(value, one.unit)) for value in both]
+    values = [numeral(context.with_unit(numbers.plain(one.found, 4), one.unit)), NOTHING]
+    if math.isfinite(one.table):
+        values[1] = numeral(context.with_unit(numbers.scalar(one.table), one.unit))
     return [context.rich(one.name), context.rich(f"{length}{read}"), context.rich(one.relation), *values, f"{apart}{explained}"]

@@ -13,7 +13,10 @@ import coursework
 from coursework import write_report
 from coursework.data import folder
 from coursework.report import build_model, render_html, render_pdf
+from coursework.report.numbers import NOTHING
+from coursework.report.parts import Table
 from coursework.variant.reader import parse_variant
+from coursework.variant.set_values import with_set
 
 ASKED = ("table", "plots", "checks")
 
@@ -63,3 +66,18 @@ def test_the_impossible_drive_of_variant_31(reading: ModuleType) -> None:
     assert "6 0.10 " in page
     assert "7 0.12 " not in page
     assert reading.numbers(page) == reading.numbers(reading.pdf_text(render_pdf(model)))
+
+
+def test_a_check_row_at_rest_is_drawn_and_compared_without_percentages() -> None:
+    run = coursework.solve(with_set(coursework.load("robot-arm"), (), 1), quantities=["table", "graph_check"])
+    assert run.graph is not None and all(reading.table == 0 for reading in run.graph.readings)
+    (section,) = (section for section in build_model(run).sections if section.name == "graph_check")
+    (table,) = (part for part in section.parts if isinstance(part, Table))
+    assert {row[-1] for row in table.rows} == {NOTHING}
+
+
+def test_a_motion_that_jumps_between_its_rows_costs_lines_of_the_study_only() -> None:
+    text = (folder("variants") / "v104.toml").read_text(encoding="utf-8")
+    run = coursework.solve(parse_variant(text.replace('D = "(0, 0)"', 'D = "(0, abs(t - 0.1)/(t - 0.1))"'), "jumps.toml"))
+    assert run.accuracy is not None
+    assert {row.failed != "" for row in run.accuracy.rows} == {True, False}
