@@ -146,3 +146,11 @@ def test_words_that_lead_to_formulas_stay_with_them(flow: bool) -> None:
         assert "𝑥" in pages[at].split("It follows:")[1]
         moved.add(at)
     assert moved == {0, 1}
+
+
+@pytest.mark.parametrize("part", [_claims(12), _table(12, whole=False), _checks(5)])
+def test_words_that_lead_to_a_table_stay_with_its_first_rows(part: Part) -> None:
+    for pages in pages_of([Paragraph(_runs("It follows:"), style="note"), part]):
+        begin = next(page for page in pages if "It follows" in page)
+        assert "The heading" in begin
+        assert _rows(begin) >= 2
