@@ -30,7 +30,7 @@ const laboratory = {
       this.slide();
       this.move({});
     });
-    this.move({});
+    work.begin(this.answer(), Infinity);
   },
   // Set the slider of the datum: its range and the value of the file.
   slide() {

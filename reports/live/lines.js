@@ -1,6 +1,7 @@
 // The table of what is tried, one line for each of its rows; the one at which the animation stands is marked.
 // Enters: `motion`.  Leaves: `lines`.  Lines are as high as the stylesheet says, so that nobody has to measure them.
-const CELL = 4, HEIGHT = 22; // what writing a cell costs, in evaluations; px
+// What writing a cell and making one cost, in evaluations; px.
+const CELL = 4, NEW_CELL = 12, HEIGHT = 22;
 const lines = {
   columns: ["t", ...data.shown], kept: [], lit: null,
   prepare() {
@@ -46,7 +47,8 @@ const lines = {
     tell("lab-more", count < all ? say("first_rows", { rows: count, all }) : "");
     let line = body.firstElementChild;
     for (let i = 0; i < count; i++, line = line.nextElementSibling) {
-      if (!line) {
+      const made = !line;
+      if (made) {
         line = this.kept.pop() ?? this.blank.cloneNode(true);
         line.setAttribute("data-row", i + 1);
         body.appendChild(line);
@@ -57,7 +59,7 @@ const lines = {
         cell.setAttribute("data-value", value);
         cell.firstChild.data = fixed(value, decimals[c]);
       }
-      yield CELL * columns.length;
+      yield (made ? NEW_CELL : CELL) * columns.length;
     }
     this.light(Number(live.dataset.row), false);
   },

@@ -25,11 +25,10 @@ const shown = (value, digits) => {
 // The same without zeros at the end.
 const plain = (value, digits) => written(String(Number(value.toPrecision(digits))));
 const fixed = (value, decimals) => written(value.toFixed(decimals));
-// The decimals that multiples of a step need, at most seven.
+// The decimals that multiples of a step need; of a step without an end, four digits of it.
 const decimalsOf = (step) => {
-  let places = 0;
-  while (places < 7 && Math.abs(Number(step.toFixed(places)) - step) > 1e-9 * step) places++;
-  return places;
+  for (let places = 0; places <= 7; places++) if (Math.abs(Number(step.toFixed(places)) - step) <= 1e-9 * step) return places;
+  return Math.max(0, 3 - Math.floor(Math.log10(step)));
 };
 const say = (key, values) => data.words[key].replace(/\{(\w+)\}/g, (_, gap) => values[gap]);
 const label = (name) => data.labels[name] ?? name;

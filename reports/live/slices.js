@@ -4,10 +4,10 @@ const AT_ONCE = 8000, SLICE = 4000;
 
 const work = {
   waiting: 0,
-  // Do a job in place of the one before it: its first slice now, the rest whenever the page has nothing else to do.
-  begin(job) {
+  // Do a job in place of the one before it: so much of it now, the rest whenever the page has nothing else to do.
+  begin(job, most = AT_ONCE) {
     this.job = job;
-    this.go(AT_ONCE);
+    this.go(most);
   },
   // Do a job when nothing else has been begun for so long (ms).
   later(wait, job) {
