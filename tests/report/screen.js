@@ -20,7 +20,7 @@ function layout() {
     if (!home && shown(element) && element.getBoundingClientRect().right > width + 0.5) found.push(`wider than the window: ${name(element)}`);
   }
   for (const svg of document.querySelectorAll("svg")) {
-    if (!shown(svg) || svg.closest(".formula, #live")) continue;
+    if (!shown(svg) || svg.closest(".formula")) continue;
     const sheet = svg.getBoundingClientRect();
     const words = [...svg.querySelectorAll("text")].map((text) => [text, text.getBoundingClientRect()]).filter(([, box]) => box.width);
     for (const [text, box] of words) {
