@@ -1,6 +1,6 @@
 // Small graphs of what is tried: every column over time, the true motion as a line, the rows as dots.
 // Enters: `motion`.  Leaves: `panels`; each bears the box of its axes, so that the cursor finds it.
-const WIDE = 300, HIGH = 120, LEFT = 52, RIGHT = 292, TOP = 20, BOTTOM = 100;
+const WIDE = 300, HIGH = 120, LEFT = 58, RIGHT = 292, TOP = 20, BOTTOM = 100;
 // Some round numbers from low to high.
 const ticks = (low, high, most) => {
   const raw = (high - low) / most, power = 10 ** Math.floor(Math.log10(raw));
@@ -104,7 +104,9 @@ const panels = {
     const few = ticks(low, high, 3);
     for (const [value, text] of few.length > 1 ? few : ticks(low, high, 6)) {
       path += `M${LEFT - 3} ${y(value)}h3`;
-      svg("text", { x: LEFT - 5, y: y(value) + 4, "text-anchor": "end" }, one.scale).textContent = text;
+      // A longer number is set closer, so that none is cut off.
+      const room = text.length > 7 ? { textLength: LEFT - 8, lengthAdjust: "spacingAndGlyphs" } : {};
+      svg("text", { x: LEFT - 5, y: y(value) + 4, "text-anchor": "end", ...room }, one.scale).textContent = text;
     }
     svg("path", { d: path }, one.scale);
     if (low < 0 && high > 0) svg("path", { d: `M${LEFT} ${y(0)}H${RIGHT}`, class: "live-zero" }, one.scale);
