@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.errors import CourseworkError
+from coursework.errors import CourseworkError, Fault
 from coursework.sentences import say
 
 Array = NDArray[np.float64]
@@ -29,11 +29,12 @@ class TableLaw:
     """A polynomial between every two nodes, for the value and both derivatives; worked out once, when first asked for.
 
     `method` "five-point": nodal derivatives by the five-point formulas, quartic between nodes; "spline": cubic.
-    `pieces[order]` (intervals, degree + 1): coefficients in u = 0 … 1, the lowest first.
+    `pieces[order]` (intervals, degree + 1): coefficients in u = 0 … 1, the lowest first.  `file` and `line` are where it stands.
     """
 
-    def __init__(self, name: str, rows: tuple[tuple[float, float], ...], method: str) -> None:
+    def __init__(self, name: str, rows: tuple[tuple[float, float], ...], method: str, file: str = "", line: int = 0) -> None:
         self.name, self.rows, self.method = name, rows, method
+        self.file, self.line = file, line
         self.first, self.last = rows[0][0], rows[-1][0]
         self.intervals = len(rows) - 1
         self.step = (self.last - self.first) / self.intervals
@@ -99,7 +100,8 @@ class TableLaw:
         return (place >= -_SLACK) & (place <= self.intervals + _SLACK)
 
     def _outside(self, found: float) -> OutsideTable:
-        return OutsideTable(say("fault.V522", name=self.name, first=self.first, last=self.last, found=found))
+        told = say("fault.V522", name=self.name, first=self.first, last=self.last, found=found)
+        return OutsideTable([Fault(told, self.file, self.line)])
 
 
 def _levels(values: Array, step: float) -> list[Array]:

@@ -52,7 +52,16 @@ def pass_gate(run: Run, pages: bool) -> None:
             raise InputError([_fault(run.variant, "stop", 0, say("fault.V606"))])
     for check in run.checks if run.asks(CHECKS) else ():
         if not np.isfinite(_numbers(check)).all():
-            raise InputError([_fault(run.variant, f"checks.{check.code}", 0, say("fault.V601"))])
+            raise InputError([_fault_of_check(run, check)])
+
+
+def _fault_of_check(run: Run, check: Finding) -> Fault:
+    """Return what is wrong where a check has no number although the table has: a formula that only the check reads."""
+    what = f"checks.{check.code}"
+    for point in ("", *dict(run.variant.points)):
+        if reason := _reason(run, point):
+            return _because(run.variant, what, reason, say("gate.some"))
+    return _fault(run.variant, what, 1, say("fault.V601"))
 
 
 def _numbers(check: Finding) -> list[float]:

@@ -7,6 +7,7 @@ from scipy.interpolate import CubicSpline
 import coursework
 from coursework.codegen import tabulated
 from coursework.codegen.tabulated import OutsideTable, TableLaw, spline_slopes
+from coursework.data import folder
 from tests.benchmarks.timer import ratio
 
 METHODS = ("five-point", "spline")
@@ -76,3 +77,12 @@ def test_a_law_is_worked_out_once_a_scene(method, tmp_path, monkeypatch):
     assert run.checks and run.columns() and run.extra_tables and len(run.exact.t)
     coursework.write_report(run, tmp_path / "report.html")
     assert made == [51]
+
+
+def test_a_law_asked_beyond_its_table_names_its_line():
+    law = coursework.solve("variable-crank-table", quantities=["table"]).scene.equations.tables["r"]
+    text = (folder("variants") / "variable-crank-table.toml").read_text(encoding="utf-8")
+    with pytest.raises(OutsideTable) as told:
+        law.function(0)(law.last + 1)
+    (fault,) = told.value.faults
+    assert (fault.file, text.splitlines()[fault.line - 1].split()[0]) == ("variable-crank-table.toml", "r")

@@ -11,6 +11,7 @@ import pytest
 
 import coursework
 from coursework.checks import check
+from coursework.data import folder as data_folder
 from coursework.errors import InputError
 from coursework.output.gate import pass_gate
 from tests.command import call
@@ -102,6 +103,16 @@ def with_checks(run, **changed):
     spoilt = _Spoilt(run, *run.columns())
     spoilt.checks = (*run.checks[:-1], replace(run.checks[-1], **changed))
     return spoilt
+
+
+def test_a_point_that_only_a_check_reads_is_named_with_its_line(folder):
+    text = (data_folder("variants") / "v107.toml").read_text(encoding="utf-8")
+    spoilt = text.replace('A = "B - r2 @ phi2"', 'A = "B - r2 @ sqrt(0.1 - t)"')
+    line = spoilt[: spoilt.index("sqrt(0.1 - t)")].count("\n") + 1
+    Path("late.toml").write_text(spoilt, encoding="utf-8")
+    result = call("run", "late.toml", "--quantities", "table,checks", "--format", "csv")
+    assert result.exit_code == 2
+    assert result.stderr.startswith(f"V604 late.toml:{line}  points.A, checks.DRIFT: no real value in some rows: sqrt(-")
 
 
 @pytest.mark.parametrize("number", [np.nan, np.inf, -np.inf])
