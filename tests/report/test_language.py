@@ -6,7 +6,9 @@ import ast
 import copy
 import pickle
 import re
+from dataclasses import replace
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import pytest
@@ -15,7 +17,8 @@ from click.testing import CliRunner
 import coursework
 from coursework.cli import main
 from coursework.own_pieces import own_pieces
-from coursework.report import build_model, words
+from coursework.report import build_model, render_html, words
+from coursework.report.parts import Paragraph
 from coursework.run import Run
 from coursework.sentences import PLURALS, Phrases, Sentence, joined, load_phrases, say, say_count
 from coursework.variant.reader import parse_variant
@@ -189,3 +192,20 @@ def test_words_beside_a_number_follow_the_language(rule: str, numbers: dict[str,
     other = Phrases("yy", {"plural": rule, "count": {"rows": forms}})
     for form, listed in numbers.items():
         assert [other.written(say_count("count.rows", number)) for number in listed] == [f"{number} {form}" for number in listed]
+
+
+@pytest.mark.parametrize("name", ["31", "epicyclic", "andrews"])
+def test_numbers_have_the_decimal_sign_of_the_page_and_chinese_has_no_spaces(name: str, reading: ModuleType) -> None:
+    run = coursework.solve(name)
+    as_written = " ".join(run.variant.remarks)  # what a file says in its own language stays as it is
+    for language in ("ru", "uk"):
+        model = build_model(run, language)
+        own = tuple(section for section in model.sections if section.name != "method")  # that one names versions
+        text = reading.html_text(render_html(replace(model, sections=own)))
+        assert [number for number in re.findall(r"\d+\.\d+", text) if number not in as_written] == []
+        assert len(re.findall(r"\d,\d", text)) > 300
+    sections = build_model(run, "zh").sections
+    told = [text_of(part.text) for section in sections for part in section.parts if isinstance(part, Paragraph)]
+    assert sum("。" in one for one in told) > 5
+    assert [one for one in told if re.search("[\u4e00-\u9fff][。，；：] |\u200b", one)] == []
+    assert any("、" in one for one in told)
