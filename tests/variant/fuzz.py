@@ -125,7 +125,7 @@ def tried(seeds: range, runs: int, pages: int, place: Path) -> Iterator[Tally]:
             if isinstance(run, coursework.Run) and tally.counts["written"] < pages:
                 tally.counts["written"] += 1
                 _attempt(seed, "pages", tally, lambda run=run: _written(run, place))
-        tally.memory = _memory()
+        tally.memory = most_held()
         yield tally
 
 
@@ -192,7 +192,8 @@ def limited(seconds: float) -> Iterator[None]:
         signal.signal(signal.SIGVTALRM, before)
 
 
-def _memory() -> float:
+def most_held() -> float:
+    """Return the most memory this process has held so far (MiB), 0 where the system does not say."""
     try:
         import resource
     except ImportError:
