@@ -5,17 +5,16 @@ Enters: the steps of a walk along the flow.  Leaves: (rate, when) per coordinate
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from coursework.errors import CourseworkError
-from coursework.integration.adaptive import dormand_prince_8
+from coursework.singular.scaled_flow import Clock
 
 Array = NDArray[np.float64]
-Rule = Callable[[float, Array], Array]
 # A bracket shrinks to this part of itself a trial, and to 1e-4 in so many; the rate is then right to the square of that.
 _GOLDEN, _TRIALS = (5**0.5 - 1) / 2, 19
 # Between two steps of the walk a rate rises by less than a twentieth: only rates so near to the largest are sought.
@@ -28,17 +27,17 @@ _CONSTANT = 1e-9
 
 @dataclass(slots=True)
 class Piece:
-    """One step of a walk: the `state` (position, then t) it begins at, its `slope` there, the `rule`, the `length` in s."""
+    """One step of a walk: the `state` (position, then t) it begins at, its `slope` there, the `clock`, the `length` in s."""
 
     state: Array
     slope: Array
-    rule: Rule
+    clock: Clock
     length: float
 
     def rate(self, part: float, coordinate: int) -> tuple[float, float]:
         """Return |dq/dt| of a coordinate a `part` of the length into the step, and the time there (s)."""
-        state = dormand_prince_8(self.rule, 0.0, self.state, self.slope, part * self.length).state
-        slope = self.rule(0.0, state)
+        state = self.clock.step(self.state, self.slope, part * self.length)[0]
+        slope = self.clock.slope(state)
         return abs(float(slope[coordinate] / slope[-1])), float(state[-1])
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +18,7 @@ from numpy.typing import NDArray
 from coursework.codegen.names import private
 from coursework.codegen.programs import Program, compile_function
 from coursework.codegen.tabulated import OutsideTable
+from coursework.integration.order_eight import SLOPES, dormand_prince_8
 from coursework.reduction.blocks import Reduction
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.statements import clock_statements
@@ -47,8 +49,8 @@ class Flow:
     """The determinant-scaled flow of one scene.
 
     `largest` scales the determinant of each block; `rates` says per coordinate whether its rate is driven, and its place
-    among the driven or the unknown ones; `compile_clock(block)` gives the flow whose clock is the determinant of a block, not
-    yet divided by its largest value; `evaluations` counts right-hand sides.
+    among the driven or the unknown ones; `compile_clock(block)` gives (pace, *q, t) -> the flow whose clock is the determinant
+    of a block times a pace; `evaluations` counts right-hand sides.
     """
 
     system: LinearSystem
@@ -72,13 +74,19 @@ class Flow:
         values = self._values(t, q)
         return np.array([_determinant(values, place) / size for place, size in zip(self.places, self.largest, strict=True)])
 
-    def slopes(self, t: float, q: Sequence[float], block: int) -> list[float]:
+    def slopes(self, t: float, q: Sequence[float], block: int) -> tuple[float, ...]:
         """Return dq/ds, with dt/ds last, for the clock of `block`.  Raises `ArithmeticError` where another one is singular."""
         self.evaluations += 1
+        return self._field(block, 1)(*q, t)
+
+    def clock(self, block: int, sign: int) -> Clock:
+        """Return the flow by the clock of `block`, turned round with a `sign` of -1."""
+        return Clock(self, self._field(block, sign))
+
+    def _field(self, block: int, sign: int) -> Callable[..., tuple[float, ...]]:
         if block not in self.clocks:
             self.clocks[block] = self.compile_clock(block)
-        largest = self.largest[block]
-        return [slope / largest for slope in self.clocks[block](t, *q)]
+        return partial(self.clocks[block], sign / self.largest[block])
 
     def part(self, t: float, q: Sequence[float], block: int) -> tuple[Array, Array, Array]:
         """Return A (k, k) and b (k,) of one block with earlier velocities moved over, and the velocities (m,) known so far."""
@@ -120,6 +128,24 @@ class Flow:
         return float(abs(left @ right))
 
 
+@dataclass(frozen=True, slots=True)
+class Clock:
+    """The flow by one clock: `field`(*state) -> d(state)/ds, where a state is a position and then t."""
+
+    flow: Flow
+    field: Callable[..., tuple[float, ...]]
+
+    def slope(self, state: Array) -> Array:
+        """Return d(state)/ds.  Raises `ArithmeticError` where another block than that of the clock is singular."""
+        self.flow.evaluations += 1
+        return np.array(self.field(*state.tolist()))
+
+    def step(self, state: Array, slope: Array, length: float) -> tuple[Array, Array]:
+        """Return the state a `length` of the clock (s) further, from its known `slope`, and the error of that."""
+        self.flow.evaluations += SLOPES
+        return dormand_prince_8(self.field, state, slope, length)
+
+
 def compile_flow(equations: VelocityEquations, reduction: Reduction, start: Sequence[float] | None = None) -> Flow:
     """Return the flow of a scene; `start` (that of the file if None) scales determinants whose largest value is unknown."""
     used = [equation for equation in equations.equations if equation.name in reduction.used]
@@ -150,7 +176,7 @@ def compile_flow(equations: VelocityEquations, reduction: Reduction, start: Sequ
 
 
 def _compile_clock(equations: VelocityEquations, reduction: Reduction, clock: int) -> Callable[..., tuple[float, ...]]:
-    """Return (t, *q) -> D dq/dt and D, where D is the determinant of block `clock`; nothing is divided by it."""
+    """Return (pace, *q, t) -> pace D dq/dt and pace D, where D is the determinant of block `clock`; nothing is divided by it."""
     variant = equations.variant
     results = [f"_out{place}" for place in range(len(variant.rates) + 1)]
 
@@ -159,7 +185,8 @@ def _compile_clock(equations: VelocityEquations, reduction: Reduction, clock: in
 
     names = tuple((block.equations, block.unknowns) for block in reduction.blocks)
     body = equations.once(("clock", clock, names), written).bind(constants(variant))
-    return compile_function("clock", [private(name) for name in ("t", *(c.name for c in variant.coordinates))], body, results)
+    arguments = ["_pace", *(private(name) for name in (*(c.name for c in variant.coordinates), "t"))]
+    return compile_function("clock", arguments, body, [f"_pace * {result}" for result in results])
 
 
 def _largest_seen(system: LinearSystem, place: Place, begin: Sequence[float], end: float) -> float:

@@ -18,17 +18,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.codegen.tabulated import OutsideTable
-from coursework.integration.adaptive import Step, dormand_prince_8, next_length
+from coursework.integration.adaptive import next_length
 from coursework.integration.passage import Passage
 from coursework.sentences import say
 from coursework.singular.change_point import nearest_change_point
 from coursework.singular.event import Event, NotFollowed
 from coursework.singular.passing import passage_at
 from coursework.singular.peaks import Peaks, Piece
-from coursework.singular.scaled_flow import Flow
+from coursework.singular.scaled_flow import Clock, Flow
 
 Array = NDArray[np.float64]
-Rule = Callable[[float, Array], Array]
 # A start whose determinant is this small leaves fewer than six digits of any velocity.
 SINGULAR = 1e-10
 # Followed to a local tolerance e, a motion passes a change point about sqrt(100 e) off: it is searched from 100 sqrt(e) on,
@@ -80,26 +79,26 @@ class Walk:
         for _ in range(MAX_STEPS):
             block = int(np.argmin(np.abs(self.scaled)))
             self.length = self.length or self.end / 200 / abs(self.scaled[block])
-            rule = self._rule(block)
-            taken = self._step(rule, block)
+            clock = self._clock(block)
+            taken = self._step(clock)
             if taken is None:
                 return None
-            step, reach, following = taken
-            after = self._determinants(step.state)
+            state, reach, following = taken
+            after = self._determinants(state)
             crossed = np.flatnonzero(after * self.scaled <= 0).tolist()
             if crossed and not self._at_once(crossed, block, after):
                 self.length = reach / 4
                 continue
-            event, part = self._inside(rule, reach, step.state, block, bool(crossed))
+            event, part = self._inside(clock, reach, state, block, bool(crossed))
             if event is not None and event.time < latest:
                 if self._pass(event, goal):
                     continue
                 return event
-            if part or step.state[-1] >= goal:
-                self._arrive(rule, part or reach, goal)
+            if part or state[-1] >= goal:
+                self._arrive(clock, part or reach, goal)
                 return None
             nearer = abs(after[block]) < min(abs(self.scaled[block]), self.near)
-            self.state, self.scaled, self.length = step.state, after, following
+            self.state, self.scaled, self.length = state, after, following
             self.way.append(self.state)
             if nearer and (event := self._at_rest(block)) is not None and not (event.time < latest and self._pass(event, goal)):
                 return event if event.time < latest else None
@@ -123,71 +122,65 @@ class Walk:
         *q, t = state.tolist()
         return self.flow.scaled(t, q)
 
-    def _rule(self, block: int) -> Rule:
-        sign = 1.0 if self.scaled[block] > 0 else -1.0
+    def _clock(self, block: int) -> Clock:
+        return self.flow.clock(block, 1 if self.scaled[block] > 0 else -1)
 
-        def rule(_s: float, y: Array) -> Array:
-            *q, t = y.tolist()
-            return sign * np.array(self.flow.slopes(t, q, block))
-
-        return rule
-
-    def _step(self, rule: Rule, block: int) -> tuple[Step, float, float] | None:
-        """Return the next step that is accurate enough, its length and the next one; None where the law of a table ends."""
+    def _step(self, clock: Clock) -> tuple[Array, float, float] | None:
+        """Return the next state that is accurate enough, its distance and the next length; None where the law of a table ends."""
         t = float(self.state[-1])
-        slope = self.slope = rule(0.0, self.state)
+        slope = self.slope = clock.slope(self.state)
         sizes = 1.0 + np.abs(self.state)
         sizes[-1] = self.end
         while True:
             try:
                 with np.errstate(all="ignore"):
-                    step = dormand_prince_8(rule, 0.0, self.state, slope, self.length)
-            except (OutsideTable, ArithmeticError, ValueError) as error:
+                    after, error = clock.step(self.state, slope, self.length)
+            except (OutsideTable, ArithmeticError, ValueError) as fault:
                 # A law need not exist beyond the end of the run: come closer to the end in shorter steps.
                 self.length /= 4
                 if self.length * slope[-1] > AT_END * self.end:
                     continue
                 if self.end - t < 100 * AT_END * self.end:
                     return None
-                why = error.faults[0].message if isinstance(error, OutsideTable) else say("event.no_value")
+                why = fault.faults[0].message if isinstance(fault, OutsideTable) else say("event.no_value")
                 ahead = [(self.state + slope * self.length * 4.0**further).tolist() for further in range(1, 12)]
-                raise NotFollowed(say("fault.V512", time=t, reason=why), t, ahead) from error
-            ratio = float(np.max(np.abs(step.error) / (self.tolerance * sizes)))
+                raise NotFollowed(say("fault.V512", time=t, reason=why), t, ahead) from fault
+            ratio = float(np.max(np.abs(error) / (self.tolerance * sizes)))
             if ratio <= 1.0:
-                self.peaks.see(Piece(self.state, slope, rule, self.length))
-                return step, self.length, next_length(self.length, ratio, 8)
+                self.peaks.see(Piece(self.state, slope, clock, self.length))
+                return after, self.length, next_length(self.length, ratio, 8)
             self.length = next_length(self.length, ratio if np.isfinite(ratio) else 1e10, 8)
 
-    def _reached(self, rule: Rule, part: float) -> Array:
-        return dormand_prince_8(rule, 0.0, self.state, self.slope, part).state
+    def _reached(self, clock: Clock, part: float) -> Array:
+        return clock.step(self.state, self.slope, part)[0]
 
     def _at_once(self, crossed: list[int], block: int, after: Array) -> bool:
         """Return whether only the clock's determinant changes its sign, or several so close together that they do it at once."""
         return crossed == [block] or (block in crossed and max(abs(after[k]) + abs(self.scaled[k]) for k in crossed) < 1e-9)
 
-    def _inside(self, rule: Rule, reach: float, ahead: Array, block: int, crossed: bool) -> tuple[Event | None, float]:
+    def _inside(self, clock: Clock, reach: float, ahead: Array, block: int, crossed: bool) -> tuple[Event | None, float]:
         """Return the event inside a step and its part of the step, (None, 0) where there is none."""
 
         def value(state: Array) -> float:
             return float(self._determinants(state)[block] / self.scaled[block])
 
-        lowest = reach if crossed else self._lowest(rule, reach, ahead, block)
+        lowest = reach if crossed else self._lowest(clock, reach, ahead, block)
         if not lowest:
             return None, 0.0
-        bottom = self._reached(rule, lowest)
+        bottom = self._reached(clock, lowest)
         smallest = value(bottom) * abs(float(self.scaled[block]))
         if smallest <= TOUCH:
-            state, part = self._root(rule, lowest, value)
+            state, part = self._root(clock, lowest, value)
             return self._event(state, block), part
         return (self._change_point(bottom, block) if smallest < self.near else None), 0.0
 
-    def _lowest(self, rule: Rule, reach: float, ahead: Array, block: int) -> float:
+    def _lowest(self, clock: Clock, reach: float, ahead: Array, block: int) -> float:
         """Return the part of a step at which a determinant is smallest in the middle, 0 where it is smallest at an end."""
         if min(abs(float(self._determinants(ahead)[block])), abs(float(self.scaled[block]))) > DIP:
             return 0.0
 
         def falls(state: Array) -> bool:
-            nudged = self._determinants(state + 1e-4 * reach * rule(0.0, state))[block]
+            nudged = self._determinants(state + 1e-4 * reach * clock.slope(state))[block]
             return bool((nudged - self._determinants(state)[block]) * self.scaled[block] < 0)
 
         if not falls(self.state) or falls(ahead):
@@ -195,17 +188,17 @@ class Walk:
         low, high = 0.0, reach
         for _ in range(_HALVINGS):
             middle = (low + high) / 2
-            low, high = (middle, high) if falls(self._reached(rule, middle)) else (low, middle)
+            low, high = (middle, high) if falls(self._reached(clock, middle)) else (low, middle)
         return (low + high) / 2
 
-    def _root(self, rule: Rule, reach: float, value: Callable[[Array], float]) -> tuple[Array, float]:
+    def _root(self, clock: Clock, reach: float, value: Callable[[Array], float]) -> tuple[Array, float]:
         """Return the state inside a step at which `value`, positive at its begin, is zero, and its part (Illinois)."""
         low, high, middle, kept = 0.0, reach, reach, ""
-        state = self._reached(rule, high)
+        state = self._reached(clock, high)
         at_low, at_high = value(self.state), value(state)
         for _ in range(80 if at_high < 0 else 0):
             middle = (low * at_high - high * at_low) / (at_high - at_low)
-            state = self._reached(rule, middle)
+            state = self._reached(clock, middle)
             found = value(state)
             if abs(found) < ROOT or high - low < ROOT * reach:
                 break
@@ -215,13 +208,13 @@ class Walk:
                 high, at_high, at_low, kept = middle, found, at_low / (2 if kept == "low" else 1), "low"
         return state, middle
 
-    def _arrive(self, rule: Rule, reach: float, goal: float) -> None:
+    def _arrive(self, clock: Clock, reach: float, goal: float) -> None:
         """Go to a break of the drive at time `goal`: with the flow to just before it, then straight on."""
         if goal == self.end:
             return
         wanted = goal - BEFORE_BREAK * self.end
-        state, _ = self._root(rule, reach, lambda y: (wanted - float(y[-1])) / self.end)
-        slope = rule(0.0, state)
+        state, _ = self._root(clock, reach, lambda y: (wanted - float(y[-1])) / self.end)
+        slope = clock.slope(state)
         self._begin(np.append(state[:-1] + (goal - state[-1]) / slope[-1] * slope[:-1], goal))
 
     def _at_rest(self, block: int) -> Event | None:
