@@ -105,7 +105,7 @@ class Phrases:
 
     def composed(self, key: str, values: Mapping[str, object]) -> str:
         """Return the sentence of a key with its gaps filled."""
-        template = self.template(self.beside(key, values.get("number")))
+        template = self.template(self.beside(key, values["number"]) if "number" in values else key)
         parts = values.get("parts")
         if isinstance(parts, tuple):
             return template.join(map(self.written, parts))
@@ -145,13 +145,11 @@ class Phrases:
         return entry
 
     def _filling(self, name: str, value: object) -> object:
-        if isinstance(value, tuple):
-            return self.listing([self.written(part) for part in value])
         if isinstance(value, float):
             return _Number(value, self.template("decimal"))
-        if name == "unit" and isinstance(value, str):
-            return self.unit(self.written(value))
-        return self.written(value) if isinstance(value, str) else value
+        if isinstance(value, str):
+            return self.unit(self.written(value)) if name == "unit" else self.written(value)
+        return self.listing([self.written(part) for part in value]) if isinstance(value, tuple) else value
 
 
 class _Number(float):

@@ -10,10 +10,13 @@ import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from coursework.checks.evidence import LIMIT, Evidence
 from coursework.checks.result import Finding, percent
 from coursework.checks.rows import parts_at_breaks
 from coursework.integration.finer import finer
+from coursework.integration.motion import Motion
 from coursework.schemes import EXACT, SCHEMES, scheme_names
 from coursework.sentences import Sentence, joined, say
 from coursework.variant.record import MAX_ROWS, whole_steps
@@ -81,8 +84,11 @@ def _advice(evidence: Evidence, coarse: list[Finding], judge: Judge) -> Advice |
 
 def _better_scheme(evidence: Evidence, own: str, judge: Judge) -> tuple[str, float]:
     """Return the scheme of highest order where it does at the run's own step, and by how much its table is off; "" if not."""
+    assert evidence.rerun is not None
     best = max(SCHEMES, key=lambda name: SCHEMES[name].order)
-    if own == EXACT or SCHEMES[best].order <= SCHEMES[own].order or (tried := _tried(evidence, best, 1)) is None:
+    if own == EXACT or SCHEMES[best].order <= SCHEMES[own].order:
+        return "", 0.0
+    if (tried := _tried(evidence, best, 1, evidence.rerun(best, evidence.motion.step))) is None:
         return "", 0.0
     findings = judge(tried)
     closeness = next((one.value for one in findings if one.code == "ACCURACY"), None)
@@ -91,6 +97,7 @@ def _better_scheme(evidence: Evidence, own: str, judge: Judge) -> tuple[str, flo
 
 def _step(evidence: Evidence, own: str, coarse: list[Finding], judge: Judge) -> int:
     """Return the parts of the step with which every motion check passes, 0 where that takes more rows than are computed."""
+    assert evidence.rerun is not None
     order = SCHEMES[own].order if own in SCHEMES else 1  # exact rows have no error: what they lack they gain row by row
     parts = 1
     for _ in range(_TRIES):
@@ -98,11 +105,25 @@ def _step(evidence: Evidence, own: str, coarse: list[Finding], judge: Judge) -> 
         parts = parts_at_breaks(evidence, needed) or needed
         if evidence.variant.time.end / evidence.motion.step * parts > MAX_ROWS:
             return 0
-        tried = _tried(evidence, own, parts)
+        motion = None if own == EXACT else evidence.rerun(own, _spelled(evidence, parts)[1])
+        if motion is not None and (share := _glanced(evidence, motion, parts)) > LIMIT:
+            coarse = [Finding("COARSE", "", share, LIMIT)]
+            continue
+        tried = _tried(evidence, own, parts, motion)
         coarse = [one for one in judge(tried) if _curable(one)] if tried is not None else [Finding("COARSE", "")]
         if not coarse:
             return parts
     return 0
+
+
+def _glanced(evidence: Evidence, motion: Motion, parts: int) -> float:
+    """Return the largest share by which a finer table is off in the rows that the exact motion has already."""
+    count = evidence.compared
+    common = replace(
+        motion, t=motion.t[::parts][:count], coordinates=motion.coordinates[::parts][:count],
+        velocities=motion.velocities[::parts][:count],
+    )  # fmt: skip
+    return float(np.max(np.abs(replace(evidence, motion=common).errors), initial=0.0))
 
 
 def _growth(finding: Finding, order: int) -> float:
@@ -117,16 +138,18 @@ def _growth(finding: Finding, order: int) -> float:
     return float((value / AIM) ** (1 / order)) if limit == LIMIT else 2.0
 
 
-def _tried(evidence: Evidence, scheme: str, parts: int) -> Evidence | None:
-    """Return the evidence about the same run with another scheme or a part of the step, None where it does not end well."""
-    assert evidence.rerun is not None and evidence.exact is not None
+def _tried(evidence: Evidence, scheme: str, parts: int, motion: Motion | None) -> Evidence | None:
+    """Return the evidence about a `motion` of another scheme or a part of the step, None where it does not end well.
+
+    Exact rows are none that a scheme makes: they are what a scheme would be judged against.
+    """
+    assert evidence.exact is not None
+    if motion is None and scheme != EXACT:
+        return None
     step = evidence.motion.step if parts == 1 else _spelled(evidence, parts)[1]
     rows = whole_steps(step, evidence.variant.time.end) + 1
-    if scheme == EXACT:
-        motion = exact = finer(evidence.exact, evidence.rates, parts, rows)
-    else:
-        motion = evidence.rerun(scheme, step)
-        exact = finer(evidence.exact, evidence.rates, parts, rows) if parts > 1 else evidence.exact
+    exact = finer(evidence.exact, evidence.rates, parts, rows) if parts > 1 else evidence.exact
+    motion = motion or exact
     if motion is None or exact is None:
         return None
     return replace(evidence, motion=motion, exact=exact, extended_precision=None, replay=None, rerun=None)

@@ -97,7 +97,12 @@ class Evidence:
         """Return the unit of a column."""
         return self.variant.unit_of(name)
 
-    @property
+    @cached_property
+    def angles(self) -> NDArray[np.bool_]:
+        """Return which of the judged columns are angles (k,)."""
+        return np.array([self.unit(name) == "rad" for name in self.names], dtype=bool)
+
+    @cached_property
     def names(self) -> tuple[str, ...]:
         """Return the columns that are judged: all but the driven rates, which no scheme can get wrong."""
         known = self.variant.known_rates
@@ -114,17 +119,20 @@ class Evidence:
         assert exact is not None
         period = self.variant.time.period
         last = len(exact.t) if period is None or not exact.step else round(period / exact.step) + 1
-        ranges, sizes = {}, {}
-        for name in exact.names:
-            column = exact.column(name)[: max(last, 2)]
-            spread = float(np.ptp(column))
-            ranges[name] = min(spread, 2 * np.pi) if self.unit(name) == "rad" else spread
-            sizes[name] = float(np.max(np.abs(column))) if name in exact.velocity_names else 0.0
+        rows = exact.rows[: max(last, 2)]
+        units = [self.unit(name) for name in exact.names]
+        spreads = [
+            min(spread, 2 * np.pi) if unit == "rad" else spread
+            for spread, unit in zip(np.ptp(rows, axis=0).tolist(), units, strict=True)
+        ]
+        sizes = np.max(np.abs(rows), axis=0)
+        sizes[: len(exact.coordinate_names)] = 0.0
         widest: dict[str, float] = {}
-        for name, spread in ranges.items():
-            widest[self.unit(name)] = max(spread, widest.get(self.unit(name), 0.0))
+        for spread, unit in zip(spreads, units, strict=True):
+            widest[unit] = max(spread, widest.get(unit, 0.0))
         return {
-            name: max(spread, OF_SIZE * sizes[name], OF_UNIT * widest[self.unit(name)], STILL) for name, spread in ranges.items()
+            name: max(spread, OF_SIZE * size, OF_UNIT * widest[unit], STILL)
+            for name, spread, size, unit in zip(exact.names, spreads, sizes.tolist(), units, strict=True)
         }
 
     @cached_property
@@ -146,10 +154,9 @@ class Evidence:
         """Return table minus exact as shares of the scales (compared rows, k); an angle a whole turn further is the same."""
         assert self.exact is not None
         gap = self.table(self.motion) - self.table(self.exact)
-        for place, name in enumerate(self.names):
-            if self.unit(name) == "rad" and len(gap):
-                jumps = np.diff(gap[:, place], prepend=0.0)
-                gap[:, place] -= np.cumsum(turns(jumps))
+        if len(gap):
+            jumps = np.diff(gap[:, self.angles], axis=0, prepend=0.0)
+            gap[:, self.angles] -= np.cumsum(turns(jumps), axis=0)
         return np.where(np.abs(gap) < NO_ERROR, 0.0, gap) / self.scales
 
     @cached_property

@@ -38,22 +38,19 @@ def require_agreement(equations: VelocityEquations, closure: Closure | None) -> 
     first = len(equations.from_closure)
     suspects: set[int] | None = None
     confirmed: set[int] = set()
-    for t, q in _configurations(closure):
-        matrix, right, _ = system.matrix(t, q)
-        rows = np.hstack([matrix, right[:, None]])
-        scale = np.max(np.abs(rows), axis=0, initial=0.0)
-        rows = rows / np.where(scale > 0, scale, 1.0)
-        lengths = np.linalg.norm(rows, axis=1, keepdims=True)
-        rows = rows / np.where(lengths > 0, lengths, 1.0)
-        inconsistent = _rank(rows) > _rank(rows[:, :-1])
-        if not inconsistent or _rank(rows[:first]) > _rank(rows[:first, :-1]):
-            confirmed |= _following(rows[:, :-1], first) - confirmed
-            continue  # they agree, or the geometry alone cannot follow its drive here: a dead point, told as such
-        culprits = set()
-        for index in range(first, len(both)):
-            kept = np.delete(rows, index, axis=0)
-            if _rank(kept) == _rank(kept[:, :-1]):
-                culprits.add(index)
+    every = np.array([np.column_stack(system.matrix(t, q)[:2]) for t, q in _configurations(closure)])
+    scale = np.max(np.abs(every), axis=1, keepdims=True, initial=0.0)
+    every = every / np.where(scale > 0, scale, 1.0)
+    lengths = np.linalg.norm(every, axis=2, keepdims=True)
+    every = every / np.where(lengths > 0, lengths, 1.0)
+    # Where the geometry alone cannot follow its drive there is a dead point, told as such.
+    disagree = _contradictory(every) & ~_contradictory(every[:, :first])
+    for rows, inconsistent in zip(every, disagree.tolist(), strict=True):
+        if not inconsistent:
+            confirmed |= _following(rows[:, :-1], first)
+            continue
+        without = _contradictory(_each_left_out(rows, first))
+        culprits = {first + place for place in np.flatnonzero(~without).tolist()}
         suspects = culprits if suspects is None else suspects & culprits
     if suspects is None:
         return tuple(both[index].name for index in sorted(confirmed) if both[index].written is not None)
@@ -87,12 +84,19 @@ def _require_free(equations: VelocityEquations, closure: Closure) -> None:
 
 def _following(rows: Array, first: int) -> set[int]:
     """Return which rows (k, n), from `first` on, follow from all the others."""
-    others = np.array([np.delete(rows, index, axis=0) for index in range(first, len(rows))])
-    return {first + place for place in np.flatnonzero(_ranks(others) == _rank(rows)).tolist()}
+    return {first + place for place in np.flatnonzero(_ranks(_each_left_out(rows, first)) == _ranks(rows[None])).tolist()}
 
 
-def _rank(rows: Array) -> int:
-    return int(_ranks(rows[None])[0])
+def _each_left_out(rows: Array, first: int) -> Array:
+    """Return the matrix (k, n) without one of its rows from `first` on, (k - first, k - 1, n)."""
+    return np.array([np.delete(rows, index, axis=0) for index in range(first, len(rows))]).reshape(
+        -1, len(rows) - 1, rows.shape[1]
+    )
+
+
+def _contradictory(rows: Array) -> NDArray[np.bool_]:
+    """Return which of the systems (r, k, n), each with its right side in the last column, have no solution."""
+    return np.asarray(_ranks(rows) > _ranks(rows[:, :, :-1]))
 
 
 def _ranks(matrices: Array) -> NDArray[np.int_]:

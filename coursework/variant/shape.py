@@ -37,7 +37,7 @@ class Shape:
 
 def read_shape(source: Source) -> Shape:
     """Return the checked file.  Raises `InputError` only where no stand-in lets the rest be read."""
-    data = copy.deepcopy(source.data)
+    data = source.data
     faults: list[Fault] = []
     repaired: set[Path] = set()
     while True:
@@ -48,6 +48,7 @@ def read_shape(source: Source) -> Shape:
             faults += [_fault(path, entry, source) for path, entry in found.items() if path not in repaired]
             if found.keys() <= repaired:
                 raise InputError(faults) from error
+            data = data if repaired else copy.deepcopy(data)
             repaired |= found.keys()
             for path, entry in found.items():
                 _repair(data, path, entry)
