@@ -84,7 +84,7 @@ def test_a_step_for_a_wish_and_single_precision_speak_of_a_scheme_where_the_file
     done = call("run", "example-1", "--step", "auto", "--error", "0.1", "--format", "csv")
     assert "explicit Euler needs" in done.stdout
     assert json.loads(Path("coursework-example-1/run.json").read_text(encoding="utf-8"))["scheme"] == "euler"
-    assert "single, t += h" in call("run", "example-1", "--precision", "single").stdout
+    assert "single, t += h" in call("run", "example-1", "--precision", "single", "--step", "0.1").stdout
 
 
 # ---- what it is

@@ -198,9 +198,9 @@ def build(source: str, name: str, body: Bound, *, numpy: bool = False, outside: 
 def _quiet(function: Callable[..., Any]) -> Callable[..., Any]:
     """Return a function over arrays that gives nan where there is no value, without a word; whoever reads it looks for nan."""
 
-    def call(*values: Any) -> Any:
+    def call(*values: Any, **named: Any) -> Any:
         with np.errstate(all="ignore"):
-            return function(*values)
+            return function(*values, **named)
 
     return call
 

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from coursework.integration.loops import generate_loop
 from coursework.integration.rates import Rates
 from coursework.schemes import SCHEMES
 
@@ -28,20 +29,15 @@ def march_in(
 
     `running_time` adds up t += h instead of t = i*h.
     """
-    rule = SCHEMES[scheme].step
+    loop = generate_loop(SCHEMES[scheme], rates, numpy=True)
     h = kind(step)
-    q = np.array(start, dtype=kind)
-    size = len(q)
-
-    def slopes(t: Any, at: Any) -> Any:
-        return np.array(rates.rows(min(t, latest), *at)[:size], dtype=kind)
-
+    q = tuple(map(kind, start))
     t = kind(0)
     rows = [q]
     with np.errstate(all="ignore"):
         for index in range(steps):
-            latest = kind(rates.latest((index + 1) * step))
-            q = rule(slopes, t, q, h)
+            looks = {"_latest": kind(rates.latest((index + 1) * step))} if rates.breaks else {}
+            q = tuple(map(kind, loop(t, 1, h, *q, **looks)))
             t = t + h if running_time else kind(index + 1) * h
             if (index + 1) % every == 0:
                 rows.append(q)

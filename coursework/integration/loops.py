@@ -25,20 +25,24 @@ RowLoop = Callable[..., None]
 _WRITTEN = re.compile(r"[\d.]+(?:e[+-]?\d+)?")
 
 
-def generate_loop(scheme: Scheme, rates: Rates) -> Loop:
-    """Return `loop(begin, steps, h, *q)`: the position `steps` steps of h (s) after `begin`, at t = begin + i*h."""
-    return build(_loop_source(scheme, _Shape.of(rates)), "loop", rates.body)
+def generate_loop(scheme: Scheme, rates: Rates, *, numpy: bool = False) -> Loop:
+    """Return `loop(begin, steps, h, *q)`: the position `steps` steps of h (s) after `begin`, at t = begin + i*h.
+
+    With `numpy` in the numbers that it is called with.  Where the drive has breaks, no slope is taken at a time beyond
+    `_latest`, which may be named.
+    """
+    return build(_loop_source(scheme, _Shape.of(rates)), "loop", rates.body, numpy=numpy)
 
 
 @lru_cache(maxsize=256)
 def _loop_source(scheme: Scheme, shape: _Shape) -> str:
     position = [private(name) for name in shape.coordinates]
     stages = _Stages(scheme, shape)
-    lines = ["_t0 = _begin + _i*_h", *stages.lines(0), *stages.later()]
+    lines = ["_t0 = _begin + _i*_h", *stages.lines(0), *stages.later("_latest" if shape.breaks else "")]
     moved = [stages.moved(scheme.outer, place) for place in range(len(position))]
     state = ", ".join(position)
     source = [
-        f"def loop({shape.arguments('_begin', '_steps', '_h', *position)}):",
+        f"def loop({shape.arguments('_begin', '_steps', '_h', *position)}{', _latest=1e999' if shape.breaks else ''}):",
         *(f"    {line}" for line in stages.shares()),
         "    for _i in range(_steps):",
         *(f"        {line}" for line in (*lines, f"{state}, = {', '.join(moved)},")),
