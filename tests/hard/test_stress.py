@@ -1,11 +1,11 @@
 """Random mechanisms, feasible and not: every run ends in a right table, a located and explained stop, or a refusal.
 
-The suite takes 400 of them with fixed seeds; `python -m tests.hard.stress 10000` takes as many as you like.
+The suite takes 160 of them with fixed seeds; `python -m tests.hard.stress 10000` takes as many as you like.
 """
 
 from tests.hard.stress import outcomes
 
-CASES = 400
+CASES = 160
 
 
 def test_no_outcome_is_unexplained():

@@ -3,11 +3,13 @@
 import csv
 import io
 import json
+from functools import partial
 from pathlib import Path
 
 import pytest
 
 import coursework
+from coursework.accuracy.timing import seconds
 from coursework.errors import OutputError
 from coursework.output import formats
 from coursework.output.formats import FORMATS, Format, formats_for
@@ -22,22 +24,38 @@ def _dummy(results):
     yield f"{results.stem}.dummy", f"{results.run.variant.title} {results.stamp}".encode()
 
 
+DUMMY = Format("dummy", _dummy, ("run", "accuracy", "write_report"))
+
+
 @pytest.fixture
 def dummy(monkeypatch):
-    added = Format("dummy", _dummy, ("run", "accuracy", "write_report"))
-    monkeypatch.setattr(formats, "FORMATS", (*FORMATS, added))
-    return added
+    monkeypatch.setattr(formats, "FORMATS", (*FORMATS, DUMMY))
+
+
+@pytest.fixture(scope="module")
+def study(tmp_path_factory):
+    """What `accuracy` said, and the folder where it wrote in two formats, of which one is new.
+
+    Each trial is timed once: how long it takes is nobody's claim here.
+    """
+    folder = tmp_path_factory.mktemp("study")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(formats, "FORMATS", (*FORMATS, DUMMY))
+        patch.setattr("coursework.accuracy.study.seconds", partial(seconds, repeats=1, shortest=0.0))
+        return call("accuracy", "31", "--format", "csv,dummy", "--out", folder), folder
 
 
 @pytest.mark.usefixtures("dummy")
-def test_a_new_format_is_offered_and_written_everywhere(folder):
+def test_a_new_format_is_offered_and_written_everywhere(folder, study):
     for command in ("run", "accuracy"):
         assert "html,pdf,csv,dummy" in call(command, "--help").stdout
     assert call("run", "31", "--quantities", "table", "--format", "dummy").exit_code == 0
     record = json.loads((folder / "coursework-31/run.json").read_text(encoding="utf-8"))
     assert list(record["files"]) == ["report.dummy"]
     assert (folder / "coursework-31/report.dummy").read_text(encoding="utf-8").endswith(record["stamp"])
-    assert call("accuracy", "31", "--format", "dummy").stdout.endswith("accuracy.dummy, accuracy.json\n")
+    result, beside = study
+    assert result.stdout.endswith("accuracy.csv, accuracy.dummy, accuracy.json\n")
+    assert (beside / "accuracy.dummy").is_file()
     coursework.write_report(coursework.solve("31", quantities=["table"]), folder / "page.dummy")
     assert (folder / "page.dummy").is_file()
     assert "Formats: html, pdf, csv, dummy." in call("run", "31", "--format", "docx").stderr
@@ -57,9 +75,10 @@ def test_the_readme_names_every_format():
         assert f"`.{each.suffix}`" in text or f".{each.suffix}" in text, each.suffix
 
 
-def test_a_study_as_csv_holds_every_method(folder):
-    assert call("accuracy", "31", "--format", "csv").exit_code == 0
-    head, *rows = csv.reader(io.StringIO((folder / "coursework-31/accuracy.csv").read_text(encoding="utf-8")))
+def test_a_study_as_csv_holds_every_method(study):
+    result, beside = study
+    assert result.exit_code == 0
+    head, *rows = csv.reader(io.StringIO((beside / "accuracy.csv").read_text(encoding="utf-8")))
     assert tuple(head) == STUDY_HEAD
     assert {"explicit Euler", "Heun", "Runge-Kutta 4"} <= {row[0] for row in rows}
     own = next(row for row in rows if row[:2] == ["explicit Euler", "24"])
