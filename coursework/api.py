@@ -149,4 +149,4 @@ def _in_file(message: Sentence, variant: Variant, name: str, is_in_file: bool) -
     if not is_in_file:
         return Fault(message)
     line = variant.line_of("ask", "quantities", variant.ask.index(name))
-    return Fault(message, str(variant.path or variant.name), line, 0, "ask.quantities")
+    return Fault(message, variant.file, line, 0, "ask.quantities")

@@ -39,7 +39,7 @@ class ExactScene(Scene):
         variant, stop, rates = self.variant, self.stop, self.passing(self.rates)
         if not is_chain(variant) and (self.closure is None or not self.closure.complete):
             line = variant.line_of("time", "scheme") if variant.time.scheme else 0
-            raise InputError([Fault(say("fault.V502", scheme=PRECISE.name), str(variant.path or variant.name), line)])
+            raise InputError([Fault(say("fault.V502", scheme=PRECISE.name), variant.file, line)])
         refuse_aliasing(self.equations, variant.time.step)
         exact = self.exact
         if self.settings.columns and len(exact.t):

@@ -66,7 +66,7 @@ def build(variant: Variant) -> Mechanism:
 
 
 def _fault(variant: Variant, message: Sentence, line: int = 0) -> InputError:
-    return InputError([Fault(message, str(variant.path or variant.name), line)])
+    return InputError([Fault(message, variant.file, line)])
 
 
 def _as_closure(group: Group, index: int, variant: Variant) -> tuple[Constraint | None, Formula | None]:

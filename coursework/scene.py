@@ -126,7 +126,7 @@ class Scene:
         except NotFollowed as error:
             refuse_endless(self.equations, error.time)
             line = self.variant.nearest_line("time", "end")
-            fault = Fault(error.faults[0].message, str(self.variant.path or self.variant.name), line)
+            fault = Fault(error.faults[0].message, self.variant.file, line)
             raise self.charged(error) or InputError([fault]) from None
 
     @property
@@ -251,7 +251,7 @@ class Scene:
         """Return the fault of the formula that has no value somewhere on the way, None where every one has."""
         variant, last = self.variant, self.variant.time.end
         if isinstance(error, FormulaRefused):
-            return InputError([Fault(error.faults[0].message, str(variant.path or variant.name), 1)])
+            return InputError([Fault(error.faults[0].message, variant.file, 1)])
         near = error.times if isinstance(error, NoVelocities) else ()
         rows = (place * variant.time.step for place in range(min(variant.time.steps, MOST_LOOKED_AT) + 1))
         between = (place * last / MOST_LOOKED_AT for place in range(MOST_LOOKED_AT + 1))

@@ -54,7 +54,7 @@ def require_agreement(equations: VelocityEquations, closure: Closure | None) -> 
         suspects = culprits if suspects is None else suspects & culprits
     if suspects is None:
         return tuple(both[index].name for index in sorted(confirmed) if both[index].written is not None)
-    file = str(equations.variant.path or equations.variant.name)
+    file = equations.variant.file
     if not suspects:
         raise InputError([Fault(say("fault.V301"), file, equations.equations[0].line)])
     found = [both[index] for index in sorted(suspects)]
@@ -77,7 +77,7 @@ def _require_free(equations: VelocityEquations, closure: Closure) -> None:
         if largest > TOLERANCE:
             told = say("fault.V304", name=equation.name, largest=float(largest), because=equation.because)
             variant = equations.variant
-            faults.append(Fault(told, str(variant.path or variant.name), variant.line_of("closure")))
+            faults.append(Fault(told, variant.file, variant.line_of("closure")))
     if faults:
         raise InputError(faults)
 

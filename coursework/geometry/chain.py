@@ -81,7 +81,7 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
 
 def _fault(told: Sentence, number: int, group: Group, variant: Variant) -> InputError:
     place = say("place.group_of", number=number, names=", ".join(group.coordinates))
-    return InputError([Fault(told, str(variant.path or variant.name), group.line, 0, place)])
+    return InputError([Fault(told, variant.file, group.line, 0, place)])
 
 
 def _letters(group: Group) -> str:

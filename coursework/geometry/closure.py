@@ -178,7 +178,7 @@ def compile_closure(equations: VelocityEquations, start: Sequence[float]) -> Clo
             [
                 Fault(
                     say("fault.V311", names=listed, error=str(error)),
-                    str(variant.path or variant.name),
+                    variant.file,
                     variant.nearest_line("closure"),
                 )
             ]
@@ -258,7 +258,7 @@ def require_start(closure: Closure | None) -> None:
     if closed is not None:
         values = ", ".join(f"{c.name} = {q:.15g}" for c, q in zip(variant.coordinates, closed, strict=True))
         told = say("fault.V313", residuals=listed, nearest=values)
-    raise InputError([Fault(told, str(variant.path or variant.name), variant.line_of("coordinates"))])
+    raise InputError([Fault(told, variant.file, variant.line_of("coordinates"))])
 
 
 def closed_start(closure: Closure) -> tuple[Array, Array | None]:

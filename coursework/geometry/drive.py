@@ -74,7 +74,7 @@ def integrals(equations: VelocityEquations, names: Sequence[str], times: Array) 
         place = np.argwhere(~np.isfinite(values))[0]
         name, variant = names[place[2]], equations.variant
         told = say("fault.V321", name=name, time=float(at[place[0], place[1]]))
-        raise InputError([Fault(told, str(variant.path or variant.name), variant.line_of("drive", name))])
+        raise InputError([Fault(told, variant.file, variant.line_of("drive", name))])
     pieces = np.tensordot(values, _WEIGHTS, axes=(1, 0)) * half[:, None]
     total = np.vstack([np.zeros(len(names)), np.cumsum(pieces, axis=0)])
     return np.asarray(total[np.searchsorted(fine, times)])
@@ -94,7 +94,7 @@ def refuse_short_tables(equations: VelocityEquations) -> None:
             section = "drive" if law.name in {drive.name for drive in variant.drive} else "functions"
             told = say("fault.V322", first=law.first, last=law.last, end=variant.time.end)
             line = variant.line_of(section, law.name)
-            faults.append(Fault(told, str(variant.path or variant.name), line, 0, f"{section}.{law.name}"))
+            faults.append(Fault(told, variant.file, line, 0, f"{section}.{law.name}"))
     if faults:
         raise InputError(faults)
 
@@ -114,7 +114,7 @@ def refuse_aliasing(equations: VelocityEquations, step: float) -> None:
         own = variant.time.own_step in {None, step}
         line = variant.nearest_line("time", "step") if own else 0  # a step of the command line stands in no file
         told = say("fault.C021", step=step, turned=frequency * step, most=float(np.pi / 10 / frequency))
-        raise InputError([Fault(told, str(variant.path or variant.name), line)])
+        raise InputError([Fault(told, variant.file, line)])
 
 
 def refuse_endless(equations: VelocityEquations, time: float) -> None:
@@ -139,7 +139,7 @@ def refuse_endless(equations: VelocityEquations, time: float) -> None:
         elif name in angles and now * variant.time.step > 2 * np.pi:
             told = say("fault.V324", name=name, turned=float(now * variant.time.step), most=float(0.1 / now))
         if told is not None:
-            faults.append(Fault(told, str(variant.path or variant.name), variant.line_of("drive", name)))
+            faults.append(Fault(told, variant.file, variant.line_of("drive", name)))
     if faults:
         raise InputError(faults)
 

@@ -73,4 +73,4 @@ def _closed(closure: Closure, start: Array, moved: list[int]) -> Array:
 
 
 def _fault(message: Sentence, coordinate: Coordinate, variant: Variant) -> Fault:
-    return Fault(message, str(variant.path or variant.name), variant.line_of("coordinates", coordinate.name))
+    return Fault(message, variant.file, variant.line_of("coordinates", coordinate.name))

@@ -100,7 +100,7 @@ def _crank_motion(variant: Variant, crank: Coordinate, motion: Motion, second: A
 
 
 def _refused(variant: Variant, message: Sentence) -> InputError:
-    return InputError([Fault(message, str(variant.path or variant.name), variant.nearest_line("ask", "quantities"))])
+    return InputError([Fault(message, variant.file, variant.nearest_line("ask", "quantities"))])
 
 
 def _longest_way(values: Array) -> slice:

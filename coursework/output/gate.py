@@ -131,7 +131,7 @@ def _because(variant: Variant, what: str, reason: Reason, rows: str) -> Fault:
 
 
 def _fault(variant: Variant, place: str, line: int, message: Sentence) -> Fault:
-    return Fault(message, variant.path.name if variant.path else variant.name, line, 0, place)
+    return Fault(message, variant.file, line, 0, place)
 
 
 def _rows(spoilt: Iterable[int]) -> str:

@@ -114,7 +114,7 @@ def _required_row(variant: Variant, motion: Motion) -> int:
     if missing:
         asked = "graph_check" in variant.ask
         line = variant.nearest_line("ask", "quantities") if asked else 0  # asked for by the command line it stands in no file
-        raise InputError([Fault(say("fault.V516", missing=tuple(missing)), str(variant.path or variant.name), line)])
+        raise InputError([Fault(say("fault.V516", missing=tuple(missing)), variant.file, line)])
     if len(motion.coordinate_names) < len(variant.coordinates):
         raise InputError(say("fault.V517"))
     return variant.time.check_row or USUAL_ROW

@@ -74,9 +74,9 @@ def make_plans(
     variant = equations.variant
     outline = read_outline(mechanism)
     if outline is None or not outline.bars:
-        raise InputError([Fault(say("fault.V523"), str(variant.path or variant.name))])
+        raise InputError([Fault(say("fault.V523"), variant.file)])
     if not all_rows(equations, table[0]):
-        raise InputError([Fault(say("fault.V524"), str(variant.path or variant.name))])
+        raise InputError([Fault(say("fault.V524"), variant.file)])
     pairs = stretching(mechanism)
     rows, true = (polygons(outline, equations, motion, second, pairs) for motion, second in (table, exact))
     row = min(variant.time.check_row or USUAL_ROW, max(1, min(len(rows.t), len(true.t))))

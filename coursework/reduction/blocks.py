@@ -120,7 +120,7 @@ def reduce(equations: VelocityEquations, start: Sequence[float]) -> Reduction:
             choose(equations, start, numbers=True)
         if block is None:
             told = say("fault.V401", names=tuple(e.name for e in members))
-            raise InputError([Fault(told, str(equations.variant.path or equations.variant.name), members[0].line)])
+            raise InputError([Fault(told, equations.variant.file, members[0].line)])
         found.append(block)
     unused = tuple(e.name for i, e in enumerate(equations.equations) if i not in choice.used)
     return Reduction(tuple(found), tuple(equation.name for equation in used), unused, choice.notes)

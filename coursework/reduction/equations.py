@@ -92,7 +92,7 @@ def differentiate(mechanism: Mechanism) -> VelocityEquations:
                     equations.append(_written(constraint, variant, symbols))
             except NonLinear as fault:
                 where = say("place.column", place=say("place.constraint", name=constraint.name), column=fault.column)
-                faults.append(Fault(fault.message, str(variant.path or variant.name), constraint.line, 0, where))
+                faults.append(Fault(fault.message, variant.file, constraint.line, 0, where))
             continue
         with placed(variant, say("place.constraint", name=constraint.name), constraint.line):
             components = _components(constraint, symbols, variant)
@@ -113,8 +113,7 @@ def differentiate(mechanism: Mechanism) -> VelocityEquations:
 
 
 def _tabulated(law: Law, variant: Variant, section: str) -> TableLaw:
-    file = variant.path.name if variant.path else variant.name
-    return TableLaw(law.name, law.table, law.method, file, variant.line_of(section, law.name))
+    return TableLaw(law.name, law.table, law.method, variant.file, variant.line_of(section, law.name))
 
 
 def _components(constraint: Constraint, symbols: Symbols, variant: Variant) -> list[Position]:

@@ -126,7 +126,7 @@ def _fault(
         sentences.append(say("equation.missing", names=tuple(_undetermined(matrix, kept, unknowns))))
         sentences += _structure(equations, rows, owner)
         sentences.append(say_count("equation.ways", len(unknowns) - len(kept), drives=len(drive)))
-    file = str(equations.variant.path or equations.variant.name)
+    file = equations.variant.file
     lines = {equation.name: equation.line for equation in equations.equations}
     line = lines[conflicts[0][0]] if len(conflicts) == 1 else equations.variant.nearest_line("coordinates")
     code = "fault.V403" if conflicts else "fault.V404"

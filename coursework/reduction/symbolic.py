@@ -65,7 +65,7 @@ def placed(variant: Variant, place: str, line: int) -> Iterator[None]:
         yield
     except FormulaFault as fault:
         where = say("place.column", place=place, column=fault.column)
-        raise InputError([Fault(fault.message, str(variant.path or variant.name), line, 0, where)]) from fault
+        raise InputError([Fault(fault.message, variant.file, line, 0, where)]) from fault
 
 
 def expanded(expr: sp.Expr) -> sp.Expr:

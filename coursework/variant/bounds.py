@@ -29,7 +29,6 @@ def exceeded(variant: Variant) -> Iterator[tuple[str, Sentence]]:
 
 def refuse_unbounded(variant: Variant) -> None:
     """Raise `InputError` where a run would cost too much."""
-    file = str(variant.path or variant.name)
-    faults = [Fault(text, file, variant.nearest_line("time", key), 0, f"time.{key}") for key, text in exceeded(variant)]
+    faults = [Fault(text, variant.file, variant.nearest_line("time", key), 0, f"time.{key}") for key, text in exceeded(variant)]
     if faults:
         raise InputError(faults)

@@ -76,7 +76,7 @@ def _judged(variant: Variant, path: Path, name: str, formula: Formula, values: d
             place = say("place.constraint", name=variant.constraints[int(path[1])].name)
         place = say("place.column", place=place, column=fault.column)
         told = say("fault.V019", time=t, reason=fault.message)
-        return Fault(told, str(variant.path or variant.name), variant.nearest_line(*path), 0, place)
+        return Fault(told, variant.file, variant.nearest_line(*path), 0, place)
     if name:
         values[name] = value
     return None

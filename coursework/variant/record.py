@@ -112,6 +112,11 @@ class Variant:
         named = {path: path[1] for path in self.changes if not isinstance(self.changes[path], float)}
         return {str(name): str(self.changes[path]) for path, name in named.items()}
 
+    @property
+    def file(self) -> str:
+        """Return what messages call the file: its path, or the name of a variant that is none."""
+        return str(self.path or self.name)
+
     def line_of(self, *path: str | int) -> int:
         """Return the line of the file that a key stands in, 0 where that is not known."""
         return self.lines.get(path, 0)
