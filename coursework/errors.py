@@ -73,6 +73,10 @@ class InputError(CourseworkError):
     """The input cannot be used; carries every fault found."""
 
 
+class Unplaced(CourseworkError):
+    """What is wrong with a law, found where no file is known: variants that differ in their data only share their laws."""
+
+
 class OutputError(CourseworkError):
     """A result could not be written; nothing half-written is left."""
 

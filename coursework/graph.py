@@ -15,6 +15,7 @@ from typing import Any, Generic, Protocol, TypeVar, overload
 
 import numpy as np
 
+from coursework.errors import Unplaced
 from coursework.sentences import Sentence, say
 
 T = TypeVar("T")
@@ -65,7 +66,7 @@ class Owner(Protocol):
     def ledger(self) -> Ledger: ...
 
     def charged(self, error: Exception) -> Exception | None:
-        """Return what a user is told about an arithmetic error, None where the tool itself is at fault."""
+        """Return what a user is told about an error of arithmetic or of a law, None where the tool itself is at fault."""
 
 
 class Computed(Generic[T]):
@@ -88,7 +89,7 @@ class Computed(Generic[T]):
         if self.name not in kept:
             try:
                 kept[self.name] = owner.ledger.call(self.name, self.compute, owner)
-            except (ArithmeticError, ValueError) as error:
+            except (ArithmeticError, ValueError, Unplaced) as error:
                 if (told := owner.charged(error)) is None:
                     raise
                 raise told from error

@@ -252,6 +252,9 @@ class Scene:
         variant, last = self.variant, self.variant.time.end
         if isinstance(error, FormulaRefused):
             return InputError([Fault(error.faults[0].message, variant.file, 1)])
+        if isinstance(error, OutsideTable):
+            section = "drive" if error.name in {law.name for law in variant.drive} else "functions"
+            return InputError([Fault(error.faults[0].message, variant.file, variant.line_of(section, error.name))])
         near = error.times if isinstance(error, NoVelocities) else ()
         rows = (place * variant.time.step for place in range(min(variant.time.steps, MOST_LOOKED_AT) + 1))
         between = (place * last / MOST_LOOKED_AT for place in range(MOST_LOOKED_AT + 1))

@@ -13,28 +13,31 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.errors import CourseworkError, Fault
-from coursework.sentences import say
+from coursework.errors import Unplaced
+from coursework.sentences import Sentence, say
 
 Array = NDArray[np.float64]
 # Part of an interval by which round-off may lie beyond the table.
 _SLACK = 1e-6
 
 
-class OutsideTable(CourseworkError):
-    """A law was asked for beyond its table."""
+class OutsideTable(Unplaced):
+    """The law `name` was asked for beyond its table."""
+
+    def __init__(self, message: Sentence, name: str) -> None:
+        super().__init__(message)
+        self.name = name
 
 
 class TableLaw:
     """A polynomial between every two nodes, for the value and both derivatives; worked out once, when first asked for.
 
     `method` "five-point": nodal derivatives by the five-point formulas, quartic between nodes; "spline": cubic.
-    `pieces[order]` (intervals, degree + 1): coefficients in u = 0 … 1, the lowest first.  `file` and `line` are where it stands.
+    `pieces[order]` (intervals, degree + 1): coefficients in u = 0 … 1, the lowest first.
     """
 
-    def __init__(self, name: str, rows: tuple[tuple[float, float], ...], method: str, file: str = "", line: int = 0) -> None:
+    def __init__(self, name: str, rows: tuple[tuple[float, float], ...], method: str) -> None:
         self.name, self.rows, self.method = name, rows, method
-        self.file, self.line = file, line
         self.first, self.last = rows[0][0], rows[-1][0]
         self.intervals = len(rows) - 1
         self.step = (self.last - self.first) / self.intervals
@@ -101,7 +104,7 @@ class TableLaw:
 
     def _outside(self, found: float) -> OutsideTable:
         told = say("fault.V522", name=self.name, first=self.first, last=self.last, found=found)
-        return OutsideTable([Fault(told, self.file, self.line)])
+        return OutsideTable(told, self.name)
 
 
 def _levels(values: Array, step: float) -> list[Array]:

@@ -20,7 +20,7 @@ from coursework.mechanism import Mechanism
 from coursework.reduction.symbolic import TIME, Symbols, placed, symbol
 from coursework.reduction.tidy import Order, as_sum
 from coursework.sentences import say
-from coursework.variant.record import Constraint, Law, Variant
+from coursework.variant.record import Constraint, Variant
 
 Fact = TypeVar("Fact")
 Linear = tuple[dict[str, sp.Expr], sp.Expr]
@@ -107,13 +107,8 @@ def differentiate(mechanism: Mechanism) -> VelocityEquations:
         equations = list(from_closure)
         from_closure = ()
     positions += kept
-    laws = [(law, section) for section in ("drive", "functions") for law in getattr(variant, section)]
-    tables = {law.name: _tabulated(law, variant, section) for law, section in laws if law.table}
+    tables = {law.name: TableLaw(law.name, law.table, law.method) for law in (*variant.drive, *variant.functions) if law.table}
     return VelocityEquations(variant, symbols, order, variant.sought, tuple(equations), from_closure, tuple(positions), tables)
-
-
-def _tabulated(law: Law, variant: Variant, section: str) -> TableLaw:
-    return TableLaw(law.name, law.table, law.method, variant.file, variant.line_of(section, law.name))
 
 
 def _components(constraint: Constraint, symbols: Symbols, variant: Variant) -> list[Position]:

@@ -11,6 +11,7 @@ import coursework
 from coursework.codegen import tabulated
 from coursework.codegen.tabulated import OutsideTable, TableLaw, spline_slopes
 from coursework.data import folder
+from coursework.errors import InputError
 from coursework.reduction.structure import forget_structures
 from tests.benchmarks.timer import ratio
 
@@ -82,10 +83,14 @@ def test_a_law_is_worked_out_once_a_scene(method, tmp_path, monkeypatch):
     assert made == [51]
 
 
-def test_a_law_asked_beyond_its_table_names_its_line():
-    law = coursework.solve("variable-crank-table", quantities=["table"]).scene.equations.tables["r"]
-    text = (folder("variants") / "variable-crank-table.toml").read_text(encoding="utf-8")
-    with pytest.raises(OutsideTable) as told:
-        law.function(0)(law.last + 1)
-    (fault,) = told.value.faults
-    assert (Path(fault.file).name, text.splitlines()[fault.line - 1].split()[0]) == ("variable-crank-table.toml", "r")
+def test_a_law_asked_beyond_its_table_names_the_line_of_its_own_file(tmp_path):
+    """Variants that differ in their data share one law; each is told by its own file."""
+    place = folder("variants")
+    text = (place / "variable-crank-table.toml").read_text(encoding="utf-8").replace("76.72 deg", "70.72 deg")
+    (tmp_path / "variable-crank-table.csv").write_bytes((place / "variable-crank-table.csv").read_bytes())
+    for name in ("first.toml", "second.toml"):
+        (tmp_path / name).write_text(text, encoding="utf-8")
+        with pytest.raises(InputError) as told:
+            _ = coursework.solve(tmp_path / name, quantities=["table"]).motion
+        (fault,) = told.value.faults
+        assert (fault.code, Path(fault.file).name, text.splitlines()[fault.line - 1].split()[0]) == ("V522", name, "r")
