@@ -2,20 +2,22 @@
 // Enters: `motion`, `drawing`, `cursors`; `begin`, `furnish`, `light` of what stands before it.  The last piece: it starts the page.
 const scrub = byId("scrub"), play = byId("play");
 const still = matchMedia("(prefers-reduced-motion: reduce)");
-let now = 0, playing = false, begun = 0, asked = 0;
+let now = 0, playing = false, begun = 0, asked = 0, frames = 0;
 
-// Show the time t (s); the scrub stands at the row, counted from 0 with a fraction.
-const show = (t) => {
+// Show the time t (s), what is written of it too or not; the scrub stands at the row, counted from 0 with a fraction.
+const show = (t, inWords = true) => {
   now = Math.min(Math.max(t, 0), motion.duration);
   const row = motion.h > 0 ? now / motion.h : 0, nearest = Math.round(row) + 1;
   light(nearest, playing);
-  live.dataset.row = nearest;
+  change(live, "data-row", nearest);
   if (Number(scrub.value) !== row) scrub.value = row;
-  const told = say("clock", { row: nearest, t: fixed(now, decimalsOf(motion.h) + (playing ? 1 : 0)) });
-  scrub.setAttribute("aria-valuetext", told);
-  tell("live-clock", told);
   const places_ = drawing.draw(now);
   cursors.place(now, playing);
+  if (!inWords) return;
+  const between = playing || Math.abs(row - nearest + 1) > 1e-6;
+  const told = say("clock", { row: nearest, t: fixed(now, decimalsOf(motion.h) + (between ? 1 : 0)) });
+  scrub.setAttribute("aria-valuetext", told);
+  tell("live-clock", told);
   const { right, ghost } = places_ ?? {};
   const rail = ghost && offRail(ghost), away = ghost && right && offPlace(ghost, right);
   const mm = (found) => (found.distance < 5e-8 ? "0" : shown(found.distance * 1000, 3));
@@ -36,7 +38,8 @@ const frame = (stamp) => {
   const past = Math.min(stamp - begun, 100) / 1000;
   begun = stamp;
   const t = now + past * Number(byId("speed").value);
-  show(t >= motion.duration ? t % (motion.duration || 1) : t);
+  // Nobody reads sixty numbers a second: all of them are written together, at every fourth frame.
+  show(t >= motion.duration ? t % (motion.duration || 1) : t, ++frames % 4 === 0);
   asked = requestAnimationFrame(frame);
 };
 // Where motion on the screen is not wanted: row by row, once a second.
@@ -46,7 +49,7 @@ const tick = () => {
 const run = (on) => {
   playing = on;
   play.setAttribute("aria-pressed", String(on));
-  if (!on) cursors.place(now, false);
+  if (!on) show(now);
   tell("play-text", data.words[on ? "pause" : "play"]);
   live.classList.toggle("live-playing", on);
   cancelAnimationFrame(asked);

@@ -6,27 +6,30 @@ const cursors = {
   lit: null,
   // A graph, or the drawing in it, says data-box="left top right bottom" in its own units and data-time="first last" (s).
   find() {
-    const graphs = [...document.querySelectorAll("[data-panel]")];
-    const homes = graphs.map((graph) => (graph.dataset.box ? graph : graph.querySelector("[data-box]"))).filter(Boolean);
+    const homes = [...document.querySelectorAll("[data-panel] [data-box]")];
     // While it moves, only the graphs that are on the screen follow.
     const watching = new IntersectionObserver((entries) => entries.forEach((one) => (one.target.seen = one.isIntersecting)));
     this.panels = homes.map((home) => {
       const [left, top, right, bottom] = home.dataset.box.split(" ").map(Number);
       const [from, to] = home.dataset.time.split(" ").map(Number);
-      const line = svg("line", { class: "live-cursor", y1: top, y2: bottom }, home);
+      const [, , wide, high] = home.getAttribute("viewBox").split(" ").map(Number);
+      const line = document.createElement("i");
+      line.className = "live-cursor";
+      Object.assign(line.style, { left: `${(100 * left) / wide}%`, top: `${(100 * top) / high}%`, height: `${(100 * (bottom - top)) / high}%` });
+      home.parentElement.classList.add("live-graph");
+      home.parentElement.append(line);
       watching.observe(home);
-      return { home, line, at: (t) => left + ((right - left) * (t - from)) / (to - from || 1) };
+      // Its way through the graph is an animation that is held at a time: moved so, nothing is laid out or painted anew.
+      const whole = `translateX(${(100 * (right - left)) / wide}cqw)`;
+      const way = line.animate({ transform: ["translateX(0)", whole] }, { duration: 1000 * (to - from) || 1, fill: "both" });
+      way.pause();
+      return { home, way, from };
     });
     const rows = [...document.querySelectorAll("tr[data-row]")].filter((row) => !live.contains(row));
     this.rows = rows.map((row) => [Number(row.dataset.row), row]).sort(([a], [b]) => a - b);
   },
   place(t, moving) {
-    for (const { home, line, at } of this.panels) {
-      if (moving && !home.seen) continue;
-      const x = f1(at(t));
-      change(line, "x1", x);
-      change(line, "x2", x);
-    }
+    for (const { home, way, from } of this.panels) if (home.seen || !moving) way.currentTime = 1000 * (t - from);
     // A printed table may have every n-th row only: the last one that is reached.
     const own = 1 + Math.round(t / data.step);
     const reached = this.rows.findLast(([row]) => row <= own)?.[1] ?? null;

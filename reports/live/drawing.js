@@ -15,6 +15,8 @@ const drawing = {
   field: byId("live-field"),
   prepare() {
     if (!data.points.length) return;
+    // A ground wider than all that moves on it: the browser keeps its layers as long as the ends of what is painted stay.
+    svg("rect", { x: "-50%", y: "-50%", width: "200%", height: "200%", fill: "#fff" }, this.field);
     this.layers = Object.fromEntries(
       ["ground", "traces", "ghost", "body", "pins", "arrows", "centres", "words"].map((name) => [
         name, svg("g", { class: `live-${name}` }, this.field),

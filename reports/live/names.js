@@ -49,7 +49,10 @@ const words = {
     });
   },
   place(place) {
-    const move = (text, [x, y]) => change(text, "transform", `translate(${f1(x)} ${f1(y)})`);
+    const move = (text, [x, y]) => {
+      change(text, "x", f1(x));
+      change(text, "y", f1(y));
+    };
     data.shown_points.forEach((name, i) => {
       const [x, y] = drawing.put(place, name), [dx, dy] = this.besides[i];
       move(this.names[i], [x + dx, y + dy]);

@@ -26,7 +26,10 @@ const panels = {
   prepare() {
     this.x = (t) => f1(LEFT + ((RIGHT - LEFT) * t) / data.end);
     this.all = data.shown.map((name) => {
-      const panel = svg("svg", { viewBox: `0 0 ${WIDE} ${HIGH}`, role: "img", "data-panel": name }, byId("live-panels"));
+      const home = document.createElement("div");
+      home.dataset.panel = name;
+      byId("live-panels").append(home);
+      const panel = svg("svg", { viewBox: `0 0 ${WIDE} ${HIGH}`, role: "img" }, home);
       panel.dataset.box = `${LEFT} ${TOP} ${RIGHT} ${BOTTOM}`;
       panel.dataset.time = `0 ${data.end}`;
       const told = [label(name), data.unit_words[name]].filter(Boolean).join(", ");

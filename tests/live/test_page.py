@@ -80,7 +80,7 @@ def test_the_scrub_and_the_keys_go_by_rows(written: Any, opened: Any) -> None:
 
 def test_a_cursor_goes_through_every_graph(written: Any, opened: Any) -> None:
     page = opened(written("31"))
-    places = "all => all.map(one => Number(one.querySelector('.live-cursor').getAttribute('x1')))"
+    places = "all => all.map(one => Number(one.querySelector('.live-cursor').getBoundingClientRect().left))"
     before = page.page.eval_on_selector_all("[data-panel]", places)
     page.set("#scrub", 12)
     after = page.page.eval_on_selector_all("[data-panel]", places)
