@@ -110,7 +110,7 @@ class Run:
         """Return the findings in two or three sentences, "" where no checks were asked for."""
         from coursework.checks.summary import summary
 
-        return summary(self.checks) if self.asks(CHECKS) else ""
+        return summary(self.checks, is_motion=self.tableau is None) if self.asks(CHECKS) else ""
 
     @property
     def stop(self) -> Stop | None:

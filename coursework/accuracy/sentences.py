@@ -40,9 +40,12 @@ def sentences_of(
     if understated >= 1.1:
         told.append(say("study.end_row", size=_size(usual.end_error, usual.end_unit), less=understated))
     titles = [title_of(scheme) for scheme in SCHEMES.values()]
-    for name, order in orders.items():
-        if name in end_orders and end_orders[name] - order > 0.5 and name in titles:
-            told.append(say("study.end_order", method=name, seeming=end_orders[name], order=order))
+    seeming = {name: end_orders[name] for name, order in orders.items() if end_orders.get(name, order) - order > 0.5}
+    methods = tuple(
+        say("study.seeming", method=name, seeming=high, order=orders[name]) for name, high in seeming.items() if name in titles
+    )
+    if methods:
+        told.append(say("study.end_order", methods=methods))
     return tuple(told)
 
 

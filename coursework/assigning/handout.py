@@ -73,7 +73,7 @@ def make_handout(student: Student, individual: Individual) -> Handout:
     time = variant.time
     motion = march(scene.rates, DEFAULT_SCHEME.name, scene.start, time.step, time.end)
     mechanism = draw_start(scene.mechanism, scene.equations, motion, scene.start)
-    meanings = {given.name: meaning(given, scene.mechanism.points) for given in variant.given}
+    meanings = {given.name: meaning(given, scene.mechanism) for given in variant.given}
     check = None
     if time.check_row is not None and variant.links:
         # The key compares the drawing with the table; what Euler's error is stands in the report of a run.

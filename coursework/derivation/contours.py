@@ -6,14 +6,16 @@ Source: [library] writes a group so: one closed vector contour, two projections,
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from coursework.derivation.segments import ZERO
-from coursework.formula.tree import Formula, constant
+from coursework.formula.tree import Formula, constant, evaluate
 from coursework.mechanism import Mechanism
 
 Pair = tuple[Formula, Formula]
+RIGHT = 1e-12  # of a right angle
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,10 +46,29 @@ def contours_of(mechanism: Mechanism) -> tuple[Contour, ...]:
     for one in mechanism.constraints:
         if not one.is_closure:
             continue
-        sides = [_parts(side, points, moved) for side in (one.left, one.right)]
+        vectors = [_without_zeros(side) for side in (one.left, one.right)]
+        sides = [_parts(vector, points, moved) for vector in vectors]
         if sides[0] is not None and sides[1] is not None:
-            found.append(Contour(one.name, one.left, one.right, sides[0], sides[1]))
+            found.append(Contour(one.name, *vectors, sides[0], sides[1]))
     return tuple(found)
+
+
+def _without_zeros(formula: Formula) -> Formula:
+    """Return a formula without the zeros that stand in its sums: a guide along x has the angle 0, across it 0 + pi/2."""
+    args = tuple(map(_without_zeros, formula.args))
+    if formula.op in {"+", "-"} and constant(args[1]) == 0:
+        return args[0]
+    if formula.op in {"+", "-"} and constant(args[0]) == 0:
+        return args[1] if formula.op == "+" else _negative(args[1])
+    return replace(formula, args=args)
+
+
+def _quarters(angle: Formula) -> int | None:
+    """Return how many right angles a fixed angle is, None for any other angle."""
+    if set(angle.names()) - {"pi"}:
+        return None
+    turned = evaluate(angle, {}) / (math.pi / 2)
+    return round(turned) % 4 if abs(turned - round(turned)) < RIGHT else None
 
 
 def _parts(formula: Formula, points: Mapping[str, Formula], moved: set[str]) -> Pair | None:
@@ -61,10 +82,11 @@ def _parts(formula: Formula, points: Mapping[str, Formula], moved: set[str]) -> 
         return formula.args[0], formula.args[1]
     if formula.op == "@":
         length, angle = formula.args
-        turned = [Formula("*", (length, Formula("call", (angle,), function))) for function in ("cos", "sin")]
-        if (fixed := constant(angle)) is not None and fixed == 0:
-            return length, ZERO
-        return turned[0], turned[1]
+        if (quarters := _quarters(angle)) is not None:
+            far = _negative(length) if quarters > 1 else length
+            return (ZERO, far) if quarters % 2 else (far, ZERO)
+        cosine, sine = (Formula("*", (length, Formula("call", (angle,), function))) for function in ("cos", "sin"))
+        return cosine, sine
     if formula.op == "neg":
         inner = _parts(formula.args[0], points, moved)
         return None if inner is None else (_negative(inner[0]), _negative(inner[1]))

@@ -37,7 +37,7 @@ class LargestError:
             degrees = context.with_unit(context.numbers.scalar(math.degrees(self.value), 2), "°")
             amount = context.words("result.angle", amount=amount, degrees=degrees)
         symbol = context.symbol(self.column).text
-        return {"scheme": self.scheme, "amount": amount, "symbol": symbol, "row": str(self.row)}
+        return {"amount": amount, "symbol": symbol, "row": str(self.row)}
 
 
 @dataclass(frozen=True, slots=True)

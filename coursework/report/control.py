@@ -13,8 +13,7 @@ from coursework.report.text_runs import numeral
 from coursework.sentences import Sentence
 
 DIGITS = 3
-SHARES = {"unit.of_the_scale", "unit.of_power"}  # parts of a whole are told in percent
-BARE = {"unit.relative"}  # says nothing to a reader beyond "nought"
+SHARES = {"unit.of_the_scale", "unit.of_power", "unit.relative"}  # parts of a whole are told in percent
 
 
 def control(context: PageContext) -> list[Part]:
@@ -48,10 +47,9 @@ def _number(context: PageContext, finding: Finding) -> Cell:
     numbers, value = context.numbers, finding.value
     if value is None:
         return ""
+    value = value if abs(value) > ROUND_OFF else 0.0
     key = finding.unit.key if isinstance(finding.unit, Sentence) else ""
-    if key in BARE:
-        return "0" if abs(value) < ROUND_OFF else numeral(numbers.scalar(value, DIGITS))
     if key in SHARES:
-        return context.with_unit(numbers.scalar(100 * value if abs(value) > ROUND_OFF else 0.0, DIGITS), "%")
+        return context.with_unit(numbers.scalar(100 * value, DIGITS), "%")
     shown = numbers.whole(int(value)) if value.is_integer() and abs(value) >= 1 else numbers.scalar(value, DIGITS)
     return numeral(context.with_unit(shown, context.told(finding.unit)))

@@ -81,6 +81,7 @@ class Setter:
         raise ValueError(f"no way to set {tree.op!r}")
 
     def _number(self, digits: str) -> Piece:
+        digits = digits if digits.strip("0.") else "0"
         if match := _EXPONENTIAL.fullmatch(digits):
             minus = "-" if self.typst else MINUS
             ten = f"10^({match[2].replace('-', minus)})" if self.typst else f"10{superscript(match[2])}"

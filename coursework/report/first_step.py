@@ -6,7 +6,7 @@ Enters: a `PageContext`.  Leaves: displayed equations.  Used by `solution.py`.
 from __future__ import annotations
 
 from coursework.report import lecture
-from coursework.report.numbers import MINUS
+from coursework.report.numbers import MINUS, first_of
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Display, Equations, Paragraph, Part
 from coursework.sentences import title_of
@@ -34,7 +34,8 @@ def first_step(context: PageContext) -> list[Part]:
     ]
     if len(run.motion.t) > 1 and not run.settings.project and not run.settings.gain:
         numbers = [_numbers(context, name, rate_of[name]) for name in names]
-        parts += [Paragraph(context.say("derivation.first_step")), Equations(numbers, flow=True)]
+        units = dict.fromkeys(context.unit(c.unit) for c in run.variant.coordinates if c.name in names)
+        parts += [Paragraph(context.say("derivation.first_step", units=", ".join(units))), Equations(numbers, flow=True)]
     return parts
 
 
@@ -45,13 +46,13 @@ def _line(context: PageContext, name: str, rate: str) -> Display:
 
 
 def _numbers(context: PageContext, name: str, rate: str) -> Display:
-    """Return phi1(1) = 1.63 + (-1.57554) * 0.02 = 1.59849, with digits of the factor that give the printed result."""
+    """Return phi1(1) = 1.63 + (-1.57554) * 0.02 = 1.59849, with the fewest digits that give the printed result."""
     motion, step = context.run.motion, context.run.step
-    start, speed, end = float(motion.column(name)[0]), float(motion.column(rate)[0]), float(motion.column(name)[1])
+    start, speed, end = first_of(motion, name), first_of(motion, rate), float(motion.column(name)[1])
     result = f"{end:.{DECIMALS}f}"
-    written = (f"{start:.10g}", f"{speed:.{DIGITS}g}", f"{step:.10g}")
+    written = ("", "", "")
     for digits in range(DIGITS, MOST_DIGITS + 1):
-        written = (f"{start:.10g}", f"{speed:.{digits}g}", f"{step:.{max(10, digits)}g}")
+        written = (f"{start:.{digits}g}", f"{speed:.{digits}g}", f"{step:.{digits}g}")
         if f"{float(written[0]) + float(written[1]) * float(written[2]):.{DECIMALS}f}" == result:
             break
     begin, factor, h = (context.numbers.dressed(text) for text in written)

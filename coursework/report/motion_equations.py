@@ -21,7 +21,7 @@ from coursework.report import equations as setting
 from coursework.report.display import display
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Bullets, Display, Equations, Paragraph, Part
-from coursework.report.text_runs import runs
+from coursework.report.text_runs import runs, unbroken
 
 PI = Formula("name", name="pi")
 
@@ -59,7 +59,9 @@ def _reason(context: PageContext, equation: ShownEquation) -> str:
 
 def _shown(context: PageContext, equation: ShownEquation) -> Display:
     """Return an equation with its reason; redundant ones say so."""
-    reason = context.rich(equation.because) if equation.derived else context.quoted(_reason(context, equation))
+    because = equation.because if equation.derived else _reason(context, equation)
+    reason = context.rich(because)
+    reason = reason if equation.derived else context.in_its_language(because, reason)
     angles = context.angles
     one = display(angles.put_in(equation.left), angles.put_in(equation.right), context.rates, equation.name, reason)
     return one if equation.used else replace(one, after=context.say("constraints.unused"))
@@ -70,7 +72,7 @@ def _derived_from_points(context: PageContext, found: Derivation) -> list[Part]:
     nought = [f"{known.point}{axis}" for known in found.graph.known for axis in "xy" if known.part(axis) == ZERO]
     zero = [context.symbol(f"V{clean(name)}") for name in nought]
     line = [Display(f"{one.typst} = 0", f"{one.text} = 0") for one in zero]
-    ways = ", ".join("–".join(clean(point) for point in path.points) for path in found.paths)
+    ways = ", ".join(unbroken("–".join(clean(point) for point in path.points)) for path in found.paths)
     nought_first: list[Part] = [Paragraph(context.say("constraints.joints")), Equations(line, flow=True)] if zero else []
     return [
         *nought_first,

@@ -9,6 +9,8 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from coursework.integration.motion import Motion
+
 POINT = "."  # the decimal sign of formulas, CSV and most languages
 MINUS = "−"
 NOTHING = "–"  # no number: a check that was skipped, a method that failed
@@ -128,6 +130,13 @@ def deserved_decimals(values: Iterable[float]) -> int:
         return 0
     exponent = int(f"{largest:.{TABLE_DIGITS - 1}e}".split("e")[1])
     return min(max(TABLE_DIGITS - 1 - exponent, 0), MOST_DECIMALS)
+
+
+def first_of(motion: Motion, name: str) -> float:
+    """Return a column's entry of row 1 (SI), 0 where it is round-off beside the others of its column."""
+    column = motion.column(name)
+    first = float(column[0])
+    return 0.0 if abs(first) < ROUND_OFF * float(abs(column).max()) else first
 
 
 def _needed_decimals(value: float) -> int:

@@ -121,7 +121,7 @@ class PageContext:
         """Return a sentence that is clean already, the names of this variant set as symbols."""
         variant = self.run.variant
         laws = (law.name for law in (*variant.drive, *variant.functions))
-        return runs(text, (*variant.columns, *(given.name for given in variant.given), *laws))
+        return runs(text, (*variant.columns, *(given.name for given in variant.given), *laws, "pi"))
 
     def say(self, key: str, **values: object) -> Runs:
         """Return one of our own sentences as runs."""

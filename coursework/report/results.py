@@ -27,8 +27,9 @@ def results(context: PageContext) -> list[Part]:
     if not context.run.asks(CHECKS) or not len(context.run.motion.t):
         return parts
     found = [split for split in splits(context) if split.name not in context.run.variant.known_rates]
-    for first, last in pieces([split.name for split in found]) if found else []:
-        parts.append(_first_last(context, found[first:last], is_first=first == 0))
+    parted = pieces([split.name for split in found]) if found else []
+    for number, (first, last) in enumerate(parted, start=1):
+        parts.append(_first_last(context, found[first:last], number, len(parted)))
     step = largest_step_error(context) if _scheme(context) is not None else None
     parts += _why(context, found, step)
     if step is not None and _scheme(context).slopes == 1 and (figure := tangent_figure(context, step)):  # type: ignore[union-attr]
@@ -40,8 +41,8 @@ def _scheme(context: PageContext) -> Scheme | None:
     return SCHEMES.get(evidence(context).motion.scheme)
 
 
-def _first_last(context: PageContext, found: list[Split], *, is_first: bool) -> Table:
-    """Return first row, last row, difference, and the two parts of the difference, a column for each of the table's."""
+def _first_last(context: PageContext, found: list[Split], number: int, many: int) -> Table:
+    """Return table `number` of `many`: first row, last row, their difference and its two parts, a column for each of the table's."""
     say, numbers, motion = context.words, context.numbers, context.run.motion
     row = context.run.results.evidence.period_row or 0
     heads = {
@@ -62,7 +63,9 @@ def _first_last(context: PageContext, found: list[Split], *, is_first: bool) -> 
     columns += [Column(context.symbol_runs([split.name]), context.unit(split.unit)) for split in found]
     turned = [say("first_last.turns", symbol=context.symbol(s.name).text, turns=abs(s.turns)) for s in found if s.turns]
     note = runs(say("first_last.taken_off", turned=say("join.semicolon").join(turned))) if turned else []
-    return Table(columns, rows, context.say("first_last.caption"), strong=[2], note=note, id="first-last" if is_first else "")
+    which = say("table.part", part=number, parts=many) if many > 1 else ""
+    caption = runs(say.sentences([say("first_last.caption"), which]))
+    return Table(columns, rows, caption, strong=[2], note=note, id="first-last" if number == 1 else "")
 
 
 def _why(context: PageContext, found: list[Split], step: LocalError | None) -> list[Part]:

@@ -5,15 +5,16 @@ Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
+from coursework.checks.summary import summary
+from coursework.drawing.lengths import lengths
 from coursework.formula.tree import Formula
+from coursework.mechanism import Mechanism
 from coursework.page_text import clean
-from coursework.quantities import CHECKS, TABLE
+from coursework.quantities import CHECKS, GRAPH_CHECK, TABLE
 from coursework.report.closeness import largest_errors, splits
 from coursework.report.figures import drawn
 from coursework.report.laws import laws_shown
-from coursework.report.numbers import NOTHING
+from coursework.report.numbers import NOTHING, TIGHT, first_of
 from coursework.report.page_context import STOP_DIGITS, PageContext
 from coursework.report.parts import Beside, Cell, Column, Paragraph, Part, Result, Runs, Table, TitleBlock
 from coursework.report.text_runs import LONGEST_NAME, runs
@@ -115,7 +116,7 @@ def _sought(context: PageContext) -> list[str]:
     if time.period is not None:
         told.append(say("statement.period", period=context.quantity(time.period, "s")))
     told.append(say("statement.method", scheme=context.told(run.scheme_title)))
-    if time.check_row is not None:
+    if time.check_row is not None and run.asks(GRAPH_CHECK):
         when = context.quantity((time.check_row - 1) * time.step, "s")
         told.append(say("statement.check_row", row=time.check_row, time=when))
     return told
@@ -127,7 +128,7 @@ def _data(context: PageContext) -> Table:
     rows: list[list[Cell]] = [
         [
             context.symbol_runs([g.name]),
-            context.quoted(g.means, LONGEST_NAME) if g.means else runs(meaning(g, context.run.scene.mechanism.points)),
+            context.quoted(g.means, LONGEST_NAME) if g.means else runs(meaning(g, context.run.scene.mechanism)),
             _given(context, g.text, g.unit),
         ]
         for g in variant.given
@@ -143,16 +144,14 @@ def _data(context: PageContext) -> Table:
     return Table(columns, rows, context.say("given.data" if variant.given else "given.coordinates"))
 
 
-def meaning(given: Given, points: Iterable[tuple[str, Formula]]) -> str:
-    """Return what the file says a datum means; else the two of its `points` that it keeps apart."""
+def meaning(given: Given, mechanism: Mechanism) -> str:
+    """Return what the file says a datum means; else the two points of `mechanism` that it keeps apart, in the author's order."""
     if given.means:
         return clean(given.means, LONGEST_NAME)
-    for name, formula in points:
-        if formula.op != "+" or formula.args[1].op != "@":
-            continue
-        begin, length = formula.args[0], formula.args[1].args[0]
-        if begin.op == "name" and length == Formula("name", name=given.name):
-            return clean(begin.name + name)
+    places = [name for name, _ in mechanism.points]
+    for ends, length in lengths(mechanism).items():
+        if length == Formula("name", name=given.name):
+            return clean("".join(sorted(ends, key=lambda name: places.index(name) if name in places else len(places))))
     return ""
 
 
@@ -160,7 +159,7 @@ def _first(context: PageContext, name: str, unit: str) -> str:
     """Return a coordinate of the first row; a restricted table may not have it."""
     motion = context.run.motion
     known = name in motion.coordinate_names and len(motion.t) > 0
-    return context.quantity(float(motion.column(name)[0]), unit) if known else NOTHING
+    return context.quantity(first_of(motion, name), unit) if known else NOTHING
 
 
 def _given(context: PageContext, text: str, unit: str) -> str:
@@ -175,7 +174,9 @@ def _written(context: PageContext, text: str) -> str:
 def _answer(context: PageContext) -> Result:
     """The box: how it came out, the velocities of the row that is checked, last minus first row, the largest error."""
     run, say = context.run, context.words
-    told = [context.rich(run.summary)] if run.summary else []
+    told = []
+    if run.asks(CHECKS):
+        told.append(context.rich(summary(run.checks, is_motion=run.tableau is None, named=lambda finding: finding.title)))
     if run.stop is not None:
         time = context.quantity(run.stop.time, "s", STOP_DIGITS)
         kept = say.count("count.rows", len(run.motion.t))
@@ -195,7 +196,7 @@ def _checked(context: PageContext) -> str:
     row = min(variant.time.check_row or USUAL_ROW, len(motion.t))
     sought = [name for name in motion.velocity_names if name not in variant.known_rates] or motion.velocity_names
     values = ", ".join(
-        f"{context.symbol(name).text} = "
+        f"{context.symbol(name).text}{TIGHT}={TIGHT}"
         + context.with_unit(context.numbers.scalar(float(motion.column(name)[row - 1]), SHOWN_DIGITS), variant.unit_of(name))
         for name in sought
     )
@@ -205,18 +206,20 @@ def _checked(context: PageContext) -> str:
 
 def _misses(context: PageContext) -> list[Runs]:
     """Return last minus first row of the coordinates, and the scheme's largest error for each unit."""
-    say, told = context.words, []
-    variant = context.run.variant
-    if found := [split for split in splits(context) if split.name in context.run.motion.coordinate_names]:
-        gaps = ", ".join(
-            f"{context.symbol(s.name).text} {context.with_unit(context.numbers.scalar(s.total, 3), s.unit)}"
-            for s in found
-            if variant.columns.index(s.name) >= 0 and s.name not in _driven(context)
-        )
-        if gaps:
-            told.append(runs(say("result.misses", gaps=gaps)))
-    for error in largest_errors(context):
-        told.append(runs(say("result.error", **error.told(context))))
+    say, numbers, told = context.words, context.numbers, []
+    names = set(context.run.motion.coordinate_names) - _driven(context)
+    found = [(split, numbers.without_noise(split.total, split.first)) for split in splits(context) if split.name in names]
+    if any(total for _, total in found):
+        gaps = [
+            f"{context.symbol(split.name).text}{TIGHT}{context.with_unit(numbers.scalar(total, 3), split.unit)}"
+            for split, total in found
+        ]
+        told.append(runs(say("result.misses", gaps=", ".join(gaps))))
+    elif found:
+        told.append(runs(say("result.repeats")))
+    if errors := largest_errors(context):
+        listed = say("join.semicolon").join(say("result.where", **error.told(context)) for error in errors)
+        told.append(runs(say("result.error", scheme=errors[0].scheme, errors=listed)))
     return told
 
 

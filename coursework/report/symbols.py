@@ -19,9 +19,10 @@ GREEK = {
 }  # fmt: skip
 _NAME = re.compile(r"\w+(\.\w+)?")
 _GREEK_HEAD = re.compile(rf"({'|'.join(sorted(GREEK, key=len, reverse=True))})(?=$|[\dA-Z_])_?(\w*)")
-# "phij", "wb": the angle of side j, the angular velocity of b.  Not after letters that begin words (mud, pin, chin).
-_NAMED_AFTER = re.compile(r"(alpha|beta|gamma|delta|theta|phi|psi|omega|w)([a-z])")
-_LETTER_HEAD = re.compile(r"([^\W\d_])(?:_(\w+)|(\d\w*)|([A-Z]\w*|[xy]))")
+# "phij", "wb", "wpsi": the angle of side j, the angular velocity of b, that of psi.  Not after letters that begin words.
+_NAMED_AFTER = re.compile(r"(alpha|beta|gamma|delta|theta|phi|psi|omega|w)([a-z]|(?:alpha|beta|gamma|delta|theta|phi|psi)\d*)")
+# "si", "rj": of the ends i and j of a group; "xa", "yb": the place of point a.
+_LETTER_HEAD = re.compile(r"([^\W\d_])(?:_(\w+)|(\d\w*)|([A-Z]\w*|[xyij]|(?<=[xy])[a-z]))")
 _WORD_HEAD = re.compile(r"([^\W\d_]{2,})(?:_(\w+)|(\d\w*))")
 _GREEK_SUBSCRIPT = re.compile(rf"({'|'.join(sorted((n for n in GREEK if len(n) > 2), key=len, reverse=True))})(\d*)")
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
@@ -78,6 +79,11 @@ def _greek(subscript: str) -> str:
     return GREEK[match[1]] + match[2] if match else subscript
 
 
+def is_named_after(name: str) -> bool:
+    """Return whether a name without digits is a symbol all the same: "phij", "wpsi"; "we" is rather the word."""
+    return name != "we" and _NAMED_AFTER.fullmatch(name) is not None
+
+
 def parts_of_derivative(name: str) -> tuple[str, ...]:
     """Return ("r", "phi1") for "∂r/∂phi1", the name of a derivative of a law; nothing for any other name."""
     law, _, by = name.removeprefix("∂").rpartition("/∂")
@@ -103,7 +109,7 @@ def symbol(name: str, rates: frozenset[str] = frozenset()) -> Symbol:
     if match := _GREEK_HEAD.fullmatch(name):
         return Symbol(GREEK[match[1]], _greek(match[2]))
     if match := _NAMED_AFTER.fullmatch(name):
-        return Symbol(GREEK[match[1]], match[2])
+        return Symbol(GREEK[match[1]], _greek(match[2]))
     if name.isalpha() and name.isupper():
         return Symbol(name)  # AB, BM: the segment between two points
     for pattern in (_LETTER_HEAD, _WORD_HEAD):

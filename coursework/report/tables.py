@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from coursework.kinematics.extra import ExtraTable
+from coursework.quantities import GRAPH_CHECK
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Cell, Column, Paragraph, Part, Table
 from coursework.report.text_runs import numeral, runs
@@ -76,7 +77,7 @@ def motion_parts(context: PageContext) -> list[Part]:
     notes = []
     check_row = run.variant.time.check_row
     if check_row is not None and check_row <= len(run.motion.t):
-        notes.append(say("table.check_row", mark=MARK, row=check_row))
+        notes.append(say("table.check_row" if run.asks(GRAPH_CHECK) else "table.marked", mark=MARK, row=check_row))
     if run.stop is not None:
         time = context.quantity(run.stop.time, "s")
         notes.append(say("table.stopped", row=len(run.motion.t), time=time))

@@ -11,7 +11,7 @@ from collections.abc import Iterable
 
 from coursework.page_text import HAN
 from coursework.report.numbers import superscript
-from coursework.report.symbols import GREEK, symbol
+from coursework.report.symbols import GREEK, is_named_after, symbol
 
 LONGEST_NAME = 200  # characters of a name or title
 
@@ -26,11 +26,18 @@ _RUN = re.compile(
     rf"|(?P<greek>(?<!{_LETTER})[α-ωϕ]\u0307?(?!{_LETTER}))"
     rf"|(?P<raised>(?<=[\d\w)])[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
     rf"|(?P<typed>(?<!{_WORD})(?<!-)--[a-z]+(?:-[a-z]+)*(?: (?:h/)?\d[A-Za-z0-9./-]*(?<!\.))?)"
+    rf"|(?P<unit>(?<=\u00a0){_LETTER}+/{_LETTER}+[²]?(?!{_WORD}))"
+    rf"|\ue003(?P<kept>[^\ue004]*)\ue004"
 )
-ITALIC = ("\ue000", "\ue001")  # around a letter of our own words; `clean` removes both from all other text
+# Around a letter of our own words, and around what no line may break; `clean` removes all four from other text.
+ITALIC, KEPT = ("\ue000", "\ue001"), ("\ue003", "\ue004")
 _RAISED = re.compile("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]")
 _NAMELIKE = re.compile(r"\d|(?<=.)[A-Z]")  # w3, VMx: no word of a sentence looks like that
 _TIMES = re.compile(r"(?<=[\w)])\*(?=[\w(])")
+_CHAIN = re.compile(rf"(?<!{_WORD})(?<![–-])[A-Z]\d?(?:-[A-Z]\d?)+(?!{_WORD})(?![–-])")  # M-B-C
+_EXPONENT = re.compile(r"(?<=[\w)])\^(\d+)(?!\w)")  # m/s^2, l^2
+_ROOT = re.compile(rf"(?<!{_WORD})sqrt\(")
+_MINUS = re.compile(rf"(?<=[\d)⁻⁰¹²³⁴⁵⁶⁷⁸⁹]) - (?=[\w(])|(?<=\w) - (?=[\d(])|(?<=(?<!{_WORD})\w) - (?=\w(?!{_WORD}))")
 _POWER = re.compile(rf"(?<!{_WORD})(?<!\.)(\d+(?:\.\d+)?)[eE]([+-]?\d+)(?!{_WORD})")
 _NEGATIVE = re.compile(rf"(?<!{_WORD})(?<![.)])-(?=\d)")
 _COMPONENT = re.compile(rf"(?<!{_WORD})(?<!\.)[A-Z]\d?\.[va]?[xy](?!{_WORD})")  # A.x, B2.vy
@@ -40,8 +47,9 @@ _PLAIN_DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶�
 def runs(text: str, names: Iterable[str] = ()) -> list[Run]:
     """Split a sentence into runs, to be set like a book.
 
-    A run is {"t": text}, {"v": letter, "s": subscript}, {"p": raised} or {"c": what is typed}: "V_My", "φ₁", "ω", "10⁻⁷",
-    "--step h/19", and those of `names` that are symbols beyond doubt ("phi1", "w3"); the rest stays text.
+    A run is {"t": text}, {"v": letter, "s": subscript}, {"p": raised} or {"c": what is never broken}: "V_My", "φ₁", "ω",
+    "10⁻⁷"; "--step h/19", the unit behind a number, what is `unbroken`; those of `names` that are symbols beyond doubt ("phi1",
+    "w3", "phij") become runs; the rest stays text.
     """
     text = _spelt(text, names)
     found: list[Run] = []
@@ -51,8 +59,8 @@ def runs(text: str, names: Iterable[str] = ()) -> list[Run]:
             found.append({"t": text[end : match.start()]})
         if match["raised"]:
             found.append({"p": match["raised"].translate(_PLAIN_DIGITS)})
-        elif match["typed"]:
-            found.append({"c": match["typed"]})
+        elif kept := match["typed"] or match["unit"] or match["kept"]:
+            found.append({"c": kept})
         else:
             low = (match["low"] or match["digits"] or "").translate(_PLAIN_DIGITS)
             found.append({"v": match["letter"] or match["own"] or match["greek"], "s": low})
@@ -63,10 +71,20 @@ def runs(text: str, names: Iterable[str] = ()) -> list[Run]:
 
 
 def printed(text: str) -> str:
-    """Return a sentence of the tool as a printer sets it: 1.5e-07 as a power of ten, "2*r" with a dot, "A.x" as x_A."""
+    """Return a sentence as a printer sets it: 1.5e-07 as a power of ten, "2*r^2 - 1" with dot, exponent and minus.
+
+    "A.x" becomes x_A, a chain of points "M-B-C" one that no line breaks.
+    """
     text = _POWER.sub(lambda match: f"{match[1]}·10{superscript(str(int(match[2])))}", text)
-    text = _NEGATIVE.sub("−", _TIMES.sub("·", text))
+    text = _EXPONENT.sub(lambda match: superscript(match[1]), _ROOT.sub("√(", text))
+    text = _NEGATIVE.sub("−", _MINUS.sub(" − ", _TIMES.sub("·", text)))
+    text = _CHAIN.sub(lambda match: unbroken(match[0].replace("-", "–")), text)
     return _COMPONENT.sub(lambda match: symbol(match[0]).text, text)
+
+
+def unbroken(text: str) -> str:
+    """Return text of our own for a sentence that is split into runs later: no line breaks within it."""
+    return f"{KEPT[0]}{text}{KEPT[1]}"
 
 
 def derivative(name: str) -> list[Run]:
@@ -84,7 +102,7 @@ def numeral(text: str) -> str | list[Run]:
 
 
 def _spelt(text: str, names: Iterable[str]) -> str:
-    sure = {name for name in names if len(name) > 1 and (name in GREEK or _NAMELIKE.search(name))}
+    sure = {name for name in names if len(name) > 1 and (name in GREEK or _NAMELIKE.search(name) or is_named_after(name))}
     if not sure:
         return text
     pattern = "|".join(sorted(map(re.escape, sure), key=len, reverse=True))
