@@ -46,10 +46,10 @@ def contours_of(mechanism: Mechanism) -> tuple[Contour, ...]:
     for one in mechanism.constraints:
         if not one.is_closure:
             continue
-        vectors = [_without_zeros(side) for side in (one.left, one.right)]
-        sides = [_parts(vector, points, moved) for vector in vectors]
-        if sides[0] is not None and sides[1] is not None:
-            found.append(Contour(one.name, *vectors, sides[0], sides[1]))
+        left, right = _without_zeros(one.left), _without_zeros(one.right)
+        left_parts, right_parts = _parts(left, points, moved), _parts(right, points, moved)
+        if left_parts is not None and right_parts is not None:
+            found.append(Contour(one.name, left, right, left_parts, right_parts))
     return tuple(found)
 
 

@@ -7,6 +7,7 @@ Used by `run.py`.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -82,8 +83,8 @@ def _mechanism(mechanism: Mechanism, outline: Outline, poses: Poses, row: int) -
     for rate, at in turns.items():
         sense = float(np.sign(poses.drive[rate][np.argmax(np.abs(poses.drive[rate]) > 0)]))
         sheet.label(rate_word(rate), [(at, at - painter.middle, 2.5)], ITALIC, turn=int(sense) or 1)
-    sheet.axes()
-    return board, sheet.svg()
+    sheet.axes(highest=HIGHEST)
+    return replace(board, height=sheet.height), sheet.svg()
 
 
 def room(

@@ -26,6 +26,9 @@ PITCH = 1.6  # mm between the strokes of a hatch
 DIRECTIONS = 16  # in which a place is looked for
 RINGS = (0.0, 2.0, 4.5, 8.0, 12.0, 17.0, 23.0, 30.0, 40.0)  # mm farther out; the last ones only where words would meet
 WORD_ON_WORD = 200.0  # mm of lines that a word rather covers than another word
+CROSSED = 3.0  # mm of way that a word with its value rather takes than lying on a line; a name stays near what it names
+CROWDED = 8.0  # mm of lines: directions of the axes among more than that are not seen
+MISTAKEN = 8.0  # mm of lines that a word rather covers than standing nearer to what another word belongs to
 BOLD, ITALIC = 'font-weight="bold"', 'font-style="italic"'
 Rectangle = tuple[float, float, float, float]
 Word = tuple[str, str, str]  # text, what is set lower, what follows
@@ -111,13 +114,16 @@ class Sheet:
         side = 0.32 * head * 1j * along
         self.path([b, neck + side, neck - side], f'fill="black" stroke="none"{data}', closed=True)
 
-    def axes(self, length: float = 7.0) -> None:
-        """Draw the directions of x and y in the corner where they cover least."""
+    def axes(self, length: float = 7.0, highest: float = 0.0) -> None:
+        """Draw the directions of x and y in the corner where they cover least; below, where that is much and `highest` allows."""
         left, top, right, bottom = self.field
         wide = high = length + 3.5
         corners = [complex(x, y) for y in (bottom - high, top) for x in (left, right - wide)]
         costs = self._covered([corner + complex(wide, high) / 2 for corner in corners], wide, high)
         corner = corners[costs.index(min(costs))]
+        if min(costs) > CROWDED and self.height + high <= highest:
+            self.height, self.field = self.height + high, (left, top, right, bottom + high)
+            corner = complex(left, bottom)
         at = corner + complex(1, high - 1.5)
         pen = 'stroke="black" stroke-width="0.2"'
         for way, name, shift in ((complex(length), "x", 0.5 + 0.9j), (-length * 1j, "y", 1.0 + 1.2j)):
@@ -138,15 +144,20 @@ class Sheet:
         self.items.append(f'<path d="{text}" fill="none" stroke="black" stroke-width="0.15"/>')
         self.segments += kept
 
-    def label(self, word: Word, places: Iterable[Place], look: str = "", *, turn: int = 0) -> None:
+    def label(
+        self, word: Word, places: Iterable[Place], look: str = "", *, turn: int = 0, others: Sequence[complex] = ()
+    ) -> None:
         """Write a word beside the place where it covers least.
 
-        `turn` +1 or -1 puts an arc with an arrow before the word: counter-clockwise or clockwise.
+        `turn` +1 or -1 puts an arc with an arrow before the word: counter-clockwise or clockwise.  `others` are points that
+        words alike belong to: a reader takes the nearest.
         """
         lead = 6.6 if turn else 0.0
         wide = lead + sum(size * width(part[:LONGEST]) for part, size in zip(word, SIZES, strict=True))
         height = 5.8 if turn else LETTER * 0.95 + (0.6 if word[1] else 0)
-        _, middle = min((self._room(wide, height, place) for place in places), key=lambda found: found[0])
+        _, middle = min(
+            (self._room(wide, height, place, others, CROSSED if word[2] else 1.0) for place in places), key=lambda found: found[0]
+        )
         left, top = middle.real - wide / 2, middle.imag - height / 2
         self.words.append((left, top, left + wide, top + height))
         if turn:
@@ -176,8 +187,10 @@ class Sheet:
         tip = arc[-1] + 1.7 * along
         self.path([tip, arc[-1] + 0.9j * along, arc[-1] - 0.9j * along], 'fill="black" stroke="none"', closed=True, blocks=False)
 
-    def _room(self, width: float, height: float, place: Place) -> tuple[float, complex]:
-        """Return what the freest of the rectangles around a point covers, and its middle."""
+    def _room(
+        self, width: float, height: float, place: Place, others: Sequence[complex], crossing: float
+    ) -> tuple[float, complex]:
+        """Return what the freest of the rectangles around a point covers, and its middle; `crossing` mm for each line."""
         near, away, gap = place
         toward = cmath.phase(away) if away else -math.pi / 4
         best, found = math.inf, near
@@ -191,13 +204,14 @@ class Sheet:
                 # The rectangle touches the circle of radius `gap + ring` about the point.
                 reach = min(width / 2 / max(abs(unit.real), 1e-9), height / 2 / max(abs(unit.imag), 1e-9))
                 middles.append(near + unit * (gap + ring + reach))
-                prices.append(0.5 * ring + 0.6 * (1 - math.cos(turned)))
-            for middle, price, covered in zip(middles, prices, self._covered(middles, width, height), strict=True):
+                mistaken = any(_apart(middles[-1], width, height, other) < gap + ring for other in others)
+                prices.append(0.5 * ring + 0.6 * (1 - math.cos(turned)) + MISTAKEN * mistaken)
+            for middle, price, covered in zip(middles, prices, self._covered(middles, width, height, crossing), strict=True):
                 if price + covered < best - 1e-9:
                     best, found = price + covered, middle
         return best, found
 
-    def _covered(self, middles: Sequence[complex], width: float, height: float) -> list[float]:
+    def _covered(self, middles: Sequence[complex], width: float, height: float, crossing: float = 1.0) -> list[float]:
         """Return how much each of the equal rectangles covers: mm of lines, more for other labels and beyond the field."""
         margin = 0.5
         half = np.array([width / 2 + margin, height / 2 + margin])
@@ -209,7 +223,7 @@ class Sheet:
         if self._lines.count != len(self.segments):
             self._lines = Lines(self.segments)
         crossed, covered = self._lines.within(low, high)
-        cost = 30.0 * beyond.sum(axis=1) + 3.0 * symbols.sum(axis=1) + covered + crossed
+        cost = 30.0 * beyond.sum(axis=1) + 3.0 * symbols.sum(axis=1) + covered + crossing * crossed
         cost += 6.0 * np.count_nonzero(symbols, axis=1) + WORD_ON_WORD * np.count_nonzero(words, axis=1)
         return [float(value) for value in cost]
 
@@ -223,6 +237,12 @@ class Sheet:
             "</g>",
             "</svg>",
         ))  # fmt: skip
+
+
+def _apart(middle: complex, width: float, height: float, point: complex) -> float:
+    """Return how far a point is from a rectangle (mm)."""
+    off = point - middle
+    return math.hypot(max(abs(off.real) - width / 2, 0.0), max(abs(off.imag) - height / 2, 0.0))
 
 
 def middle_of(points: Iterable[complex]) -> complex:

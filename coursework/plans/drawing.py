@@ -136,9 +136,11 @@ class _Drawing:
     def names(self) -> None:
         """Write all labels: points, velocities, centres, links with the sense and size of their rotation."""
         self.painter.point_names()
+        tips = [place[0] for _, places in self.marks for place in places]
         for word, places in self.marks:
             if places:
-                self.sheet.label(word, places)
+                own = {place[0] for place in places}
+                self.sheet.label(word, places, others=[tip for tip in tips if tip not in own])
         for bar in self.sketch.outline.bars:
             body, omega = self.bodies.get(bar.link), self.findings.omegas.get(bar.link)
             turning = 0 if body is None or body.guide or not omega else (1 if omega > 0 else -1)

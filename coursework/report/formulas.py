@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from coursework.report.line_breaks import pieces
 from coursework.report.typesetting import typeset
 
 _SYMBOL = re.compile(r'<symbol id="([^"]+)".*?</symbol>', re.DOTALL)
@@ -21,10 +22,11 @@ MOST_CACHED = 2000  # equations kept; a batch over many variants starts anew bey
 
 @dataclass(frozen=True, slots=True)
 class Picture:
-    """A formula as SVG and its width in pt."""
+    """A formula as SVG, in `pieces` that may stand one below the other, and the width of the widest in pt."""
 
     svg: str
     width: float
+    pieces: int = 1
 
     @property
     def is_wide(self) -> bool:
@@ -43,20 +45,28 @@ class Drawn:
 _cache: dict[str, tuple[Picture, dict[str, str]]] = {}
 
 
-def draw(sources: Iterable[str]) -> Drawn:
-    """Return every equation as SVG.  Raises `OutputError` where Typst is not installed."""
-    wanted = list(dict.fromkeys(sources))
+def draw(sources: Iterable[str], *, breaks: bool = False) -> Drawn:
+    """Return every equation as SVG; `breaks`: a long one in pieces.  Raises `OutputError` where Typst is not installed."""
+    parted = {source: pieces(source) if breaks else [source] for source in sources}
+    wanted = list(dict.fromkeys(piece for parts in parted.values() for piece in parts))
     if len(_cache) > MOST_CACHED:
         _cache.clear()
-    if missing := [source for source in wanted if source not in _cache]:
+    if missing := [piece for piece in wanted if piece not in _cache]:
         pages = typeset("equation.typ", missing, "svg")
         pages = pages if isinstance(pages, list) else [pages]
-        for source, page in zip(missing, pages, strict=True):
-            _cache[source] = _taken_apart(page.decode("utf-8"))
+        for piece, page in zip(missing, pages, strict=True):
+            _cache[piece] = _taken_apart(page.decode("utf-8"))
     glyphs: dict[str, str] = {}
-    for source in wanted:
-        glyphs |= _cache[source][1]
-    return Drawn({source: _cache[source][0] for source in wanted}, "".join(glyphs[key] for key in sorted(glyphs)))
+    for piece in wanted:
+        glyphs |= _cache[piece][1]
+    pictures = {source: _joined([_cache[piece][0] for piece in parts]) for source, parts in parted.items()}
+    return Drawn(pictures, "".join(glyphs[key] for key in sorted(glyphs)))
+
+
+def _joined(parts: list[Picture]) -> Picture:
+    if len(parts) == 1:
+        return parts[0]
+    return Picture("".join(part.svg for part in parts), max(part.width for part in parts), len(parts))
 
 
 def _taken_apart(svg: str) -> tuple[Picture, dict[str, str]]:

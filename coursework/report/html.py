@@ -45,6 +45,6 @@ def _drawn(page: dict[str, Any]) -> Drawn:
         for item in part["items"]
     ]
     try:
-        return draw(sources)
+        return draw(sources, breaks=True)
     except OutputError:
         return Drawn({}, "")

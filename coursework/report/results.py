@@ -42,7 +42,7 @@ def _scheme(context: PageContext) -> Scheme | None:
 
 
 def _first_last(context: PageContext, found: list[Split], number: int, many: int) -> Table:
-    """Return table `number` of `many`: first row, last row, their difference and its two parts, a column for each of the table's."""
+    """Return table `number` of `many`: first row, last row, their difference and its parts, a column for each of the table's."""
     say, numbers, motion = context.words, context.numbers, context.run.motion
     row = context.run.results.evidence.period_row or 0
     heads = {

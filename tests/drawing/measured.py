@@ -84,6 +84,13 @@ def beyond(svg: str) -> list[str]:
     return [w.text for w in words(svg) if w.box[0] < 0 or w.box[1] < 0 or w.box[2] > width or w.box[3] > height]
 
 
+def apart(word: Word, point: complex) -> float:
+    """Return how far a word is from a point (mm), 0 for a point within its box."""
+    left, top, right, bottom = word.box
+    across, down = max(left - point.real, point.real - right, 0.0), max(top - point.imag, point.imag - bottom, 0.0)
+    return abs(complex(across, down))
+
+
 def lines(svg: str, key: str) -> list[Line]:
     """Return the lines that carry an attribute."""
     found = []

@@ -19,6 +19,10 @@ function layout() {
     while (home && !scrolls(home)) home = home.parentElement;
     if (!home && shown(element) && element.getBoundingClientRect().right > width + 0.5) found.push(`wider than the window: ${name(element)}`);
   }
+  for (const box of document.body.querySelectorAll("*")) {
+    const goesOn = scrolls(box) && shown(box) && box.scrollWidth > box.clientWidth + 1;
+    if (goesOn && getComputedStyle(box).backgroundImage === "none") found.push(`goes on unseen: ${name(box)}`);
+  }
   for (const svg of document.querySelectorAll("svg")) {
     if (!shown(svg) || svg.closest(".formula")) continue;
     const sheet = svg.getBoundingClientRect();

@@ -65,6 +65,19 @@ def test_a_page_is_read_on_every_screen(variant: str, language: str, page: Any, 
     assert faults(page) == []
 
 
+def test_a_formula_breaks_where_a_person_breaks_it(page: Any, tmp_path: Path) -> None:
+    """On a phone nothing of variant 31 has to be moved sideways to be read but its tables, plots and the construction."""
+    shown("31", "en", tmp_path, page)
+    page.set_viewport_size(PHONE)
+    wide = "[...document.querySelectorAll('.formula')].filter((one) => one.scrollWidth > one.clientWidth + 1).length"
+    assert page.evaluate(wide) == 0
+    tops = "(one) => new Set([...one.children].map((piece) => piece.getBoundingClientRect().top)).size"
+    lines = f"[...document.querySelectorAll('.formula.pieces')].map({tops})"
+    assert max(page.evaluate(lines)) > 1
+    page.set_viewport_size(SCREEN)
+    assert page.evaluate(wide) == 0
+
+
 def test_the_keyboard_is_seen_and_a_wide_screen_hides_nothing(page: Any, tmp_path: Path) -> None:
     shown("31", "en", tmp_path, page)
     page.set_viewport_size(SCREEN)
@@ -84,7 +97,8 @@ def test_the_judge_sees_each_fault(page: Any, tmp_path: Path) -> None:
         "px wide", "wider than the window: div.wide", 'one on the other: svg "one" "two"', 'svg "three"', '8.0 px: svg "four"',
         "no language", "no title", "not one main", "no name: section", "h3 behind h1", "twice: #a", "a picture without words",
         "a table without a name", "an empty head", "without scope", "a link without text", "a link to nothing: #nowhere",
-        "a control without a label", "moved only with a mouse: div.box", "4.48 instead of 4.5: #a p.low", "no outline: a",
+        "a control without a label", "goes on unseen: div.box",
+        "moved only with a mouse: div.box", "4.48 instead of 4.5: #a p.low", "no outline: a",
     ):  # fmt: skip
         assert fault in found, fault
     assert "p.high" not in found
