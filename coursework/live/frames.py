@@ -15,6 +15,9 @@ from coursework.integration.motion import Motion
 from coursework.live.drawn import Drawn
 from coursework.run import Run
 
+# A number takes a digit and a comma at least.  Rows twice as far apart take about half the room: so near to what is needed
+# a stride is looked for one by one.
+_LEAST, _NEARLY = 2, 0.9
 _DIGITS = 5  # of the mechanism's size: a hundredth of what the eye can tell
 
 
@@ -25,13 +28,14 @@ def frames_of(run: Run, drawn: Drawn, room: int) -> dict[str, Any]:
     truth, rows = _places(run, drawn, scene.exact), _places(run, drawn, table)
     size = float(np.max(np.abs(truth), initial=0.0)) or 1.0
     decimals = _DIGITS - 1 - int(np.floor(np.log10(size)))
-    stride = 1
+    stride = 1 + (truth.size + rows.size) * _LEAST // room
     while True:
         kept = [np.round(each[::stride], decimals).tolist() for each in (truth, rows)]
         frames = {"truth": kept[0], "rows": kept[1], "step": run.step * stride}
-        if len(json.dumps(frames, separators=(",", ":"))) <= room or len(kept[0]) <= 2:
+        needed = len(json.dumps(frames, separators=(",", ":")))
+        if needed <= room or len(kept[0]) <= 2:
             break
-        stride += 1
+        stride = max(stride + 1, int(_NEARLY * stride * needed / room))
     return {
         "frames": frames, "step": run.step, "scheme": table.scheme, "stop": None if scene.stop is None else scene.stop.time,
         "coordinates": list(table.coordinate_names), "velocities": list(table.velocity_names), "start": scene.start,
