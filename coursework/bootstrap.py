@@ -53,7 +53,9 @@ def main(arguments: list[str]) -> int:
 
 def test(python: Path, wanted: list[str]) -> int:
     """Run the wanted tests; without a wish all of them, on every core, and behind them alone what is measured."""
-    runs = [wanted] if wanted else [["-n", "auto", "--dist", "loadfile", "--benchmark-disable", "--ignore", MEASURED], [MEASURED]]
+    runs = (
+        [wanted] if wanted else [["-n", "auto", "--dist", "worksteal", "--benchmark-disable", "--ignore", MEASURED], [MEASURED]]
+    )
     return max(subprocess.run([str(python), "-m", "pytest", *chosen], cwd=ROOT).returncode for chosen in runs)
 
 
