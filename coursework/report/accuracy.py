@@ -8,7 +8,7 @@ Used by `sections.py`.
 from __future__ import annotations
 
 from coursework.accuracy.record import AccuracyStudy, StudyRow
-from coursework.report.accuracy_figures import Bar, Method, Panels, bars, panels
+from coursework.report.accuracy_figures import Method, Panels, bars, panels
 from coursework.report.figures import WIDTH
 from coursework.report.numbers import NOTHING
 from coursework.report.page_context import PageContext
@@ -71,7 +71,7 @@ def _figure(context: PageContext, study: AccuracyStudy) -> Figure:
     reference = say("accuracy.reference", label=printed(context.told(study.reference_label)).rstrip(".。"))
     caption = say.sentences([caption, say("accuracy.caption_rest", floor=floor), reference])
     alt = say("accuracy.alt", methods=say.listing([method.name for method in methods]))
-    svg, height = panels("accuracy", page)
+    svg, height = panels(page)
     return Figure(svg, WIDTH, height, alt, context.lettered(caption))
 
 
@@ -99,7 +99,7 @@ def _table(context: PageContext, study: AccuracyStudy) -> Table:
             strong.append(len(rows))
         cells: list[Cell] = [
             f"{MARK} {context.told(row.method, LONGEST_NAME)}" if own else context.told(row.method, LONGEST_NAME),
-            context.told(row.steps_or_tolerance, LONGEST_NAME),
+            numeral(printed(context.told(row.steps_or_tolerance, LONGEST_NAME))),
             numbers.whole(row.evaluations),
             numeral(numbers.scalar(row.max_error, ERROR_DIGITS)),
             numeral(numbers.scalar(row.end_error, ERROR_DIGITS)),
@@ -141,8 +141,7 @@ def _overhead(context: PageContext, study: AccuracyStudy) -> list[Part]:
         return []
     labels = [context.told(label, LONGEST_NAME) for label, _ in study.overhead]
     texts = [context.numbers.duration(seconds) for _, seconds in study.overhead]
-    values = tuple(seconds for _, seconds in study.overhead)
-    svg, height = bars("overhead", labels, [Bar("", values)], say("accuracy.seconds"), texts=texts, logarithmic=True)
+    svg, height = bars(labels, [seconds for _, seconds in study.overhead], texts, say("accuracy.seconds"))
     alt = say("accuracy.overhead_alt", parts=say.listing([f"{a} {b}" for a, b in zip(labels, texts, strict=True)]))
     where = [Paragraph(context.say("accuracy.machine", **study.machine), "note")] if study.machine else []
     return [Figure(svg, WIDTH, height, alt, context.say("accuracy.overhead")), *where]

@@ -7,21 +7,25 @@ Used by `commands/animate.py`.
 from __future__ import annotations
 
 import tempfile
+import threading
 from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from coursework.data import folder
 from coursework.drawing.outline import Outline
 from coursework.drawing.poses import Poses, read_poses
 from coursework.drawing.tracing import read_outline
 from coursework.errors import InputError
 from coursework.integration.motion import Motion
-from coursework.report.figures import STYLES, drawing, label_text
+from coursework.report.graph_paper import SCHEME_INK
 from coursework.report.numbers import unit_text
-from coursework.report.symbols import symbol
+from coursework.report.symbols import Symbol, symbol
 from coursework.run import Run
 from coursework.sentences import Phrases, say, title_of
 
@@ -33,7 +37,40 @@ Complex = NDArray[np.complex128]
 SIZE, DPI = (7.2, 3.7), 100  # inches, and dots an inch
 MOST_FRAMES, PER_SECOND = 100, 12
 BLOCK, ROUND = 0.03, np.exp(1j * np.linspace(0, 2 * np.pi, 49))  # of the drawing's size; a circle
-BLUE = STYLES[0][0]
+ORANGE = "#d55e00"  # stays apart from the blue of the table for colour-blind readers
+SETTINGS: Any = {
+    "font.family": ["DejaVu Sans", "Noto Sans CJK SC"], "font.size": 8.5, "text.usetex": False, "mathtext.fontset": "dejavusans",
+    "axes.unicode_minus": True, "path.simplify": True, "axes.linewidth": 0.6, "xtick.major.width": 0.6, "ytick.major.width": 0.6,
+}  # fmt: skip
+_LOCK = threading.Lock()
+
+
+def label_text(symbol: Symbol) -> str:
+    """Return a symbol for a label: Unicode where that suffices, mathtext of our own making for other subscripts."""
+    if not symbol.subscript or symbol.subscript.isdigit():
+        return symbol.text
+    letter = symbol.letter if len(symbol.letter) == 1 else rf"\mathrm{{{symbol.letter}}}"
+    head = rf"\dot{{{letter}}}" if symbol.dotted else letter
+    low = symbol.subscript.replace("_", r"\_")
+    return rf"${head}_{{\mathrm{{{low}}}}}$"
+
+
+@cache
+def _know_own_faces() -> None:
+    from matplotlib.font_manager import fontManager
+
+    for face in sorted((folder("reports") / "fonts").glob("*.otf")):
+        fontManager.addfont(face)
+
+
+@contextmanager
+def _drawing() -> Iterator[None]:
+    """Set matplotlib up for one picture, alone, without pyplot."""
+    import matplotlib
+
+    _know_own_faces()
+    with _LOCK, matplotlib.rc_context(SETTINGS):
+        yield
 
 
 def moving_picture(run: Run, exact: Motion, phrases: Phrases) -> bytes:
@@ -58,7 +95,7 @@ def moving_picture(run: Run, exact: Motion, phrases: Phrases) -> bytes:
         return phrases.template(f"live.{key}").format(**{name: str(value).replace(".", mark) for name, value in values.items()})
 
     # The writer wants a file of its own.
-    with drawing("animation"), tempfile.TemporaryDirectory() as folder:
+    with _drawing(), tempfile.TemporaryDirectory() as place:
         figure = Figure(figsize=SIZE, dpi=DPI)
         FigureCanvasAgg(figure)
         field, graph = figure.add_axes((0.01, 0.02, 0.6, 0.9)), figure.add_axes((0.7, 0.15, 0.28, 0.62))
@@ -67,10 +104,10 @@ def moving_picture(run: Run, exact: Motion, phrases: Phrases) -> bytes:
         shapes = [_Shape(field, outline, each, size=size) for each in poses]
         scheme = phrases.written(title_of(run.tableau)) if run.tableau else table.scheme
         figure.text(0.64, 0.93, told("truth"))
-        figure.text(0.64, 0.88, told("ghost", scheme=scheme, h=f"{table.step:g}"), color=BLUE)
+        figure.text(0.64, 0.88, told("ghost", scheme=scheme, h=f"{table.step:g}"), color=SCHEME_INK)
         clock = figure.text(0.03, 0.93, "", weight="bold")
         writer = PillowWriter(fps=PER_SECOND)
-        path = Path(folder) / "moving.gif"
+        path = Path(place) / "moving.gif"
         stride = -(-len(exact.t) // MOST_FRAMES)
         with writer.saving(figure, str(path), DPI):
             for frame in range(0, len(exact.t), stride):
@@ -106,11 +143,11 @@ def _graph(axes: Axes, run: Run, table: Motion, exact: Motion) -> Line2D:
     ]
     name = table.coordinate_names[int(np.argmax(gaps))]
     axes.plot(exact.t, exact.column(name), color="black", linewidth=1.4)
-    axes.plot(table.t, table.column(name), color=BLUE, marker="o", markersize=3, linewidth=0.8)
+    axes.plot(table.t, table.column(name), color=SCHEME_INK, marker="o", markersize=3, linewidth=0.8)
     axes.set_title(f"{label_text(symbol(name))}, {unit_text(run.variant.unit_of(name))}", fontsize=9, loc="left")
     axes.set_xlabel(f"t, {unit_text(run.variant.unit_of('t'))}", fontsize=8)
     axes.tick_params(labelsize=7)
-    return axes.axvline(0.0, color=STYLES[1][0], linewidth=1.0)
+    return axes.axvline(0.0, color=ORANGE, linewidth=1.0)
 
 
 class _Shape:
@@ -134,7 +171,7 @@ class _Shape:
         """Show one frame."""
         style: dict[str, Any] = {"color": "black", "linewidth": 2.2, "zorder": 3}
         if dashed:
-            style = {"color": BLUE, "linewidth": 1.3, "linestyle": (0, (4, 3)), "zorder": 2}
+            style = {"color": SCHEME_INK, "linewidth": 1.3, "linestyle": (0, (4, 3)), "zorder": 2}
         for place, points in enumerate(self._lines(frame)):
             if place == len(self.lines):
                 self.lines.append(self.field.plot([], [], **style)[0])

@@ -75,7 +75,7 @@ def printed(text: str) -> str:
 
     "A.x" becomes x_A, a chain of points "M-B-C" one that no line breaks.
     """
-    text = _POWER.sub(lambda match: f"{match[1]}·10{superscript(str(int(match[2])))}", text)
+    text = _POWER.sub(lambda match: f"{'' if match[1] == '1' else f'{match[1]}·'}10{superscript(str(int(match[2])))}", text)
     text = _EXPONENT.sub(lambda match: superscript(match[1]), _ROOT.sub("√(", text))
     text = _NEGATIVE.sub("−", _MINUS.sub(" − ", _TIMES.sub("·", text)))
     text = _CHAIN.sub(lambda match: unbroken(match[0].replace("-", "–")), text)

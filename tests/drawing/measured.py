@@ -56,11 +56,13 @@ def size(text: str, height: float, bold: bool = False) -> tuple[float, float, fl
 def words(svg: str) -> list[Word]:
     """Return the words of a drawing that is not turned."""
     found = []
-    for node in ElementTree.fromstring(svg).iter(f"{SVG}text"):
-        pieces = [(node.text or "", float(node.get("font-size", "3")), 0.0)]
+    root = ElementTree.fromstring(svg)
+    for node in root.iter(f"{SVG}text"):
+        usual = float(node.get("font-size", root.get("font-size", "3")))
+        pieces = [(node.text or "", usual, 0.0)]
         for piece in node:
-            pieces.append((piece.text or "", float(piece.get("font-size", "3")), float(piece.get("dy", "0"))))
-            pieces.append((piece.tail or "", float(node.get("font-size", "3")), 0.0))
+            pieces.append((piece.text or "", float(piece.get("font-size", usual)), float(piece.get("dy", "0"))))
+            pieces.append((piece.tail or "", usual, 0.0))
         x = left = float(node.get("x", "0"))
         base = float(node.get("y", "0"))
         top, bottom = base, base
@@ -69,7 +71,8 @@ def words(svg: str) -> list[Word]:
             if text:
                 wide, up, down = size(text, height, node.get("font-weight") == "bold")
                 x, top, bottom = x + wide, min(top, base - up), max(bottom, base - down)
-        found.append(Word("".join(node.itertext()), (left, top, x, bottom)))
+        back = (x - left) * {"middle": 0.5, "end": 1.0}.get(node.get("text-anchor", "start"), 0.0)
+        found.append(Word("".join(node.itertext()), (left - back, top, x - back, bottom)))
     return found
 
 

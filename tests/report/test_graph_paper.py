@@ -12,11 +12,9 @@ import pytest
 
 import coursework
 from coursework.report import build_model
-from coursework.report.figures import label_text
 from coursework.report.graph_paper import BETWEEN, field_for, round_ticks, smooth, sparse, tick_texts
 from coursework.report.numbers import Numbers
 from coursework.report.parts import Figure
-from coursework.report.symbols import symbol
 from tests.drawing import measured
 
 T = np.linspace(0, 0.48, 25)
@@ -86,12 +84,6 @@ def test_the_same_model_twice_is_the_same_bytes(real: ModuleType) -> None:
     first = build_model(real.full()).plain()
     build_model(real.stopped())
     assert build_model(real.full()).plain() == first
-
-
-def test_symbols_without_a_unicode_subscript_are_set_by_our_own_table() -> None:
-    assert label_text(symbol("w3")) == "ω₃"
-    assert label_text(symbol("VMx")) == r"$V_{\mathrm{Mx}}$"
-    assert "$" not in label_text(symbol("speed"))
 
 
 @pytest.mark.parametrize("name", ["31", "cardan", "whitworth", "watt", "v107"])

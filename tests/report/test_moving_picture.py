@@ -8,7 +8,8 @@ from PIL import Image
 
 import coursework
 from coursework.errors import InputError
-from coursework.report.moving_picture import moving_picture
+from coursework.report.moving_picture import label_text, moving_picture
+from coursework.report.symbols import symbol
 from coursework.sentences import load_phrases
 
 README_PICTURE = Path(__file__).parents[2] / "reports" / "moving.gif"
@@ -47,3 +48,9 @@ def test_the_picture_of_the_readme_moves_and_is_small():
     assert README_PICTURE.stat().st_size < 1_000_000
     with Image.open(README_PICTURE) as moving:
         assert moving.n_frames == 49
+
+
+def test_symbols_without_a_unicode_subscript_are_set_by_our_own_table():
+    assert label_text(symbol("w3")) == "ω₃"
+    assert label_text(symbol("VMx")) == r"$V_{\mathrm{Mx}}$"
+    assert "$" not in label_text(symbol("speed"))

@@ -1,0 +1,78 @@
+"""The figures of accuracy: places of values on their logarithmic axes, words that leave each other alone."""
+
+import re
+from xml.etree import ElementTree
+
+import pytest
+
+import coursework
+from coursework.report import build_model
+from coursework.report.accuracy_figures import STYLES, Method, Panels, bars, panels
+from coursework.report.log_paper import MARKS, Scale, scale_for
+from coursework.report.parts import Figure
+from tests.drawing import measured
+
+LABELS = {
+    "evaluations": "evaluations of the velocities", "seconds": "running time, s", "own_legend": "this coursework",
+    "end_legend": "last row only", "floor_legend": "round-off",
+}  # fmt: skip
+
+
+def made_up(*, timed: bool) -> Panels:
+    costs = tuple(24 * 4**k for k in range(6))
+    methods = tuple(
+        Method(
+            f"method {order}", costs, tuple(cost * 1e-6 if timed else None for cost in costs),
+            tuple(10.0**-order / 4.0 ** (order * k) for k in range(6)), (float("nan"),) * 6, float(order), f"{order}.00",
+        )
+        for order in (1, 2, 4)
+    )  # fmt: skip
+    return Panels(methods, (24, 24e-6 if timed else None, 0.1), 1e-14, "error, rad", LABELS)
+
+
+def check_words(svg: str) -> None:
+    assert len(measured.words(svg)) > 4
+    assert measured.overlaps(svg) == []
+    assert measured.beyond(svg) == []
+
+
+@pytest.mark.parametrize("language", ["en", "ru", "uk"])
+def test_no_word_lies_over_a_word_or_beyond_the_sheet(language):
+    sections = build_model(coursework.solve("31", quantities=["accuracy"]), language).sections
+    (figure,) = (part for one in sections if one.name == "accuracy" for part in one.parts if isinstance(part, Figure))
+    check_words(figure.svg)
+
+
+@pytest.mark.parametrize("timed", [False, True])
+def test_two_panels_share_the_errors(timed):
+    svg, height = panels(made_up(timed=timed))
+    assert f'height="{height:g}mm"' in svg
+    check_words(svg)
+    assert svg.count("running time, s") == timed
+    assert svg.count("<circle") == (3 if timed else 2)  # the ring in each panel and in the legend
+    assert panels(made_up(timed=timed)) == (svg, height)
+
+
+def test_every_method_has_a_pen_that_differs_without_colour():
+    assert len({(dashes, mark) for _, dashes, mark in STYLES}) == len(STYLES)
+    assert {mark for _, _, mark in STYLES} == set(MARKS)
+
+
+def test_a_value_lies_where_its_logarithm_says():
+    scale = Scale(10.0, 90.0, -2.0, 2.0)
+    assert [scale.at(value) for value in (0.01, 0.1, 1, 100)] == pytest.approx([10, 30, 50, 90])
+    assert scale.at(0.0) == scale.at(1e-9) == 10
+    assert [text for _, text in scale.ticks()] == ["10⁻²", "10⁻¹", "10⁰", "10¹", "10²"]
+    assert [text for _, text in Scale(0, 1, 1.2, 2.2).ticks()] == ["2·10¹", "5·10¹", "10²"]
+    assert len(Scale(0, 1, -17, 3).ticks()) <= 8
+    fitted = scale_for([1.0, 1000.0], 0, 100, (0.1, 0.2))
+    assert (fitted.low, fitted.high) == pytest.approx((-0.3, 3.6))
+
+
+def test_a_bar_ends_at_its_value():
+    svg, _ = bars(["start", "<i>"], [1.0, 0.01], ["1 s", "10 ms"], "time, s")
+    ends = [float(match) for match in re.findall(r'fill="#9ecae1"[^>]*H([\d.]+)v', svg)]
+    ticks = {node.text: float(node.get("x")) for node in ElementTree.fromstring(svg).iter(f"{measured.SVG}text")}
+    assert ends == pytest.approx([ticks["10⁰"], ticks["10⁻²"]], abs=0.01)
+    assert "<i>" in ticks
+    check_words(svg)
