@@ -70,7 +70,8 @@ class Walk:
 
     def until(self, goal: float) -> Event | None:
         """Walk to time `goal`, a break of the drive or the end; return the first event on the way, if any."""
-        event = self._until(goal)
+        with np.errstate(all="ignore"):  # what is no number is a step too long
+            event = self._until(goal)
         self.since = goal
         return event
 
@@ -89,7 +90,7 @@ class Walk:
             if crossed and not self._at_once(crossed, block, after):
                 self.length = reach / 4
                 continue
-            event, part = self._inside(clock, reach, state, block, bool(crossed))
+            event, part = self._inside(clock, reach, state, after, block, bool(crossed))
             if event is not None and event.time < latest:
                 if self._pass(event, goal):
                     continue
@@ -133,8 +134,7 @@ class Walk:
         sizes[-1] = self.end
         while True:
             try:
-                with np.errstate(all="ignore"):
-                    after, error = clock.step(self.state, slope, self.length)
+                after, error = clock.step(self.state, slope, self.length)
             except (OutsideTable, ArithmeticError, ValueError) as fault:
                 # A law need not exist beyond the end of the run: come closer to the end in shorter steps.
                 self.length /= 4
@@ -158,8 +158,15 @@ class Walk:
         """Return whether only the clock's determinant changes its sign, or several so close together that they do it at once."""
         return crossed == [block] or (block in crossed and max(abs(after[k]) + abs(self.scaled[k]) for k in crossed) < 1e-9)
 
-    def _inside(self, clock: Clock, reach: float, ahead: Array, block: int, crossed: bool) -> tuple[Event | None, float]:
-        """Return the event inside a step and its part of the step, (None, 0) where there is none."""
+    def _inside(
+        self, clock: Clock, reach: float, ahead: Array, after: Array, block: int, crossed: bool
+    ) -> tuple[Event | None, float]:  # fmt: skip
+        """Return the event inside a step and its part of the step, (None, 0) where there is none.
+
+        `ahead` is the state at its end, `after` the determinants there.
+        """
+        if not crossed and min(abs(after[block]), abs(self.scaled[block])) > DIP:
+            return None, 0.0
 
         def value(state: Array) -> float:
             return float(self._determinants(state)[block] / self.scaled[block])
@@ -176,8 +183,6 @@ class Walk:
 
     def _lowest(self, clock: Clock, reach: float, ahead: Array, block: int) -> float:
         """Return the part of a step at which a determinant is smallest in the middle, 0 where it is smallest at an end."""
-        if min(abs(float(self._determinants(ahead)[block])), abs(float(self.scaled[block]))) > DIP:
-            return 0.0
 
         def falls(state: Array) -> bool:
             nudged = self._determinants(state + 1e-4 * reach * clock.slope(state))[block]
