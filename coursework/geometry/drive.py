@@ -58,7 +58,7 @@ def integrals(equations: VelocityEquations, names: Sequence[str], times: Array) 
     if not names:
         return np.zeros((len(times), 0))
     _, rows = compile_values(equations, [symbol(name) for name in names])
-    finest = max(float(times[-1]), equations.variant.time.end) / _PIECES_PER_RUN
+    finest = max(float(times[-1]), 1e-300) / _PIECES_PER_RUN
     inner = np.concatenate([breaks(equations.variant), *(law.nodes for law in _over_time(equations))])
     edges = np.sort(np.concatenate([[0.0], times, inner[(inner > 0) & (inner < times[-1])]]))
     edges = edges[np.diff(edges, prepend=-1.0) > 0]
