@@ -28,6 +28,7 @@ RINGS = (0.0, 2.0, 4.5, 8.0, 12.0, 17.0, 23.0, 30.0, 40.0)  # mm farther out; th
 WORD_ON_WORD = 200.0  # mm of lines that a word rather covers than another word
 CROSSED = 3.0  # mm of way that a word with its value rather takes than lying on a line; a name stays near what it names
 CROWDED = 8.0  # mm of lines: directions of the axes among more than that are not seen
+BEYOND, MARGIN = 30.0, 0.5  # mm of lines for each mm beyond the field; mm kept free around a word
 MISTAKEN = 8.0  # mm of lines that a word rather covers than standing nearer to what another word belongs to
 BOLD, ITALIC = 'font-weight="bold"', 'font-style="italic"'
 Rectangle = tuple[float, float, float, float]
@@ -121,7 +122,7 @@ class Sheet:
         corners = [complex(x, y) for y in (bottom - high, top) for x in (left, right - wide)]
         costs = self._covered([corner + complex(wide, high) / 2 for corner in corners], wide, high)
         corner = corners[costs.index(min(costs))]
-        if min(costs) > CROWDED and self.height + high <= highest:
+        if min(costs) > CROWDED + 2 * BEYOND * MARGIN and self.height + high <= highest:
             self.height, self.field = self.height + high, (left, top, right, bottom + high)
             corner = complex(left, bottom)
         at = corner + complex(1, high - 1.5)
@@ -213,8 +214,7 @@ class Sheet:
 
     def _covered(self, middles: Sequence[complex], width: float, height: float, crossing: float = 1.0) -> list[float]:
         """Return how much each of the equal rectangles covers: mm of lines, more for other labels and beyond the field."""
-        margin = 0.5
-        half = np.array([width / 2 + margin, height / 2 + margin])
+        half = np.array([width / 2 + MARGIN, height / 2 + MARGIN])
         at = np.array([(middle.real, middle.imag) for middle in middles])
         low, high = at - half, at + half
         field = np.array(self.field)
@@ -223,7 +223,7 @@ class Sheet:
         if self._lines.count != len(self.segments):
             self._lines = Lines(self.segments)
         crossed, covered = self._lines.within(low, high)
-        cost = 30.0 * beyond.sum(axis=1) + 3.0 * symbols.sum(axis=1) + covered + crossing * crossed
+        cost = BEYOND * beyond.sum(axis=1) + 3.0 * symbols.sum(axis=1) + covered + crossing * crossed
         cost += 6.0 * np.count_nonzero(symbols, axis=1) + WORD_ON_WORD * np.count_nonzero(words, axis=1)
         return [float(value) for value in cost]
 

@@ -36,7 +36,7 @@ class LargestError:
         if self.unit == "rad":
             degrees = context.with_unit(context.numbers.scalar(math.degrees(self.value), 2), "°")
             amount = context.words("result.angle", amount=amount, degrees=degrees)
-        symbol = context.symbol(self.column).text
+        symbol = context.lettering(self.column)
         return {"amount": amount, "symbol": symbol, "row": str(self.row)}
 
 

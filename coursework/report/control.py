@@ -38,7 +38,7 @@ def _claim(context: PageContext, finding: Finding) -> str:
     key = f"control.{finding.code}.{'right' if finding.verdict == 'PASS' else 'wrong'}"
     if not say.has(key):
         return context.told(finding.title)
-    symbol = context.symbol(finding.column).text if finding.column in context.run.variant.columns else ""
+    symbol = context.lettering(finding.column) if finding.column in context.run.variant.columns else ""
     return say(key, symbol=symbol or say("control.column"), row=finding.row or 1)
 
 

@@ -80,4 +80,5 @@ def _taken_apart(svg: str) -> tuple[Picture, dict[str, str]]:
     size = f'width="{width:.2f}pt" height="{height:.2f}pt" style="--wide:{width:.2f}pt"'
     head = f'<svg class="math" viewBox="{box}" {size} aria-hidden="true">'
     body = body.replace(' fill="#000000" fill-rule="nonzero"', "").replace("xlink:href", "href")
+    body = body.replace('stroke="#000000"', 'stroke="currentColor"')  # bars of fractions and roots, on a dark screen too
     return Picture(head + re.sub(r">\s+<", "><", body).strip(), width), glyphs

@@ -110,6 +110,8 @@ def _figure(context: PageContext, shown: Sequence[Rows], number: int) -> Panels:
         legend.append((_sample(dotted=False), context.say("graphs.exact")))
     names = [rows.name for rows in shown]
     caption = say("graphs.caption", symbols=context.symbol_list(names))
+    if len(legend) == 2:
+        caption = say.sentences([caption, say("graphs.seen")])
     if run.stop is not None:
         stop = say("graphs.stop", kind=context.event(run.stop.kind), time=context.quantity(run.stop.time, "s"))
         caption = say.sentences([caption, stop])

@@ -16,7 +16,7 @@ from coursework.quantities import PLOTS
 from coursework.report.numbers import Numbers, unit_text, with_unit
 from coursework.report.parts import Runs
 from coursework.report.symbols import Symbol, symbol
-from coursework.report.text_runs import derivative, printed, runs
+from coursework.report.text_runs import ITALIC, derivative, printed, runs
 from coursework.report.words import Words
 from coursework.run import Run
 from coursework.sentences import ENGLISH
@@ -89,7 +89,12 @@ class PageContext:
 
     def symbol_list(self, names: Iterable[str]) -> str:
         """Return "ω₁, ω₂ and ω₃" as text."""
-        return self.words.listing([self.symbol(name).text for name in names])
+        return self.words.listing([self.lettering(name) for name in names])
+
+    def lettering(self, name: str) -> str:
+        """Return the symbol of a name as text of a sentence that is split into runs later: a bare letter is set as one."""
+        text = self.symbol(name).text
+        return f"{ITALIC[0]}{text}{ITALIC[1]}" if len(text) == 1 and text.isascii() else text
 
     def rich(self, text: str, longest: int = LONGEST) -> Runs:
         """Return a sentence of the tool, cleaned, its numbers and symbols set."""

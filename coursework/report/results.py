@@ -61,7 +61,7 @@ def _first_last(context: PageContext, found: list[Split], number: int, many: int
         rows.append(cells)
     columns = [Column([], words=True)]
     columns += [Column(context.symbol_runs([split.name]), context.unit(split.unit)) for split in found]
-    turned = [say("first_last.turns", symbol=context.symbol(s.name).text, turns=abs(s.turns)) for s in found if s.turns]
+    turned = [say("first_last.turns", symbol=context.lettering(s.name), turns=abs(s.turns)) for s in found if s.turns]
     note = runs(say("first_last.taken_off", turned=say("join.semicolon").join(turned))) if turned else []
     which = say("table.part", part=number, parts=many) if many > 1 else ""
     caption = runs(say.sentences([say("first_last.caption"), which]))
@@ -74,7 +74,7 @@ def _why(context: PageContext, found: list[Split], step: LocalError | None) -> l
     told: list[str] = []
     if step is not None and scheme is not None:
         gap = context.with_unit(context.numbers.scalar(abs(step.gap), 3), step.unit)
-        values = {"symbol": context.symbol(step.column).text, "rate": context.symbol(step.rate_name).text, "gap": gap}
+        values = {"symbol": context.lettering(step.column), "rate": context.lettering(step.rate_name), "gap": gap}
         values |= {"row": str(step.row), "next": str(step.row + 1)}
         title = context.told(title_of(scheme))
         if scheme.order == 1:
@@ -103,6 +103,6 @@ def _period(context: PageContext, found: list[Split]) -> list[str]:
     return [
         say(
             "why.period", end=context.quantity(end, "s"), period=context.quantity(period, "s"), part=part,
-            whole=context.with_unit(whole, most.unit), symbol=context.symbol(most.name).text,
+            whole=context.with_unit(whole, most.unit), symbol=context.lettering(most.name),
         )
     ]  # fmt: skip

@@ -5,6 +5,8 @@ Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from coursework.checks.summary import summary
 from coursework.drawing.lengths import lengths
 from coursework.formula.tree import Formula
@@ -175,12 +177,14 @@ def _answer(context: PageContext) -> Result:
     """The box: how it came out, the velocities of the row that is checked, last minus first row, the largest error."""
     run, say = context.run, context.words
     told = []
-    if run.asks(CHECKS):
-        told.append(context.rich(summary(run.checks, is_motion=run.tableau is None, named=lambda finding: finding.title)))
     if run.stop is not None:
         time = context.quantity(run.stop.time, "s", STOP_DIGITS)
         kept = say.count("count.rows", len(run.motion.t))
         told.append(context.lettered(say("result.stopped", time=time, kind=context.event(run.stop.kind), rows=kept)))
+    if run.asks(CHECKS):
+        # Where it stops is said already.
+        findings = [replace(finding, value=None) if finding.code == "STOP" and told else finding for finding in run.checks]
+        told.append(context.rich(summary(findings, is_motion=run.tableau is None, named=lambda finding: finding.title)))
     if run.asks(TABLE) and len(run.motion.t):
         told.append(runs(_checked(context)))
     if run.asks(CHECKS):
@@ -196,7 +200,7 @@ def _checked(context: PageContext) -> str:
     row = min(variant.time.check_row or USUAL_ROW, len(motion.t))
     sought = [name for name in motion.velocity_names if name not in variant.known_rates] or motion.velocity_names
     values = ", ".join(
-        f"{context.symbol(name).text}{TIGHT}={TIGHT}"
+        f"{context.lettering(name)}{TIGHT}={TIGHT}"
         + context.with_unit(context.numbers.scalar(float(motion.column(name)[row - 1]), SHOWN_DIGITS), variant.unit_of(name))
         for name in sought
     )
@@ -211,7 +215,7 @@ def _misses(context: PageContext) -> list[Runs]:
     found = [(split, numbers.without_noise(split.total, split.first)) for split in splits(context) if split.name in names]
     if any(total for _, total in found):
         gaps = [
-            f"{context.symbol(split.name).text}{TIGHT}{context.with_unit(numbers.scalar(total, 3), split.unit)}"
+            f"{context.lettering(split.name)}{TIGHT}{context.with_unit(numbers.scalar(total, 3), split.unit)}"
             for split, total in found
         ]
         told.append(runs(say("result.misses", gaps=", ".join(gaps))))

@@ -122,6 +122,9 @@ function contrast() {
     const style = getComputedStyle(line);
     ask(line, line.tagName === "svg" ? style.fill : style.stroke, 3);
   }
+  for (const bar of document.querySelectorAll(".formula svg [stroke]")) {
+    if (shown(bar.closest("svg"))) ask(bar, getComputedStyle(bar).stroke, 3);
+  }
   return [...found];
 }
 
