@@ -58,6 +58,12 @@ class ReportModel:
         }
 
 
+def _shortened(text: str, longest: int) -> str:
+    """Return a text of so many characters, cut behind a word."""
+    text = clean(text)
+    return text if len(text) <= longest else text[: longest - 1].rsplit(" ", 1)[0].rstrip(" ,:;") + "…"
+
+
 def build_model(run: Run, language: str = "en", stamp: str = "", *, live: bool = False) -> ReportModel:
     """Return the report of a run: the sections that have something to say, and those only if asked for.
 
@@ -69,8 +75,8 @@ def build_model(run: Run, language: str = "en", stamp: str = "", *, live: bool =
     context = PageContext(run, words)
     heading = heading_of(context)
     author = clean(run.student or "", LONGEST_NAME)
-    pair = zip((heading, author), LONGEST_RUNNING, strict=True)
-    running = [clean(text, longest) for text, longest in pair if text]
+    title, name = LONGEST_RUNNING
+    running = [_shortened(heading, title), _shortened(author, name)] if author else [_shortened(heading, title + name)]
     return ReportModel(
         language=language,
         kind=words("title.kind"),
