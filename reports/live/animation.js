@@ -11,8 +11,8 @@ const show = (t, inWords = true) => {
   light(nearest, playing);
   change(live, "data-row", nearest);
   if (Number(scrub.value) !== row) scrub.value = row;
-  const places_ = drawing.draw(now);
   cursors.place(now, playing);
+  const places_ = drawing.draw(now);
   if (!inWords) return;
   const between = playing || Math.abs(row - nearest + 1) > 1e-6;
   const told = say("clock", { row: nearest, t: fixed(now, decimalsOf(motion.h) + (between ? 1 : 0)) });

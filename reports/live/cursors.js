@@ -29,7 +29,12 @@ const cursors = {
     this.rows = rows.map((row) => [Number(row.dataset.row), row]).sort(([a], [b]) => a - b);
   },
   place(t, moving) {
-    for (const { home, way, from } of this.panels) if (home.seen || !moving) way.currentTime = 1000 * (t - from);
+    for (const one of this.panels) {
+      const at = 1000 * (t - one.from);
+      if (one.at === at || (moving && !one.home.seen)) continue;
+      one.at = at;
+      one.way.currentTime = at;
+    }
     // A printed table may have every n-th row only: the last one that is reached.
     const own = 1 + Math.round(t / data.step);
     const reached = this.rows.findLast(([row]) => row <= own)?.[1] ?? null;

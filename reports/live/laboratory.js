@@ -45,23 +45,28 @@ const laboratory = {
     work.begin(this.answer());
   },
   // Everything that follows from a move.  What takes longer than a moment is drawn from a sketch first, its numbers left open.
+  // What is in sight is answered at once, the rest of table and graphs while the page has nothing else to do.
   *answer() {
+    const inSight = panels.inSight();
     motion.choose();
+    watch.open();
     this.tellMoved();
     if (motion.cost > AT_ONCE) {
       motion.sketch();
       for (const id of ["lab-error", "lab-evaluations"]) tell(id, "…", "");
       tell("lab-dead", "", "");
       for (const id of ["lab-where", "lab-ratio", "lab-lost"]) tell(id, "");
-      panels.draw();
+      panels.draw(inSight);
       changed();
       yield Infinity;
     }
     yield* motion.compute();
     this.tellFound();
-    panels.draw();
+    panels.draw(inSight);
     changed();
     yield* lines.write();
+    yield FRAME;
+    panels.draw(panels.all.filter((one) => !inSight.includes(one)));
     watch.later();
   },
   tellMoved() {

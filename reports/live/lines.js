@@ -1,9 +1,9 @@
 // The table of what is tried, one line for each of its rows; the one at which the animation stands is marked.
 // Enters: `motion`.  Leaves: `lines`.  Lines are as high as the stylesheet says, so that nobody has to measure them.
-// What writing a cell and making one cost, in evaluations; px.
-const CELL = 4, NEW_CELL = 12, HEIGHT = 22;
+// What writing a cell and making one cost, in evaluations; px; cells that are spelled out for a frame.
+const CELL = 4, NEW_CELL = 12, HEIGHT = 22, SPELLED = 120;
 const lines = {
-  columns: ["t", ...data.shown], kept: [], lit: null,
+  columns: ["t", ...data.shown], kept: [], lit: null, inSight: 15, top: 0,
   prepare() {
     const row = document.createElement("tr");
     row.setAttribute("role", "row");
@@ -21,6 +21,11 @@ const lines = {
     byId("lab-table").style.setProperty("--columns", this.columns.length);
     this.body = byId("lab-table").tBodies[0];
     this.box = this.body.closest(".live-scroll");
+    this.box.addEventListener("scroll", () => (this.top = this.box.scrollTop), { passive: true });
+    // How many lines are on the screen, told at every tenth of the box.
+    const threshold = [...Array(11).keys()].map((k) => k / 10);
+    const see = ({ isIntersecting, intersectionRect }) => (this.inSight = isIntersecting ? Math.ceil(intersectionRect.height / HEIGHT) + 2 : 0);
+    new IntersectionObserver((entries) => entries.forEach(see), { threshold }).observe(this.box);
     this.blank = document.createElement("tr");
     this.blank.setAttribute("role", "row");
     for (const name of this.columns) {
@@ -30,7 +35,8 @@ const lines = {
       cell.append(" ");
     }
   },
-  // One line of the page for each row of the motion, elements kept from the last time.
+  // One line of the page for each row of the motion, elements kept from the last time.  Every value is there at once, its text
+  // at once where it is in sight; the other lines are spelled out a few for each frame.
   // Of a table finer than that of the file no more is written out than can be read.
   *write() {
     const { body } = this, { rows, h } = motion, all = rows.n;
@@ -45,23 +51,34 @@ const lines = {
     decimals.unshift(decimalsOf(h));
     while (body.rows.length > count) this.kept.push(body.removeChild(body.lastElementChild));
     tell("lab-more", count < all ? say("first_rows", { rows: count, all }) : "");
+    const spell = (line, i) => {
+      line.classList.remove("live-later");
+      for (let c = 0, cell = line.firstChild; c < columns.length; c++, cell = cell.nextSibling) {
+        const text = fixed(columns[c](i), decimals[c]);
+        if (cell.firstChild.data !== text) cell.firstChild.data = text;
+      }
+    };
+    const first = Math.floor(this.top / HEIGHT), later = [];
     let line = body.firstElementChild;
     for (let i = 0; i < count; i++, line = line.nextElementSibling) {
       const made = !line;
       if (made) {
         line = this.kept.pop() ?? this.blank.cloneNode(true);
         line.setAttribute("data-row", i + 1);
+        line.classList.add("live-later");
         body.appendChild(line);
       }
-      let cell = line.firstChild;
-      for (let c = 0; c < columns.length; c++, cell = cell.nextSibling) {
-        const value = columns[c](i);
-        cell.setAttribute("data-value", value);
-        cell.firstChild.data = fixed(value, decimals[c]);
-      }
+      for (let c = 0, cell = line.firstChild; c < columns.length; c++, cell = cell.nextSibling) cell.setAttribute("data-value", columns[c](i));
+      if (i >= first && i < first + this.inSight) spell(line, i);
+      else later.push([line, i]);
       yield (made ? NEW_CELL : CELL) * columns.length;
     }
     this.light(Number(live.dataset.row), false);
+    const few = Math.ceil(SPELLED / columns.length);
+    for (let k = 0; k < later.length; k++) {
+      if (k % few === 0) yield FRAME;
+      spell(...later[k]);
+    }
   },
   // Mark the line of a row, and keep it in view while the mechanism moves.
   light(row, moving) {

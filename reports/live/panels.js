@@ -30,6 +30,7 @@ const panels = {
       home.dataset.panel = name;
       byId("live-panels").append(home);
       const panel = svg("svg", { viewBox: `0 0 ${WIDE} ${HIGH}`, role: "img" }, home);
+      svg("rect", { width: WIDE, height: HIGH, fill: "#fff" }, panel);
       panel.dataset.box = `${LEFT} ${TOP} ${RIGHT} ${BOTTOM}`;
       panel.dataset.time = `0 ${data.end}`;
       const told = [label(name), data.unit_words[name]].filter(Boolean).join(", ");
@@ -49,12 +50,16 @@ const panels = {
       const clip = svg("svg", { x: 0, y: TOP - 3, width: WIDE, height: BOTTOM - TOP + 6, viewBox: `0 ${TOP - 3} ${WIDE} ${BOTTOM - TOP + 6}` }, panel);
       const line = svg("path", { class: "live-true" }, clip), rows = svg("path", { class: "live-table" }, clip);
       const dots = svg("path", { class: "live-dots" }, clip), dead = svg("path", { class: "live-dead" }, panel);
-      return { name, scale, line, rows, dots, dead };
+      return { panel, name, scale, line, rows, dots, dead };
     });
   },
-  draw() {
+  // Those that can be seen now; what is not known yet counts among them.
+  inSight() {
+    return this.all.filter((one) => one.panel.seen !== false);
+  },
+  draw(some) {
     const dead = motion.dead === null ? "" : `M${this.x(motion.dead)} ${TOP}V${BOTTOM}`;
-    for (const one of this.all) {
+    for (const one of some) {
       if (one.drawn !== motion.drawn) this.truth(one);
       const { n, h, value } = motion.column(false, one.name);
       const range = [...one.range];
@@ -90,11 +95,12 @@ const panels = {
     }
     if (!n) one.range = [0, 1];
     const [low, high] = one.range, whole = high - low || 1, stride = Math.ceil(n / 160);
-    let path = "";
-    for (let i = 0; i < n; i += stride) {
-      const share = Math.max(-9, Math.min(9, (value(i) - low) / whole));
-      path += `${i ? "L" : "M"}${this.x(i * h)} ${Math.round(1000 * share)}`;
+    if (this.drawn !== one.drawn) {
+      // The places along the time are those of every graph.
+      this.drawn = one.drawn;
+      this.along = Array.from({ length: Math.ceil(n / stride) }, (_, k) => `${k ? "L" : "M"}${this.x(k * stride * h)} `);
     }
+    const path = this.along.map((x, k) => x + Math.round(1000 * Math.max(-9, Math.min(9, (value(k * stride) - low) / whole)))).join("");
     change(one.line, "d", path);
   },
   // The numbers of the axis, written anew only where they have changed.

@@ -1,6 +1,7 @@
 // Work in slices, so that nothing waits for it longer than a frame lasts.
-// Enters: generators that yield how much they have done (evaluations, and what else costs as much).  Leaves: `work`.
-const AT_ONCE = 8000, SLICE = 4000;
+// Enters: generators that yield how much they have done (evaluations, and what else costs as much), or FRAME where the rest
+// may wait until what is done so far is on the screen.  Leaves: `work`.
+const AT_ONCE = 8000, SLICE = 4000, FRAME = -1, FRAME_LASTS = 17;
 
 const work = {
   waiting: 0,
@@ -19,6 +20,7 @@ const work = {
     for (let done = 0; done < most; ) {
       const { value, done: ended } = this.job.next();
       if (ended) return;
+      if (value === FRAME) return (this.waiting = setTimeout(() => this.go(SLICE), FRAME_LASTS));
       done += value;
     }
     this.waiting = setTimeout(() => this.go(SLICE), 0);

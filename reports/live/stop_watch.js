@@ -9,9 +9,12 @@ const OTHER_MARK = "M-4 -4l8 8m-8 0l8 -8";
 
 const watch = {
   tries: [],
+  // What is tried now has not been measured yet.
+  open() {
+    tell("lab-time", "…", "");
+  },
   // Wait until nothing is moved any more, then measure.
   later() {
-    tell("lab-time", "…", "");
     work.later(200, this.measure());
   },
   // The best of some rounds, each of so many tables that the clock of a browser can tell; nothing waits longer than for one round.

@@ -132,6 +132,40 @@ def test_a_move_does_only_what_it_changes(written: Any, opened: Any) -> None:
     assert again["asked"] == 0
 
 
+def test_a_move_writes_what_is_in_sight_and_then_the_rest(written: Any, opened: Any) -> None:
+    page = opened(written("jansen")).page
+    page.wait_for_selector("#lab-time:not([data-value=''])")
+    page.wait_for_timeout(500)
+    columns, rows = (page.locator(f"#lab-table {all_}").count() for all_ in ("th", "tbody tr"))
+    move = """([hook, value, event]) => {
+      const at = document.querySelector(hook), seen = new MutationObserver(() => {});
+      for (const body of document.querySelectorAll("#lab-table tbody, #live-panels")) {
+        seen.observe(body, {subtree: true, characterData: true, attributeFilter: ["d"]}); }
+      at.value = value;
+      at.dispatchEvent(new Event(event, {bubbles: true}));
+      const changes = seen.takeRecords(), count = (type) => changes.filter((one) => one.type === type).length;
+      return [count("characterData"), count("attributes")]; }"""
+    high = 2 + 300 // 22
+    for place, lines in (("h1", 0), ("#lab-table", high)):
+        page.eval_on_selector(place, "at => at.scrollIntoView()")
+        page.wait_for_timeout(300)
+        graphs = page.locator("#live-panels svg").evaluate_all(
+            "all => all.map((one) => one.getBoundingClientRect()).filter((one) => one.bottom >= 0 && one.top <= innerHeight).length"
+        )
+        texts, lines_drawn = page.evaluate(move, ["#lab-scheme", "heun" if lines else "midpoint", "change"])
+        assert (texts > 0) == (lines > 0)
+        assert texts <= lines * columns < rows * columns / 3
+        # Of each graph the line through the rows and its dots.
+        assert lines_drawn <= 2 * graphs
+        # In the end every text is that of its value.
+        page.wait_for_selector("#lab-time:not([data-value=''])")
+        read = "all => all.map((at) => [at.textContent, Number(at.dataset.value)])"
+        cells = page.eval_on_selector_all("#lab-table tbody td", read)
+        assert len(cells) == rows * columns
+        assert all(abs(float(text.replace("−", "-")) - value) <= 1e-3 * max(1.0, abs(value)) for text, value in cells)
+    assert page.locator(".live-later").count() == 0
+
+
 def test_a_long_table_is_computed_in_slices_and_its_numbers_wait_for_the_end(written: Any, opened: Any) -> None:
     step = 0.48 / 511
     page = counted(opened, written("31", step=step))
