@@ -149,9 +149,8 @@ def test_a_move_writes_what_is_in_sight_and_then_the_rest(written: Any, opened: 
     for place, lines in (("h1", 0), ("#lab-table", high)):
         page.eval_on_selector(place, "at => at.scrollIntoView()")
         page.wait_for_timeout(300)
-        graphs = page.locator("#live-panels svg").evaluate_all(
-            "all => all.map((one) => one.getBoundingClientRect()).filter((one) => one.bottom >= 0 && one.top <= innerHeight).length"
-        )
+        on_screen = "(at) => { const {top, bottom} = at.getBoundingClientRect(); return bottom >= 0 && top <= innerHeight; }"
+        graphs = page.locator("#live-panels svg").evaluate_all(f"all => all.filter({on_screen}).length")
         texts, lines_drawn = page.evaluate(move, ["#lab-scheme", "heun" if lines else "midpoint", "change"])
         assert (texts > 0) == (lines > 0)
         assert texts <= lines * columns < rows * columns / 3
