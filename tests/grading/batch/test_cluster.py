@@ -42,9 +42,9 @@ def test_the_cluster_writes_the_same_bytes(cluster, tmp_path):
 def test_a_killed_worker_loses_nothing_and_doubles_nothing(cluster, tmp_path, monkeypatch):
     from coursework.grading.batch import workers
 
-    monkeypatch.setattr(workers, "CHUNK", 4)
+    monkeypatch.setattr(workers, "CHUNK", 2)
     source, out = tmp_path / "in", tmp_path / "out"
-    for number in range(24):
+    for number in range(12):
         hand_in(source / f"st{number:02d}")
     victims = [worker.process.pid for worker in cluster.workers.values() if hasattr(worker, "process")]
 
@@ -59,7 +59,7 @@ def test_a_killed_worker_loses_nothing_and_doubles_nothing(cluster, tmp_path, mo
     grade(source, out, "--scheduler", cluster.scheduler_address)
     killer.join(timeout=30)
     entries = json.loads((out / "grades.json").read_text(encoding="utf-8"))["submissions"]
-    assert [entry["id"] for entry in entries] == sorted(f"st{number:02d}" for number in range(24))
+    assert [entry["id"] for entry in entries] == sorted(f"st{number:02d}" for number in range(12))
     assert {entry["status"] for entry in entries} == {"graded"}
     grade(source, tmp_path / "serial", "--jobs", "1")
     for name in ("grades.json", "grades.csv", "class.html", "journal.jsonl", "feedback/st07.html"):
