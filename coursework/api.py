@@ -126,12 +126,13 @@ def _sorted(variant: Variant, quantities: Iterable[str] | None) -> tuple[tuple[s
     columns = tuple(name for name in listed if name in variant.columns)
     asked = tuple(name for name in listed if name not in columns)
     faults = [_in_file(why, variant, name, quantities is None) for name in asked if (why := _cannot_ask(variant, name))]
+    records = known_quantities()
+    whole = [name for name in asked if not faults and not records[name].restrictable]
+    if columns and whole:
+        told = say("fault.C001", name=whole[0], columns=tuple(columns))
+        faults.append(_in_file(told, variant, whole[0], quantities is None))
     if faults:
         raise InputError(faults)
-    records = known_quantities()
-    whole = [name for name in asked if not records[name].restrictable]
-    if columns and whole:
-        raise InputError(say("fault.C001", name=whole[0], columns=tuple(columns)))
     return asked or (TABLE.name,), columns
 
 
