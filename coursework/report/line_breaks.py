@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 
 LONG = 56  # signs of Typst math; a shorter formula fits the screen of a phone
+TOGETHER = 44  # signs of pieces that stand on one line of it beside the number of the formula: no break is needed between them
 _SET_ALREADY = re.compile(r"^& | \\ & quad(?= )")  # lines of a formula that is too long for paper
 _SIGNS = (" = ", " + ", " - ")
 _AFTER = " "  # before a sign that begins a piece: `equation.typ` sets it as one between two terms
@@ -20,17 +21,23 @@ def pieces(source: str) -> list[str]:
     >>> pieces("x = a + b")
     ['x = a + b']
     >>> pieces("V_(D y) = ω_4 frac(r_3, 2) cos(π slash 2) + ω_3 r_3 cos(φ_3 + 3 π slash 2) = 0")
-    ['V_(D y)', ' = ω_4 frac(r_3, 2) cos(π slash 2)', ' + ω_3 r_3 cos(φ_3 + 3 π slash 2) = 0']
+    ['V_(D y) = ω_4 frac(r_3, 2) cos(π slash 2)', ' + ω_3 r_3 cos(φ_3 + 3 π slash 2) = 0']
     """
     if len(source) < LONG or "cases(" in source:
         return [source]
     parted = _parted(_SET_ALREADY.sub("", source))
-    return _with_last([piece for long in parted for piece in _opened(long)])
+    return _gathered([piece for long in parted for piece in _opened(long)])
 
 
-def _with_last(found: list[str]) -> list[str]:
-    """Return the pieces, "= 0" not alone at the end."""
-    return [*found[:-2], found[-2] + found[-1]] if found[-1] == f"{_AFTER}= 0" else found
+def _gathered(found: list[str]) -> list[str]:
+    """Return the pieces, short neighbours as one, "= 0" not alone at the end."""
+    kept = found[:1]
+    for piece in found[1:]:
+        if len(kept[-1]) + len(piece) <= TOGETHER or piece == f"{_AFTER}= 0":
+            kept[-1] += piece
+        else:
+            kept.append(piece)
+    return kept
 
 
 def _parted(source: str) -> list[str]:
