@@ -4,6 +4,7 @@ import ast
 import json
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -72,6 +73,7 @@ def test_a_kind_alone_is_found_everywhere(tmp_path):
     assert found["schema"]
 
 
+@cache
 def strings(path):
     """Return the text constants of a file that are not docstrings."""
     tree = ast.parse(path.read_text(encoding="utf-8"))
