@@ -18,6 +18,7 @@ from coursework.schemes import SCHEMES
 from coursework.sentences import title_of
 
 SEEN = 1e-9  # of the scale of a column: a smaller error is none to speak of
+ON_THE_CURVE = 1e-12  # the same for one step, which leaves no more than round-off
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +45,7 @@ class LargestError:
 class LocalError:
     """The one step of Euler that leaves the curve most: from `row` (from 1) of the exact motion, `gap` (SI) of `column`.
 
-    `rate` and `bend` are the rate and its change per second at the beginning of the step.
+    `share` is the gap in rad or in parts of the scale of the column.
     """
 
     column: str
@@ -52,6 +53,12 @@ class LocalError:
     unit: str
     row: int
     gap: float
+    share: float
+
+    @property
+    def is_round_off(self) -> bool:
+        """Return whether the curve does not bend: every step ends on it."""
+        return self.share < ON_THE_CURVE
 
 
 def evidence(context: PageContext) -> Evidence:
@@ -109,5 +116,5 @@ def largest_step_error(context: PageContext) -> LocalError | None:
         share = abs(float(gaps[row])) / (1.0 if coordinate.unit == "rad" else judged.scale[coordinate.name])
         if share > best:
             best = share
-            worst = LocalError(coordinate.name, coordinate.rate, coordinate.unit, row + 1, float(gaps[row]))
+            worst = LocalError(coordinate.name, coordinate.rate, coordinate.unit, row + 1, float(gaps[row]), share)
     return worst

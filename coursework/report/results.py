@@ -32,7 +32,9 @@ def results(context: PageContext) -> list[Part]:
         parts.append(_first_last(context, found[first:last], number, len(parted)))
     step = largest_step_error(context) if _scheme(context) is not None else None
     parts += _why(context, found, step)
-    if step is not None and _scheme(context).slopes == 1 and (figure := tangent_figure(context, step)):  # type: ignore[union-attr]
+    scheme = _scheme(context)
+    bends = step is not None and not step.is_round_off
+    if step and bends and scheme and scheme.slopes == 1 and (figure := tangent_figure(context, step)):
         parts.append(figure)
     return parts
 
@@ -72,7 +74,9 @@ def _why(context: PageContext, found: list[Split], step: LocalError | None) -> l
     """Return the sentences: along the tangent; half the step; what the period adds."""
     say, scheme = context.words, _scheme(context)
     told: list[str] = []
-    if step is not None and scheme is not None:
+    if step is not None and step.is_round_off:
+        told.append(say("why.straight"))
+    elif step is not None and scheme is not None:
         gap = context.with_unit(context.numbers.scalar(abs(step.gap), 3), step.unit)
         values = {"symbol": context.lettering(step.column), "rate": context.lettering(step.rate_name), "gap": gap}
         values |= {"row": str(step.row), "next": str(step.row + 1)}

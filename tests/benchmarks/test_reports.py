@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import gc
 import sys
+import time
 
 import coursework
 from coursework.report import build_model, render_html
+from coursework.report.pdf import render_pages
 
 WARM, MEASURED = 2, 4  # reports
 LEFT = 400  # blocks of memory that a report may leave behind: the formulas of its first step stay set, up to a fixed number
@@ -33,3 +35,19 @@ def test_reports_of_a_class_leave_nothing_behind() -> None:
     kept = _page(20)  # what a leak would look like
     assert _blocks() - before > 2 * LEFT * MEASURED
     assert kept
+
+
+def _printed(page: dict[str, object]) -> float:
+    """Return the processor time (s) of one PDF."""
+    begun = time.process_time_ns()
+    render_pages([page])
+    return (time.process_time_ns() - begun) / 1e9
+
+
+def test_typst_keeps_no_report_longer_than_the_next() -> None:
+    pages = [build_model(coursework.solve("31", student=f"Student {n}", quantities=["table", "plots"])).plain() for n in range(3)]
+    _printed(pages[0])
+    kept = min(_printed(pages[0]) for _ in range(3))
+    for page in pages[1:]:
+        _printed(page | {"sections": page["sections"][::-1]})  # nothing of the first stands where it stood
+    assert _printed(pages[0]) > 2 * kept

@@ -74,8 +74,6 @@ def test_a_stop_is_a_broken_line_in_every_panel(real: ModuleType) -> None:
 
 
 def test_more_than_eight_panels_take_another_figure(real: ModuleType) -> None:
-    import coursework
-
     figures = real.parts(coursework.solve("jansen", quantities=["table", "plots"]), "graphs")
     assert [len(part["items"]) for part in figures] == [8, 6]
 
@@ -86,7 +84,17 @@ def test_the_same_model_twice_is_the_same_bytes(real: ModuleType) -> None:
     assert build_model(real.full()).plain() == first
 
 
-@pytest.mark.parametrize("name", ["31", "cardan", "whitworth", "watt", "v107"])
+def test_a_curve_that_does_not_bend_has_no_picture_of_its_bend(real: ModuleType) -> None:
+    run = coursework.solve("cardan", quantities=["table", "checks"])
+    parts = real.parts(run, "results")
+    assert not [part for part in parts if part.get("id") == "tangent"]
+    told = " ".join(real.text_of(part["text"]) for part in parts if part["kind"] == "paragraph")
+    assert "its own tangent" in told and "at most" not in told
+    bent = real.parts(coursework.solve("31", quantities=["table", "checks"]), "results")
+    assert [part for part in bent if part.get("id") == "tangent"]
+
+
+@pytest.mark.parametrize("name", ["31", "whitworth", "watt", "v107"])
 def test_the_words_of_the_gap_touch_no_line(name: str) -> None:
     parts = [part for s in build_model(coursework.solve(name, quantities=["table", "checks"])).sections for part in s.parts]
     (figure,) = [part for part in parts if isinstance(part, Figure) and part.id == "tangent"]

@@ -184,7 +184,7 @@ def unusual(real: ModuleType) -> list[Any]:
         solve("31", step=0.48 / 999, quantities=["table", "plots"]), solve("31", end=0.02, quantities=["table"]),
         solve("example-2", quantities=extras), solve("variable-crank-table"), solve("variable-crank"), solve("robot-arm"),
         solve("andrews", quantities=["table"]), solve("31", quantities=["checks"]), solve("oscillating-cylinder"),
-        solve("jansen", quantities=["table"]),
+        solve("jansen", quantities=["table"]), solve("cardan", quantities=["table", "checks"]),
         solve("31", quantities=["trajectories", "hodographs", "plans", "points"]),
         real.timed(), *real.oddities(),
     ]  # fmt: skip
