@@ -3,6 +3,7 @@
 import ast
 import csv
 import json
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -131,6 +132,7 @@ def test_every_record_is_shown_somewhere():
     assert all(one.compute.__doc__ for one in QUANTITIES)
 
 
+@cache
 def strings(path):
     """Return the text constants of a file that are not docstrings."""
     tree = ast.parse(path.read_text(encoding="utf-8"))
