@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from html import escape
 
 from coursework.report.figures import WIDTH
-from coursework.report.graph_paper import INK, words
-from coursework.report.log_paper import LETTERS, RISE, Points, Scale, across, marks, polyline, scale_for, sheet, upward
+from coursework.report.graph_paper import INK, LETTERS, words
+from coursework.report.log_paper import RISE, Points, Scale, across, marks, polyline, scale_for, sheet, upward
 
 # Colours that stay apart for colour-blind readers (Okabe and Ito); dashes (mm) and marks keep them apart in print.
 STYLES = (
@@ -30,7 +30,7 @@ ROOM_X, ROOM_Y = (0.05, 0.09), (0.04, 0.04)  # of the ranges, before and behind 
 LEGEND_COLUMNS = (3, 2, 1)  # as many as have room for their words
 LEGEND_LINE = 4.4  # mm of one line of the legend
 LEGEND_LEFT, LEGEND_PEN, LEGEND_GAP = 12.0, 9.0, 1.8  # mm: where it begins, of a sample, between it and its words
-LETTER, SIGN = 1.66, 2.9  # mm: of a letter, a little more than the mean, and of a Chinese sign
+LETTER, SIGN = 1.72, 3.0  # mm: of a letter, a little more than the mean, and of a Chinese sign
 BAR, PITCH = 4.2, 6.7  # mm: a bar, and from one to the next
 BAR_LEFT, BAR_TOP, BAR_ROOM = 51.0, 1.5, (0.1, 0.15)
 FILL = "#9ecae1"

@@ -10,10 +10,9 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from coursework.report.graph_paper import APART, FACE, INK, TICK, words
+from coursework.report.graph_paper import APART, FACE, INK, LETTERS, TICK, words
 from coursework.report.numbers import superscript
 
-LETTERS = 2.8  # mm: 8 points
 RISE = 0.36  # of the height of letters, from their middle to the line they stand on
 MOST_TICKS = 8  # of one axis
 FEWEST_DECADES = 2  # with fewer in sight, their doubles and fives are labelled too
