@@ -7,15 +7,14 @@ Used by `mechanism.py` (mobility), `drawing/tracing.py` and `plans/sketch.py` (i
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from coursework.formula.tree import Formula
-from coursework.groups.kind import Joint
+from coursework.groups.joint import PIN_IN_GUIDE, PRISMATIC, REVOLUTE, ROLLING, Joint
 from coursework.variant.record import Group, Variant
 
 FRAME = "0"
-PIN_IN_GUIDE, ROLLING = "pin in guide", "rolling"
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,14 +45,14 @@ class Linkage:
 
     @property
     def mobility(self) -> Mobility:
-        """Return the count of links and pairs; a pin in a guide takes one freedom, any other joint two."""
-        higher = sum(joint.kind == PIN_IN_GUIDE for joint in self.joints)
-        return Mobility(len(self.bodies), len(self.joints) - higher, higher)
+        """Return the count of links and of pairs by the freedoms they take."""
+        takes = [joint.kind.takes for joint in self.joints]
+        return Mobility(len(self.bodies), takes.count(2), takes.count(1))
 
-    def points(self, kind: str, body: str = "") -> tuple[str, ...]:
-        """Return the named points of the joints of a kind, each once; only those that hold `body` where one is named."""
-        joints = (joint for joint in self.joints if joint.kind == kind and (not body or body in joint.bodies))
-        return tuple(dict.fromkeys(joint.where.name for joint in joints if joint.where is not None and joint.where.op == "name"))
+    def points(self, wanted: Callable[[Joint], bool]) -> tuple[str, ...]:
+        """Return the named points of the wanted joints, each once."""
+        where = (joint.where for joint in self.joints if wanted(joint))
+        return tuple(dict.fromkeys(point.name for point in where if point is not None and point.op == "name"))
 
 
 def linkage(variant: Variant, points: Mapping[str, Formula]) -> Linkage | None:
@@ -62,7 +61,7 @@ def linkage(variant: Variant, points: Mapping[str, Formula]) -> Linkage | None:
     >>> from coursework.api import load
     >>> variant = load("example-2")
     >>> [(joint.kind, joint.bodies) for joint in linkage(variant, dict(variant.points)).joints]
-    [('R', ('1', '0')), ('R', ('1', '2')), ('pin in guide', ('2', '0'))]
+    [(revolute, ('1', '0')), (revolute, ('1', '2')), (pin in guide, ('2', '0'))]
     """
     if variant.links:
         return Linkage(tuple(link.name for link in variant.links), tuple(_of_links(variant)))
@@ -82,9 +81,9 @@ def _of_links(variant: Variant) -> Iterator[Joint]:
             holds.setdefault(name, []).append(link.name)
     for name, bodies in holds.items():
         if name in variant.frame.hinges:
-            yield Joint("R", (bodies[0], FRAME), Formula("name", name=name))
+            yield Joint(REVOLUTE, (bodies[0], FRAME), Formula("name", name=name))
         for pair in itertools.pairwise(bodies):
-            yield Joint("R", pair, Formula("name", name=name))
+            yield Joint(REVOLUTE, pair, Formula("name", name=name))
     contacts = {link.contact for link in variant.links}
     for through, angle in variant.frame.rails:
         if through.op == "name" and through.name in holds and through.name not in contacts:
@@ -96,7 +95,7 @@ def _of_links(variant: Variant) -> Iterator[Joint]:
     sleeves = {frozenset((link.name, link.slides)): (link.name, link.slides) for link in variant.links if link.slides}
     for sleeve, bar in sleeves.values():
         own = next((name for name, bodies in holds.items() if sleeve in bodies), "")
-        yield Joint("P", (sleeve, bar), Formula("name", name=own) if own else None)
+        yield Joint(PRISMATIC, (sleeve, bar), Formula("name", name=own) if own else None)
 
 
 def chain_of_groups(variant: Variant, points: Mapping[str, Formula]) -> Linkage:
@@ -108,7 +107,7 @@ def chain_of_groups(variant: Variant, points: Mapping[str, Formula]) -> Linkage:
     for coordinate in variant.coordinates:
         if coordinate.name not in in_groups:
             carried[coordinate.name] = next(numbers)
-            joints.append(Joint("R" if coordinate.unit == "rad" else "P", (carried[coordinate.name], FRAME), None))
+            joints.append(Joint(REVOLUTE if coordinate.unit == "rad" else PRISMATIC, (carried[coordinate.name], FRAME), None))
     for group in variant.groups:
         own = [next(numbers) for _ in group.coordinates]
         outer = [_carrier(formula, carried, points) for formula in group.start_points]

@@ -1,19 +1,24 @@
-"""Joints are made once, from links and frame or from the chain of groups; mobility and centres are read off them."""
+"""Joints are made once, from links and frame or from the chain of groups; mobility, drawing and centres are read off them."""
 
+import ast
+import re
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
 import coursework
 from coursework.catalogue import names
-from coursework.groups import GROUPS
+from coursework.drawing.tracing import read_outline
+from coursework.groups import GROUPS, joint
+from coursework.groups.joint import PRISMATIC, REVOLUTE, Joint, JointKind
 from coursework.joints import FRAME, linkage
 from coursework.mechanism import build
 
 
 def joints(variant):
     mechanism = build(variant)
-    return [(joint.kind, joint.bodies) for joint in mechanism.linkage.joints]
+    return [(found.kind, found.bodies) for found in mechanism.linkage.joints]
 
 
 def test_links_and_frame_of_variant_31():
@@ -21,15 +26,15 @@ def test_links_and_frame_of_variant_31():
     variant = coursework.load("31")
     mechanism = build(variant)
     assert mechanism.linkage.bodies == tuple(link.name for link in variant.links)
-    assert set(mechanism.linkage.points("R", FRAME)) == set(variant.frame.hinges)
+    assert set(mechanism.linkage.points(lambda found: found.pins and FRAME in found.bodies)) == set(variant.frame.hinges)
     assert mechanism.mobility.degrees == 2
 
 
 CHAINS = {
-    "example-1": [("R", ("1", "0")), ("R", ("1", "2")), ("R", ("0", "3")), ("R", ("2", "3"))],
-    "example-2": [("R", ("1", "0")), ("R", ("1", "2")), ("R", ("2", "3")), ("P", ("3", "0"))],
-    "example-4": [("R", ("1", "0")), ("R", ("1", "3")), ("P", ("3", "2")), ("R", ("2", "0"))],
-    "example-5": [("R", ("1", "0")), ("R", ("1", "2")), ("P", ("2", "3")), ("P", ("3", "0"))],
+    "example-1": [(REVOLUTE, ("1", "0")), (REVOLUTE, ("1", "2")), (REVOLUTE, ("0", "3")), (REVOLUTE, ("2", "3"))],
+    "example-2": [(REVOLUTE, ("1", "0")), (REVOLUTE, ("1", "2")), (REVOLUTE, ("2", "3")), (PRISMATIC, ("3", "0"))],
+    "example-4": [(REVOLUTE, ("1", "0")), (REVOLUTE, ("1", "3")), (PRISMATIC, ("3", "2")), (REVOLUTE, ("2", "0"))],
+    "example-5": [(REVOLUTE, ("1", "0")), (REVOLUTE, ("1", "2")), (PRISMATIC, ("2", "3")), (PRISMATIC, ("3", "0"))],
 }
 
 
@@ -42,8 +47,8 @@ def test_a_chain_of_groups_names_its_joints(name):
 
 def test_a_dyad_on_a_moving_guide_slides_on_the_link_that_carries_it():
     found = joints(replace(coursework.load("prp"), links=()))
-    assert sum(kind == "P" for kind, _ in found) == 2
-    assert any(kind == "P" and FRAME not in bodies for kind, bodies in found)
+    assert sum(kind.slides for kind, _ in found) == 2
+    assert any(kind.slides and FRAME not in bodies for kind, bodies in found)
 
 
 @pytest.mark.parametrize("name", names())
@@ -60,3 +65,49 @@ def test_a_chain_has_the_freedoms_of_its_drives(name):
 def test_every_dyad_adds_two_links_and_three_pairs(kind):
     assert kind.shape.coordinates == 2
     assert len(kind.carries) == 2
+
+
+# ---- a kind of joint is one record
+
+# A pin in a slot, which the tool has never heard of, and what a dyad RRP is with each as its last joint: freedoms, blocks.
+DUMMIES = {
+    JointKind("pin in a slot", takes=1, holders=1, slides=True): (2, 1),
+    JointKind("glued", takes=2, holders=2): (1, 0),
+    JointKind("touching", takes=1, holders=0): (2, 0),
+}
+
+
+@pytest.mark.parametrize(("kind", "expected"), DUMMIES.items(), ids=repr)
+def test_a_kind_alone_is_counted_and_drawn(kind, expected):
+    """By hand: W = 3·3 - 2·4 = 1, one more where the joint takes one freedom less; a point that both hold is a hinge."""
+    variant = replace(coursework.load("example-2"), links=())
+    crank, dyad = variant.groups
+
+    def ending(*given):
+        *first, last = dyad.kind.joints(*given)
+        return (*first, Joint(kind, last.bodies, last.where, last.along))
+
+    changed = replace(variant, groups=(crank, replace(dyad, kind=replace(dyad.kind, joints=ending))))
+    mechanism = build(changed)
+    outline, before = read_outline(mechanism), read_outline(build(variant))
+    assert (mechanism.mobility.degrees, len(outline.blocks)) == expected
+    assert len(outline.hinges) - len(before.hinges) == (kind.holders == 2)
+
+
+KINDS = {name: kind for name, kind in vars(joint).items() if isinstance(kind, JointKind)}
+
+
+def test_no_kind_is_named_where_it_is_not_made():
+    """Others ask the record: no text is the name of a kind, and no constant of one stands outside the files that make joints."""
+    package = Path(coursework.__file__).parent
+    makers = {"joints.py", *(f"groups/{path.name}" for path in (package / "groups").glob("*.py"))}
+    told = {kind.name for kind in KINDS.values()}
+    for path in package.rglob("*.py"):
+        place, text = path.relative_to(package).as_posix(), path.read_text(encoding="utf-8")
+        nodes = [*ast.walk(ast.parse(text))]
+        if place != "groups/joint.py":
+            assert told.isdisjoint(node.value for node in nodes if isinstance(node, ast.Constant)), place
+        if place not in makers:
+            assert not re.search(rf"\b({'|'.join(KINDS)})\b", text), place
+        compared = [side for node in nodes if isinstance(node, ast.Compare) for side in (node.left, *node.comparators)]
+        assert not [side for side in compared if isinstance(side, ast.Name) and side.id in KINDS], place

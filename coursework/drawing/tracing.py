@@ -88,11 +88,10 @@ class _Pencil:
         corners: dict[str, list[str]] = {body: [] for body in linkage.bodies}
         for joint in linkage.joints:
             at = self.name_of(joint.where) if joint.where is not None else ""
-            bodies = joint.bodies if joint.kind == "R" else joint.bodies[:1]
-            for body in bodies:
+            for body in joint.holders:
                 if body != FRAME and at:
                     corners[body].append(at)
-            if joint.kind == "R" and FRAME in joint.bodies and at:
+            if joint.pins and FRAME in joint.bodies and at:
                 self.hinges.append(at)
         for body, names in linkage.holds.items():
             corners[body] += names
@@ -103,7 +102,7 @@ class _Pencil:
             self.bars.append(Bar(called[body], tuple(dict.fromkeys(corners[body])), rate))
         parallel = set()
         for joint in linkage.joints:
-            if joint.kind != "P" or joint.where is None or joint.along is None:
+            if not joint.kind.slides or joint.where is None or joint.along is None:
                 continue
             at = self.name_of(joint.where)
             block, guide = joint.bodies

@@ -15,7 +15,8 @@ from numpy.typing import ArrayLike
 
 from coursework.groups import assembly
 from coursework.groups.assembly import Length, numbers
-from coursework.groups.kind import Closed, GroupKind, Joint, Shape, along, plus, unknowns
+from coursework.groups.joint import REVOLUTE, Joint
+from coursework.groups.kind import Closed, GroupKind, Shape, along, plus, unknowns
 from coursework.groups.pairs import GroupMotion, Pair, count_rows, group_motion
 from coursework.groups.plane import direction, vectors
 
@@ -64,7 +65,7 @@ def _closure(group: Group) -> Closed:
 
 
 def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Sequence[str]) -> tuple[Joint, ...]:
-    return (Joint("R", (points[0], own[0]), group.start_points[0]),)
+    return (Joint(REVOLUTE, (points[0], own[0]), group.start_points[0]),)
 
 
 CRANK = GroupKind("crank", Shape(1, (1,), 0, 1), _closure, None, _joints, angles=1, carries=(0,))

@@ -1,7 +1,7 @@
 """What a group of a chain is: one record holds all that the house knows of its kind.
 
 Enters: a group as a file writes it, in formulas, or its known side in numbers.  Leaves: `GroupKind`.
-Used by the files of the kinds, `joints.py` and `geometry/chain.py`; others meet it as the kind of a group.
+Used by the files of the kinds and `geometry/chain.py`; others meet it as the kind of a group.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from coursework.formula.tree import Formula, number
 from coursework.groups.assembly import Array
+from coursework.groups.joint import Joint
 from coursework.groups.pairs import GroupMotion, Guide, Pair
 
 if TYPE_CHECKING:
@@ -41,20 +42,6 @@ class Known:
     guides: Sequence[Guide]
     offset: Array
     angle: Array | None
-
-
-@dataclass(frozen=True, slots=True)
-class Joint:
-    """A joint between two `bodies`; the frame is "0".
-
-    `kind` is "R" (revolute), "P" (prismatic, along the angle `along`), "rolling" (without slip) or "pin in guide", the only
-    one that takes a single freedom.  `where` is its point, None where a formula carries the body and names none.
-    """
-
-    kind: str
-    bodies: tuple[str, str]
-    where: Formula | None
-    along: Formula | None = None
 
 
 # The names of the bodies that carry external points and guides, and of the group's own, to the joints between them.

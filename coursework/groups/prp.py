@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from coursework.groups.assembly import require_crossing
-from coursework.groups.kind import Closed, GroupKind, Joint, Known, Shape, across, along, plus, unknowns
+from coursework.groups.joint import PRISMATIC, REVOLUTE, Joint
+from coursework.groups.kind import Closed, GroupKind, Known, Shape, across, along, plus, unknowns
 from coursework.groups.line import Line
 from coursework.groups.pairs import GroupMotion, Guide, count_rows, group_motion
 from coursework.groups.plane import cross
@@ -72,8 +73,9 @@ def _solve(known: Known, mode: int) -> GroupMotion:
 
 def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Sequence[str]) -> tuple[Joint, ...]:
     hinge = _closure(group)[1]
-    slides = [Joint("P", (block, on), hinge, guide.angle) for block, on, guide in zip(own, guides, group.guides, strict=True)]
-    return (*slides, Joint("R", (own[0], own[1]), hinge))
+    pairs = zip(zip(own, guides, strict=True), group.guides, strict=True)
+    slides = [Joint(PRISMATIC, pair, hinge, guide.angle) for pair, guide in pairs]
+    return (*slides, Joint(REVOLUTE, (own[0], own[1]), hinge))
 
 
 PRP = GroupKind("PRP", Shape(0, (0,), 2, 2), _closure, _solve, _joints, meaning="determinant.parallel")

@@ -17,7 +17,8 @@ from numpy.typing import ArrayLike
 
 from coursework.formula.tree import Formula
 from coursework.groups.assembly import numbers, require_crossing
-from coursework.groups.kind import QUARTER, Closed, GroupKind, Joint, Known, Shape, along, plus, unknowns
+from coursework.groups.joint import PRISMATIC, REVOLUTE, Joint
+from coursework.groups.kind import QUARTER, Closed, GroupKind, Known, Shape, along, plus, unknowns
 from coursework.groups.line import Line
 from coursework.groups.pairs import GroupMotion, Guide, Pair, count_rows, group_motion
 from coursework.groups.plane import cross, direction, vectors
@@ -82,9 +83,9 @@ def _solve(known: Known, mode: int) -> GroupMotion:
 
 def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Sequence[str]) -> tuple[Joint, ...]:
     return (
-        Joint("R", (points[0], own[0]), group.start_points[0]),
-        Joint("P", (own[0], own[1]), group.start_points[0], _slide(group)),
-        Joint("P", (own[1], guides[0]), _closure(group)[1], group.guides[0].angle),
+        Joint(REVOLUTE, (points[0], own[0]), group.start_points[0]),
+        Joint(PRISMATIC, (own[0], own[1]), group.start_points[0], _slide(group)),
+        Joint(PRISMATIC, (own[1], guides[0]), _closure(group)[1], group.guides[0].angle),
     )
 
 

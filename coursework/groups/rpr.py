@@ -16,7 +16,8 @@ from numpy.typing import ArrayLike
 
 from coursework.groups import assembly
 from coursework.groups.assembly import at, dead, metres, numbers, refuse, rows_where
-from coursework.groups.kind import Closed, GroupKind, Joint, Known, Shape, across, along, plus, unknowns
+from coursework.groups.joint import PRISMATIC, REVOLUTE, Joint
+from coursework.groups.kind import Closed, GroupKind, Known, Shape, across, along, plus, unknowns
 from coursework.groups.pairs import GroupMotion, Pair, count_rows, group_motion
 from coursework.groups.plane import angle_of, cross, dot, vectors
 from coursework.sentences import say
@@ -105,9 +106,9 @@ def _solve(known: Known, mode: int) -> GroupMotion:
 def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Sequence[str]) -> tuple[Joint, ...]:
     rod, block = own
     return (
-        Joint("R", (points[0], block), group.start_points[0]),
-        Joint("P", (block, rod), group.start_points[0], unknowns(group)[0]),
-        Joint("R", (rod, points[1]), group.start_points[1]),
+        Joint(REVOLUTE, (points[0], block), group.start_points[0]),
+        Joint(PRISMATIC, (block, rod), group.start_points[0], unknowns(group)[0]),
+        Joint(REVOLUTE, (rod, points[1]), group.start_points[1]),
     )
 
 

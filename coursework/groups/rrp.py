@@ -15,7 +15,8 @@ import numpy as np
 
 from coursework.groups import assembly
 from coursework.groups.assembly import Length, at, dead, metres, refuse, rows_where
-from coursework.groups.kind import Closed, GroupKind, Joint, Known, Shape, across, along, plus, unknowns
+from coursework.groups.joint import PRISMATIC, REVOLUTE, Joint
+from coursework.groups.kind import Closed, GroupKind, Known, Shape, across, along, plus, unknowns
 from coursework.groups.line import Line
 from coursework.groups.pairs import GroupMotion, Guide, Pair, count_rows, group_motion
 from coursework.groups.plane import angle_of, cross, dot, vectors
@@ -94,9 +95,9 @@ def _solve(known: Known, mode: int) -> GroupMotion:
 def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Sequence[str]) -> tuple[Joint, ...]:
     pin = _closure(group)[1]
     return (
-        Joint("R", (points[0], own[0]), group.start_points[0]),
-        Joint("R", (own[0], own[1]), pin),
-        Joint("P", (own[1], guides[0]), pin, group.guides[0].angle),
+        Joint(REVOLUTE, (points[0], own[0]), group.start_points[0]),
+        Joint(REVOLUTE, (own[0], own[1]), pin),
+        Joint(PRISMATIC, (own[1], guides[0]), pin, group.guides[0].angle),
     )
 
 

@@ -15,7 +15,8 @@ import numpy as np
 
 from coursework.groups import assembly
 from coursework.groups.assembly import Array, CannotAssemble, Length, at, dead, metres, refuse, rows_where
-from coursework.groups.kind import Closed, GroupKind, Joint, Known, Shape, along, plus, unknowns
+from coursework.groups.joint import REVOLUTE, Joint
+from coursework.groups.kind import Closed, GroupKind, Known, Shape, along, plus, unknowns
 from coursework.groups.pairs import GroupMotion, Pair, count_rows, group_motion
 from coursework.groups.plane import Vectors, angle_of, dot, vectors
 from coursework.sentences import say
@@ -117,8 +118,8 @@ def _solve(known: Known, mode: int) -> GroupMotion:
 
 
 def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Sequence[str]) -> tuple[Joint, ...]:
-    ends = [Joint("R", pair, point) for pair, point in zip(zip(points, own, strict=True), group.start_points, strict=True)]
-    return (*ends, Joint("R", (own[0], own[1]), _closure(group)[1]))
+    ends = [Joint(REVOLUTE, pair, point) for pair, point in zip(zip(points, own, strict=True), group.start_points, strict=True)]
+    return (*ends, Joint(REVOLUTE, (own[0], own[1]), _closure(group)[1]))
 
 
 RRR = GroupKind("RRR", Shape(2, (2,), 0, 2), _closure, _solve, _joints, angles=2, modes=MODES)

@@ -18,7 +18,7 @@ from coursework.drawing.tracing import read_outline
 from coursework.formula.tree import Formula
 from coursework.geometry.time_derivatives import compile_rows
 from coursework.integration.motion import Motion
-from coursework.joints import FRAME, PIN_IN_GUIDE, ROLLING, linkage
+from coursework.joints import FRAME, linkage
 from coursework.mechanism import Mechanism
 from coursework.plans.instant_centres import cross
 from coursework.plans.pose import Body, Pose
@@ -154,9 +154,9 @@ class _Reader:
         self.near = INCIDENT * Pose(self.start, tuple(self.bodies), frozenset(), {}, {}, {}).size
         self.wheels = {link.name: (link.wheel, link.contact) for link in variant.links if link.wheel and link.contact}
         joints = linkage(variant, {})
-        self.hinges = joints.points("R", FRAME) if joints else ()
-        self.contacts = set(joints.points(ROLLING)) if joints else set()
-        self.sliding = set(joints.points(PIN_IN_GUIDE, FRAME)) if joints else set()
+        self.hinges = joints.points(lambda joint: joint.pins and FRAME in joint.bodies) if joints else ()
+        self.contacts = set(joints.points(lambda joint: not joint.holders)) if joints else set()
+        self.sliding = set(joints.points(lambda joint: joint.kind.slides and FRAME in joint.bodies)) if joints else set()
         self.notes: list[str] = []
 
     def sketch(self, outline: Outline, poses: Poses, row: int) -> Sketch:
