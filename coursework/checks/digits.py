@@ -54,7 +54,7 @@ class Noise:
 
 def table_digits(evidence: Evidence) -> Finding:
     """The printed digits of every tabulated law leave velocities and accelerations within 5 % of their scales."""
-    laws = [law for law in evidence.variant.functions if law.table]
+    laws = [law for law in (*evidence.variant.drive, *evidence.variant.functions) if law.table]
     if not laws:
         return skipped(say("check.TABLE-DIGITS.skip"))
     if evidence.exact is None or not len(evidence.exact.t) or evidence.restricted:
@@ -93,8 +93,9 @@ def decimals(law: Law) -> int | None:
 def amplification(method: str, order: int) -> tuple[float, ...]:
     """Return for the nodes of a table, the nearest end first, half the sum of the sizes of the weights of its derivative.
 
-    Times q/d^order, q the last place and d the spacing, that is the worst case of the derivative of `order` 1 or 2.  For the
-    five-point formulas: 0.75 inside and 5.33 at the end; applied twice 1.125 and 16.4.  The last entry holds inside.
+    Times q/d^order, q the last place and d the spacing, that is the worst case of the derivative of `order` 0, 1 or 2: 0.5 of
+    the value itself; for the five-point formulas 0.75 inside and 5.33 at the end; applied twice 1.125 and 16.4.  The last
+    entry holds inside.
     """
     columns = []
     for place in range(_NODES):
@@ -106,7 +107,12 @@ def amplification(method: str, order: int) -> tuple[float, ...]:
 
 
 def _noises(evidence: Evidence, law: Law) -> list[Noise]:
-    """Return what rounding does to the velocities of the law's unit, and to their accelerations."""
+    """Return what rounding does to the velocities that the law moves, and to their accelerations.
+
+    A law of position has them as its first and second derivative; a drive is a velocity, so its table is one derivative
+    further: the velocities have its own rounding, the accelerations that of its first derivative.
+    """
+    is_drive = law in evidence.variant.drive
     count = decimals(law)
     exact = evidence.exact
     assert exact is not None
@@ -119,12 +125,14 @@ def _noises(evidence: Evidence, law: Law) -> list[Noise]:
     rate = np.abs(_rate(evidence, law.of))
     found = []
     for order in (1, 2):
-        if order > evidence.order:
+        touched = _touched(evidence, order, law.name if is_drive else "")
+        if order > evidence.order or touched is None:
             continue
-        weights = np.array(amplification(law.method, order))
-        sizes = 10.0**-count / spacing**order * rate**order
+        derivative = order - 1 if is_drive else order
+        weights = np.array(amplification(law.method, derivative))
+        sizes = 10.0**-count / spacing**derivative * rate**derivative
         worst = weights[from_end] * sizes
-        column, unit, scale, lever = _touched(evidence, order)
+        column, unit, scale, lever = touched
         row = int(np.argmax(worst))
         fastest = float(np.max(sizes))
         found.append(
@@ -144,15 +152,21 @@ def _rate(evidence: Evidence, argument: str) -> Array:
     return exact.column(rates[argument]) if argument in rates else np.gradient(exact.column(argument), exact.step)
 
 
-def _touched(evidence: Evidence, order: int) -> tuple[str, str, float, float]:
-    """Return the column that a length off by so much shows in most, its unit and scale, and the lever (m) in between.
+def _touched(evidence: Evidence, order: int, drive: str) -> tuple[str, str, float, float] | None:
+    """Return the column that an error shows in most, its unit and scale, and what the error is divided by there (m, m⁻¹ or 1).
 
-    A speed is off by as much; where no column is a speed, an angular velocity by that over the shortest length.
+    The error is one of a speed, or of an angular velocity where the `drive` is one.  A column of its unit is off by as much;
+    where there is none, an angular velocity by that over the shortest length, a speed by that times this length.  None where
+    no column but the drives is left.
     """
     exact = evidence.exact
     assert exact is not None
-    speeds = [name for name in evidence.names if evidence.unit(name) == "m/s"]
-    names = speeds or [name for name in evidence.names if name in exact.velocity_names]
+    rates = {coordinate.rate: coordinate.unit for coordinate in evidence.variant.coordinates}
+    turns = rates.get(drive) == "rad"
+    alike = [name for name in evidence.names if evidence.unit(name) == ("rad/s" if turns else "m/s")]
+    names = alike or [name for name in evidence.names if name in exact.velocity_names]
+    if not names:
+        return None
     scales = {name: evidence.scale[name] for name in names}
     if order == 2:
         columns = {name: np.gradient(exact.column(name), exact.step) for name in names}
@@ -163,4 +177,5 @@ def _touched(evidence: Evidence, order: int) -> tuple[str, str, float, float]:
         }
     name = min(scales, key=lambda key: scales[key])
     unit = evidence.unit(name) + ("²" if order == 2 else "")
-    return f"d{name}" if order == 2 else name, unit, max(scales[name], 1e-300), 1.0 if speeds else shortest_length(evidence)
+    length = 1.0 if alike else shortest_length(evidence)
+    return f"d{name}" if order == 2 else name, unit, max(scales[name], 1e-300), 1 / length if turns else length

@@ -97,3 +97,42 @@ def test_the_limit(crank, factor, verdict):
     judged.__dict__["scale"] = scaled.__dict__["scale"]
     assert digits.table_digits(judged).verdict == verdict
     assert finding("TABLE-DIGITS", evidence).value > 0
+
+
+DRIVEN = (VARIANTS / "31.toml").read_text(encoding="utf-8").replace('"plots", "checks"', '"accelerations", "checks"')
+
+
+@pytest.fixture
+def driven(tmp_path):
+    """Return a function that makes variant 31 with its drive tabulated every 0.01 s with so many decimals."""
+
+    def made(places):
+        times = np.arange(49) * 0.01
+        rows = [f"{t:.2f},{4.5 * np.sin(13.08 * t + 4.35):.{places}f}" for t in times.tolist()]
+        (tmp_path / "law.csv").write_text("\n".join(["t,V", *rows]), encoding="utf-8")
+        law = '{ table = "law.csv", of = "t", method = "five-point" }'
+        (tmp_path / "31.toml").write_text(DRIVEN.replace('"V1*sin(p*t + alpha)"', law), encoding="utf-8")
+        return coursework.solve(tmp_path / "31.toml", "exact")
+
+    return made
+
+
+@pytest.mark.parametrize("places", [1, 2])
+def test_a_drive_is_one_derivative_further_than_a_length(driven, places):
+    """What is told bounds what the rounding really does to velocities and accelerations."""
+    rounded, full = driven(places), driven(15)
+    noises = digits._noises(rounded.results.evidence, rounded.variant.drive[1])
+    assert [noise.column for noise in noises] == ["w2", "dw2"]
+    (names, rows), (_, wanted) = rounded.columns(), full.columns()
+    for noise in noises:
+        error = np.abs(rows - wanted)[:, names.index(noise.column)]
+        assert 0 < float(np.max(error[3:-3])) <= noise.inside
+        assert float(np.max(error)) <= noise.end
+    assert noises[1].inside / noises[0].inside == pytest.approx(0.75 / 0.5 / 0.01)
+
+
+def test_few_decimals_of_a_tabulated_drive_are_too_coarse_for_accelerations(driven):
+    judged = found(driven(1), "TABLE-DIGITS")
+    assert (judged.verdict, judged.column, judged.step) == ("COARSE", "dw2", None)
+    assert "decimals of VMy allow dw2" in judged.sentence
+    assert found(driven(5), "TABLE-DIGITS").verdict == "PASS"
