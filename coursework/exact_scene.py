@@ -38,7 +38,7 @@ class ExactScene(Scene):
         """The rows of the exact motion, for the columns asked for.  Raises `InputError` where positions are not closed."""
         variant, stop, rates = self.variant, self.stop, self.passing(self.rates)
         if not is_chain(variant) and (self.closure is None or not self.closure.complete):
-            line = variant.line_of("time", "scheme") if variant.time.scheme else 0
+            line = variant.line_of("time", "scheme") if variant.time.scheme else 1  # what is missing has no line of its own
             raise InputError([Fault(say("fault.V502", scheme=PRECISE.name), variant.file, line)])
         refuse_aliasing(self.equations, variant.time.step)
         exact = self.exact

@@ -33,6 +33,8 @@ OF_SIZE, OF_UNIT = 0.1, 0.05
 NO_ERROR = 1e-10
 # The scale of a column that stands still in a mechanism that stands still: whatever counts as an error is off the scale.
 STILL = 1e-9
+# Products of doubles smaller than this have no longer sixteen digits: nothing can be told from what they leave.
+NO_DIGITS = float(np.finfo(float).tiny / np.finfo(float).eps)
 # The part of a column's scale by which a table may be off: nobody sees it in a graph.
 LIMIT = 0.05
 
@@ -170,7 +172,7 @@ class Evidence:
         terms = matrix * u[:, None, :]
         scale = np.abs(terms).sum(axis=2) + np.abs(right)
         gap = np.abs(terms.sum(axis=2) - right)
-        shares = np.where(scale > 0, gap / np.where(scale > 0, scale, 1.0), 0.0)
+        shares = np.where(scale > NO_DIGITS, gap / np.where(scale > NO_DIGITS, scale, 1.0), 0.0)
         for passage in self.passages:  # there the equations say 0 = 0, and every share would be that of round-off
             shares[passage.is_at(motion.t)] = 0.0
         return system.names, shares

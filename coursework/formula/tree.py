@@ -63,15 +63,15 @@ class Formula:
 
 
 def number(value: Fraction | int) -> Formula:
-    """Return the node of an exact number: a decimal where it has one of at most 12 digits, else a quotient."""
+    """Return the node of an exact number: a decimal where a double has that very one, else a quotient."""
     value = Fraction(value)
     if value < 0:
         return Formula("neg", (number(-value),))
     if value.denominator == 1:
         return Formula("number", name=str(value.numerator))
-    decimal = f"{float(value):.12g}"
-    if Fraction(decimal) == value:
-        return Formula("number", name=decimal)
+    for decimal in (f"{float(value):.12g}", repr(float(value))):
+        if Fraction(decimal) == value:
+            return Formula("number", name=decimal)
     return Formula("/", (number(value.numerator), number(value.denominator)))
 
 

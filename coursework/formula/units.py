@@ -24,7 +24,7 @@ _LATIN = {
     },
     "rad": {"rad": Fraction(1), "deg": _TURN / 180, "°": _TURN / 180, "grad": _TURN / 180},
     "s": {"s": Fraction(1), "ms": Fraction(1, 1000), "min": Fraction(60)},
-    "turn": {"rev": 2 * _TURN},
+    "turn": {"rev": 2 * _TURN, "r": 2 * _TURN, "U": 2 * _TURN},
 }  # fmt: skip
 _CYRILLIC = {
     "m": {"м": Fraction(1), "см": Fraction(1, 100), "мм": Fraction(1, 1000)},
@@ -185,6 +185,8 @@ def _nearest(unit: str, wanted: tuple[str, ...]) -> str:
     # "km" is not "m" written wrongly: only a word that is nearly a unit is taken for it.
     if f"1{unit}" in UNITS:
         return say("hint.closest", name=f"1{unit}")
+    if unit.partition("/")[0] in {"o", "о"}:  # a turn in some language, 360 times the degree that it looks like
+        return ""
     candidates = [known for known, (_, si) in UNITS.items() if ("/" in known) == ("/" in unit) and si in wanted]
     return closest(unit[:40], candidates, 0.7)
 

@@ -19,7 +19,7 @@ from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import TIME, symbol
 from coursework.reduction.system import compile_values
 from coursework.sentences import say
-from coursework.variant.record import Variant
+from coursework.variant.record import MAX_ROWS, Variant
 
 Array = NDArray[np.float64]
 
@@ -113,7 +113,11 @@ def refuse_aliasing(equations: VelocityEquations, step: float) -> None:
         variant = equations.variant
         own = variant.time.own_step in {None, step}
         line = variant.nearest_line("time", "step") if own else 0  # a step of the command line stands in no file
-        told = say("fault.C021", step=step, turned=frequency * step, most=float(np.pi / 10 / frequency))
+        most = float(np.pi / 10 / frequency)
+        advice = (
+            say("hint.step_at_most", most=most) if variant.time.end / most <= MAX_ROWS else say("hint.too_fast", most=MAX_ROWS)
+        )
+        told = say("fault.C021", step=step, turned=frequency * step, advice=advice)
         raise InputError([Fault(told, variant.file, line)])
 
 

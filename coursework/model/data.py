@@ -52,10 +52,13 @@ def read_data(variant: Variant, columns: Mapping[str, Any] | Any = None) -> Data
     Raises `InputError` for a name that the template does not have, lengths that differ, and what is no finite number of the
     right unit.
     """
+    columns = {} if columns is None else columns
+    if not hasattr(columns, "keys"):
+        raise _fault(variant, say("fault.D017", found=type(columns).__name__))
     places = {c.name: place for place, c in enumerate(variant.coordinates)}
     units = {given.name: given.si for given in variant.given} | {c.name: c.unit for c in variant.coordinates}
     found: dict[str, Array] = {}
-    for key in () if columns is None else columns.keys():
+    for key in columns:
         name = spell(key) if isinstance(key, str) else key
         if name not in units:
             hint = closest(str(key), list(units)) or say("hint.known", known=", ".join(units))

@@ -7,13 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from itertools import islice
+from itertools import chain, islice
 
 from coursework.dimensions.exponents import Dimension, is_known, si_unit, symbols
 from coursework.dimensions.formulas import Clash, Measurer, Term
 from coursework.errors import Fault
 from coursework.formula.tree import Formula
-from coursework.variant.dimension_words import Blame, fault_of_datum, fault_of_either, fault_of_terms
+from coursework.sentences import Sentence
+from coursework.variant.dimension_words import Blame, disagreement_of, fault_of_datum, fault_of_either, fault_of_terms
 from coursework.variant.places import Path, Place, measures, places
 from coursework.variant.record import Variant
 from coursework.variant.source import Source
@@ -33,7 +34,7 @@ class Dimensions:
     names: Mapping[str, Dimension]
     known: Mapping[str, Dimension]
     fault: Fault | None
-    disagreement: tuple[Path, str, Formula, Formula] | None
+    disagreement: tuple[Path, Sentence] | None
     numbers: tuple[tuple[Path, Formula, str], ...]
     times_as_angles: tuple[tuple[Path, Formula], ...]
 
@@ -64,11 +65,10 @@ def check_dimensions(variant: Variant, source: Source, times: Mapping[Path, Form
     known = {name: found for name in names if (found := outcome.solved(names[name])) is not None}
     fault = disagreement = None
     if outcome.clash and outcome.place:
-        first, second = outcome.clash.first.tree, outcome.clash.second.tree
-        if outcome.measurer.measured or first.si:
+        if outcome.measurer.measured or outcome.clash.first.tree.si:
             fault = _fault(outcome.clash, outcome.place, outcome, variant, source, times)
         else:
-            disagreement = outcome.place.path, outcome.place.label, first, second
+            disagreement = outcome.place.path, disagreement_of(outcome.place, outcome.clash)
     return Dimensions(names, known, fault, disagreement, tuple(outcome.numbers), tuple(outcome.times_as_angles))
 
 
@@ -145,8 +145,8 @@ def _data(variant: Variant) -> Iterator[Blame]:
 
 
 def _mends_itself(place: Place, variant: Variant, times: Mapping[Path, Formula], passes: int) -> bool:
-    """Return whether the formula holds as soon as one name is taken out of a product of it."""
-    for shorter in islice(_shortened(place.formulas[0]), passes):
+    """Return whether the formula holds as soon as one name is taken out of a product, or one term put into a bracket."""
+    for shorter in islice(chain(_shortened(place.formulas[0]), _bracketed(place.formulas[0])), passes):
         drive, functions = (
             tuple(replace(law, formula=shorter) if law.name == place.path[1] and law.formula else law for law in laws)
             for laws in (variant.drive, variant.functions)
@@ -166,3 +166,22 @@ def _shortened(tree: Formula) -> Iterator[Formula]:
                 yield tree.args[0]
         for shorter in _shortened(arg):
             yield replace(tree, args=(*tree.args[:index], shorter, *tree.args[index + 1 :]))
+
+
+def _bracketed(tree: Formula) -> Iterator[Formula]:
+    """Yield the formula with a term that stands beside a call inside the call: sin(p*t) + alpha as sin(p*t + alpha)."""
+    if tree.op in {"+", "-"} and len(tree.args) == 2:
+        for whole, term in (tree.args, tree.args[::-1]):
+            yield from _with_term(whole, term)
+    for index, arg in enumerate(tree.args):
+        for other in _bracketed(arg):
+            yield replace(tree, args=(*tree.args[:index], other, *tree.args[index + 1 :]))
+
+
+def _with_term(tree: Formula, term: Formula) -> Iterator[Formula]:
+    """Yield the formula with a term added to the argument of one of its calls."""
+    if tree.op == "call" and len(tree.args) == 1:
+        yield replace(tree, args=(Formula("+", (tree.args[0], term)),))
+    for index, arg in enumerate(tree.args):
+        for other in _with_term(arg, term):
+            yield replace(tree, args=(*tree.args[:index], other, *tree.args[index + 1 :]))

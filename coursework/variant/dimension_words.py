@@ -70,6 +70,14 @@ def contrast(place: Place, clash: Clash, solved: Solved) -> Sentence:
     return say("fault.measures.terms", tree=other, first=second, other=tree, second=first)
 
 
+def disagreement_of(place: Place, clash: Clash) -> Sentence:
+    """Return what is remarked on a formula that cannot hold in a file whose data carry no units."""
+    tree = text_of(clash.first.tree)
+    if clash.kind == "place" and place.wanted is not None:
+        return say("remark.disagreement_place", place=place.label, tree=tree, wanted=what(place.wanted))
+    return say("remark.disagreement", place=place.label, first=tree, second=text_of(clash.second.tree))
+
+
 def fault_of_terms(place: Place, clash: Clash, solved: Solved) -> Sentence:
     """Return what is said where no datum is to blame; a value of the wrong kind needs no further word."""
     told = contrast(place, clash, solved)

@@ -14,7 +14,7 @@ from coursework.formula.units import UNITS
 from coursework.sentences import Sentence, say
 from coursework.variant.dimension_check import Dimensions
 from coursework.variant.dimension_words import text_of
-from coursework.variant.places import Path, places
+from coursework.variant.places import Path, Place, places
 from coursework.variant.record import Given, Remark, Variant
 from coursework.variant.source import Source
 
@@ -49,10 +49,14 @@ def _angles(variant: Variant, dimensions: Dimensions, times: Mapping[Path, Formu
             and (coordinate.bare or coordinate.written in {"rad", "рад"})
         ):
             yield from _turned(coordinate.name, coordinate.start, coordinate.text, ("coordinates", coordinate.name))
-    phases = _terms_of_angles(variant, dimensions, times)
+    phases = _phases(variant, dimensions, times)
     for given in variant.given:
         if given.name in phases and given.unit in {"", "rad", "рад"} and not dimensions.known.get(given.name, {}):
             yield from _turned(given.name, given.value, given.text, ("given", given.name))
+    for place, term in _terms_of_angles(variant, dimensions, times):
+        size = float(term.name) if term.op == "number" and not term.si else 0.0
+        if size > _TURN * (1 + 1e-12):
+            yield "ANGLE", place.path, say("remark.angle_in", place=place.label, text=f"{size:.10g}", turns=size / _TURN)
 
 
 def _turned(name: str, value: float, text: str, path: Path) -> Iterator[_Found]:
@@ -100,7 +104,7 @@ def _bare(variant: Variant, dimensions: Dimensions, times: Mapping[Path, Formula
         return  # what is known of the others is then no more than a guess
     if not any(g.unit for g in variant.given) and not any(c.said and c.text for c in variant.coordinates):
         return
-    phases = _terms_of_angles(variant, dimensions, times)
+    phases = _phases(variant, dimensions, times)
     for given in variant.given:
         measured = dimensions.known.get(given.name)
         if not given.si and given.value and (measured or (measured is not None and given.name in phases)):
@@ -124,26 +128,31 @@ def _left_out(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
     for path, whole in dimensions.times_as_angles:
         yield "TIME-AS-ANGLE", path, say("remark.time_as_angle", term=text_of(whole))
     if dimensions.disagreement:
-        path, label, first, second = dimensions.disagreement
-        yield "NO-UNIT", path, say("remark.disagreement", place=label, first=text_of(first), second=text_of(second))
+        path, told = dimensions.disagreement
+        yield "NO-UNIT", path, told
 
 
-def _terms_of_angles(variant: Variant, dimensions: Dimensions, times: Mapping[Path, Formula]) -> set[str]:
-    """Return the names that stand alone as a term of an angle: in sin, cos, tan, behind @, or where an angle is wanted."""
-    found: set[str] = set()
+def _phases(variant: Variant, dimensions: Dimensions, times: Mapping[Path, Formula]) -> set[str]:
+    """Return the names that stand alone as a term of an angle."""
+    return {term.name for _, term in _terms_of_angles(variant, dimensions, times) if term.op == "name"}
+
+
+def _terms_of_angles(variant: Variant, dimensions: Dimensions, times: Mapping[Path, Formula]) -> Iterator[tuple[Place, Formula]]:
+    """Yield what stands as a term of an angle, and where: in sin, cos, tan, behind @, or where an angle is wanted."""
     for place in places(variant, dimensions.names, times):
         for tree in place.formulas:
             if place.wanted == {}:
-                found |= _lone(tree)
+                yield from ((place, term) for term in _terms(tree))
             for node in tree.walk():
                 if node.op == "call" and node.name in {"sin", "cos", "tan"}:
-                    found |= _lone(node.args[0])
+                    yield from ((place, term) for term in _terms(node.args[0]))
                 elif node.op == "@":
-                    found |= _lone(node.args[1])
-    return found
+                    yield from ((place, term) for term in _terms(node.args[1]))
 
 
-def _lone(tree: Formula) -> set[str]:
+def _terms(tree: Formula) -> Iterator[Formula]:
     if tree.op in {"+", "-", "neg"}:
-        return set().union(*map(_lone, tree.args))
-    return {tree.name} if tree.op == "name" else set()
+        for arg in tree.args:
+            yield from _terms(arg)
+    else:
+        yield tree

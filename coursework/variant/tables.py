@@ -70,7 +70,7 @@ def _on_disk(name: str, folder: Path) -> bytes:
     if not file.is_relative_to(folder.resolve()):
         raise TableFault(say("fault.V091", name=name))
     if not file.is_file():
-        raise TableFault(say("fault.V092", name=name))
+        raise TableFault(say("fault.V139" if file.exists() else "fault.V092", name=name))
     _require_size(name, file.stat().st_size)
     with file.open("rb") as opened:
         content = opened.read(MAX_TABLE_BYTES + 1)

@@ -30,6 +30,7 @@ def test_numbers_are_si_and_texts_bring_their_unit():
     [
         ({"alfa": [1.0]}, 'data for 31: "alfa" is no given datum and no coordinate. Did you mean "alpha"?'),
         ({"V2": [1.0]}, 'data for 31: "V2" is no given datum and no coordinate. Known: r1, r2, r3, V1, p, alpha, phi1'),
+        ([1, 2], "data for 31: a table of columns was expected, a mapping of names or a pandas frame, found list."),
         ({"w1": 3.0}, 'data for 31: "w1" is no given datum and no coordinate.'),
         ({"φ1": [1.6], "phi1": [1.6]}, 'data for 31: "phi1" stands twice among the columns.'),
         ({"r1": [1.0, 2.0], "p": [1.0]}, "the columns must have the same number of rows, found r1 2, p 1."),

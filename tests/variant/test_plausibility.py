@@ -40,6 +40,11 @@ def line_of(begin):
                 ("NO-UNIT", "alpha = 249.2 has no unit, other data have one; it is read as 249.2 rad."),
             ],
         ),
+        (
+            '"V1*sin(p*t + alpha)"', '"V1*sin(p*t + 249.2)"', "VMy",
+            [("ANGLE", "in VMy, 249.2 rad is 39.7 turns; 249.2 deg?")],
+        ),
+        ('"V1*sin(p*t + alpha)"', '"V1*sin(p*t + 6.28)"', "VMy", []),
         ('"1.63 rad"', '"193 rad"', "phi1", [("ANGLE", "phi1 = 193 rad is 30.7 turns; 193 deg?")]),
         (
             '"1.63 rad"', "93.4", "phi1",

@@ -96,7 +96,7 @@ TIMES = {"s": 1, "ms": 0.001, "min": 60, "с": 1, "мс": 0.001, "мин": 60}
 TURNING = {
     "rad/s": 1, "1/s": 1, "deg/s": TURN / 360, "°/s": TURN / 360, "rpm": TURN / 60, "1/min": TURN / 60, "rev/s": TURN,
     "rev/min": TURN / 60, "рад/с": 1, "1/с": 1, "град/с": TURN / 360, "об/мин": TURN / 60, "об/с": TURN, "1/мин": TURN / 60,
-    "grad/s": TURN / 360, "rad/min": 1 / 60,
+    "grad/s": TURN / 360, "rad/min": 1 / 60, "r/min": TURN / 60, "r/s": TURN, "U/min": TURN / 60,
 }  # fmt: skip
 SPEEDS = {
     "m/s": 1,
@@ -140,7 +140,7 @@ def test_units(text):
 def test_every_unit_the_tool_knows_is_one_of_these_or_made_of_two():
     for unit in set(units.UNITS) - {"1", "rpm"}:  # "1" names the unit of a number without one
         above, _, below = unit.partition("/")
-        assert above in LENGTHS | ANGLES | TIMES | {"1": 1, "rev": 1, "об": 1}
+        assert above in LENGTHS | ANGLES | TIMES | {"1": 1, "rev": 1, "r": 1, "U": 1, "об": 1}
         assert not below or below.removesuffix("^2") in TIMES
 
 
@@ -153,6 +153,7 @@ def test_every_unit_the_tool_knows_is_one_of_these_or_made_of_two():
         ("2 rad/sec", "1/s", 'Did you mean "rad/s"?'),
         ("2 об/мн", "1/s", 'Did you mean "об/мин"?'),
         ("2 /s", "1/s", 'Did you mean "1/s"?'),
+        ("2 o/min", "1/s", 'rad/s, 1/s, deg/s, rpm (found "2 o/min").'),
         ("0.4 kg", "", "Known units: m, cm, mm; rad, deg; s, ms, min; rad/s, 1/s, deg/s, rpm;"),
         ("50 Hz", "1/s", 'Hz says neither turns nor radians a second, found "50 Hz". Write rev/s, or 1/s.'),
         ("50 Гц", "", "Write rev/s, or 1/s."),
@@ -165,7 +166,7 @@ def test_advice_offers_units_of_what_is_wanted(text, wanted, advice):
 
 
 @pytest.mark.parametrize(
-    "unit", ["sec", "mps", "kmh", "rads", "degr", "metre", "inch", "rd", "м/сек", "гр", "m/sec", "r/min", "q/s"]
+    "unit", ["sec", "mps", "kmh", "rads", "degr", "metre", "inch", "rd", "м/сек", "гр", "m/sec", "t/min", "q/s"]
 )
 @pytest.mark.parametrize("wanted", KINDS)
 def test_no_unit_of_another_dimension_is_ever_offered(unit, wanted):
