@@ -167,7 +167,8 @@ def test_files_that_never_end_are_no_tables_and_no_variants(tmp_path, device):
         path.symlink_to(device)
     (tmp_path / "v.toml").write_text(TEXT.replace("TABLE", "r.csv"), encoding="utf-8")
     with pytest.raises(
-        coursework.InputError, match=r'v\.toml:10:15  functions\.r\.table: (the table "r\.csv" is no ordinary file|the table "r\.csv" lies)'
+        coursework.InputError,
+        match=r'v\.toml:10:15  functions\.r\.table: (the table "r\.csv" is no ordinary file|the table "r\.csv" lies)',
     ):
         coursework.load(tmp_path / "v.toml")
     with pytest.raises(coursework.InputError, match="this is not a file with text in it"):
