@@ -29,7 +29,13 @@ if TYPE_CHECKING:
 
 
 def load(path_or_name: str | Path) -> Variant:
-    """Return the variant of a file or of the catalogue.  Raises `InputError` with every fault."""
+    """Return the variant of a file or of the catalogue.  Raises `InputError` with every fault, each with its line.
+
+    >>> import coursework
+    >>> variant = coursework.load("31")
+    >>> [c.name for c in variant.coordinates], variant.time.step  # s
+    (['phi1', 'phi2', 'phi3'], 0.02)
+    """
     return read_variant(find(path_or_name))
 
 
@@ -66,6 +72,15 @@ def solve(
     (those of the file where None; names of columns restrict the table to them); `project` Newton corrections a step; `gain` of
     Baumgarte's correction in 1/s; `student` to `institution` stand in the title block; a `blank` sheet of the
     graph-analytical check leaves the construction to the student.  Raises `InputError`.
+
+    >>> import coursework
+    >>> run = coursework.solve("31", scheme="rk4", quantities=["table"])
+    >>> run.table.shape, list(run.table.columns), run.stop
+    ((25, 7), ['phi1', 'phi2', 'phi3', 'w1', 'w2', 'w3', 'w4'], None)
+    >>> coursework.solve("31", step=0.01).table["phi3"].round(4).tolist()[:3]  # rad
+    [2.87, 2.9255, 2.9806]
+    >>> coursework.solve("31", quantities=["phi3", "w3"]).table.columns.tolist()
+    ['phi3', 'w3']
     """
     chosen = load(variant) if isinstance(variant, (str, Path)) else variant
     chosen = timed(chosen, step, end)
@@ -78,7 +93,15 @@ def solve(
 def exact(
     variant: Variant | str | Path, step: float | None = None, end: float | None = None, *, quantities: Iterable[str] | None = None
 ) -> pd.DataFrame:
-    """Return the table of the exact motion (index t), with the same columns as `solve(variant).table`."""
+    """Return the table of the exact motion (index t), with the same columns as `solve(variant).table`.
+
+    `step` and `end` in s; `quantities` as in `solve`.  Raises `InputError`.
+
+    >>> import coursework
+    >>> exact, table = coursework.exact("31"), coursework.solve("31").table
+    >>> exact.shape == table.shape, round(float((table["phi3"] - exact["phi3"]).abs().max()), 3)  # Euler's error, rad
+    (True, 0.152)
+    """
     import pandas as pd
 
     run = solve(variant, step=step, end=end, quantities=quantities)

@@ -79,12 +79,19 @@ def noise(sigma: float, spacing: float) -> float:
     """Return the standard deviation sigma sqrt(130)/(12 h) of the derivative at an inner node.
 
     `sigma` that of the values (unit of y), `spacing` h (unit of x).
+
+    >>> round(noise(1e-4, spacing=0.1), 6)
+    0.00095
     """
     return AMPLIFICATION * sigma / spacing
 
 
 def truncation(fifth: float, spacing: float) -> float:
-    """Return h^4 |f5|/30, the error of the central formula; `fifth` the size of the fifth derivative."""
+    """Return h^4 |f5|/30, the error of the central formula; `fifth` the size of the fifth derivative, `spacing` h.
+
+    >>> round(truncation(24.0, spacing=0.1), 9)
+    8e-05
+    """
     return spacing**4 * abs(fifth) / 30.0
 
 

@@ -24,7 +24,11 @@ GROUPS: tuple[GroupKind, ...] = (CRANK, RRR, RRP, RPR, RPP, PRP)
 
 
 def group_kind(name: str) -> GroupKind:
-    """Return the kind of a group by its name.  Raises `KeyError` for a name that is none."""
+    """Return the kind of a group by its name.  Raises `KeyError` for a name that is none.
+
+    >>> group_kind("RRP"), group_kind("RRP").shape.guides
+    (RRP, 1)
+    """
     return {kind.name: kind for kind in GROUPS}[name]
 
 

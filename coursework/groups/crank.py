@@ -32,6 +32,11 @@ def crank(a: Pair, *, length: Length, angle: ArrayLike, rate: ArrayLike, acceler
     for, so the determinant is 1.  With rate 1, acceleration 0 and r', r'' taken along the angle the result is
     in analogs.
     Raises `ValueError` for a length that is not finite and above zero.
+
+    >>> from coursework.procedures import Pair, crank
+    >>> pin = crank(Pair([0.0, 0.0]), length=0.1, angle=[0.0, np.pi / 2], rate=10.0).meets
+    >>> pin.position.round(9).tolist(), pin.velocity.round(9).tolist()  # m, m/s
+    ([[0.1, 0.0], [0.0, 0.1]], [[0.0, 1.0], [-1.0, 0.0]])
     """
     r, dr, ddr = assembly.length("crank, its length", length)
     turn, w, al = (

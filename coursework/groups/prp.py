@@ -32,6 +32,11 @@ def prp(guide_i: Guide, guide_j: Guide, *, positions_only: bool = False) -> Grou
     determinant = scaled = sin(t_i - t_j).  There is one assembly mode.
     Raises `CannotAssemble` where the guides are parallel with the lines of the pin apart; `AtDeadPoint` where
     these lines coincide, whatever `positions_only`: the hinge may then stand anywhere.
+
+    >>> from coursework.procedures import Guide, Pair, prp
+    >>> found = prp(Guide(Pair([0.0, 0.0]), angle=np.pi / 4), Guide(Pair([0.3, 0.0]), angle=np.pi / 2))
+    >>> found.coordinates.round(4).tolist(), found.meets.position.round(9).tolist()  # m
+    ([[0.4243, 0.3]], [[0.3, 0.3]])
     """
     n = count_rows("PRP", guide_i=guide_i.rows, guide_j=guide_j.rows)
     i, j = Line(guide_i, "PRP, guide i"), Line(guide_j, "PRP, guide j")

@@ -35,6 +35,11 @@ def rpp(b: Pair, guide: Guide, *, slide_angle: ArrayLike, positions_only: bool =
     determinant = scaled = -sin(t_i).  There is one assembly mode.
     Raises `CannotAssemble` where the slides are parallel and B is off the line of D; `AtDeadPoint` where they
     are parallel and B is on it, whatever `positions_only`: block j may then stand anywhere.
+
+    >>> from coursework.procedures import Guide, Pair, rpp
+    >>> found = rpp(Pair([0.3, 0.4], velocity=[1.0, 2.0]), Guide(Pair([0.0, 0.0]), angle=0.0), slide_angle=np.pi / 2)
+    >>> found.coordinates.round(9).tolist(), found.rates.round(9).tolist()  # m, m/s
+    ([[0.4, 0.3]], [[2.0, 1.0]])
     """
     t_i = numbers("RPP, the slide angle", slide_angle)
     n = count_rows("RPP", B=b.rows, guide=guide.rows, slide_angle=len(t_i))

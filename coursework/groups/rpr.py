@@ -44,6 +44,11 @@ def rpr(
     determinant = -s (m); scaled = -s / L, L the largest BD of all rows, or the end length where larger.
     Raises `CannotAssemble` where BD < |e0|; `AtDeadPoint` where s = 0, unless `positions_only`, and always
     where B lies on D, because the rod may then point anywhere; `ValueError` for a wrong mode or length.
+
+    >>> from coursework.procedures import Pair, rpr
+    >>> found = rpr(Pair([0.3, 0.4], velocity=[-0.8, 0.6]), Pair([0.0, 0.0]))
+    >>> found.coordinates.round(4).tolist(), found.rates.round(4).tolist()  # rad and m, rad/s and m/s
+    ([[0.9273, 0.5]], [[2.0, 0.0]])
     """
     assembly.require_mode("RPR", mode, MODES)
     e0 = numbers("RPR, the offset", offset)

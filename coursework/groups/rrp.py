@@ -36,6 +36,11 @@ def rrp(b: Pair, guide: Guide, *, length: Length, mode: int, positions_only: boo
     determinant = r cos(theta - t_j) (m), scaled = cos(theta - t_j).
     Raises `CannotAssemble` where B is farther from the line of C than r; `AtDeadPoint` where the rod is
     perpendicular to the guide, unless `positions_only`; `ValueError` for a wrong mode or length.
+
+    >>> from coursework.procedures import Guide, Pair, rrp
+    >>> found = rrp(Pair([0.0, 0.3], velocity=[0.0, 0.4]), Guide(Pair([0.0, 0.0]), angle=0.0), length=0.5, mode=1)
+    >>> found.coordinates.round(4).tolist(), found.rates.round(4).tolist()  # rad and m, rad/s and m/s
+    ([[-0.6435, 0.4]], [[-1.0, -0.3]])
     """
     assembly.require_mode("RRP", mode, MODES)
     r, dr, ddr = assembly.length("RRP, the rod", length)

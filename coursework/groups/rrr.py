@@ -35,6 +35,16 @@ def rrr(b: Pair, d: Pair, *, lengths: tuple[Length, Length], mode: int, position
     determinant = r_i r_j sin(theta_i - theta_j) (m^2), scaled = sin(theta_i - theta_j).
     Raises `CannotAssemble` unless |r_i - r_j| <= BD <= r_i + r_j; `AtDeadPoint` where the links lie on one
     line, unless `positions_only`; `ValueError` for a mode or a length that does not exist.
+
+    >>> from coursework.procedures import Pair, rrr
+    >>> found = rrr(Pair([0.0, 0.0]), Pair([0.5, 0.0]), lengths=(0.4, 0.3), mode=1)
+    >>> found.meets.position.round(9).tolist(), np.rad2deg(found.coordinates).round(2).tolist()
+    ([[0.32, 0.24]], [[36.87, 126.87]])
+    >>> rrr(Pair([0.0, 0.0]), Pair([0.8, 0.0]), lengths=(0.4, 0.3), mode=1)
+    Traceback (most recent call last):
+        ...
+    coursework.groups.assembly.CannotAssemble: RRR cannot be assembled at row 0:
+    B and D are 0.8000 m apart, the two links reach 0.7000 m; together they are 0.1000 m too short.
     """
     assembly.require_mode("RRR", mode, MODES)
     r_i, dr_i, ddr_i = assembly.length("RRR, the link from B", lengths[0])

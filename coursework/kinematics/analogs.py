@@ -24,7 +24,11 @@ Level: TypeAlias = Callable[[Array, Array], tuple[Array, Array]]
 
 
 def true_velocity(first: ArrayLike, omega_1: ArrayLike) -> Array:
-    """Return q' omega_1, per second; `first` q' (n,) or (n, k), `omega_1` (rad/s) a number or (n,)."""
+    """Return q' omega_1, per second; `first` q' (n,) or (n, k), `omega_1` (rad/s) a number or (n,).
+
+    >>> true_velocity([0.1, 0.2], omega_1=10.0).tolist()
+    [1.0, 2.0]
+    """
     analog = np.asarray(first, dtype=np.float64)
     return analog * _beside(omega_1, analog)
 
@@ -35,6 +39,9 @@ def true_acceleration(first: ArrayLike, second: ArrayLike, omega_1: ArrayLike, e
     `first`, `second` the analogs q', q'' (n,) or (n, k); `omega_1` (rad/s) and `epsilon_1` (rad/s^2) of the
     crank, a number or (n,).  Without the last term the formula of [library] holds for a constant omega_1
     only.
+
+    >>> true_acceleration([0.1, 0.2], [0.0, 0.5], omega_1=10.0, epsilon_1=5.0).tolist()
+    [0.5, 51.0]
     """
     one, two = np.asarray(first, dtype=np.float64), np.asarray(second, dtype=np.float64)
     omega = _beside(omega_1, two)
@@ -42,13 +49,25 @@ def true_acceleration(first: ArrayLike, second: ArrayLike, omega_1: ArrayLike, e
 
 
 def velocity_analog(velocity: ArrayLike, omega_1: ArrayLike) -> Array:
-    """Return q' = velocity / omega_1.  Raises `ValueError` where the crank stands still."""
+    """Return q' = velocity / omega_1, shaped as `velocity` (n,) or (n, k); `omega_1` (rad/s) a number or (n,).
+
+    Raises `ValueError` where the crank stands still.
+
+    >>> velocity_analog([1.0, 2.0], omega_1=10.0).tolist()
+    [0.1, 0.2]
+    """
     true = np.asarray(velocity, dtype=np.float64)
     return true / _turning(omega_1, true)
 
 
 def acceleration_analog(velocity: ArrayLike, acceleration: ArrayLike, omega_1: ArrayLike, epsilon_1: ArrayLike = 0.0) -> Array:
-    """Return q'' = (acceleration - q' epsilon_1)/omega_1^2.  Raises `ValueError` for a standing crank."""
+    """Return q'' = (acceleration - q' epsilon_1)/omega_1^2, shaped as `acceleration` (n,) or (n, k).
+
+    `omega_1` (rad/s) and `epsilon_1` (rad/s^2) a number or (n,).  Raises `ValueError` where the crank stands still.
+
+    >>> acceleration_analog([1.0, 2.0], [0.5, 51.0], omega_1=10.0, epsilon_1=5.0).tolist()
+    [0.0, 0.5]
+    """
     true = np.asarray(acceleration, dtype=np.float64)
     omega = _turning(omega_1, true)
     return (true - velocity_analog(velocity, omega_1) * _beside(epsilon_1, true)) / (omega * omega)

@@ -87,6 +87,10 @@ def from_analogs(s: ArrayLike, v: ArrayLike, a: ArrayLike, *, stroke: float, ang
     `s`, `v`, `a` (n,) displacement from the start of the stroke and its derivatives with respect to the crank
     angle; `stroke` S in the unit of `s`, `angle` Phi (rad).  Raises `ValueError` unless S and Phi are finite
     and above zero.
+
+    >>> even = from_analogs([0.0, 0.1, 0.2], [0.1, 0.1, 0.1], [0.0, 0.0, 0.0], stroke=0.2, angle=2.0)
+    >>> even.a.tolist(), even.b.tolist(), even.c.tolist()
+    ([0.0, 0.5, 1.0], [1.0, 1.0, 1.0], [0.0, 0.0, 0.0])
     """
     _require_scale(stroke, angle)
     one, two, three = (np.asarray(part, dtype=np.float64) for part in (s, v, a))
@@ -94,7 +98,12 @@ def from_analogs(s: ArrayLike, v: ArrayLike, a: ArrayLike, *, stroke: float, ang
 
 
 def to_analogs(invariants: Invariants) -> tuple[Array, Array, Array]:
-    """Return s, v, a: displacement and its derivatives by the crank angle, in the unit of the stroke."""
+    """Return s, v, a: displacement and its derivatives by the crank angle, each (n,) in the unit of the stroke.
+
+    >>> even = from_analogs([0.0, 0.1, 0.2], [0.1, 0.1, 0.1], [0.0, 0.0, 0.0], stroke=0.2, angle=2.0)
+    >>> [part.round(9).tolist() for part in to_analogs(even)]
+    [[0.0, 0.1, 0.2], [0.1, 0.1, 0.1], [0.0, 0.0, 0.0]]
+    """
     ratio = invariants.stroke / invariants.angle
     return invariants.a * invariants.stroke, invariants.b * ratio, invariants.c * (ratio / invariants.angle)
 
@@ -113,6 +122,9 @@ def from_true(
 
     `angle` Phi (rad), `omega_1` (rad/s), `epsilon_1` (rad/s^2) of the crank.  Raises `ValueError` as
     `from_analogs`, and where omega_1 = 0.
+
+    >>> from_true([0.0, 0.1, 0.2], [0.5, 0.5, 0.5], [0.0, 0.0, 0.0], stroke=0.2, angle=2.0, omega_1=5.0).b.tolist()
+    [1.0, 1.0, 1.0]
     """
     first = velocity_analog(velocity, omega_1)
     second = acceleration_analog(velocity, acceleration, omega_1, epsilon_1)

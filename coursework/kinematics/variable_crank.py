@@ -90,10 +90,13 @@ def slider_crank(
 
 
 def rod_angle(phi: Array, lr: Array, l2: float, l3: float = 0.0) -> Array:
-    """Return phi2 = arcsin((l3 - lr sin phi)/l2) in rad, (n,).
+    """Return phi2 = arcsin((l3 - lr sin phi)/l2) in rad, (n,); `phi` (n,) rad.
 
     Raises `CannotAssemble` where the rod is too short to reach the slider's line, `AtDeadPoint` where it
     stands perpendicular to it, cos phi2 = 0, by which the formulas divide.
+
+    >>> np.rad2deg(rod_angle(np.array([0.0, np.pi / 2]), np.ones(2), l2=2.0)).round(9).tolist()
+    [0.0, -30.0]
     """
     drop = np.atleast_1d(l3 - lr * np.sin(phi))
     _spare("slider-crank", drop, l2, OFF_LINE)
@@ -102,30 +105,52 @@ def rod_angle(phi: Array, lr: Array, l2: float, l3: float = 0.0) -> Array:
 
 
 def outer_position(lr: float, l2: float, l3: float = 0.0) -> float:
-    """Return S_a = sqrt((lr + l2)^2 - l3^2): the slider with crank and rod in one line; not the stroke."""
+    """Return S_a = sqrt((lr + l2)^2 - l3^2): the slider with crank and rod in one line; not the stroke.
+
+    >>> outer_position(1.0, l2=4.0, l3=3.0)
+    4.0
+    """
     return math.sqrt((lr + l2 - l3) * (lr + l2 + l3))
 
 
 def displacement(phi: Array, lr: Array, phi2: Array, l2: float, outer: float) -> Array:
-    """Return s = S_a - lr cos phi - l2 cos phi2: formula (5)."""
+    """Return s = S_a - lr cos phi - l2 cos phi2: formula (5), (n,); `phi`, `phi2` (n,) rad.
+
+    >>> displacement(np.array([0.0, np.pi]), np.ones(2), np.zeros(2), l2=2.0, outer=3.0).tolist()
+    [0.0, 2.0]
+    """
     s: Array = outer - lr * np.cos(phi) - l2 * np.cos(phi2)
     return s
 
 
 def rod_velocity(phi: Array, lr: Array, first: Array, phi2: Array, l2: float) -> Array:
-    """Return omega_2 = dphi2/dphi: formula (10)."""
+    """Return omega_2 = dphi2/dphi: formula (10), (n,); `phi`, `phi2` (n,) rad.
+
+    >>> rod_velocity(np.array([0.0, np.pi]), np.ones(2), np.zeros(2), np.zeros(2), l2=2.0).tolist()
+    [-0.5, 0.5]
+    """
     omega: Array = -(lr * np.cos(phi) + first * np.sin(phi)) / (l2 * np.cos(phi2))
     return omega
 
 
 def slider_velocity(phi: Array, lr: Array, first: Array, phi2: Array, omega_2: Array, l2: float) -> Array:
-    """Return v = ds/dphi: formula (9)."""
+    """Return v = ds/dphi: formula (9), (n,); `phi`, `phi2` (n,) rad.
+
+    >>> phi, phi2 = np.array([np.pi / 2]), np.array([-np.pi / 6])
+    >>> slider_velocity(phi, np.ones(1), np.zeros(1), phi2, omega_2=np.zeros(1), l2=2.0).tolist()
+    [1.0]
+    """
     v: Array = lr * np.sin(phi) - first * np.cos(phi) + l2 * omega_2 * np.sin(phi2)
     return v
 
 
 def rod_acceleration(phi: Array, lr: Array, first: Array, second: Array, phi2: Array, omega_2: Array, l2: float) -> Array:
-    """Return epsilon_2 = d2phi2/dphi2: formula (12), with (10) put in for its terms in omega_2."""
+    """Return epsilon_2 = d2phi2/dphi2: formula (12), with (10) put in for its terms in omega_2; (n,).
+
+    >>> phi, phi2 = np.array([np.pi / 2]), np.array([-np.pi / 6])
+    >>> rod_acceleration(phi, np.ones(1), np.zeros(1), np.zeros(1), phi2, omega_2=np.zeros(1), l2=2.0).round(4).tolist()
+    [0.5774]
+    """
     sine = np.sin(phi)
     epsilon: Array = (lr - second) * sine - 2.0 * first * np.cos(phi) + l2 * omega_2 * omega_2 * np.sin(phi2)
     return epsilon / (l2 * np.cos(phi2))
@@ -141,7 +166,12 @@ def slider_acceleration(
     epsilon_2: Array,
     l2: float,
 ) -> Array:
-    """Return a = d2s/dphi2: formula (11)."""
+    """Return a = d2s/dphi2: formula (11), (n,); in the outer dead centre 1 + 1/l2.
+
+    >>> still = np.zeros(1)
+    >>> slider_acceleration(still, np.ones(1), still, still, still, omega_2=np.array([-0.5]), epsilon_2=still, l2=2.0).tolist()
+    [1.5]
+    """
     rod = l2 * (omega_2 * omega_2 * np.cos(phi2) + epsilon_2 * np.sin(phi2))
     a: Array = (lr - second) * np.cos(phi) + 2.0 * first * np.sin(phi) + rod
     return a

@@ -25,6 +25,14 @@ def write_report(run: Run, *paths: Path | str, language: str = "en") -> None:
 
     The model (and its figures) is built once.  All pages are rendered before the first file is touched.
     Raises `OutputError` for another suffix, a missing typst, or a file that cannot be written.
+
+    >>> from tempfile import TemporaryDirectory
+    >>> import coursework
+    >>> run = coursework.solve("31", quantities=["table"])
+    >>> with TemporaryDirectory() as folder:
+    ...     coursework.write_report(run, Path(folder, "report.html"))
+    ...     [file.name for file in Path(folder).iterdir()]
+    ['report.html']
     """
     targets = [Path(path) for path in paths]
     formats = [_page_format(target) for target in targets]

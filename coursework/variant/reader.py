@@ -62,6 +62,15 @@ def parse_variant(content: str | bytes, file: str = "variant", tables: Mapping[s
     """Return the variant in a text; `tables` are the files it names, by name.  Nothing is read from disk.
 
     Raises `InputError` with all faults.
+
+    >>> import coursework
+    >>> text = coursework.load("31").path.read_text(encoding="utf-8")
+    >>> coursework.parse_variant(text.replace("0.953 m", "0.96 m")).values["r1"]
+    0.96
+    >>> coursework.parse_variant(text.replace("0.953 m", "0.953 kg"))
+    Traceback (most recent call last):
+        ...
+    coursework.errors.InputError: V105 variant:13:9  given.r1: a length was expected: m, cm, mm (found "0.953 kg").
     """
     raw = content.encode("utf-8") if isinstance(content, str) else content
     return _build(read_source(raw, file, tables or {}), file, None)
