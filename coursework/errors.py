@@ -52,7 +52,16 @@ class Fault:
 
 
 class CourseworkError(Exception):
-    """Something the user can put right, told by its faults in file order; the command line ends with status 2."""
+    """Something the user can put right, told by its faults in file order; the command line ends with status 2.
+
+    >>> import coursework
+    >>> text = coursework.load("31").path.read_text(encoding="utf-8")
+    >>> try:
+    ...     coursework.parse_variant(text.replace("0.953 m", "0.953 kg").replace("0.847 m", "-"))
+    ... except coursework.CourseworkError as error:
+    ...     [(fault.line, fault.code) for fault in error.faults]
+    [(13, 'V105'), (14, 'V107')]
+    """
 
     def __init__(self, faults: Iterable[Fault] | Sentence) -> None:
         listed = (Fault(faults),) if isinstance(faults, str) else tuple(faults)
@@ -70,7 +79,14 @@ class CourseworkError(Exception):
 
 
 class InputError(CourseworkError):
-    """The input cannot be used; carries every fault found."""
+    """The input cannot be used; carries every fault found.
+
+    >>> import coursework
+    >>> coursework.solve("31", step=-0.02)
+    Traceback (most recent call last):
+        ...
+    coursework.errors.InputError: C008 the step must be greater than 0, found -0.02 s.
+    """
 
 
 class Unplaced(CourseworkError):
@@ -78,7 +94,14 @@ class Unplaced(CourseworkError):
 
 
 class OutputError(CourseworkError):
-    """A result could not be written; nothing half-written is left."""
+    """A result could not be written; nothing half-written is left.
+
+    >>> import coursework
+    >>> coursework.write_report(coursework.solve("31"), "report.docx")
+    Traceback (most recent call last):
+        ...
+    coursework.errors.OutputError: W011 report.docx  a report ends in .html or .pdf (found .docx).
+    """
 
 
 def visible(text: str) -> str:

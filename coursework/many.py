@@ -45,6 +45,11 @@ class Solutions:
     """The tables of n sets: `t` (rows,) in s, `values` (n, rows, columns), nan after a motion has stopped.
 
     `columns` as in `Run.table`; `stops` (n) says why a motion ended early, None where it did not.
+
+    >>> import coursework
+    >>> solutions = coursework.solve_many("31", {"p": [12.0, 13.08]})
+    >>> solutions.values.shape, solutions.columns[:3], len(solutions.table(0))
+    ((2, 25, 7), ('phi1', 'phi2', 'phi3'), 25)
     """
 
     t: Array

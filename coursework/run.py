@@ -55,6 +55,11 @@ class Run:
 
     `table` is a pandas frame (index t); `checks` the judged facts; `stop` why the motion ended early, or None; `of(QUANTITY)`
     anything that can be asked for.  `timed` replaces the study of accuracy by one with seconds.
+
+    >>> import coursework
+    >>> run = coursework.solve("31", scheme="rk4", quantities=["table", "checks"])
+    >>> run.table.shape, run.stop, run.passed
+    ((25, 7), None, True)
     """
 
     scene: Scene

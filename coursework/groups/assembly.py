@@ -31,6 +31,13 @@ class CannotAssemble(ValueError):
 
     `row` is the first failing row and `rows` all of them, counted from 0; `shortage` (m) says by how much a
     length is too short or too long in that first row; `reason` is the sentence without the row.
+
+    >>> from coursework.procedures import CannotAssemble, Pair, rrr
+    >>> try:
+    ...     rrr(Pair([0.0, 0.0]), Pair([[0.5, 0.0], [0.8, 0.0]]), lengths=(0.4, 0.3), mode=1)
+    ... except CannotAssemble as error:
+    ...     error.rows, round(error.shortage, 9)
+    ((1,), 0.1)
     """
 
     def __init__(self, sentence: str, rows: tuple[int, ...] = (0,), shortage: float = 0.0, reason: str = "") -> None:
@@ -45,7 +52,15 @@ class CannotAssemble(ValueError):
 
 
 class AtDeadPoint(ValueError):
-    """The determinant is zero and velocities are not defined; `row` the first row, `rows` all, from 0."""
+    """The determinant is zero and velocities are not defined; `row` the first row, `rows` all, from 0.
+
+    >>> from coursework.procedures import AtDeadPoint, Pair, rrr
+    >>> try:
+    ...     rrr(Pair([0.0, 0.0]), Pair([[0.5, 0.0], [0.75, 0.0]]), lengths=(0.5, 0.25), mode=1)
+    ... except AtDeadPoint as error:
+    ...     error.rows
+    (1,)
+    """
 
     def __init__(self, sentence: str, rows: tuple[int, ...] = (0,)) -> None:
         super().__init__(sentence, rows)

@@ -52,6 +52,10 @@ class Pair:
     `position` (n, 2) or (2,) m, `velocity` m/s, `acceleration` m/s^2; a pair that stands still needs its
     position only.  None means *not known*: a group computed with `positions_only` says so of its point.
     Raises `ValueError` for a wrong shape and for numbers that are not finite.
+
+    >>> from coursework.procedures import Pair
+    >>> Pair([0.4, 0.0]).velocity.tolist(), Pair([[0.0, 0.1], [0.0, 0.2]], velocity=[0.0, 0.5]).rows
+    ([0.0, 0.0], 2)
     """
 
     position: Array
@@ -86,6 +90,10 @@ class Guide:
     `through` a pair K on it; `angle` (rad) of its positive direction, `rate` (rad/s), `acceleration`
     (rad/s^2): a number or one a row; `offset` (m) of the pin's own line from the line through K, to the left
     of the direction.
+
+    >>> from coursework.procedures import Guide, Pair
+    >>> Guide(Pair([0.0, 0.4]), angle=[0.0, 0.1, 0.2], rate=5.0, offset=0.02).rows
+    3
     """
 
     through: Pair
@@ -130,6 +138,11 @@ class GroupMotion:
     in m; `rates` and `accelerations` their time derivatives, None when only positions were asked for; `meets`
     the point the next group hangs on; `determinant` (n,) of the 2x2 matrix that velocities and accelerations
     share, `scaled_determinant` (n,) the same without a unit, from -1 to 1; `mode` the assembly mode.
+
+    >>> from coursework.procedures import Pair, rrr
+    >>> found = rrr(Pair([0.0, 0.0]), Pair([[0.5, 0.0], [0.6, 0.0]]), lengths=(0.4, 0.3), mode=1)
+    >>> found.coordinates.shape, found.meets.rows, found.scaled_determinant.round(4).tolist()
+    ((2, 2), 2, [-1.0, -0.8888])
     """
 
     coordinates: Array

@@ -33,7 +33,12 @@ Array: TypeAlias = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Invariants:
-    """a_k, b_k, c_k, each (n,) and without a unit, with the `stroke` S and the crank `angle` Phi (rad)."""
+    """a_k, b_k, c_k, each (n,) and without a unit, with the `stroke` S and the crank `angle` Phi (rad).
+
+    >>> way = from_analogs([0.0, 0.1, 0.4], [0.0, 0.2, 0.4], [0.2, 0.2, 0.2], stroke=0.4, angle=2.0)
+    >>> way.a.tolist(), way.b.tolist(), way.c.tolist()
+    ([0.0, 0.25, 1.0], [0.0, 1.0, 2.0], [2.0, 2.0, 2.0])
+    """
 
     a: Array
     b: Array
@@ -48,6 +53,10 @@ class Stroke:
 
     `length` S in the unit of the crank, crank `angle` Phi (rad), the crank angles of both ends (rad), and
     `outer_position` of the slider: the S_a of formula (5), which is not the stroke.
+
+    >>> centric = crank_stroke(0.4, crank=0.1)
+    >>> round(centric.length, 9), round(centric.outer_position, 9), round(math.degrees(centric.inner_angle))
+    (0.2, 0.5, 180)
     """
 
     length: float

@@ -33,7 +33,12 @@ OFF_LINE = ("group.off.line", "group.line.of_slider")
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SliderAnalogs:
-    """Analogs (n,) of slider and rod, divided by l1: `phi2` (rad), `s`, `v`, `a`, `omega_2`, `epsilon_2`."""
+    """Analogs (n,) of slider and rod, divided by l1: `phi2` (rad), `s`, `v`, `a`, `omega_2`, `epsilon_2`.
+
+    >>> dead_centres = slider_crank([0.0, np.pi], 1.0, l2=2.0)
+    >>> dead_centres.s.round(9).tolist(), dead_centres.a.round(9).tolist()
+    ([0.0, 2.0], [1.5, -0.5])
+    """
 
     phi2: Array
     s: Array
@@ -45,7 +50,12 @@ class SliderAnalogs:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CrankLaw:
-    """A crank length (n,) that depends on the crank angle: `r`, `first` dr/dphi, `second` d2r/dphi2, m."""
+    """A crank length (n,) that depends on the crank angle: `r`, `first` dr/dphi, `second` d2r/dphi2, m.
+
+    >>> law = constant_speed_crank([1.34, 1.44], speed=0.65, omega_1=6.28, crank=0.1, rod=0.4)
+    >>> law.r.round(4).tolist(), law.first.round(4).tolist()
+    ([0.1, 0.1005], [0.0268, 0.0039])
+    """
 
     r: Array
     first: Array

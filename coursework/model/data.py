@@ -27,6 +27,11 @@ class Data:
     """`count` sets: `given` data by name, (count,) each; `start` coordinates (count, m), nan where a chain gives them.
 
     All in SI (rad, m, s); `changed` are the names that the user gave, the others are those of the file.
+
+    >>> import coursework
+    >>> data = coursework.compile_model("31").data({"r1": ["953 mm", "0.9 m"], "phi1": 1.63})
+    >>> data.count, data.given["r1"].tolist(), data.start.shape, data.changed
+    (2, [0.953, 0.9], (2, 3), ('r1', 'phi1'))
     """
 
     count: int

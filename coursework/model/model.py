@@ -45,6 +45,11 @@ class Model:
     `equations` and `reduction` of the template; functions take t (…,) in s, q (…, m) in rad or m, and `Data`: one set goes
     with arrays of any shape, several with the first axis of t and q.  Where a velocity has no value (beyond the table of a
     law, at a dead point) they give nan; nothing is raised or warned about.
+
+    >>> import coursework
+    >>> model = coursework.compile_model("31")
+    >>> model.coordinates, model.velocities, [block.unknowns for block in model.blocks]
+    (('phi1', 'phi2', 'phi3'), ('w1', 'w2', 'w3', 'w4'), [('w3',), ('w4',), ('w1', 'w2')])
     """
 
     variant: Variant

@@ -43,7 +43,13 @@ MOST_PERIODS = 10_000  # of one run
 
 @dataclass(frozen=True, slots=True)
 class Variant:
-    """One variant of the coursework, complete."""
+    """One variant of the coursework, complete.
+
+    >>> import coursework
+    >>> variant = coursework.load("31")
+    >>> variant.values["r1"], variant.time.end, variant.columns, variant.unit_of("w3")  # m, s
+    (0.953, 0.48, ('phi1', 'phi2', 'phi3', 'w1', 'w2', 'w3', 'w4'), 'rad/s')
+    """
 
     name: str
     path: pathlib.Path | None
