@@ -86,7 +86,7 @@ class MotionResults:
     def evidence(self) -> Evidence:
         """What the checks may look at: the rows beside the exact ones, and ways to make them again."""
         from coursework.checks.evidence import Evidence
-        from coursework.geometry.oscillation import fastest
+        from coursework.geometry.swings import drive_frequency
         from coursework.integration.replay import Replay
 
         scene, motion = self.scene, self.motion
@@ -99,8 +99,8 @@ class MotionResults:
         turning = [place for place, coordinate in enumerate(scene.variant.coordinates) if coordinate.unit == "rad"]
         return Evidence(
             scene.variant, scene.equations, rates, motion, scene.exact, self.extended_precision, scene.closure,
-            scene.stop, scene.reduction.used, fastest(scene.equations), scene.search.fastest(turning), replay, rerun, passages,
-            scene.settings.order,
+            scene.stop, scene.reduction.used, drive_frequency(scene.equations), scene.search.fastest(turning), replay, rerun,
+            passages, scene.settings.order,
         )  # fmt: skip
 
     @computed("evidence")

@@ -12,7 +12,7 @@ from fractions import Fraction
 
 from coursework.checks.rows import AT_ROW, ROWS_A_PERIOD
 from coursework.geometry.drive import breaks
-from coursework.geometry.oscillation import fastest
+from coursework.geometry.swings import drive_frequency, turning_cranks
 from coursework.integration.integrate import WIDEST_STEP
 from coursework.reduction.equations import VelocityEquations
 from coursework.singular.search import Search
@@ -45,13 +45,8 @@ def step_rules(equations: VelocityEquations, search: Search) -> StepRules:
     variant = equations.variant
     turning = [place for place, coordinate in enumerate(variant.coordinates) if coordinate.unit == "rad"]
     rates = search.fastest(turning)
-    cranks = [
-        rates[place][0]
-        for place in turning
-        if rates and rates[place][1] is None and variant.coordinates[place].rate in variant.known_rates
-    ]
     end = variant.time.end
-    rows = ROWS_A_PERIOD * end * max([fastest(equations), *cranks]) / (2 * math.pi)
+    rows = ROWS_A_PERIOD * end * max([drive_frequency(equations), *turning_cranks(equations).values()]) / (2 * math.pi)
     turns = end * max((rates[place][0] for place in turning if rates), default=0.0) / WIDEST_STEP
     return StepRules(max(1, *(math.ceil(count * (1 - _ROUNDING)) for count in (rows, turns))), _pace(breaks(variant), end))
 

@@ -102,7 +102,7 @@ def _step(evidence: Evidence, own: str, coarse: list[Finding], judge: Judge) -> 
     parts = 1
     for _ in range(_TRIES):
         needed = max(parts + 1, math.ceil(parts * max(_growth(one, order) for one in coarse)))
-        parts = parts_at_breaks(evidence, needed) or needed
+        parts = needed if own == EXACT else parts_at_breaks(evidence, needed) or needed
         if evidence.variant.time.end / evidence.motion.step * parts > MAX_ROWS:
             return 0
         motion = None if own == EXACT else evidence.rerun(own, _spelled(evidence, parts)[1])

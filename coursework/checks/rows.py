@@ -10,6 +10,8 @@ import numpy as np
 from coursework.checks.evidence import Evidence
 from coursework.checks.result import Finding, skipped
 from coursework.geometry.drive import breaks
+from coursework.geometry.swings import turning_cranks
+from coursework.schemes import EXACT
 from coursework.sentences import joined, say
 
 # Explicit Euler wants at least twenty rows a period of the drive, and a turn of a crank.
@@ -18,29 +20,34 @@ ROWS_A_PERIOD = 20
 AT_ROW = 1e-9
 # Parts of a step after which a break counts as one that no whole part of the step meets.
 _MOST_PARTS = 1000
-# A rate that changes by less than this part of its size is constant.
-_CONSTANT = 1e-9
 
 
 def enough(evidence: Evidence) -> Finding:
-    """At least twenty rows a period of the drive and a turn of a crank at constant speed, and a row at each break."""
+    """At least twenty rows a period of the drive and a turn of a crank, and a row at each break.
+
+    Exact rows have no error from a break between them, so they are judged by the rows a period and a turn alone.
+    """
     step, variant = evidence.motion.step, evidence.variant
-    if missed := off_row(evidence, step):
+    listed = joined([say("check.STEP.time", time=time) for time in breaks(variant)], "join.comma")
+    missed = off_row(evidence, step)
+    is_exact = evidence.motion.scheme == EXACT
+    if missed and not is_exact:
         time = missed[0]
         row = int(time / step)
         late = float(row + 1 - time / step)
-        listed = joined([say("check.STEP.time", time=time) for time in breaks(variant)], "join.comma")
         sentence = say("check.STEP.break", time=time, row=row + 1, next=row + 2, late=late, breaks=listed)
         return Finding("COARSE", sentence, late, 0.0, say("unit.of_a_step"), None, row + 1, cured=parts_at_breaks(evidence) > 0)
-    speeds = {"": evidence.drive_frequency, **_turning(evidence)}
+    between = [say("check.STEP.exact", breaks=listed)] if missed else []
+    cranks = evidence.once("turning", lambda: turning_cranks(evidence.equations))
+    speeds = {"": evidence.drive_frequency, **{name: cranks[name] for name in cranks if name in evidence.motion.names}}
     name = max(speeds, key=lambda key: speeds[key])
     if not speeds[name] > 0:
-        return skipped(say("check.STEP.skip"))
+        return Finding("PASS", between[0]) if between else skipped(say("check.STEP.skip"))
     rows = float(2 * np.pi / (speeds[name] * step))
     verdict = "pass" if rows >= ROWS_A_PERIOD * (1 - 1e-9) else "coarse"
     most = float(2 * np.pi / ROWS_A_PERIOD / speeds[name])
     key = f"check.STEP.turn.{verdict}" if name else f"check.STEP.{verdict}"
-    sentence = say(key, name=name, frequency=speeds[name], rows=rows, step=most)
+    sentence = joined([say(key, name=name, frequency=speeds[name], rows=rows, step=most), *between])
     unit = say("unit.rows")
     return Finding("PASS" if verdict == "pass" else "COARSE", sentence, rows, float(ROWS_A_PERIOD), unit, name or None)
 
@@ -54,18 +61,3 @@ def parts_at_breaks(evidence: Evidence, least: int = 1) -> int:
     """Return the fewest parts of the step, at least `least`, that leave a row at each break of the drive; 0 where none do."""
     step = evidence.motion.step
     return next((parts for parts in range(least, least + _MOST_PARTS) if not off_row(evidence, step / parts)), 0)
-
-
-def _turning(evidence: Evidence) -> dict[str, float]:
-    """Return the speeds (rad/s) of cranks that turn at constant speed, by their angles."""
-    found = {}
-    for coordinate in evidence.variant.coordinates:
-        if (
-            coordinate.unit == "rad"
-            and coordinate.rate in evidence.variant.known_rates
-            and coordinate.name in evidence.motion.names
-        ):
-            speed = evidence.motion.column(coordinate.rate)
-            if len(speed) and float(np.ptp(speed)) <= _CONSTANT * float(np.max(np.abs(speed))):
-                found[coordinate.name] = float(abs(speed[0]))
-    return found

@@ -1,6 +1,6 @@
 """How fast a drive oscillates: the highest harmonic that a table of it must not miss.
 
-Enters: the drives of a scene.  Leaves: a frequency (rad/s).  Used by `drive.py`, by the checks and by the search for a step.
+Enters: the drives of a scene.  Leaves: a frequency (rad/s).  Used by `drive.py` and `swings.py`.
 """
 
 from __future__ import annotations
@@ -36,13 +36,13 @@ def fastest(equations: VelocityEquations) -> float:
     """
     found = [0.0]
     for law in equations.variant.drive:
-        whole = _written_out(equations.symbols.definitions[symbol(law.name)], equations)
+        whole = written_out(equations.symbols.definitions[symbol(law.name)], equations)
         pieces = [piece for piece, _ in whole.args] if isinstance(whole, sp.Piecewise) else [whole]
         found += [_highest(piece, equations) for piece in pieces]
     return max(found)
 
 
-def _written_out(expr: sp.Expr, equations: VelocityEquations) -> sp.Expr:
+def written_out(expr: sp.Expr, equations: VelocityEquations) -> sp.Expr:
     """Return a drive with the other drives it is written with in their places."""
     definitions = equations.symbols.definitions
     while names := expr.free_symbols & definitions.keys():

@@ -7,6 +7,7 @@ from scipy.interpolate import CubicSpline
 import coursework
 from coursework.data import folder
 from coursework.geometry.drive import integrals
+from coursework.variant.reader import parse_variant
 
 END = 0.5
 BASE = (folder("variants") / "31.toml").read_text(encoding="utf-8")
@@ -138,3 +139,59 @@ def test_over_what_a_table_may_be(tmp_path, section, of, sentence):
     (tmp_path / "v.toml").write_text(text, encoding="utf-8")
     with pytest.raises(coursework.InputError, match=sentence):
         coursework.load(tmp_path / "v.toml")
+
+
+def found_step(run):
+    return next(check for check in run.checks if check.code == "STEP")
+
+
+@pytest.mark.parametrize("law", ['{ table = "v.csv", of = "t" }', '"V1/4.5*f"'])
+def test_a_tabulated_drive_wants_its_twenty_rows_a_period(tmp_path, law):
+    """The same sine as a formula and as a table, of the driven point or of a drive that it is written with."""
+    write(tmp_path / "v.csv", drive, 49)
+    text = BASE.replace('"V1*sin(p*t + alpha)"', law)
+    if "*f" in law:
+        text = text.replace("VMx = ", 'f = { table = "v.csv", of = "t" }\nVMx = ', 1)
+    (tmp_path / "v.toml").write_text(text, encoding="utf-8")
+    for step, verdict in ((0.1, "COARSE"), (0.025, "COARSE"), (0.023, "PASS")):
+        end = step * round(0.5 / step - 0.5)
+        found, wanted = (found_step(coursework.solve(v, "exact", step=step, end=end)) for v in (tmp_path / "v.toml", "31"))
+        assert (found.verdict, found.value) == (verdict, pytest.approx(wanted.value, rel=0.01))
+        assert "The drive's fastest oscillation" in found.sentence
+
+
+@pytest.mark.parametrize(("rows", "verdict"), [(20, "PASS"), (19, "COARSE")])
+def test_a_crank_that_turns_back_is_judged_by_the_speed_of_each_piece(rows, verdict):
+    w0, turn = 10.0, 2 * np.pi / 10.0
+    text = (folder("variants") / "example-1.toml").read_text(encoding="utf-8")
+    law = f'w1 = {{ pieces = [["0 s", "w0"], ["{turn / 2!r} s", "-w0"]] }}'
+    text = text.replace('w1 = "w0"', law).replace("2*pi/(36*w0)", f"2*pi/({rows}*w0)")
+    assert law in text
+    step = found_step(coursework.solve(parse_variant(text)))
+    assert (step.verdict, step.value, step.column) == (verdict, pytest.approx(2 * np.pi / w0 * w0 * rows / (2 * np.pi)), "theta1")
+
+
+@pytest.mark.parametrize(("speed", "verdict"), [("3*w0*t/T", "SKIP"), ("20*w0*t/T", "COARSE")])
+def test_a_crank_of_growing_speed_is_judged_once_it_makes_a_turn(speed, verdict):
+    text = (folder("variants") / "example-1.toml").read_text(encoding="utf-8")
+    text = text.replace('w1 = "w0"', f'w1 = "{speed}"').replace("[given]", '[given]\nT = "1 s"')
+    step = found_step(
+        coursework.solve(parse_variant(text.replace('"2*pi/w0"', '"0.628 s"').replace("2*pi/(36*w0)", "0.0157")), "exact")
+    )
+    assert step.verdict == verdict
+    if verdict == "COARSE":
+        assert step.value == pytest.approx(2 * np.pi / (200 * 0.628 * 0.0157))
+    else:
+        assert "makes a whole turn" in step.sentence
+
+
+@pytest.mark.parametrize(("scheme", "verdict"), [("exact", "PASS"), ("heun", "COARSE")])
+def test_a_break_between_rows_is_an_error_of_schemes_only(scheme, verdict):
+    text = (folder("variants") / "example-1.toml").read_text(encoding="utf-8")
+    text = text.replace('w1 = "w0"', 'w1 = { pieces = [["0 s", "w0"], ["0.3 s", "-w0"]] }')
+    step = found_step(coursework.solve(parse_variant(text), scheme))
+    assert step.verdict == verdict
+    assert ("error of first order" in step.sentence, "at the break itself" in step.sentence) == (
+        scheme == "heun",
+        scheme == "exact",
+    )
