@@ -14,6 +14,7 @@ from coursework.groups import GROUPS, joint
 from coursework.groups.joint import PRISMATIC, REVOLUTE, Joint, JointKind
 from coursework.joints import FRAME, linkage
 from coursework.mechanism import build
+from coursework.plans.sketch import with_links
 
 
 def joints(variant):
@@ -78,7 +79,7 @@ DUMMIES = {
 
 
 @pytest.mark.parametrize(("kind", "expected"), DUMMIES.items(), ids=repr)
-def test_a_kind_alone_is_counted_and_drawn(kind, expected):
+def test_a_kind_alone_is_counted_drawn_and_in_the_plans(kind, expected):
     """By hand: W = 3·3 - 2·4 = 1, one more where the joint takes one freedom less; a point that both hold is a hinge."""
     variant = replace(coursework.load("example-2"), links=())
     crank, dyad = variant.groups
@@ -92,6 +93,8 @@ def test_a_kind_alone_is_counted_and_drawn(kind, expected):
     outline, before = read_outline(mechanism), read_outline(build(variant))
     assert (mechanism.mobility.degrees, len(outline.blocks)) == expected
     assert len(outline.hinges) - len(before.hinges) == (kind.holders == 2)
+    frame = with_links(changed, outline).frame
+    assert (len(frame.hinges), len(frame.rails)) == (len(outline.hinges), expected[1])
 
 
 KINDS = {name: kind for name, kind in vars(joint).items() if isinstance(kind, JointKind)}
