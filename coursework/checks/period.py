@@ -7,7 +7,7 @@ Used by `check.py`, `motion_results.py`, `report/closeness.py` and `report/resul
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 
 import numpy as np
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from coursework.checks.evidence import LIMIT, NO_ERROR, Evidence, turns
 from coursework.checks.result import Finding, percent, skipped
-from coursework.integration.finer import exact_at
+from coursework.integration.finer import exact_at, prolonged
 from coursework.integration.motion import Motion
 from coursework.sentences import Sentence, joined, say
 
@@ -26,6 +26,9 @@ RETURNS = 0.03
 
 # Where the exact motion alone is this part of the limit beside its start, a finer step does not bring the row inside it.
 NEARLY = 0.9
+
+# The stated period is looked for up to so many times the length of the run: behind the end as much work again as in it.
+FURTHEST = 2.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +83,7 @@ def velocity(evidence: Evidence) -> Finding:
 def _judge(evidence: Evidence, code: str, names: tuple[str, ...]) -> Finding:
     splits = mismatch(evidence)
     if splits is None:
-        return skipped(_why_skipped(evidence))
+        return _behind_the_end(evidence, [name for name in names if name in evidence.names])
     scale, unit = evidence.scale, say("unit.of_the_scale")
     judged = {split.name: split for split in splits if split.name in evidence.names}
     chosen = [split for name, split in judged.items() if name in names]
@@ -89,10 +92,8 @@ def _judge(evidence: Evidence, code: str, names: tuple[str, ...]) -> Finding:
     if evidence.variant.time.period is None:
         if any(abs(split.period) > RETURNS * scale[name] for name, split in judged.items()):
             return skipped(say("check.PERIOD.unstated"))
-    elif (strayed := _strayed(evidence, [split.name for split in chosen])) is not None:
-        name, share, first, last = strayed
-        sentence = say("check.PERIOD.period", period=evidence.period, name=name, share=percent(share), first=first, last=last)
-        return Finding("FAIL", sentence, share, RETURNS, unit, name, None, first, last)
+    elif (wrong := _wrong(evidence, [split.name for split in chosen])) is not None:
+        return wrong
     shares = {split.name: _share(split.total, scale[split.name]) for split in chosen}
     worst = max(chosen, key=lambda split: shares[split.name])
     value, row = shares[worst.name], evidence.period_row
@@ -125,6 +126,29 @@ _PARTS = ("first", "last", "total", "scheme", "period", "roundoff")
 
 def _share(size: float, scale: float) -> float:
     return 0.0 if abs(size) < NO_ERROR else abs(size) / scale
+
+
+def _behind_the_end(evidence: Evidence, names: list[str]) -> Finding:
+    """Return what is known of a period no row is at: where it ends behind the run, the exact motion may be followed there."""
+    exact, period = evidence.exact, evidence.period
+    judged = evidence.motion.stop is None and evidence.stop is None and evidence.period_row is None and not evidence.restricted
+    if exact is None or not (judged and names and len(exact.t) > 1 and period <= FURTHEST * float(exact.t[-1])):
+        return skipped(_why_skipped(evidence))
+    longer = evidence.once(f"exact up to {period!r}", lambda: prolonged(exact, evidence.rates, period))
+    if longer is None:
+        return skipped(_why_skipped(evidence))
+    # The scale is that of a whole period, of which the run has only a part.
+    wrong = _wrong(replace(evidence, exact=longer), names)
+    return wrong or skipped(say("check.PERIOD.due_later", end=float(evidence.motion.t[-1]), period=period))
+
+
+def _wrong(evidence: Evidence, names: list[str]) -> Finding | None:
+    """Return that the stated period is wrong, None where the exact motion is back after it."""
+    if (strayed := _strayed(evidence, names)) is None:
+        return None
+    name, share, first, last = strayed
+    sentence = say("check.PERIOD.period", period=evidence.period, name=name, share=percent(share), first=first, last=last)
+    return Finding("FAIL", sentence, share, RETURNS, say("unit.of_the_scale"), name, None, first, last)
 
 
 def _strayed(evidence: Evidence, names: list[str]) -> tuple[str, float, float, float] | None:

@@ -1,6 +1,7 @@
-"""The exact motion between its rows, by a few steps of Runge-Kutta 4 from each of them.
+"""The exact motion between its rows, by a few steps of Runge-Kutta 4 from each of them, and behind its last row.
 
-Enters: exact rows and rates.  Leaves: the exact motion on rows n times as close, or at one more time.  Used by the checks.
+Enters: exact rows and rates.  Leaves: the exact motion on rows n times as close, at one more time, or for longer.
+Used by the checks.
 All intervals are followed at once, with a cubic between the steps; where that is not exact enough one is refined by itself.
 """
 
@@ -23,6 +24,8 @@ Array = NDArray[np.float64]
 _FEWEST = 4
 # What Runge-Kutta may be off at the end of an interval, as part of the range of the coordinate; the limit of a check is 0.05.
 _GAP = 1e-5
+# What the precise scheme may be off behind the last row (rad or m): beyond that the motion meets something it cannot pass.
+_LOST = 1e-7
 
 
 def finer(exact: Motion, rates: Rates, parts: int, rows: int) -> Motion | None:
@@ -105,4 +108,26 @@ def exact_at(exact: Motion, rates: Rates, time: float) -> Array | None:
             q = refine(rates, q.tolist(), np.array([begin, time]))[0][-1]
         row = np.array([*q, *rates.evaluate(time, *q.tolist())[: len(exact.velocity_names)]])
         return row if np.all(np.isfinite(row)) else None
+    return None
+
+
+def prolonged(exact: Motion, rates: Rates, time: float) -> Motion | None:
+    """Return the exact motion with its rows going on up to one at `time` (s), None where it cannot be followed so far.
+
+    It cannot beyond a table over t, nor past a row where a determinant has another sign than in the last one known.
+    """
+    begin, step = float(exact.t[-1]), exact.step
+    grid = begin + step * np.arange(1, int((time - begin) / step * (1 + 1e-12)) + 1)
+    times = np.append(grid[grid < time * (1 - 1e-12)], time)
+    with suppress(ArithmeticError, ValueError, OutsideTable):
+        positions, gap, _ = refine(rates, exact.coordinates[-1].tolist(), np.append(begin, times))
+        velocities, determinants = rates.table(times, positions[1:])
+        same = np.all(np.sign(determinants) == np.sign(exact.determinants[-1]))
+        if gap <= _LOST and same and np.all(np.isfinite(positions)) and np.all(np.isfinite(velocities)):
+            rows = len(exact.t) + len(times)
+            return replace(
+                exact, t=np.append(exact.t, times), coordinates=np.vstack([exact.coordinates, positions[1:]]),
+                velocities=np.vstack([exact.velocities, velocities]), scaled=np.zeros((rows, 0)),
+                determinants=np.vstack([exact.determinants, determinants]),
+            )  # fmt: skip
     return None

@@ -9,7 +9,7 @@ import pytest
 from coursework.checks import beginning, closeness, conditioning, equations, evidence, period, rows, sinusoid
 from coursework.checks.evidence import Evidence
 from tests.checks import closed_form
-from tests.checks.scenes import V31, evidence_of, finding, solve, spoil
+from tests.checks.scenes import V31, evidence_of, finding, found, solve, spoil
 
 T = 2 * math.pi / 13.08
 
@@ -191,3 +191,28 @@ def test_six_digits_are_left(run, monkeypatch, digits, verdict):
     monkeypatch.setattr(conditioning.np.linalg, "cond", lambda matrices: np.full(len(matrices), 10 ** (16 - digits)))
     judged = finding("CONDITION", evidence_of(run))
     assert (judged.verdict, judged.value) == (verdict, pytest.approx(digits))
+
+
+@pytest.mark.parametrize(("stated", "verdict"), [
+    ("0.505 s", "FAIL"), ("0.90 s", "FAIL"), ("2*2*pi/p", "SKIP"), ("1e9 s", "SKIP"), ("0.97 s", "SKIP"),
+])  # fmt: skip
+def test_a_period_behind_the_end_of_the_run(stated, verdict):
+    """Judged where it ends within one more length of the run of 0.482 s, by the motion followed there."""
+    run = solve(V31.replace('"2*pi/p"', f'"{stated}"'), end=0.482, step=0.0241)
+    judged = [found(run, code) for code in ("PERIOD-POSITION", "PERIOD-VELOCITY")]
+    assert {one.verdict for one in judged} == {verdict}
+    if stated == "0.505 s":
+        ends = {name: missed(0.505)[name] for name in ("phi1", "phi2", "phi3")}
+        assert judged[0].value == pytest.approx(max(ends.values()), rel=0.02)
+    if verdict == "SKIP":
+        assert all(
+            f"before one period of {2 * T if 'pi' in stated else float(stated[:-2]):.6g} s" in one.sentence for one in judged
+        )
+        assert all(("followed further, does" in one.sentence) == ("pi" in stated) for one in judged)
+
+
+@pytest.mark.parametrize("end", [0.3, 0.26])
+@pytest.mark.parametrize(("part", "verdict"), [(1.0, "SKIP"), (1.002, "SKIP"), (0.97, "FAIL"), (1.03, "FAIL")])
+def test_a_short_run_is_judged_by_the_scale_of_a_whole_period(end, part, verdict):
+    run = solve(V31.replace('"2*pi/p"', f'"{T * part!r} s"'), end=end)
+    assert found(run, "PERIOD-POSITION").verdict == verdict

@@ -195,3 +195,15 @@ def test_a_break_between_rows_is_an_error_of_schemes_only(scheme, verdict):
         scheme == "heun",
         scheme == "exact",
     )
+
+
+def test_behind_its_table_nothing_is_known_of_a_period(tmp_path):
+    """The same wrong period, 5 % behind the end of the run: a formula goes on, a table does not."""
+    text = BASE.replace('"2*pi/p"', '"0.505 s"')
+    verdicts = {}
+    for law in ('"V1*sin(p*t + alpha)"', '{ table = "v.csv", of = "t" }'):
+        write(tmp_path / "v.csv", drive, 49)
+        (tmp_path / "v.toml").write_text(text.replace('"V1*sin(p*t + alpha)"', law), encoding="utf-8")
+        run = coursework.solve(tmp_path / "v.toml")
+        verdicts[law[0]] = {check.verdict for check in run.checks if check.code in {"PERIOD-POSITION", "PERIOD-VELOCITY"}}
+    assert verdicts == {'"': {"FAIL"}, "{": {"SKIP"}}
