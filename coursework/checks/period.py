@@ -131,7 +131,8 @@ def _share(size: float, scale: float) -> float:
 def _behind_the_end(evidence: Evidence, names: list[str]) -> Finding:
     """Return what is known of a period no row is at: where it ends behind the run, the exact motion may be followed there."""
     exact, period = evidence.exact, evidence.period
-    judged = evidence.motion.stop is None and evidence.stop is None and evidence.period_row is None and not evidence.restricted
+    stated = evidence.variant.time.period is not None and not evidence.restricted
+    judged = stated and evidence.motion.stop is None and evidence.stop is None and evidence.period_row is None
     if exact is None or not (judged and names and len(exact.t) > 1 and period <= FURTHEST * float(exact.t[-1])):
         return skipped(_why_skipped(evidence))
     longer = evidence.once(f"exact up to {period!r}", lambda: prolonged(exact, evidence.rates, period))

@@ -216,3 +216,9 @@ def test_a_period_behind_the_end_of_the_run(stated, verdict):
 def test_a_short_run_is_judged_by_the_scale_of_a_whole_period(end, part, verdict):
     run = solve(V31.replace('"2*pi/p"', f'"{T * part!r} s"'), end=end)
     assert found(run, "PERIOD-POSITION").verdict == verdict
+
+
+def test_rows_that_end_beside_a_run_without_a_stated_period_are_not_wrong():
+    """Thirteen steps and seven tenths: no row is near the end, and nobody said that the motion repeats there."""
+    run = solve(V31.replace("\nperiod", "\n# period"), end=0.5, step=0.5 / 13.7)
+    assert found(run, "PERIOD-POSITION").verdict == found(run, "PERIOD-VELOCITY").verdict == "SKIP"
