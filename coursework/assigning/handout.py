@@ -21,7 +21,7 @@ from coursework.grading.platforms.roster import Student
 from coursework.integration.integrate import march
 from coursework.integration.motion import Motion
 from coursework.plans.graph_check import GraphCheck, check_graph
-from coursework.report.statement import meaning
+from coursework.report.statement import meanings
 from coursework.scene import Scene
 from coursework.schemes import DEFAULT_SCHEME
 from coursework.settings import Settings
@@ -73,13 +73,12 @@ def make_handout(student: Student, individual: Individual) -> Handout:
     time = variant.time
     motion = march(scene.rates, DEFAULT_SCHEME.name, scene.start, time.step, time.end)
     mechanism = draw_start(scene.mechanism, scene.equations, motion, scene.start)
-    meanings = {given.name: meaning(given, scene.mechanism) for given in variant.given}
     check = None
     if time.check_row is not None and variant.links:
         # The key compares the drawing with the table; what Euler's error is stands in the report of a run.
         with suppress(InputError):  # a mechanism that no construction by centres suits has none to check
             check = check_graph(scene.mechanism, scene.equations, motion, motion)
-    return Handout(student, individual, motion, tuple(scene.start), mechanism, meanings, check)
+    return Handout(student, individual, motion, tuple(scene.start), mechanism, meanings(scene.mechanism), check)
 
 
 def guide_number(row: int) -> int:

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.checks.drift import shortest_length
-from coursework.checks.evidence import LIMIT, OF_SIZE, OF_UNIT, Evidence
+from coursework.checks.evidence import LIMIT, Evidence, scales_of
 from coursework.checks.result import Finding, percent, skipped
 from coursework.codegen.programs import as_columns
 from coursework.codegen.tabulated import TableLaw
@@ -167,13 +167,9 @@ def _scales(evidence: Evidence, order: int) -> dict[str, float]:
     names = [name for name in evidence.names if name in exact.velocity_names]
     if order == 1:
         return {name: evidence.scale[name] for name in names}
-    columns = {name: np.gradient(exact.column(name), exact.step) for name in names}
-    ranges = {name: float(np.ptp(column)) for name, column in columns.items()}
-    widest = {unit: max(ranges[name] for name in names if evidence.unit(name) == unit) for unit in map(evidence.unit, names)}
-    return {
-        name: max(ranges[name], OF_SIZE * float(np.max(np.abs(columns[name]))), OF_UNIT * widest[evidence.unit(name)], 1e-300)
-        for name in names
-    }
+    columns = [np.gradient(exact.column(name), exact.step) for name in names]
+    spreads, sizes = [float(np.ptp(column)) for column in columns], [float(np.max(np.abs(column))) for column in columns]
+    return dict(zip(names, scales_of(spreads, sizes, [evidence.unit(name) for name in names], 1e-300), strict=True))
 
 
 def _touched(evidence: Evidence, scales: dict[str, float]) -> tuple[str, float]:

@@ -6,7 +6,7 @@ several checks need, once.  Used by the rooms of `checks/` and made by `motion_r
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TypeVar, cast
@@ -129,13 +129,7 @@ class Evidence:
         ]
         sizes = np.max(np.abs(rows), axis=0)
         sizes[: len(exact.coordinate_names)] = 0.0
-        widest: dict[str, float] = {}
-        for spread, unit in zip(spreads, units, strict=True):
-            widest[unit] = max(spread, widest.get(unit, 0.0))
-        return {
-            name: max(spread, OF_SIZE * size, OF_UNIT * widest[unit], STILL)
-            for name, spread, size, unit in zip(exact.names, spreads, sizes.tolist(), units, strict=True)
-        }
+        return dict(zip(exact.names, scales_of(spreads, sizes.tolist(), units, STILL), strict=True))
 
     @cached_property
     def scales(self) -> Array:
@@ -176,6 +170,15 @@ class Evidence:
         for passage in self.passages:  # there the equations say 0 = 0, and every share would be that of round-off
             shares[passage.is_at(motion.t)] = 0.0
         return system.names, shares
+
+
+def scales_of(spreads: Sequence[float], sizes: Sequence[float], units: Sequence[str], still: float) -> list[float]:
+    """Return max(R, 0.1 A, 0.05 U) of each column: R its range, A its size, U the widest range of its unit; `still` at least."""
+    widest = {unit: max(spread for spread, other in zip(spreads, units, strict=True) if other == unit) for unit in set(units)}
+    return [
+        max(spread, OF_SIZE * size, OF_UNIT * widest[unit], still)
+        for spread, size, unit in zip(spreads, sizes, units, strict=True)
+    ]
 
 
 def turns(differences: Array) -> Array:

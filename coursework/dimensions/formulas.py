@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from coursework.dimensions.exponents import NUMBER, TIME, Dimension, Exponent, System, added, dimension_of, is_known
-from coursework.formula.tree import Formula, constant
+from coursework.formula.tree import Formula, constant, terms
 
 _SUMS = {"+", "-", "neg"}
 _PRODUCTS = {"*", "/"}
@@ -90,7 +90,7 @@ class Measurer:
         if op == "number":
             return (dimension_of(tree.si), True) if tree.si else (None, False)
         if op in _SUMS or op == "pair":
-            return self._alike(_terms(tree) if op in _SUMS else tree.args)
+            return self._alike([*terms(tree)] if op in _SUMS else tree.args)
         if op in _PRODUCTS:
             return self._product(tree)
         if op == "^":
@@ -158,7 +158,7 @@ class Measurer:
         if dimension is None:
             return False
         found = self.system.reduced(dimension)
-        bare = any(term.op == "name" and term.name == "t" for term in _terms(argument))
+        bare = any(term.op == "name" and term.name == "t" for term in terms(argument))
         if found and is_known(found) and (lenient or (bare and found == {TIME: 1})):
             self.times_as_angles.append(whole)
         elif not self.system.equal(dimension, NUMBER):
@@ -176,13 +176,6 @@ def _is_of_time_alone(tree: Formula) -> bool:
 
 def _whole(power: Exponent) -> Exponent:
     return power.numerator if power.denominator == 1 else power
-
-
-def _terms(tree: Formula) -> list[Formula]:
-    """Return what is added and subtracted, without the signs."""
-    if tree.op not in _SUMS:
-        return [tree]
-    return [term for arg in tree.args for term in _terms(arg)]
 
 
 def _factors(tree: Formula, power: int) -> Iterator[tuple[Formula, int]]:

@@ -6,19 +6,8 @@ Used by `drawing/tracing.py`, `drawing/figures.py` and `plans/plans.py`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from coursework.formula.tree import Formula
+from coursework.formula.tree import Formula, terms
 from coursework.mechanism import Mechanism
-
-
-def terms(formula: Formula) -> Iterator[Formula]:
-    """Yield the terms of a sum, whatever their signs."""
-    if formula.op in {"+", "-", "neg"}:
-        for part in formula.args:
-            yield from terms(part)
-    else:
-        yield formula
 
 
 def arm_base(formula: Formula, coordinate: str) -> str:

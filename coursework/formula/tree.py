@@ -75,6 +75,15 @@ def number(value: Fraction | int) -> Formula:
     return Formula("/", (number(value.numerator), number(value.denominator)))
 
 
+def terms(formula: Formula) -> Iterator[Formula]:
+    """Yield the terms of a sum, whatever their signs."""
+    if formula.op in {"+", "-", "neg"}:
+        for part in formula.args:
+            yield from terms(part)
+    else:
+        yield formula
+
+
 def constant(tree: Formula) -> Fraction | None:
     """Return the exact value of a formula of numbers only (+ - * /), else None."""
     if tree.op == "number":

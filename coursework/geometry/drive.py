@@ -49,6 +49,13 @@ def breaks(variant: Variant) -> tuple[float, ...]:
     return tuple(sorted({time for law in laws for time, _ in law.pieces if time > 0}))
 
 
+def drive_values(equations: VelocityEquations, names: Sequence[str], times: Array) -> Array:
+    """Return the named drives at times (*shape) as columns (*shape, len(names)); what has no value is not finite."""
+    _, rows = compile_values(equations, [symbol(name) for name in names])
+    with np.errstate(all="ignore"):
+        return as_columns(rows(times, *np.zeros(len(equations.variant.coordinates))), times.shape)
+
+
 def integrals(equations: VelocityEquations, names: Sequence[str], times: Array) -> Array:
     """Return the integrals from 0 to each time (n,) of the named drives, (n, len(names)).
 
@@ -57,7 +64,6 @@ def integrals(equations: VelocityEquations, names: Sequence[str], times: Array) 
     """
     if not names:
         return np.zeros((len(times), 0))
-    _, rows = compile_values(equations, [symbol(name) for name in names])
     finest = max(float(times[-1]), 1e-300) / _PIECES_PER_RUN
     inner = np.concatenate([breaks(equations.variant), *(law.nodes for law in _over_time(equations))])
     edges = np.sort(np.concatenate([[0.0], times, inner[(inner > 0) & (inner < times[-1])]]))
@@ -67,9 +73,7 @@ def integrals(equations: VelocityEquations, names: Sequence[str], times: Array) 
     fine = np.append(np.repeat(edges[:-1], counts) + inside * np.repeat(np.diff(edges) / counts, counts), edges[-1])
     middle, half = (fine[1:] + fine[:-1]) / 2, np.diff(fine) / 2
     at = middle[:, None] + half[:, None] * _POINTS
-    starts = np.zeros(len(equations.variant.coordinates))
-    with np.errstate(all="ignore"):
-        values = as_columns(rows(at, *starts), at.shape)
+    values = drive_values(equations, names, at)
     if not np.all(np.isfinite(values)):
         place = np.argwhere(~np.isfinite(values))[0]
         name, variant = names[place[2]], equations.variant
@@ -127,12 +131,9 @@ def refuse_endless(equations: VelocityEquations, time: float) -> None:
     names = [law.name for law in variant.drive]
     if not names:
         return
-    _, rows = compile_values(equations, [symbol(name) for name in names])
     near = _NEAR * variant.time.end
     times = np.concatenate([np.linspace(0.0, time / 2, 33), [time - near, time, time + near]])
-    starts = np.zeros(len(variant.coordinates))
-    with np.errstate(all="ignore"):
-        values = np.abs(as_columns(rows(times, *starts), times.shape))
+    values = np.abs(drive_values(equations, names, times))
     usual, there = np.max(values[:-3], axis=0), np.max(values[-3:], axis=0)
     faults = []
     angles = {coordinate.rate for coordinate in variant.coordinates if coordinate.unit == "rad"}

@@ -13,12 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 from sympy.core.function import AppliedUndef
 
-from coursework.codegen.programs import as_columns
-from coursework.geometry.drive import breaks
+from coursework.geometry.drive import breaks, drive_values
 from coursework.geometry.oscillation import fastest, written_out
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import symbol
-from coursework.reduction.system import compile_values
 
 Array = NDArray[np.float64]
 # A swing counts from this part of the law's range on: of two waves the smaller then has about a twentieth of the power of the
@@ -45,7 +43,7 @@ def drive_frequency(equations: VelocityEquations) -> float:
         if whole.atoms(AppliedUndef):
             times = np.concatenate([*_looks(equations), *(table.nodes for table in equations.tables.values())])
             times = np.unique(times[(times >= 0) & (times <= equations.variant.time.end)])
-            found.append(swinging(times, _values(law.name, times, equations)))
+            found.append(swinging(times, drive_values(equations, [law.name], times)[:, 0]))
     return max(found)
 
 
@@ -86,7 +84,7 @@ def turning_cranks(equations: VelocityEquations) -> dict[str, float]:
     for coordinate in equations.variant.coordinates:
         if coordinate.unit != "rad" or coordinate.rate not in equations.variant.known_rates:
             continue
-        speeds = [_values(coordinate.rate, piece, equations) for piece in pieces]
+        speeds = [drive_values(equations, [coordinate.rate], piece)[:, 0] for piece in pieces]
         largest = max(float(np.max(np.abs(speed))) for speed in speeds)
         if not 0 < largest < np.inf:
             continue
@@ -104,12 +102,6 @@ def _looks(equations: VelocityEquations) -> list[Array]:
     edges = [0.0, *(time for time in breaks(equations.variant) if time < end), end]
     count = max(_LOOKS_A_PIECE, _LOOKS // (len(edges) - 1))
     return [np.linspace(begin, stop if stop == end else stop * (1 - _BEFORE), count) for begin, stop in itertools.pairwise(edges)]
-
-
-def _values(name: str, times: Array, equations: VelocityEquations) -> Array:
-    _, rows = compile_values(equations, [symbol(name)])
-    with np.errstate(all="ignore"):
-        return as_columns(rows(times, *np.zeros(len(equations.variant.coordinates))), times.shape)[:, 0]
 
 
 def _turning_points(values: Array, least: float) -> list[int]:

@@ -9,7 +9,6 @@ from dataclasses import replace
 
 from coursework.checks.summary import summary
 from coursework.drawing.lengths import lengths
-from coursework.formula.tree import Formula
 from coursework.mechanism import Mechanism
 from coursework.page_text import clean
 from coursework.quantities import CHECKS, GRAPH_CHECK, TABLE
@@ -127,10 +126,11 @@ def _sought(context: PageContext) -> list[str]:
 def _data(context: PageContext) -> Table:
     """The data of the task sheet as written, and the start."""
     variant = context.variant
+    means = meanings(context.run.scene.mechanism)
     rows: list[list[Cell]] = [
         [
             context.symbol_runs([g.name]),
-            context.quoted(g.means, LONGEST_NAME) if g.means else runs(meaning(g, context.run.scene.mechanism)),
+            context.quoted(g.means, LONGEST_NAME) if g.means else runs(means[g.name]),
             _given(context, g.text, g.unit),
         ]
         for g in variant.given
@@ -146,15 +146,18 @@ def _data(context: PageContext) -> Table:
     return Table(columns, rows, context.say("given.data" if variant.given else "given.coordinates"))
 
 
-def meaning(given: Given, mechanism: Mechanism) -> str:
-    """Return what the file says a datum means; else the two points of `mechanism` that it keeps apart, in the author's order."""
-    if given.means:
-        return clean(given.means, LONGEST_NAME)
+def meanings(mechanism: Mechanism) -> dict[str, str]:
+    """Return what the file says each datum means; else the two points that it keeps apart, in the author's order, or ""."""
     places = [name for name, _ in mechanism.points]
-    for ends, length in lengths(mechanism).items():
-        if length == Formula("name", name=given.name):
-            return clean("".join(sorted(ends, key=lambda name: places.index(name) if name in places else len(places))))
-    return ""
+    kept = {length.name: ends for ends, length in reversed(lengths(mechanism).items()) if length.op == "name"}
+
+    def meaning(given: Given) -> str:
+        if given.means:
+            return clean(given.means, LONGEST_NAME)
+        ends = kept.get(given.name, frozenset())
+        return clean("".join(sorted(ends, key=lambda name: places.index(name) if name in places else len(places))))
+
+    return {given.name: meaning(given) for given in mechanism.variant.given}
 
 
 def _first(context: PageContext, name: str, unit: str) -> str:

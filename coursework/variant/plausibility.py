@@ -9,7 +9,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from coursework.dimensions.exponents import LENGTH
-from coursework.formula.tree import Formula
+from coursework.formula.tree import Formula, terms
 from coursework.formula.units import UNITS
 from coursework.sentences import Sentence, say
 from coursework.variant.dimension_check import Dimensions
@@ -142,17 +142,9 @@ def _terms_of_angles(variant: Variant, dimensions: Dimensions, times: Mapping[Pa
     for place in places(variant, dimensions.names, times):
         for tree in place.formulas:
             if place.wanted == {}:
-                yield from ((place, term) for term in _terms(tree))
+                yield from ((place, term) for term in terms(tree))
             for node in tree.walk():
                 if node.op == "call" and node.name in {"sin", "cos", "tan"}:
-                    yield from ((place, term) for term in _terms(node.args[0]))
+                    yield from ((place, term) for term in terms(node.args[0]))
                 elif node.op == "@":
-                    yield from ((place, term) for term in _terms(node.args[1]))
-
-
-def _terms(tree: Formula) -> Iterator[Formula]:
-    if tree.op in {"+", "-", "neg"}:
-        for arg in tree.args:
-            yield from _terms(arg)
-    else:
-        yield tree
+                    yield from ((place, term) for term in terms(node.args[1]))
