@@ -7,6 +7,7 @@ Used by `run.py` and `api.py`; an output iterates over what stands here and name
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -48,8 +49,6 @@ def units_of(results: MotionResults, asked: Names) -> dict[str, str]:
 
 def page_tables(results: MotionResults, asked: Names) -> dict[str, ExtraTable]:
     """Return the tables asked for beside the results table, as a page prints them."""
-    from coursework.kinematics.extra import ExtraTable
-
     tables: dict[str, ExtraTable] = {}
     t = results.motion.t
     if len(t) < 2:
@@ -59,7 +58,8 @@ def page_tables(results: MotionResults, asked: Names) -> dict[str, ExtraTable]:
         printed = quantity.shows.on_page(table)
         if printed.names:
             rows = np.column_stack([t, printed.rows])
-            tables[name] = ExtraTable(printed.title, ("t", *printed.names), ("s", *printed.units), rows)
+            beside = replace(printed, names=("t", *printed.names), units=("s", *printed.units), rows=rows)
+            tables[name] = replace(beside, sizes=(0.0, *printed.sizes)) if printed.sizes else beside
     return tables | own_tables(results, asked)
 
 

@@ -204,7 +204,10 @@ def _acceleration_columns(results: MotionResults, rows: Any) -> ExtraTable:
 
     names, unit_of = results.motion.velocity_names, results.scene.variant.unit_of
     units = tuple(f"{unit_of(name)}²".replace("/s²", "/s²") for name in names)
-    return ExtraTable(say("extra.accelerations"), tuple(f"d{name}" for name in names), units, rows)
+    turning = np.abs(results.motion.velocities[:, [unit_of(name) == "rad/s" for name in names]]).max(initial=0.0)
+    # A velocity changes as fast as the links turn; what adds up to nothing leaves its round-off.
+    sizes = tuple(np.abs(results.motion.velocities).max(axis=0, initial=0.0) * turning)
+    return ExtraTable(say("extra.accelerations"), tuple(f"d{name}" for name in names), units, rows, sizes)
 
 
 def _point_columns(results: MotionResults, named: Named) -> ExtraTable:

@@ -24,12 +24,17 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class ExtraTable:
-    """`rows` (n, len(names)) in `units`; the first column is t or the crank angle."""
+    """`rows` (n, len(names)) in `units`; the first column is t or the crank angle.
+
+    `sizes` tells how large the terms are that a column is the sum of: beside them its round-off is none to print.
+    """
 
     title: str
     names: tuple[str, ...]
     units: tuple[str, ...]
     rows: Array
+    sizes: tuple[float, ...] = ()
+    note: str = ""
 
 
 def analog_table(variant: Variant, motion: Motion, second: Array) -> ExtraTable:
@@ -39,7 +44,7 @@ def analog_table(variant: Variant, motion: Motion, second: Array) -> ExtraTable:
     """
     crank = _crank(variant)
     omega, epsilon = _crank_motion(variant, crank, motion, second)
-    names, units, columns = [crank.name], ["rad"], [motion.column(crank.name)]
+    names, units, columns, sizes = [crank.name], ["rad"], [motion.column(crank.name)], [0.0]
     for coordinate in variant.coordinates:
         if coordinate.name == crank.name:
             continue
@@ -48,7 +53,8 @@ def analog_table(variant: Variant, motion: Motion, second: Array) -> ExtraTable:
         names += [f"d{coordinate.name}/d{crank.name}", f"d2{coordinate.name}/d{crank.name}2"]
         units += ["m/rad", "m/rad²"] if coordinate.unit == "m" else ["", "1/rad"]
         columns += [first, acceleration_analog(motion.velocities[:, place], second[:, place], omega, epsilon)]
-    return ExtraTable(say("extra.analogs"), tuple(names), tuple(units), np.array(columns).T)
+        sizes += [0.0, float(np.abs(first).max(initial=0.0))]
+    return ExtraTable(say("extra.analogs"), tuple(names), tuple(units), np.array(columns).T, tuple(sizes))
 
 
 def invariant_table(variant: Variant, motion: Motion, second: Array) -> ExtraTable:
@@ -77,7 +83,10 @@ def invariant_table(variant: Variant, motion: Motion, second: Array) -> ExtraTab
     k = (phi - phi[0]) / turn
     span = {"row": rows.start + 1, "last": rows.stop}
     title = say("extra.invariants", name=slider.name, **span, stroke=abs(way), angle=abs(turn))
-    return ExtraTable(title, ("k", "a_k", "b_k", "c_k"), ("", "", "", ""), np.array([k, found.a, found.b, found.c]).T)
+    note = say("extra.invariants_note", crank=crank.name, name=slider.name)
+    sizes = (0.0, 0.0, 0.0, float(np.abs(found.b).max()))
+    columns = np.array([k, found.a, found.b, found.c]).T
+    return ExtraTable(title, ("k", "a_k", "b_k", "c_k"), ("",) * 4, columns, sizes, note)
 
 
 def _crank(variant: Variant) -> Coordinate:

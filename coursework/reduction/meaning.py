@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from functools import reduce
 
 from coursework.formula.tree import Formula, FormulaFault, evaluate, spelled
+from coursework.joints import linkage
 from coursework.sentences import joined, say
 from coursework.variant.record import Variant
 
@@ -86,6 +87,10 @@ def _factor(tree: Formula, variant: Variant) -> str:
         return say("determinant.one_line", first=first, second=second)
     if tree.op == "call" and tree.name in {"sin", "cos"} and len(angles) == 1 and tree.args[0].op == "name":
         return say("determinant.vertical" if tree.name == "cos" else "determinant.horizontal", link=_link(angles[0], variant))
+    if tree.op == "call" and tree.name in {"sin", "cos"} and len(angles) == 1 and _is_difference(tree.args[0]):
+        (direction,) = set(tree.args[0].names()) - {angles[0]}
+        key = "determinant.across_direction" if tree.name == "cos" else "determinant.along_direction"
+        return say(key, link=_link(angles[0], variant), direction=direction)
     if tree.op == "call" and tree.name == "cos" and len(angles) == 1 and tree.args[0].names() == (angles[0],):
         return say("determinant.right_angle", link=_link(angles[0], variant))
     if tree.op in {"+", "-"}:
@@ -101,9 +106,15 @@ def _is_difference(tree: Formula) -> bool:
 
 def _link(angle: str, variant: Variant) -> str:
     rate = next((c.rate for c in variant.coordinates if c.name == angle), "")
-    names = [link.name for link in variant.links if link.rate == rate]
+    names = [link.name for link in variant.links if link.rate == rate] or _bodies(angle, variant)
     return say("determinant.link", name=names[0]) if names else say("determinant.link_at", angle=angle)
 
 
-def _listed(angles: list[str], variant: Variant) -> str:
-    return joined([_link(angle, variant) for angle in angles], "join.comma") if angles else say("determinant.links")
+def _bodies(angle: str, variant: Variant) -> list[str]:
+    """Return the body of a chain of groups that goes with an angle, where no link is listed."""
+    chain = linkage(variant, dict(variant.points)) if variant.groups and not variant.links else None
+    return [body for body, coordinate in chain.coordinates.items() if coordinate == angle] if chain else []
+
+
+def _listed(angles: list[str], variant: Variant) -> object:
+    return tuple(_link(angle, variant) for angle in angles) if angles else say("determinant.links")

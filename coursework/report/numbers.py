@@ -39,14 +39,14 @@ class Numbers:
     mark: str = POINT
     units: Mapping[str, str] = field(default_factory=dict)
 
-    def fixed(self, value: float, decimals: int) -> str:
-        """Return `value` with so many decimals; 0 is "0", what would round to 0.00 takes a power of ten."""
+    def fixed(self, value: float, decimals: int, digits: int = 3) -> str:
+        """Return `value` with so many decimals; 0 is "0", what would round to 0.00 a power of ten of so many `digits`."""
         if not math.isfinite(value):
             return self._endless(value)
         if value == 0:
             return "0"
         text = f"{value:.{decimals}f}"
-        return self.power(value) if not text.strip("-0.") else self._dress(text)
+        return self.power(value, digits) if not text.strip("-0.") else self._dress(text)
 
     def power(self, value: float, digits: int = 3) -> str:
         """Return "1.23·10⁻⁷" with `digits` significant digits."""
@@ -91,10 +91,14 @@ class Numbers:
         """Return a difference of numbers of a `size`, 0 where it is round-off."""
         return 0.0 if abs(value) < NOISE * max(abs(size), 1.0) else value
 
-    def column(self, values: Iterable[float]) -> list[str]:
-        """Return a column of a table, all entries with the same decimals (see `TABLE_DIGITS`); round-off of zero is "0"."""
+    def column(self, values: Iterable[float], size: float = 0.0) -> list[str]:
+        """Return a column of a table, all entries with the same decimals (see `TABLE_DIGITS`); round-off of zero is "0".
+
+        `size`: how large the terms are that an entry is the sum of, where they may be larger than every entry.
+        """
         entries = [float(value) for value in values]
         noise = ROUND_OFF * max((abs(value) for value in entries if math.isfinite(value)), default=0.0)
+        noise = max(noise, ROUND_OFF * size)
         entries = [0.0 if abs(value) < noise else value for value in entries]
         decimals = deserved_decimals(entries)
         return [self.fixed(value, decimals) for value in entries]

@@ -17,7 +17,10 @@ from coursework.report.text_runs import numeral, runs
 from coursework.schemes import SCHEMES, Scheme
 from coursework.sentences import title_of
 
-PARTS = ("first", "last", "total", "scheme", "period")
+ROWS = ("first", "last", "total")
+CAUSES = ("scheme", "period")  # what a difference is made of; of rows that are the motion itself there is nothing to tell apart
+SHORT = 2  # digits of a cause too small for the decimals of its column
+HARDLY = 1e-3  # of a difference: a smaller part that the period has in it is none to count
 FINE = 1  # decimals that a difference is printed with beyond those of its column
 
 
@@ -50,23 +53,27 @@ def _first_last(context: PageContext, found: list[Split], number: int, many: int
     heads = {
         "first": say("first_last.first", row=1, time=context.quantity(float(motion.t[0]), "s")),
         "last": say("first_last.last", row=row + 1, time=context.quantity(float(motion.t[row]), "s")),
-        **{part: say(f"first_last.{part}") for part in PARTS[2:]},
+        "total": say("first_last.total"),
+        "scheme": say("first_last.scheme"),
+        "period": say("first_last.period" if context.run.variant.time.period is not None else "first_last.motion"),
     }
+    parts = ROWS if context.run.tableau is None else ROWS + CAUSES
     decimals = {split.name: deserved_decimals(map(float, motion.column(split.name))) for split in found}
     rows: list[list[Cell]] = []
-    for part in PARTS:
+    for part in parts:
         cells: list[Cell] = [runs(heads[part])]
         for split in found:
             value = getattr(split, part) + (split.roundoff if part == "scheme" else 0.0)
             fine = 0 if part in {"first", "last"} else FINE
-            cells.append(numeral(numbers.fixed(numbers.without_noise(value, split.first), decimals[split.name] + fine)))
+            shown = numbers.without_noise(value, split.first)
+            cells.append(numeral(numbers.fixed(shown, decimals[split.name] + fine, SHORT)))
         rows.append(cells)
     columns = [Column([], words=True)]
     columns += [Column(context.symbol_runs([split.name]), context.unit(split.unit)) for split in found]
     turned = [say("first_last.turns", symbol=context.lettering(s.name), turns=abs(s.turns)) for s in found if s.turns]
     note = runs(say("first_last.taken_off", turned=say("join.semicolon").join(turned))) if turned else []
     which = say("table.part", part=number, parts=many) if many > 1 else ""
-    caption = runs(say.sentences([say("first_last.caption"), which]))
+    caption = runs(say.sentences([say("first_last.caption" if parts != ROWS else "first_last.caption_motion"), which]))
     return Table(columns, rows, caption, strong=[2], note=note, id="first-last" if number == 1 else "")
 
 
@@ -100,13 +107,15 @@ def _period(context: PageContext, found: list[Split]) -> list[str]:
         return []
     row = context.run.results.evidence.period_row or 0
     end = float(context.run.motion.t[row])
-    if abs(end - round(end / period) * period) < 1e-9 * period:
-        return [say("why.period_met", period=context.quantity(period, "s"))]
+    late = abs(end - round(end / period) * period)
+    told = {"end": context.quantity(end, "s"), "period": context.quantity(period, "s")}
     most = max(coordinates, key=lambda split: abs(split.period))
+    if context.run.tableau is None:
+        returns = not any(context.numbers.without_noise(split.total, split.first) for split in found)
+        return [say("why.returns" if returns else "why.elsewhere", **told)]
+    if late < 1e-9 * period:
+        return [say("why.period_met", **told)]
+    if all(abs(split.period) < HARDLY * abs(split.total) for split in coordinates):
+        return [say("why.period_near", late=context.with_unit(context.numbers.scalar(late, SHORT), context.unit("s")), **told)]
     part, whole = (context.numbers.scalar(value, 2 if value is most.period else 3) for value in (most.period, most.total))
-    return [
-        say(
-            "why.period", end=context.quantity(end, "s"), period=context.quantity(period, "s"), part=part,
-            whole=context.with_unit(whole, most.unit), symbol=context.lettering(most.name),
-        )
-    ]  # fmt: skip
+    return [say("why.period", part=part, whole=context.with_unit(whole, most.unit), symbol=context.lettering(most.name), **told)]

@@ -24,6 +24,7 @@ from coursework.variant.record import Given
 MOST_REMARKS = 12  # on the first page, on which the results begin
 USUAL_ROW = 4  # the row that is compared where a file names none
 SHOWN_DIGITS = 5
+PERIOD = "T"  # what a period is called, unless a datum has the name
 GAP = "\ue002"  # stands in a sentence where a text of the file goes; no text has it
 
 
@@ -115,7 +116,8 @@ def _sought(context: PageContext) -> list[str]:
     told = [say("statement.find", unknowns=context.symbol_list(run.variant.sought), end=end, step=step)]
     time = run.variant.time
     if time.period is not None:
-        told.append(say("statement.period", period=context.quantity(time.period, "s")))
+        key = "statement.period_plain" if PERIOD in run.variant.values else "statement.period"
+        told.append(say(key, period=context.quantity(time.period, "s")))
     told.append(say("statement.method", scheme=context.told(run.scheme_title)))
     if time.check_row is not None and run.asks(GRAPH_CHECK):
         when = context.quantity((time.check_row - 1) * time.step, "s")

@@ -52,15 +52,16 @@ def row_at(context: PageContext, place: float) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Grid:
-    """Columns of a table: names, units, rows (n, names)."""
+    """Columns of a table: names, units, rows (n, names); how large the terms of each are, where that is known."""
 
     names: Sequence[str]
     units: Sequence[str]
     rows: Any
+    sizes: Sequence[float] = ()
 
     def part(self, first: int, last: int | None = None) -> Grid:
         """Return some of the columns."""
-        return Grid(self.names[first:last], self.units[first:last], self.rows[:, first:last])
+        return Grid(self.names[first:last], self.units[first:last], self.rows[:, first:last], self.sizes[first:last])
 
 
 def rules_for(rows: int) -> list[int]:
@@ -86,23 +87,28 @@ def motion_parts(context: PageContext) -> list[Part]:
 
 def extra_parts(context: PageContext, extra: ExtraTable) -> list[Part]:
     """Return the table of a further quantity; with row and time where it has a line for every row."""
-    caption = context.told(extra.title).rstrip(".") + "."
-    whole = Grid(extra.names, extra.units, extra.rows)
+    caption, note = context.told(extra.title).rstrip(".") + ".", context.told(extra.note)
+    whole = Grid(extra.names, extra.units, extra.rows, extra.sizes)
     if extra.names[0] == "t":
-        return _by_row(context, whole.part(1), whole.rows[:, 0], caption, "")
+        return _by_row(context, whole.part(1), whole.rows[:, 0], caption, note)
     if len(extra.rows) == len(context.run.motion.t):
-        return _by_row(context, whole, context.run.motion.t, caption, "")
+        return _by_row(context, whole, context.run.motion.t, caption, note)
     columns, texts = _columns(context, whole, thinned(len(extra.rows)))
     return [
         Table(
-            columns, [list(row) for row in zip(*texts, strict=True)], context.lettered(caption), whole=len(extra.rows) <= ONE_PAGE
+            columns,
+            [list(row) for row in zip(*texts, strict=True)],
+            context.lettered(caption),
+            note=context.lettered(note),
+            whole=len(extra.rows) <= ONE_PAGE,
         )
     ]
 
 
 def _columns(context: PageContext, grid: Grid, kept: list[int]) -> tuple[list[Column], list[list[Cell]]]:
     heads = [Column(context.symbol_runs([n]), context.unit(u)) for n, u in zip(grid.names, grid.units, strict=True)]
-    texts = [context.numbers.column(grid.rows[kept, index]) for index in range(len(heads))]
+    sizes = grid.sizes or (0.0,) * len(heads)
+    texts = [context.numbers.column(grid.rows[kept, index], sizes[index]) for index in range(len(heads))]
     return heads, [[numeral(text) for text in column] for column in texts]
 
 
@@ -123,7 +129,7 @@ def _by_row(context: PageContext, grid: Grid, t: Any, caption: str, note: str) -
         columns = [Column(runs(context.words("table.row"))), Column(context.symbol_runs(["t"]), context.unit("s")), *heads]
         rows = [list(row) for row in zip(labels, times, *texts, strict=True)]
         which = context.words("table.part", part=number, parts=len(parted)) if len(parted) > 1 else ""
-        below = runs(note) if number == len(parted) else []
+        below = context.lettered(note) if number == len(parted) else []
         parts.append(
             Table(
                 columns,

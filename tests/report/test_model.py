@@ -111,6 +111,47 @@ def test_the_first_row_stands_beside_the_last(real: ModuleType) -> None:
     assert [part["id"] for part in real.parts(real.full(), "results") if part["kind"] == "figure"] == ["tangent"]
 
 
+def test_a_sum_of_large_terms_that_is_nought_prints_nought(real: ModuleType) -> None:
+    """The slider of the exact synthesis keeps its speed: its acceleration is round-off of terms of 4 m/s²."""
+    run = coursework.solve("variable-crank-exact")
+    for quantity, kept in (("accelerations", 3), ("analogs", 5), ("invariants", 4)):
+        (table,) = (part for part in real.parts(run, quantity) if part["kind"] == "table")
+        assert {real.text_of(row[-1]) for row in table["rows"]} == {"0"}
+        assert real.text_of(table["rows"][1][kept]) != "0"
+    raw = run.extra_tables["accelerations"].rows[:, -1]
+    assert 0 < abs(raw).max() < 1e-11  # the file of the table keeps what was computed
+
+
+def test_a_run_that_ends_anywhere_blames_no_period(real: ModuleType) -> None:
+    def heads(run: Any) -> list[str]:
+        tables = (part for part in real.parts(run, "results") if part.get("id") == "first-last")
+        return [real.text_of(row[0]) for table in tables for row in table["rows"]][2:]
+
+    assert heads(coursework.solve("variable-crank")) == ["difference"]
+    assert heads(coursework.solve("variable-crank", scheme="euler")) == ["difference", "part of the scheme", "the motion itself"]
+
+
+def test_a_datum_called_t_is_not_the_period(real: ModuleType) -> None:
+    def told(run: Any) -> str:
+        return " ".join(real.text_of(part["text"]) for part in real.parts(run, "statement") if part["kind"] == "paragraph")
+
+    assert "The drive repeats after 1.2\u00a0s." in told(coursework.solve("robot-arm"))
+    assert "The drive repeats after T = 0.480366\u00a0s." in told(real.full())
+
+
+@pytest.mark.parametrize(
+    ("name", "sentence"),
+    [
+        ("v101", "is zero where link 3 stands at a right angle to the direction β: "),
+        ("v104", "is zero where the lever arms of link 3 and link 4 cancel: "),
+        ("variable-crank", "is zero where link 2 is vertical: "),
+    ],
+)
+def test_where_a_determinant_vanishes_is_said_of_the_links(real: ModuleType, name: str, sentence: str) -> None:
+    shown = [part for part in real.parts(coursework.solve(name), "solution") if part["kind"] == "equations"]
+    assert sentence in " ".join(real.text_of(item["after"]) for part in shown for item in part["items"])
+
+
 def test_an_exact_table_says_what_euler_would_have_cost() -> None:
     run = coursework.solve("example-1")
     told = " ".join(str(part) for section in build_model(run).sections for part in section.parts if section.name == "results")
@@ -181,6 +222,7 @@ def unusual(real: ModuleType) -> list[Any]:
         judged(real, verdicts), judged(real, ("PASS",)), judged(real, ("PASS", "PASS")), solve("v107"),
         solve("v108"), solve("v104"),
         solve("31", project=1), solve("31", project=2), solve("31", gain=5.0), solve("31", scheme="rk4"),
+        solve("31", scheme="exact"),
         solve("31", step=0.48 / 999, quantities=["table", "plots"]), solve("31", end=0.02, quantities=["table"]),
         solve("example-2", quantities=extras), solve("variable-crank-table"), solve("variable-crank"), solve("robot-arm"),
         solve("andrews", quantities=["table"]), solve("31", quantities=["checks"]), solve("oscillating-cylinder"),
