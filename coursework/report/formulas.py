@@ -13,7 +13,11 @@ from dataclasses import dataclass
 from coursework.report.line_breaks import pieces
 from coursework.report.typesetting import typeset
 
-_SYMBOL = re.compile(r'<symbol id="([^"]+)".*?</symbol>', re.DOTALL)
+_SYMBOL = re.compile(r'<symbol id="([^"]+)"[^>]*>\s*<path d="([^"]+)"\s*/>\s*</symbol>')
+_RUN = re.compile(r'<g transform="matrix\(1 0 0 -1 (\S+) (\S+)\)"\s*>((?:\s*<use [^>]*/>)*)\s*</g>')
+_COPY = re.compile(r'href="#([^"]+)" x="([^"]+)" y="([^"]+)"')
+_NOTHING = re.compile(r"<g [^>]*/>|</svg>")
+_SHIFTED = re.compile(r'transform="translate\((\S+) (\S+)\)" d="M 0 0([^"A-Z]*)"')
 _DEFINITIONS = re.compile(r"<defs[^>]*>.*?</defs>", re.DOTALL)
 _OPENING = re.compile(r'<svg[^>]*?viewBox="([^"]+)"[^>]*?width="([\d.]+)pt"[^>]*?height="([\d.]+)pt"[^>]*>')
 NARROW = 260  # pt: what the screen of a phone shows without being moved
@@ -70,15 +74,44 @@ def _joined(parts: list[Picture]) -> Picture:
 
 
 def _taken_apart(svg: str) -> tuple[Picture, dict[str, str]]:
-    """Return the picture without its glyphs, and the glyphs by id."""
-    glyphs = {match[1]: match[0] for match in _SYMBOL.finditer(svg)}
+    """Return the picture without its glyphs, and the glyphs by id.  Raises `ValueError` where Typst writes another SVG."""
+    glyphs = {found[1]: _marker(found[1], found[2]) for found in _SYMBOL.finditer(svg)}
     opening = _OPENING.search(svg)
     if not opening:
         raise ValueError("Typst's SVG has another shape than this version of it wrote")
     box, width, height = opening[1], float(opening[2]), float(opening[3])
     body = _DEFINITIONS.sub("", svg[opening.end() :])
+    places: dict[str, list[str]] = {}
+    for run in _RUN.finditer(body):
+        for copy in _COPY.finditer(run[3]):
+            # A run of letters counts its heights upwards.
+            x, y = float(run[1]) + float(copy[2]), float(run[2]) - float(copy[3])
+            places.setdefault(copy[1], []).append(f"{_short(x)} {_short(y)}")
+    bars = _NOTHING.sub("", _RUN.sub("", body)).replace('stroke="#000000"', 'stroke="currentColor"')  # on a dark screen too
+    bars = _SHIFTED.sub(lambda bar: f'd="M{_short(float(bar[1]))} {_short(float(bar[2]))}{bar[3]}"', bars)
+    if "<use" in bars or not places.keys() <= glyphs.keys():
+        raise ValueError("Typst's SVG has another shape than this version of it wrote")
     size = f'width="{width:.2f}pt" height="{height:.2f}pt" style="--wide:{width:.2f}pt"'
     head = f'<svg class="math" viewBox="{box}" {size} aria-hidden="true">'
-    body = body.replace(' fill="#000000" fill-rule="nonzero"', "").replace("xlink:href", "href")
-    body = body.replace('stroke="#000000"', 'stroke="currentColor"')  # bars of fractions and roots, on a dark screen too
-    return Picture(head + re.sub(r">\s+<", "><", body).strip(), width), glyphs
+    letters = "".join(_set(glyph, where) for glyph, where in places.items())
+    bars = re.sub(r">\s+<", "><", bars).strip()
+    return Picture(f'{head}<g fill="none">{letters}</g>{bars}</svg>', width), glyphs
+
+
+def _marker(glyph: str, outline: str) -> str:
+    """Return a glyph as a marker: the places of all its copies in a formula are numbers of one element.
+
+    An element with a shift of its own for each copy, a thousand a page, is what a browser goes through whenever it paints.
+    """
+    drawn = f'<path transform="scale(1 -1)" d="{outline}"/>'
+    return f'<marker id="{glyph}" markerUnits="userSpaceOnUse" overflow="visible">{drawn}</marker>'
+
+
+def _set(glyph: str, places: list[str]) -> str:
+    """Return a line that nobody sees with the glyph at each of its corners; its ends bear none."""
+    return f'<polyline points="0 0 {" ".join(places)} 0 0" marker-mid="url(#{glyph})"/>'
+
+
+def _short(value: float) -> str:
+    """Return pt to a hundredth, which no eye can tell."""
+    return f"{value:.2f}".rstrip("0").rstrip(".")

@@ -4,14 +4,20 @@ from __future__ import annotations
 
 import math
 import random
+import re
+from collections.abc import Iterator
 from types import ModuleType
+from typing import Any
+from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 
 from coursework.formula.reader import parse, parse_equation
 from coursework.formula.tree import Formula, FormulaFault, evaluate
 from coursework.report import display, equations
 from coursework.report.formulas import draw
+from coursework.report.typesetting import typeset
 
 NAMES = ("r1", "r3", "w3", "phi1", "phi3", "VMx", "alpha", "t", "speed", "speed2", "AB", "wA", "p")
 
@@ -58,6 +64,35 @@ def test_every_random_equation_is_typst() -> None:
     dice = random.Random(7)
     trees = [random_tree(dice, 4) for _ in range(150)]
     assert len(draw([equations.math(tree) for tree in trees]).pictures) > 100
+
+
+def placed(element: Any, x: float = 0.0, y: float = 0.0, up: float = -1.0) -> Iterator[tuple[str, float, float]]:
+    """Yield glyph and place (pt) of every copy in an SVG of Typst, shift by shift down to it."""
+    kind, numbers = re.match(r"(\w*)\(?([^)]*)", element.get("transform", "")).groups()
+    shift = [float(number) for number in numbers.split()] or [0.0, 0.0]
+    x, y, up = x + shift[-2], y - up * shift[-1], 1.0 if kind == "matrix" else up
+    if "href" in (own := {key.split("}")[-1]: value for key, value in element.attrib.items()}):
+        yield own["href"][1:], x + float(own["x"]), y - up * float(own["y"])
+    for below in element:
+        if not below.tag.endswith("defs"):
+            yield from placed(below, x, y, up)
+
+
+def test_every_letter_of_a_formula_stands_where_typst_sets_it_and_none_has_a_shift_of_its_own() -> None:
+    dice = random.Random(8)
+    sources = list({equations.math(random_tree(dice, 4)): None for _ in range(40)})
+    sources.append("mat(a_1; b; c; d; e) = sqrt(frac(x, sqrt(y + 1)))")
+    pictures = draw(sources).pictures
+    for source, typst in zip(sources, typeset("equation.typ", sources, "svg"), strict=True):
+        svg = pictures[source].svg
+        assert "transform" not in svg
+        found = []
+        for line in re.finditer(r'<polyline points="0 0 ([^"]*) 0 0" marker-mid="url\(#(\w+)\)"/>', svg):
+            numbers = [float(number) for number in line[1].split()]
+            found += [(line[2], x, y) for x, y in zip(numbers[::2], numbers[1::2], strict=True)]
+        wanted = sorted(placed(ElementTree.fromstring(typst)))
+        assert [glyph for glyph, _, _ in sorted(found)] == [glyph for glyph, _, _ in wanted]
+        assert np.allclose([at[1:] for at in sorted(found)], [at[1:] for at in wanted], rtol=0, atol=0.006)
 
 
 @pytest.mark.parametrize(
