@@ -111,10 +111,12 @@ def _lengths(painter: Painter, sheet: Sheet, mechanism: Mechanism) -> None:
     known = lengths(mechanism)
     drawn = [(bar.corners[k], bar.corners[k + 1]) for bar in painter.outline.bars for k in range(len(bar.corners) - 1)]
     drawn += [(wheel.centre, wheel.contact) for wheel in painter.outline.wheels]
-    for a, b in dict.fromkeys(drawn):
-        length = known.get(frozenset((a, b)))
+    named = [(known.get(frozenset(ends)), painter.at[ends[0]], painter.at[ends[1]]) for ends in dict.fromkeys(drawn)]
+    for track, (_, radius) in zip(painter.outline.tracks, mechanism.variant.frame.circles, strict=True):
+        if wheel := painter.wheel_on(track):
+            named.append((radius, painter.at[track.centre], painter.at[wheel.contact]))
+    for length, *ends in named:
         text = length_text(length) if length is not None else ""
-        ends = painter.at[a], painter.at[b]
         if text and abs(ends[1] - ends[0]) > 4:
             side = 1j * (ends[1] - ends[0])
             middle = sum(ends) / 2

@@ -19,7 +19,10 @@ def arm_base(formula: Formula, coordinate: str) -> str:
 
 
 def lengths(mechanism: Mechanism) -> dict[frozenset[str], Formula]:
-    """Return the length between two points wherever the file says it: "B = A + r2 @ phi2", "P = C - (0, R)", a group."""
+    """Return the length between two points wherever the file says it: "B = A + r2 @ phi2", "P = C - (0, R)", a group.
+
+    Beside a point at the origin also "D = (d, 0)" says one.
+    """
     variant = mechanism.variant
     minus = [Formula("-", (Formula("name", name=name), formula)) for name, formula in mechanism.points]
     for group in variant.groups:
@@ -34,6 +37,11 @@ def lengths(mechanism: Mechanism) -> dict[frozenset[str], Formula]:
         said = [length for part in parts if part.op != "name" and (length := _length(part)) is not None]
         if len(parts) == 3 and len(ends) == 2 and len(said) == 1:
             found.setdefault(ends, said[0])
+    origin = next((name for name, formula in mechanism.points if formula.op == "pair" and _is_origin(formula)), "")
+    for name, formula in mechanism.points:
+        length = _length(formula) if origin and formula.op == "pair" else None
+        if length is not None:
+            found.setdefault(frozenset((origin, name)), length.args[0] if length.op == "neg" else length)
     return found
 
 
@@ -42,6 +50,10 @@ def stretching(mechanism: Mechanism) -> frozenset[frozenset[str]]:
     variant = mechanism.variant
     changing = {c.name for c in variant.coordinates} | {law.name for law in (*variant.functions, *variant.drive)} | {"t"}
     return frozenset(ends for ends, length in lengths(mechanism).items() if changing & set(length.names()))
+
+
+def _is_origin(pair: Formula) -> bool:
+    return all(arg.op == "number" and arg.value == 0 for arg in pair.args)
 
 
 def _length(part: Formula) -> Formula | None:

@@ -27,6 +27,7 @@ BLOCK = (4.2, 2.4)  # mm, half length and half height of a slider
 BEYOND = 10.0  # mm of a bar beyond the farthest place of its sleeve
 RAIL = 9.0  # mm of a rail beyond the farthest place of its slider
 FREE = 0.75  # cosine of the angle to a link beside which the ground of a hinge may stand
+TOUCHING = 0.02  # of its radius: a wheel within this of a fixed circle rolls on it
 ALIGNED = 1e-9  # of the mechanism: a point within this of a line lies on it
 
 
@@ -111,14 +112,14 @@ class Painter:
             self.sheet.hatch(*part, side)
 
     def track(self, track: Track) -> None:
-        """Draw the part of a fixed circle near its wheel, hatched inside the solid."""
+        """Draw the part of a fixed circle near its wheel, hatched inside the solid, with the radius that leads there."""
         middle = self.at[track.centre]
         radius = abs(self.at[track.rim] - middle)
-        wheels = [w for w in self.outline.wheels if abs(abs(self.at[w.contact] - middle) - radius) <= 0.02 * radius]
-        if not radius or not wheels:
+        wheel = self.wheel_on(track)
+        if not radius or wheel is None:
             return
-        wheel = wheels[0]
         out = self.at[wheel.contact] - middle
+        self.sheet.line(middle, middle + radius * out / abs(out), THIN)
         half = min(math.pi, max(35.0 / radius, 0.5))
         steps = math.ceil(2 * half * radius / PITCH)
         arc = [middle + radius * out / abs(out) * cmath.exp(1j * half * (2 * k / steps - 1)) for k in range(steps + 1)]
@@ -127,6 +128,13 @@ class Painter:
         inward = 1 if abs(self.at[wheel.centre] - middle) > radius else -1
         for a, b in itertools.pairwise(kept):
             self.sheet.hatch(a, b, inward * (middle - a))
+
+    def wheel_on(self, track: Track) -> Wheel | None:
+        """Return the wheel that touches a fixed circle in row 1; later rows of a scheme drift away from it."""
+        first = self.poses.pose(0)
+        radius = abs(first[track.rim] - first[track.centre])
+        gaps = {w: abs(abs(first[w.contact] - first[track.centre]) - radius) for w in self.outline.wheels}
+        return next((wheel for wheel, gap in gaps.items() if gap <= TOUCHING * radius), None)
 
     def hinge(self, name: str) -> None:
         """Draw a hinge of the frame: a triangle on hatched ground, on the side away from the links."""
@@ -211,8 +219,7 @@ class Painter:
         found = {}
         resting = {rail.rider for rail in self.outline.rails if rail.rolls}
         for wheel in self.outline.wheels:
-            on_track = any(abs(abs(self.at[wheel.contact] - self.at[t.centre]) - abs(self.at[t.rim] - self.at[t.centre])) < 0.1
-                           for t in self.outline.tracks)  # fmt: skip
+            on_track = any(self.wheel_on(track) == wheel for track in self.outline.tracks)
             if wheel.contact in resting or on_track or sum(wheel.contact in bar.corners for bar in self.outline.bars) > 1:
                 continue
             for rail in self.outline.rails:

@@ -29,7 +29,7 @@ WORD_ON_WORD = 200.0  # mm of lines that a word rather covers than another word
 CROSSED = 3.0  # mm of way that a word with its value rather takes than lying on a line; a name stays near what it names
 CROWDED = 8.0  # mm of lines: directions of the axes among more than that are not seen
 BEYOND, MARGIN = 30.0, 0.5  # mm of lines for each mm beyond the field; mm kept free around a word
-MISTAKEN = 8.0  # mm of lines that a word rather covers than standing nearer to what another word belongs to
+MISTAKEN = 8.0  # mm of lines that a word rather covers than standing nearer to what another word belongs to, times CROSSED
 BOLD, ITALIC = 'font-weight="bold"', 'font-style="italic"'
 Rectangle = tuple[float, float, float, float]
 Word = tuple[str, str, str]  # text, what is set lower, what follows
@@ -147,8 +147,8 @@ class Sheet:
 
     def label(
         self, word: Word, places: Iterable[Place], look: str = "", *, turn: int = 0, others: Sequence[complex] = ()
-    ) -> None:
-        """Write a word beside the place where it covers least.
+    ) -> Place:
+        """Write a word beside the place where it covers least; return that place.
 
         `turn` +1 or -1 puts an arc with an arrow before the word: counter-clockwise or clockwise.  `others` are points that
         words alike belong to: a reader takes the nearest.
@@ -156,8 +156,9 @@ class Sheet:
         lead = 6.6 if turn else 0.0
         wide = lead + sum(size * width(part[:LONGEST]) for part, size in zip(word, SIZES, strict=True))
         height = 5.8 if turn else LETTER * 0.95 + (0.6 if word[1] else 0)
-        _, middle = min(
-            (self._room(wide, height, place, others, CROSSED if word[2] else 1.0) for place in places), key=lambda found: found[0]
+        crossing = CROSSED if word[2] else 1.0
+        (_, middle), chosen = min(
+            ((self._room(wide, height, place, others, crossing), place) for place in places), key=lambda found: found[0][0]
         )
         left, top = middle.real - wide / 2, middle.imag - height / 2
         self.words.append((left, top, left + wide, top + height))
@@ -165,6 +166,7 @@ class Sheet:
             self.sense(complex(left + 3, middle.imag), turn)
         base = middle.imag + LETTER * 0.37 - (0.3 if word[1] else 0)
         self.text(complex(left + lead, base), word, look)
+        return chosen
 
     def text(self, at: complex, word: Word, look: str = "", size: float = LETTER) -> None:
         """Write a word, its base line beginning at a point, on a white halo."""
@@ -206,7 +208,7 @@ class Sheet:
                 reach = min(width / 2 / max(abs(unit.real), 1e-9), height / 2 / max(abs(unit.imag), 1e-9))
                 middles.append(near + unit * (gap + ring + reach))
                 mistaken = any(_apart(middles[-1], width, height, other) < gap + ring for other in others)
-                prices.append(0.5 * ring + 0.6 * (1 - math.cos(turned)) + MISTAKEN * mistaken)
+                prices.append(0.5 * ring + 0.6 * (1 - math.cos(turned)) + MISTAKEN * crossing * mistaken)
             for middle, price, covered in zip(middles, prices, self._covered(middles, width, height, crossing), strict=True):
                 if price + covered < best - 1e-9:
                     best, found = price + covered, middle

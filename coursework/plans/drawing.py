@@ -74,6 +74,7 @@ class _Drawing:
         self.points = list(dict.fromkeys((*sketch.outline.names, *(name for body in sketch.pose.bodies for name in body.points))))
         self.letter = centre_letter(sketch)
         self.marks: list[tuple[Word, list[Place]]] = []
+        self.far: list[tuple[Word, list[Place]]] = []  # of centres off the sheet: each arrow is named, one has the place too
         self.middle = self.painter.middle
 
     def svg(self, title: str) -> str:
@@ -129,18 +130,26 @@ class _Drawing:
                 places.append((part[1] - 6 * along, self.middle - part[1], 1.4))
         decimals = max(0, math.ceil(math.log10(READ / layout.scale) - 1e-9))
         where = say("drawing.place", x=round(centre.at.real, decimals) + 0.0, y=round(centre.at.imag, decimals) + 0.0)
-        self.marks.append(((self.letter, short(link), self.written(where).replace("-", "−")), places))
+        if places:
+            self.far.append(((self.letter, short(link), self.written(where).replace("-", "−")), places))
 
     # words
 
     def names(self) -> None:
         """Write all labels: points, velocities, centres, links with the sense and size of their rotation."""
         self.painter.point_names()
-        tips = [place[0] for _, places in self.marks for place in places]
+        tips = [place[0] for _, places in (*self.marks, *self.far) for place in places]
+
+        def write(word: Word, places: list[Place], own: list[Place]) -> Place:
+            return self.sheet.label(word, places, others=[tip for tip in tips if all(tip != place[0] for place in own)])
+
         for word, places in self.marks:
-            if places:
-                own = {place[0] for place in places}
-                self.sheet.label(word, places, others=[tip for tip in tips if tip not in own])
+            write(word, places, places)
+        for word, places in self.far:
+            chosen = write(word, places, places)
+            for place in places:
+                if place != chosen:
+                    write((*word[:2], ""), [place], places)
         for bar in self.sketch.outline.bars:
             body, omega = self.bodies.get(bar.link), self.findings.omegas.get(bar.link)
             turning = 0 if body is None or body.guide or not omega else (1 if omega > 0 else -1)

@@ -83,7 +83,8 @@ def _possible(sketch: Sketch) -> Iterator[float]:
 
 
 def _points(sketch: Sketch) -> list[str]:
-    return sorted({name for body in sketch.pose.bodies for name in body.points} | set(sketch.hinges))
+    tracks = {track.centre for track in sketch.outline.tracks if track.centre in sketch.pose.positions}
+    return sorted({name for body in sketch.pose.bodies for name in body.points} | set(sketch.hinges) | tracks)
 
 
 def _try(sketch: Sketch, findings: Findings, scale: float, longest: float, wide: bool) -> Layout | None:

@@ -5,6 +5,7 @@ Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 
 from coursework.checks.summary import summary
@@ -19,7 +20,6 @@ from coursework.report.numbers import NOTHING, TIGHT, first_of
 from coursework.report.page_context import STOP_DIGITS, PageContext
 from coursework.report.parts import Beside, Cell, Column, Paragraph, Part, Result, Runs, Table, TitleBlock
 from coursework.report.text_runs import LONGEST_NAME, runs
-from coursework.variant.record import Given
 
 MOST_REMARKS = 12  # on the first page, on which the results begin
 USUAL_ROW = 4  # the row that is compared where a file names none
@@ -100,7 +100,7 @@ def _held(context: PageContext) -> list[str]:
     for link in variant.links:
         if link.wheel and link.contact:
             wheel = {"link": clean(link.name), "centre": clean(link.wheel), "point": clean(link.contact)}
-            told.append(say("statement.wheel", **wheel))
+            told.append(say("statement.gear" if link.wheel in variant.frame.hinges else "statement.wheel", **wheel))
         if link.slides:
             told.append(say("statement.sleeve", link=clean(link.name), bar=clean(link.slides)))
     contacts = {link.contact for link in variant.links}
@@ -129,6 +129,7 @@ def _data(context: PageContext) -> Table:
     """The data of the task sheet as written, and the start."""
     variant = context.variant
     means = meanings(context.run.scene.mechanism)
+    ends = ends_kept(context.run.scene.mechanism, [c.name for c in variant.coordinates])
     rows: list[list[Cell]] = [
         [
             context.symbol_runs([g.name]),
@@ -139,27 +140,32 @@ def _data(context: PageContext) -> Table:
     ]
     for c in variant.coordinates:
         head = context.symbol_runs([c.name])
+        between = clean(ends[c.name]) + context.words("join.comma") if ends[c.name] else ""
         if c.start is None:
-            how = context.say("given.from_groups" if c.near is None else "given.follows")
-            rows.append([head, how, _first(context, c.name, c.unit)])
+            how = context.words("given.from_groups" if c.near is None else "given.follows")
+            rows.append([head, runs(between + how), _first(context, c.name, c.unit)])
         else:
-            rows.append([head, context.say("given.at_start"), _given(context, c.text, c.written)])
+            how = context.words("given.at_start")
+            rows.append([head, runs(between + how), _given(context, c.text, c.written)])
     columns = [Column(context.say(f"given.{key}"), words=key != "written") for key in ("quantity", "meaning", "written")]
     return Table(columns, rows, context.say("given.data" if variant.given else "given.coordinates"))
 
 
 def meanings(mechanism: Mechanism) -> dict[str, str]:
     """Return what the file says each datum means; else the two points that it keeps apart, in the author's order, or ""."""
+    ends = ends_kept(mechanism, [given.name for given in mechanism.variant.given])
+    return {
+        given.name: clean(given.means, LONGEST_NAME) if given.means else clean(ends[given.name])
+        for given in mechanism.variant.given
+    }
+
+
+def ends_kept(mechanism: Mechanism, names: Iterable[str]) -> dict[str, str]:
+    """Return the two points whose distance each name is, in the author's order: "AB", or "" where it is none."""
     places = [name for name, _ in mechanism.points]
     kept = {length.name: ends for ends, length in reversed(lengths(mechanism).items()) if length.op == "name"}
-
-    def meaning(given: Given) -> str:
-        if given.means:
-            return clean(given.means, LONGEST_NAME)
-        ends = kept.get(given.name, frozenset())
-        return clean("".join(sorted(ends, key=lambda name: places.index(name) if name in places else len(places))))
-
-    return {given.name: meaning(given) for given in mechanism.variant.given}
+    order = {name: place for place, name in enumerate(places)}
+    return {name: "".join(sorted(kept.get(name, ()), key=lambda end: order.get(end, len(order)))) for name in names}
 
 
 def _first(context: PageContext, name: str, unit: str) -> str:

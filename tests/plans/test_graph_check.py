@@ -512,6 +512,31 @@ def test_a_far_centre_is_told_at_the_border() -> None:
     assert lay_out(check_of("31").sketch, check_of("31").findings).near == {"3"}
 
 
+@pytest.mark.parametrize("name", ["31", "v107", "v112"])
+def test_every_arrow_to_a_far_centre_bears_its_name(name: str) -> None:
+    check = check_of(name)
+    layout = lay_out(check.sketch, check.findings)
+    words = [
+        unescape("".join(text.itertext())) for text in ElementTree.fromstring(svg_of(name)).iter() if text.tag.endswith("text")
+    ]
+    far = {link: c for link, c in check.findings.centres.items() if c.at is not None and c.lines and link not in layout.near}
+    assert far
+    for link, centre in far.items():
+        assert sum(word.startswith(f"P{link}") for word in words) == len(centre.lines)
+
+
+def test_a_fixed_circle_stays_on_the_sheet_though_the_wheel_has_drifted() -> None:
+    """In row 12 of v108 the contact stands 14 mm off a circle of 574 mm; its middle, hatch and name are there all the same."""
+    svg, layout = svg_of("v108"), lay_out(check_of("v108").sketch, check_of("v108").findings)
+    check = check_of("v108")
+    middle = layout.put(check.sketch.pose.positions["O"])
+    assert 0 < middle.real < layout.width and 0 < middle.imag < layout.height
+    assert ">O</text>" in svg
+    (arc,) = [path for path in re.findall(r'd="M([^"]*)"', svg) if path.count("L") > 20 and "M" not in path]
+    places = [complex(*map(float, pair.split())) for pair in arc.split("L")]
+    assert {round(abs(place - middle) * layout.scale) for place in places} == {574}
+
+
 def test_scales_are_those_of_drawing_standards() -> None:
     assert {1.0, 2.0, 2.5, 4.0, 5.0, 10.0, 20.0, 50.0, 100.0, 0.5, 0.2} <= set(SCALES)
     sketch, findings = sketch_of("31"), check_of("31").findings

@@ -95,6 +95,25 @@ def test_what_a_datum_means_is_said_by_the_file(real: ModuleType) -> None:
     assert variant.with_data(given={"r3": 0.5}).given[2].means == "BC; BM = 2r3, CP = r3/2"
 
 
+def test_lengths_of_the_frame_and_of_a_slide_are_said_by_their_ends(real: ModuleType) -> None:
+    def data(name: str) -> dict[str, str]:
+        beside = next(part for part in real.parts(coursework.solve(name), "statement") if part["kind"] == "beside")
+        return {real.text_of(row[0]): real.text_of(row[1]) for row in beside["left"]["rows"]}
+
+    assert data("whitworth") | {"d": "AD", "s2": "DB, at t = 0, computed", "φ1": "at t = 0"} == data("whitworth")
+    assert data("v107")["s"] == "OM, at t = 0"
+    assert data("v108")["xO"] == ""
+
+
+def test_a_gear_on_a_pivot_does_not_roll_along(real: ModuleType) -> None:
+    def told(name: str) -> str:
+        run = coursework.solve(name)
+        return " ".join(real.text_of(part["text"]) for part in real.parts(run, "statement") if part["kind"] == "paragraph")
+
+    assert "Wheel 4 turns about O and does not slip at Q." in told("v112")
+    assert "Wheel 4 with centre C rolls at P without slipping." in told("v108")
+
+
 def test_the_first_row_stands_beside_the_last(real: ModuleType) -> None:
     """The parts are those of numerics.md 1: scheme and period add up to the difference."""
     tables = [part for part in real.parts(real.full(), "results") if part["kind"] == "table"]
@@ -220,7 +239,7 @@ def unusual(real: ModuleType) -> list[Any]:
     return [
         dated, real.full(), real.stopped(), judged(real, verdicts, codes),
         judged(real, verdicts), judged(real, ("PASS",)), judged(real, ("PASS", "PASS")), solve("v107"),
-        solve("v108"), solve("v104"),
+        solve("v108"), solve("v104"), solve("v112", quantities=["table"]),
         solve("31", project=1), solve("31", project=2), solve("31", gain=5.0), solve("31", scheme="rk4"),
         solve("31", scheme="exact"),
         solve("31", step=0.48 / 999, quantities=["table", "plots"]), solve("31", end=0.02, quantities=["table"]),
