@@ -43,7 +43,10 @@ def accuracy(evidence: Evidence) -> Finding:
         key = "check.ACCURACY.first" if at == 0 else "check.ACCURACY.spoilt"
         sentence = say(key, name=where, row=at + 1, before=at, gap=percent(gap), found=found)
         return Finding("FAIL", sentence, value, LIMIT, unit, where, at + 1, rows=lines)
-    sentence = say("check.ACCURACY.pass" if value <= LIMIT else "check.ACCURACY.coarse", found=found)
+    if value == 0:
+        sentence = say("check.ACCURACY.same")
+    else:
+        sentence = say("check.ACCURACY.pass" if value <= LIMIT else "check.ACCURACY.coarse", found=found)
     return Finding("PASS" if value <= LIMIT else "COARSE", sentence, value, LIMIT, unit, name, row + 1, rows=lines)
 
 

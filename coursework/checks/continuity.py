@@ -50,7 +50,8 @@ def continuity(evidence: Evidence) -> Finding:
     name, value = evidence.names[place], float(shares[row, place])
     found = {"name": name, "share": percent(value), "row": row + 1, "next": row + 2}
     if value <= LIMIT:
-        return Finding("PASS", say("check.CONTINUITY.pass", **found), value, LIMIT, unit, name, row + 1)
+        sentence = say("check.CONTINUITY.pass", **found) if value else say("check.CONTINUITY.same")
+        return Finding("PASS", sentence, value, LIMIT, unit, name, row + 1)
     return Finding("COARSE", say("check.CONTINUITY.coarse", **found), value, LIMIT, unit, name, row + 1)
 
 

@@ -21,6 +21,8 @@ from coursework.variant.record import Variant
 Array = NDArray[np.float64]
 # A length below this part of the longest is none: it stands for a point that coincides with another.
 _NO_LENGTH = 1e-9
+# An equation open by less, in parts of the shortest length, is open by round-off only.
+ROUND_OFF = 1e-12
 
 
 def drift(evidence: Evidence) -> Finding:
@@ -46,8 +48,11 @@ def drift(evidence: Evidence) -> Finding:
         return Finding("FAIL", sentence, value, LIMIT, say("unit.of_the_scale"), closure.names[which], at + 1, rows=lines)
     found = {"name": name, "row": row + 1, "size": size, "unit": unit, "share": percent(value), "shortest": shortest}
     verdict: Verdict = "PASS" if value <= LIMIT else "COARSE" if float(np.max(shares[0])) <= LIMIT else "FAIL"
-    kind = "angle" if verdict == "COARSE" and angles[equation] else verdict.lower()
-    sentence = say(f"check.DRIFT.{kind}", **found)
+    if value < ROUND_OFF:
+        sentence = say("check.DRIFT.same")
+    else:
+        kind = "angle" if verdict == "COARSE" and angles[equation] else verdict.lower()
+        sentence = say(f"check.DRIFT.{kind}", **found)
     return Finding(verdict, sentence, value, LIMIT, say("unit.of_the_scale"), name, row + 1, rows=lines)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from coursework.checks.evidence import Evidence, worst
 from coursework.checks.result import Finding, skipped
-from coursework.sentences import joined, say
+from coursework.sentences import joined, say, say_count
 
 # Relative to the sum of the absolute terms of the equation: some hundred roundings, far below any slip of a hand.
 LIMIT = 1e-11
@@ -72,4 +72,4 @@ def agreement(evidence: Evidence) -> Finding:
         sentence = say("check.AGREEMENT.some", names=open_to_doubt, **count)
     else:
         sentence = say("check.AGREEMENT.pass", **count)
-    return Finding("PASS", sentence, float(len(confirmed)), float(len(written)), say("unit.equations"))
+    return Finding("PASS", sentence, float(len(confirmed)), float(len(written)), say_count("unit.equations", len(written)))

@@ -9,7 +9,7 @@ import numpy as np
 
 from coursework.checks.evidence import LIMIT, Evidence
 from coursework.checks.result import Finding, Verdict, skipped
-from coursework.sentences import joined, say
+from coursework.sentences import joined, say, say_count
 
 # The table repeats itself where the last period changes by less than this part of what it is off.
 REPEATS = 0.01
@@ -33,7 +33,7 @@ def per_period(evidence: Evidence) -> Finding:
     unit, scale = evidence.unit(name), evidence.scale[name]
     value, last = float(abs(gaps[-1, worst])), float(gaps[-1, worst] * scale)
     rows = tuple(
-        (say("check.DRIFT-PER-PERIOD.after", name=name, periods=k), float(gap * scale), unit)
+        (say_count("check.DRIFT-PER-PERIOD.after", k, name=name), float(gap * scale), unit)
         for k, gap in zip(listed, gaps[:, worst].tolist(), strict=True)
     )
     found = {"name": name, "unit": unit, "first": rows[0][1], "last": last, "periods": whole, "each": last / whole}

@@ -17,7 +17,7 @@ from coursework.checks.evidence import LIMIT, NO_ERROR, Evidence, turns
 from coursework.checks.result import Finding, percent, skipped
 from coursework.integration.finer import exact_at, prolonged
 from coursework.integration.motion import Motion
-from coursework.sentences import Sentence, joined, say
+from coursework.sentences import Sentence, joined, say, say_count
 
 Array = NDArray[np.float64]
 # Part of the scale by which the exact motion may miss its start after the stated period.  Measured over 38 stated periods:
@@ -98,15 +98,19 @@ def _judge(evidence: Evidence, code: str, names: tuple[str, ...]) -> Finding:
     worst = max(chosen, key=lambda split: shares[split.name])
     value, row = shares[worst.name], evidence.period_row
     assert row is not None
+    first, last = (0.0 if abs(end) < NO_ERROR else end for end in (worst.first, worst.last))
     found = {
-        "which": say(f"check.{code}.which", name=worst.name), "share": percent(value), "row": row + 1, "first": worst.first,
-        "last": worst.last, "unit": worst.unit, "scale": scale[worst.name],
+        "which": say(f"check.{code}.which", name=worst.name), "share": percent(value), "row": row + 1, "first": first,
+        "last": last, "unit": worst.unit, "scale": scale[worst.name],
     }  # fmt: skip
-    told = [say("check.PERIOD.pass" if value <= LIMIT else "check.PERIOD.coarse", **found)]
+    if value == 0:
+        told = [say("check.PERIOD.same", row=row + 1)]
+    else:
+        told = [say("check.PERIOD.pass" if value <= LIMIT else "check.PERIOD.coarse", **found)]
     late = _share(worst.period, scale[worst.name])
     if cannot_return := value > LIMIT and late > NEARLY * LIMIT and _is_beyond(evidence, worst.name):
         told.append(say("check.PERIOD.due", share=percent(late), period=evidence.period))
-    if turned := [say("check.PERIOD.turns", name=split.name, turns=split.turns) for split in chosen if split.turns]:
+    if turned := [say_count("check.PERIOD.turns", split.turns, name=split.name) for split in chosen if split.turns]:
         told.append(say("check.PERIOD.taken_off", turned=joined(turned, "join.semicolon")))
     lines = tuple((_label(split.name, part), getattr(split, part), split.unit) for split in chosen for part in _PARTS)
     return Finding(

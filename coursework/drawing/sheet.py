@@ -26,6 +26,7 @@ PITCH = 1.6  # mm between the strokes of a hatch
 DIRECTIONS = 16  # in which a place is looked for
 RINGS = (0.0, 2.0, 4.5, 8.0, 12.0, 17.0, 23.0, 30.0, 40.0)  # mm farther out; the last ones only where words would meet
 WORD_ON_WORD = 200.0  # mm of lines that a word rather covers than another word
+GAP, SIDE_BY_SIDE = 2.2, 4.0  # mm: words nearer on one line read as one; mm of lines that a word rather covers
 CROSSED = 3.0  # mm of way that a word with its value rather takes than lying on a line; a name stays near what it names
 CROWDED = 8.0  # mm of lines: directions of the axes among more than that are not seen
 BEYOND, MARGIN = 30.0, 0.5  # mm of lines for each mm beyond the field; mm kept free around a word
@@ -224,9 +225,11 @@ class Sheet:
         symbols, words = common(low, high, self.boxes), common(low, high, self.words)
         if self._lines.count != len(self.segments):
             self._lines = Lines(self.segments)
+        beside = common(low - (GAP, 0.0), high + (GAP, 0.0), self.words)
         crossed, covered = self._lines.within(low, high)
         cost = BEYOND * beyond.sum(axis=1) + 3.0 * symbols.sum(axis=1) + covered + crossing * crossed
         cost += 6.0 * np.count_nonzero(symbols, axis=1) + WORD_ON_WORD * np.count_nonzero(words, axis=1)
+        cost += SIDE_BY_SIDE * np.count_nonzero(beside, axis=1)
         return [float(value) for value in cost]
 
     def svg(self) -> str:

@@ -99,7 +99,7 @@ def _table(context: PageContext, study: AccuracyStudy) -> Table:
             strong.append(len(rows))
         cells: list[Cell] = [
             f"{MARK} {context.told(row.method, LONGEST_NAME)}" if own else context.told(row.method, LONGEST_NAME),
-            numeral(printed(context.told(row.steps_or_tolerance, LONGEST_NAME))),
+            _steps(context, row.steps_or_tolerance),
             numbers.whole(row.evaluations),
             numeral(numbers.scalar(row.max_error, ERROR_DIGITS)),
             numeral(numbers.scalar(row.end_error, ERROR_DIGITS)),
@@ -111,7 +111,8 @@ def _table(context: PageContext, study: AccuracyStudy) -> Table:
     notes = [context.words("accuracy.own_mark", mark=MARK)] if strong else []
     if study.orders:
         orders = context.words("join.comma").join(
-            f"{context.told(name, LONGEST_NAME)} {_order_text(context, study, name)}" for name in study.orders
+            context.words("accuracy.order", method=context.told(name, LONGEST_NAME), order=_order_text(context, study, name))
+            for name in study.orders
         )
         notes.append(context.words("accuracy.orders", orders=orders))
     return Table(
@@ -123,6 +124,11 @@ def _table(context: PageContext, study: AccuracyStudy) -> Table:
         runs(context.words.sentences(notes)),
         whole=len(rows) <= ONE_PAGE,
     )
+
+
+def _steps(context: PageContext, text: str) -> Cell:
+    """Return a number of steps in groups of three, or a tolerance."""
+    return context.numbers.whole(int(text)) if text.isdigit() else numeral(printed(context.told(text, LONGEST_NAME)))
 
 
 def _failures(context: PageContext, study: AccuracyStudy) -> list[Part]:

@@ -45,16 +45,19 @@ def _judged(context: PageContext, check: Finding) -> Judged:
     unit = context.told(check.unit)
     is_short = len(unit) <= SHORT_UNIT
     is_count = check.value is not None and check.value >= 1 and check.value.is_integer()
-    behind = unit if is_short else ""
     heads, lines = _lines(context, check)
+
+    def behind(value: float | None) -> str:
+        return context.beside(value, check.unit) if is_short and value is not None else ""
+
     return Judged(
         mark=context.words(f"checks.mark.{check.verdict}"),
         verdict=context.words(f"checks.word.{check.verdict}"),
         code=clean(check.code),
         title=context.rich(check.title),
         sentence=context.rich(check.sentence),
-        value=numeral(context.with_unit(numbers.limit(check.value) if is_count else numbers.scalar(check.value), behind)),
-        limit=numeral(context.with_unit(numbers.limit(check.limit), behind)),
+        value=numeral(context.with_unit(numbers.limit(check.value) if is_count else numbers.scalar(check.value), behind(check.value))),
+        limit=numeral(context.with_unit(numbers.limit(check.limit), behind(check.limit))),
         unit="" if is_short or check.value is None else context.unit(unit),
         heads=heads,
         lines=lines,

@@ -14,6 +14,8 @@ from coursework.report.page_context import PageContext
 from coursework.report.parts import Bullets, Cell, Column, Part, Table
 from coursework.report.text_runs import numeral
 
+READ_DECIMALS = 1  # of a length in mm that is read to 0.5
+
 
 def graph_check(context: PageContext) -> list[Part]:
     """The drawing by which the table is checked, true to scale, and both results side by side."""
@@ -36,11 +38,13 @@ def graph_check(context: PageContext) -> list[Part]:
 def _row(context: PageContext, one: Reading) -> list[Cell]:
     """Return one line of the table: the length, what was read, how the value follows, both values, how far they are apart."""
     numbers, words = context.numbers, context.words
-    read = words("graph.given") if one.read is None and one.length else numbers.plain(one.read) if one.read is not None else ""
-    length = f"{one.length} = " if one.length else ""
+    if one.read is None:
+        read = words("graph.given", length=one.length) if one.length else ""
+    else:
+        read = f"{one.length} = {numbers.fixed(one.read, READ_DECIMALS)}"
     apart = numbers.plain(100 * one.difference, 2) if math.isfinite(one.difference) else NOTHING
     explained = f" (±{numbers.plain(100 * one.explained, 2)})" if one.explained else ""
-    values = [numeral(context.with_unit(numbers.plain(one.found, 4), one.unit)), NOTHING]
+    values = [numeral(context.with_unit(numbers.scalar(one.found), one.unit)), NOTHING]
     if math.isfinite(one.table):
         values[1] = numeral(context.with_unit(numbers.scalar(one.table), one.unit))
-    return [context.rich(one.name), context.rich(f"{length}{read}"), context.rich(one.relation), *values, f"{apart}{explained}"]
+    return [context.rich(one.name), context.rich(read), context.rich(one.relation), *values, f"{apart}{explained}"]

@@ -36,6 +36,8 @@ def control(context: PageContext) -> list[Part]:
 def _claim(context: PageContext, finding: Finding) -> str:
     say = context.words
     key = f"control.{finding.code}.{'right' if finding.verdict == 'PASS' else 'wrong'}"
+    if finding.verdict == "PASS" and finding.value == 0 and say.has(same := f"control.{finding.code}.same"):
+        key = same
     if not say.has(key):
         return context.told(finding.title)
     symbol = context.lettering(finding.column) if finding.column in context.run.variant.columns else ""
@@ -52,4 +54,4 @@ def _number(context: PageContext, finding: Finding) -> Cell:
     if key in SHARES:
         return context.with_unit(numbers.scalar(100 * value, DIGITS), "%")
     shown = numbers.whole(int(value)) if value.is_integer() and abs(value) >= 1 else numbers.scalar(value, DIGITS)
-    return numeral(context.with_unit(shown, context.told(finding.unit)))
+    return numeral(context.with_unit(shown, context.beside(value, finding.unit)))

@@ -31,12 +31,15 @@ def equations(context: PageContext) -> list[Part]:
     written = [one for one in context.run.equations if not one.derived]
     parts: list[Part] = []
     found = derive(context.run.scene.mechanism, _configurations(context)) if written else None
+    intro = "constraints.intro"
     if found is not None:
-        parts += _derived_from_points(context, found)
+        reductions = _reductions(context, found.projections)
+        parts += [*_derived_from_points(context, found), *reductions]
+        intro = "constraints.chosen" if reductions else "constraints.taken"
     elif written:
-        parts.append(Paragraph(context.say("constraints.unchecked")))
+        parts.append(Paragraph(runs(_unchecked(context, [one.name for one in written]))))
     if written:
-        parts.append(Paragraph(context.say("constraints.chosen" if found else "constraints.intro")))
+        parts.append(Paragraph(context.say(intro)))
         parts.append(Equations([_shown(context, one) for one in written], compact=found is not None))
         parts += _rank(context, found) if found else []
     parts += _contours(context)
@@ -80,7 +83,6 @@ def _derived_from_points(context: PageContext, found: Derivation) -> list[Part]:
         Equations([_vector_equation(path) for path in found.paths], flow=True),
         Paragraph(context.say("constraints.projections")),
         Equations([_projection(context, one) for one in found.projections]),
-        *_reductions(context, found.projections),
     ]
 
 
@@ -166,7 +168,10 @@ def _reduction(function: str, offset: Fraction, has_base: bool) -> Display:
 def _rank(context: PageContext, found: Derivation) -> list[Part]:
     """Return how many equations are independent, which are sums of others, and which say what no path says."""
     say = context.words
-    told = [say("constraints.rank", count=len(found.projections), rank=found.rank)]
+    count = len(found.projections)
+    told = [say("constraints.rank", count=count, rank=found.rank)] if count > found.rank else []
+    if 1 < count == found.rank:
+        told.append(say("constraints.rank_all"))
     sums = [_sum(one) for one in found.dependent if one.terms]
     if sums:
         told.append(say("constraints.sums", sums=say("join.semicolon").join(sums)))
@@ -174,9 +179,28 @@ def _rank(context: PageContext, found: Derivation) -> list[Part]:
     mixed = [f"({clean(name, 40)})" for name in found.followed if name not in names]
     if mixed:
         told.append(say("constraints.mixed", names=say.listing(mixed)))
-    if found.beyond:
-        told.append(say("constraints.beyond", names=say.listing([f"({clean(name, 40)})" for name in found.beyond])))
-    return [Paragraph(runs(say.sentences(told)))]
+    confirmed, open_to_doubt = _confirmed(context, found.beyond)
+    told += [say("constraints.beyond_compared", names=say.listing(confirmed))] if confirmed else []
+    told += [say("constraints.beyond", names=say.listing(open_to_doubt))] if open_to_doubt else []
+    return [Paragraph(runs(say.sentences(told)))] if told else []
+
+
+def _unchecked(context: PageContext, written: Sequence[str]) -> str:
+    """Return what is known of the signs of equations that no path between points gives."""
+    say = context.words
+    confirmed, open_to_doubt = _confirmed(context, written)
+    if not confirmed:
+        return say("constraints.unchecked")
+    rest = [say("constraints.open", names=say.listing(open_to_doubt))] if open_to_doubt else []
+    return say.sentences([say("constraints.compared", names=say.listing(confirmed)), *rest])
+
+
+def _confirmed(context: PageContext, names: Sequence[str]) -> tuple[list[str], list[str]]:
+    """Return which of these equations the positions confirm and which they do not, as "(12)"."""
+    closure = context.run.scene.closure
+    agreed = closure.agreed if closure is not None else ()
+    confirmed, rest = [name for name in names if name in agreed], [name for name in names if name not in agreed]
+    return [f"({clean(name, 40)})" for name in confirmed], [f"({clean(name, 40)})" for name in rest]
 
 
 def _sum(one: Combination) -> str:

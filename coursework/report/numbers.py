@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 from coursework.integration.motion import Motion
 
@@ -22,6 +23,7 @@ TABLE_DIGITS = 5  # significant digits of the largest entry of a column: what a 
 SMALLEST_DECIMAL = 1e-3  # below this a fixed number shows mostly zeros, so powers of ten take over
 LARGEST_DECIMAL = 1e5
 MOST_DECIMALS = 8
+MORE_DECIMALS = 3  # of a time, beyond the first digit of the step: 1/120 s is 0.008333
 ROUND_OFF = 1e-12  # of the largest entry of a column: below it stands what is left of a zero
 NOISE = 1e-9  # of a difference of two rows: what a motion that returns leaves behind
 _SUPERSCRIPTS = str.maketrans("0123456789-−", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁻")
@@ -87,6 +89,10 @@ class Numbers:
         text = f"{value:,}".replace(",", THIN) if abs(value) >= 10_000 else str(value)
         return self._dress(text)
 
+    def signed(self, value: int) -> str:
+        """Return a count with the sign of the language: -2 -> "−2"."""
+        return self._dress(str(value))
+
     def without_noise(self, value: float, size: float) -> float:
         """Return a difference of numbers of a `size`, 0 where it is round-off."""
         return 0.0 if abs(value) < NOISE * max(abs(size), 1.0) else value
@@ -94,18 +100,21 @@ class Numbers:
     def column(self, values: Iterable[float], size: float = 0.0) -> list[str]:
         """Return a column of a table, all entries with the same decimals (see `TABLE_DIGITS`); round-off of zero is "0".
 
-        `size`: how large the terms are that an entry is the sum of, where they may be larger than every entry.
+        `size`: how large the terms are that an entry is the sum of, or the entries of the other axis of its point, where
+        they may be larger than every entry.
         """
         entries = [float(value) for value in values]
-        noise = ROUND_OFF * max((abs(value) for value in entries if math.isfinite(value)), default=0.0)
-        noise = max(noise, ROUND_OFF * size)
+        noise = ROUND_OFF * max([size, *(abs(value) for value in entries if math.isfinite(value))])
         entries = [0.0 if abs(value) < noise else value for value in entries]
         decimals = deserved_decimals(entries)
         return [self.fixed(value, decimals) for value in entries]
 
     def times(self, values: Sequence[float]) -> list[str]:
-        """Return times with just the decimals they need (0.02 -> two), at most `MOST_DECIMALS`."""
+        """Return times with the decimals they need (0.02 -> two), at most `MORE_DECIMALS` beyond the first of their step."""
         decimals = max((_needed_decimals(value) for value in values), default=0)
+        step = min((after - before for before, after in pairwise(values) if after > before), default=0.0)
+        if step > 0:
+            decimals = min(decimals, max(MORE_DECIMALS - math.floor(math.log10(step) + NOISE), 0))
         return [self._dress(f"{value:.{decimals}f}") for value in values]
 
     def duration(self, seconds: float) -> str:

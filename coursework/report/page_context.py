@@ -16,10 +16,10 @@ from coursework.quantities import PLOTS
 from coursework.report.numbers import Numbers, unit_text, with_unit
 from coursework.report.parts import Runs
 from coursework.report.symbols import Symbol, symbol
-from coursework.report.text_runs import ITALIC, derivative, printed, runs
+from coursework.report.text_runs import ITALIC, derivative, printed, runs, with_letters
 from coursework.report.words import Words
 from coursework.run import Run
-from coursework.sentences import ENGLISH
+from coursework.sentences import ENGLISH, Sentence
 from coursework.variant.record import Variant
 from coursework.variant.texts import in_language
 
@@ -126,7 +126,9 @@ class PageContext:
         """Return a sentence that is clean already, the names of this variant set as symbols."""
         variant = self.run.variant
         laws = (law.name for law in (*variant.drive, *variant.functions))
-        return runs(text, (*variant.columns, *(given.name for given in variant.given), *laws, "pi"))
+        points = {name for name, _ in self.run.scene.mechanism.points}
+        letters = {*variant.columns, *(given.name for given in variant.given)} - points
+        return runs(with_letters(text, letters), (*variant.columns, *(given.name for given in variant.given), *laws, "pi"))
 
     def say(self, key: str, **values: object) -> Runs:
         """Return one of our own sentences as runs."""
@@ -139,6 +141,12 @@ class PageContext:
     def unit(self, unit: str) -> str:
         """Return a unit as the language of the page writes it."""
         return unit_text(self.words.phrases.unit(unit))
+
+    def beside(self, value: float, unit: str) -> str:
+        """Return a unit in the form that stands beside a number: "1 equation", "2 equations"."""
+        if isinstance(unit, Sentence) and "number" in unit.values and float(value).is_integer():
+            return self.words.phrases.composed(unit.key, {**unit.values, "number": int(value)})
+        return self.told(unit)
 
     def with_unit(self, number: str, unit: str) -> str:
         """Return a number with its unit behind it, as the language of the page writes it."""

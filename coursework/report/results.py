@@ -70,7 +70,7 @@ def _first_last(context: PageContext, found: list[Split], number: int, many: int
         rows.append(cells)
     columns = [Column([], words=True)]
     columns += [Column(context.symbol_runs([split.name]), context.unit(split.unit)) for split in found]
-    turned = [say("first_last.turns", symbol=context.lettering(s.name), turns=abs(s.turns)) for s in found if s.turns]
+    turned = [say("first_last.turns", symbol=context.lettering(s.name), turns=numbers.signed(s.turns)) for s in found if s.turns]
     note = runs(say("first_last.taken_off", turned=say("join.semicolon").join(turned))) if turned else []
     which = say("table.part", part=number, parts=many) if many > 1 else ""
     caption = runs(say.sentences([say("first_last.caption" if parts != ROWS else "first_last.caption_motion"), which]))

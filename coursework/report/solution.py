@@ -119,8 +119,8 @@ def _quotient(context: PageContext, name: str, delta: str, place: int, formula: 
 def _vanishing(context: PageContext, block: Block, delta: str, determinant: Formula | None = None) -> Runs:
     """Return where the determinant is zero and what that means, as one small sentence."""
     shown = determinant or block.determinant
-    if shown is None:
-        return []
+    if shown is None or not set(shown.names()) - {"pi"}:
+        return []  # of a plain number nobody asks where it is zero
     text = setting.text_equation(Formula("name", name=delta), context.angles.put_in(shown), context.rates)
     text = marked_text(text, context.numbers.mark)
     if block.meaning == say("determinant.never"):

@@ -16,7 +16,7 @@ from coursework.quantities import CHECKS, GRAPH_CHECK, TABLE
 from coursework.report.closeness import largest_errors, splits
 from coursework.report.figures import drawn
 from coursework.report.laws import laws_shown
-from coursework.report.numbers import NOTHING, TIGHT, first_of
+from coursework.report.numbers import NOISE, NOTHING, TIGHT, first_of
 from coursework.report.page_context import STOP_DIGITS, PageContext
 from coursework.report.parts import Beside, Cell, Column, Paragraph, Part, Result, Runs, Table, TitleBlock
 from coursework.report.text_runs import LONGEST_NAME, runs
@@ -228,14 +228,22 @@ def _misses(context: PageContext) -> list[Runs]:
         gaps = [
             f"{context.lettering(split.name)}{TIGHT}{context.with_unit(numbers.scalar(total, 3), split.unit)}"
             for split, total in found
+            if total
         ]
         told.append(runs(say("result.misses", gaps=", ".join(gaps))))
     elif found:
-        told.append(runs(say("result.repeats")))
+        told.append(runs(say("result.repeats" if _velocities_return(context) else "result.repeats_positions")))
     if errors := largest_errors(context):
         listed = say("join.semicolon").join(say("result.where", **error.told(context)) for error in errors)
         told.append(runs(say("result.error", scheme=errors[0].scheme, errors=listed)))
     return told
+
+
+def _velocities_return(context: PageContext) -> bool:
+    """Return whether the velocities of the last row are those of the first."""
+    names = context.run.motion.velocity_names
+    found = [split for split in splits(context) if split.name in names]
+    return all(abs(split.total) <= NOISE * max(abs(split.first), abs(split.last), 1.0) for split in found)
 
 
 def _driven(context: PageContext) -> set[str]:

@@ -18,8 +18,10 @@ from coursework.report.parts import Cell, Column, Paragraph, Part, Table
 from coursework.report.text_runs import numeral, runs
 
 MOST_ROWS = 400  # rows printed; a longer table is thinned, table.csv holds it whole
+MOST_BESIDE = 40  # the same of a table that stands beside the table of results: accelerations, points, analogs
 MOST_COLUMNS = 10  # columns beside row and time that fit 170 mm at a readable size
 ONE_PAGE = 32  # rows of a table that fits on one page whatever stands around it
+HALF_PAGE = 20  # the same of one that stands beside others: two of them would leave half a page empty
 RULE = 5  # rows from one thin line to the next
 MARK = "▸"
 
@@ -90,9 +92,9 @@ def extra_parts(context: PageContext, extra: ExtraTable) -> list[Part]:
     caption, note = context.told(extra.title).rstrip(".") + ".", context.told(extra.note)
     whole = Grid(extra.names, extra.units, extra.rows, extra.sizes)
     if extra.names[0] == "t":
-        return _by_row(context, whole.part(1), whole.rows[:, 0], caption, note)
+        return _by_row(context, whole.part(1), whole.rows[:, 0], caption, note, MOST_BESIDE)
     if len(extra.rows) == len(context.run.motion.t):
-        return _by_row(context, whole, context.run.motion.t, caption, note)
+        return _by_row(context, whole, context.run.motion.t, caption, note, MOST_BESIDE)
     columns, texts = _columns(context, whole, thinned(len(extra.rows)))
     return [
         Table(
@@ -105,23 +107,31 @@ def extra_parts(context: PageContext, extra: ExtraTable) -> list[Part]:
     ]
 
 
+def largest_of(grid: Grid, index: int) -> float:
+    """Return the largest entry of the columns that are of one point and one unit with this one; 0 for no column of a point."""
+    owner, point, _ = grid.names[index].partition(".")
+    alike = [i for i, name in enumerate(grid.names) if name.startswith(f"{owner}.") and grid.units[i] == grid.units[index]]
+    sizes = [abs(value) for i in alike for value in grid.rows[:, i].tolist() if math.isfinite(value)] if point else []
+    return max(sizes, default=0.0)
+
+
 def _columns(context: PageContext, grid: Grid, kept: list[int]) -> tuple[list[Column], list[list[Cell]]]:
     heads = [Column(context.symbol_runs([n]), context.unit(u)) for n, u in zip(grid.names, grid.units, strict=True)]
-    sizes = grid.sizes or (0.0,) * len(heads)
+    sizes = [max(largest_of(grid, index), grid.sizes[index] if grid.sizes else 0.0) for index in range(len(heads))]
     texts = [context.numbers.column(grid.rows[kept, index], sizes[index]) for index in range(len(heads))]
     return heads, [[numeral(text) for text in column] for column in texts]
 
 
-def _by_row(context: PageContext, grid: Grid, t: Any, caption: str, note: str) -> list[Part]:
+def _by_row(context: PageContext, grid: Grid, t: Any, caption: str, note: str, most: int = MOST_ROWS) -> list[Part]:
     """Return one table, or as many as the columns need; each repeats row and time."""
     check_row = context.run.variant.time.check_row
-    kept = thinned(len(t), keep=[check_row - 1] if check_row else [])
+    kept = thinned(len(t), keep=[check_row - 1] if check_row else [], most=most)
     labels: list[Cell] = [f"{MARK} {row + 1}" if row + 1 == check_row else str(row + 1) for row in kept]
     times = context.numbers.times([float(t[row]) for row in kept])
     strong = [kept.index(check_row - 1)] if check_row and check_row - 1 in kept else []
     parts: list[Part] = []
-    if pace_of(len(t)) > 1:
-        rows_of = {"step": pace_of(len(t)), "printed": len(kept), "rows": context.numbers.whole(len(t))}
+    if (pace := pace_of(len(t), most)) > 1:
+        rows_of = {"step": pace, "printed": len(kept), "rows": context.numbers.whole(len(t))}
         parts.append(Paragraph(context.say("table.thinned", **rows_of)))
     parted = pieces(grid.names)
     for number, (first, last) in enumerate(parted, start=1):
@@ -138,7 +148,7 @@ def _by_row(context: PageContext, grid: Grid, t: Any, caption: str, note: str) -
                 strong,
                 rules_for(len(rows)),
                 below,
-                whole=len(rows) <= ONE_PAGE,
+                whole=len(rows) <= (ONE_PAGE if most == MOST_ROWS else HALF_PAGE),
                 places=[row + 1 for row in kept],
             )
         )

@@ -40,6 +40,8 @@ _ROOT = re.compile(rf"(?<!{_WORD})sqrt\(")
 _MINUS = re.compile(rf"(?<=[\d)⁻⁰¹²³⁴⁵⁶⁷⁸⁹]) - (?=[\w(])|(?<=\w) - (?=[\d(])|(?<=(?<!{_WORD})\w) - (?=\w(?!{_WORD}))")
 _POWER = re.compile(rf"(?<!{_WORD})(?<!\.)(\d+(?:\.\d+)?)[eE]([+-]?\d+)(?!{_WORD})")
 _NEGATIVE = re.compile(rf"(?<!{_WORD})(?<![.)])-(?=\d)")
+_ARTICLES = "aAI"  # one letter each, and words of a sentence
+_ALSO_UNITS = "ms"
 _COMPONENT = re.compile(rf"(?<!{_WORD})(?<!\.)[A-Z]\d?\.[va]?[xy](?!{_WORD})")  # A.x, B2.vy
 _PLAIN_DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "01234567890123456789−")
 
@@ -94,6 +96,18 @@ def derivative(name: str) -> list[Run]:
     above, below = above[2 if twice else 1 :], below[1:-1] if twice else below[1:]
     raised = "²" if twice else ""
     return runs(f"d{raised}\u2009{symbol(above).text}/d\u2009{symbol(below).text}{raised}")
+
+
+def with_letters(text: str, names: Iterable[str]) -> str:
+    """Return a sentence in which those names that are one Latin letter are marked as symbols: "21 % off in s", not "0.4 s"."""
+    letters = {name for name in names if len(name) == 1 and name.isascii() and name.isalpha() and name not in _ARTICLES}
+    if not letters:
+        return text
+    units, others = ("".join(sorted(letters & set(_ALSO_UNITS))), "".join(sorted(letters - set(_ALSO_UNITS))))
+    either = [f"[{others}]"] if others else []
+    either += [rf"(?<!\d[ \u00a0])[{units}]"] if units else []
+    alone = rf"(?<!{_WORD})(?<![.'’/–\ue000-])(?<!--step )({'|'.join(either)})(?!{_WORD})(?![('’–-]\S)"
+    return re.sub(alone, rf"{ITALIC[0]}\1{ITALIC[1]}", text)
 
 
 def numeral(text: str) -> str | list[Run]:

@@ -98,7 +98,9 @@ def oddities() -> list[Run]:
     dead = changed({'"4.35 rad"': '"0.02 rad"', **coarse})
     arm = (ROOT / "variants" / "robot-arm.toml").read_text(encoding="utf-8")
     closed = parse_variant(arm[: arm.index("[[constraint]]")] + arm[arm.index("[points]") :])
-    texts = (closed, remarked, redundant, moved, fold, still, three, smooth, guides, dead)
+    ring = (ROOT / "variants" / "epicyclic.toml").read_text(encoding="utf-8")
+    unjudged = parse_variant(ring[: ring.index("[closure]")])
+    texts = (unjudged, closed, remarked, redundant, moved, fold, still, three, smooth, guides, dead)
     bare = [coursework.solve(one, quantities=["table"]) for one in texts]
     parts = {"31": "phi3", "example-1": "theta2", "v107": "accuracy"}
     return [*bare, *(coursework.solve(name, quantities=[quantity]) for name, quantity in parts.items())]

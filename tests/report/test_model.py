@@ -246,6 +246,7 @@ def unusual(real: ModuleType) -> list[Any]:
         solve("example-2", quantities=extras), solve("variable-crank-table"), solve("variable-crank"), solve("robot-arm"),
         solve("andrews", quantities=["table"]), solve("31", quantities=["checks"]), solve("oscillating-cylinder"),
         solve("jansen", quantities=["table"]), solve("cardan", quantities=["table", "checks"]),
+        solve("epicyclic", quantities=["table"]), solve("engine-start", quantities=["checks"]),
         solve("31", quantities=["trajectories", "hodographs", "plans", "points"]),
         real.timed(), *real.oddities(),
     ]  # fmt: skip
@@ -286,3 +287,32 @@ PAGE = {
 def test_an_unknown_language_is_refused_with_the_known_ones() -> None:
     with pytest.raises(InputError, match=r'no words for the language "xx" .* There is: en'):
         load_words("xx")
+
+
+def test_what_counts_is_said_in_the_form_of_its_number(real: ModuleType) -> None:
+    cardan = coursework.solve("cardan", quantities=("table", "checks"))
+    sections = ("equations", "results", "control", "checks")
+    told = " ".join(real.text_of(real.parts(cardan, section)) for section in sections).replace("\u00a0", " ")
+    assert "1 equation" in told
+    assert "1 equations" not in told
+    assert "ψ2 made −1 whole turn, taken off" in told
+    assert "1 of φ1; −1 of ψ2" in told
+    assert "position equations confirm the signs of (1). Nothing here checks the signs of (2)." in told
+    assert "differs most" not in told, "nothing differs"
+    assert load_words("ru").count("unit.equations", 3) == "уравнения"
+
+
+def test_a_last_row_that_is_elsewhere_fast_does_not_repeat_the_first(real: ModuleType) -> None:
+    """engine-start ends where it began, with the crank five times as fast."""
+    box = real.parts(coursework.solve("engine-start", quantities=("table", "checks")), "statement")
+    assert "The last row repeats the positions of the first, not its velocities." in real.text_of(box)
+    whole = real.parts(coursework.solve("chebyshev", quantities=("table", "checks")), "statement")
+    assert "The last row repeats the first." in real.text_of(whole)
+
+
+def test_tables_beside_the_results_are_thinned_sooner_and_show_no_round_off(real: ModuleType) -> None:
+    run = coursework.solve("epicyclic", quantities=("table", "points"))
+    tables = [part for part in real.parts(run, "points") if "rows" in part]
+    assert {len(table["rows"]) for table in tables} == {31}
+    assert len(next(part for part in real.parts(run, "results") if "rows" in part)["rows"]) == 61
+    assert "10⁻" not in real.text_of(tables), "v_Sy is nought: the slider keeps its height"

@@ -37,6 +37,8 @@ def test_times_show_just_the_decimals_they_need() -> None:
     assert N.times([i * 0.1 for i in range(4)]) == ["0.0", "0.1", "0.2", "0.3"]
     assert N.times([0.0, 1.0]) == ["0", "1"]
     assert N.times([1 / 3]) == ["0.33333333"]
+    assert N.times([k / 120 for k in range(3)]) == ["0.000000", "0.008333", "0.016667"]  # three beyond the step's first digit
+    assert N.times([0.0, 0.0125, 0.025]) == ["0.0000", "0.0125", "0.0250"]
 
 
 def test_data_limits_counts_and_durations() -> None:
@@ -76,3 +78,8 @@ def test_what_round_off_leaves_of_a_zero_is_zero_in_a_column() -> None:
     assert numbers.column([0.6, 1.2e-16, -7.7e-17, 0.9e-12 * 0.6]) == ["0.60000", "0", "0", "0"]
     assert numbers.column([0.6, 1.1e-12 * 0.6]) == ["0.60000", "6.60·10⁻¹³"]
     assert numbers.column([1.2e-16, 2.4e-16]) == ["1.20·10⁻¹⁶", "2.40·10⁻¹⁶"]
+
+
+def test_a_column_is_judged_by_the_one_beside_it() -> None:
+    assert N.column([1.1e-16, 0.0], size=0.5) == ["0", "0"]
+    assert N.column([1.1e-16, 0.0])[0] != "0"

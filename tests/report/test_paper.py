@@ -61,6 +61,14 @@ def test_no_page_but_the_last_is_less_than_a_third_full(real: ModuleType, name: 
     assert min(shares[:-1]) >= LEAST_FULL, shares
 
 
+@pytest.mark.parametrize("name", ["example-2", "cardan"])
+def test_no_line_ends_within_an_equality_or_a_quantity(name: str) -> None:
+    with pymupdf.open(stream=paper(name), filetype="pdf") as document:
+        lines = [line for sheet in document for line in sheet.get_text().replace("\u00a0", " ").splitlines()]
+    assert sum(" = 0." in line for line in lines) > 3
+    assert not [line for line in lines if re.match(r"= [−\d]|/s\b", line)]
+
+
 def test_a_page_that_is_hardly_begun_is_seen() -> None:
     model = build_model(coursework.solve("31", quantities=["table"]))
     shares = [filled(render_pdf(replace(model, sections=(_lines(count),))))[0] for count in (10, 14, 40)]

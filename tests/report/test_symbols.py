@@ -6,7 +6,7 @@ import pytest
 
 from coursework.page_text import LONGEST, clean
 from coursework.report.symbols import symbol
-from coursework.report.text_runs import derivative, printed, runs
+from coursework.report.text_runs import derivative, printed, runs, with_letters
 
 
 @pytest.mark.parametrize(
@@ -46,6 +46,12 @@ def test_sentences_are_split_into_runs() -> None:
 def test_sentences_of_the_tool_are_printed_properly() -> None:
     assert printed("1.07e-05 rad, -0.5 m, 2*cos(x)") == "1.07·10⁻⁵ rad, −0.5 m, 2·cos(x)"
     assert printed("C.y drifts; B1.vx too; see v1.0, file A.txt") == "y_C drifts; v_B1x too; see v1.0, file A.txt"
+
+
+def test_letters_of_the_data_are_symbols_in_a_sentence_and_units_and_words_are_not() -> None:
+    letters = ("s", "R", "a", "phi1")
+    told = runs(with_letters("a step of 0.4 s: s is off, 2 R and −R; Δ = R, R-S, rad/s", letters))
+    assert [run["v"] for run in told if "v" in run] == ["s", "R", "R", "R"]
 
 
 def test_derivatives_by_the_crank() -> None:
