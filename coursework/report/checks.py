@@ -56,7 +56,9 @@ def _judged(context: PageContext, check: Finding) -> Judged:
         code=clean(check.code),
         title=context.rich(check.title),
         sentence=context.rich(check.sentence),
-        value=numeral(context.with_unit(numbers.limit(check.value) if is_count else numbers.scalar(check.value), behind(check.value))),
+        value=numeral(
+            context.with_unit(numbers.limit(check.value) if is_count else numbers.scalar(check.value), behind(check.value))
+        ),
         limit=numeral(context.with_unit(numbers.limit(check.limit), behind(check.limit))),
         unit="" if is_short or check.value is None else context.unit(unit),
         heads=heads,
