@@ -225,7 +225,8 @@ class Sheet:
         symbols, words = common(low, high, self.boxes), common(low, high, self.words)
         if self._lines.count != len(self.segments):
             self._lines = Lines(self.segments)
-        beside = common(low - (GAP, 0.0), high + (GAP, 0.0), self.words)
+        gap = np.array([GAP, 0.0])
+        beside = common(low - gap, high + gap, self.words)
         crossed, covered = self._lines.within(low, high)
         cost = BEYOND * beyond.sum(axis=1) + 3.0 * symbols.sum(axis=1) + covered + crossing * crossed
         cost += 6.0 * np.count_nonzero(symbols, axis=1) + WORD_ON_WORD * np.count_nonzero(words, axis=1)

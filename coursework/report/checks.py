@@ -48,7 +48,7 @@ def _judged(context: PageContext, check: Finding) -> Judged:
     heads, lines = _lines(context, check)
 
     def behind(value: float | None) -> str:
-        return context.beside(value, check.unit) if is_short and value is not None else ""
+        return context.unit_beside(value, check.unit) if is_short and value is not None else ""
 
     return Judged(
         mark=context.words(f"checks.mark.{check.verdict}"),

@@ -54,4 +54,4 @@ def _number(context: PageContext, finding: Finding) -> Cell:
     if key in SHARES:
         return context.with_unit(numbers.scalar(100 * value, DIGITS), "%")
     shown = numbers.whole(int(value)) if value.is_integer() and abs(value) >= 1 else numbers.scalar(value, DIGITS)
-    return numeral(context.with_unit(shown, context.beside(value, finding.unit)))
+    return numeral(context.with_unit(shown, context.unit_beside(value, finding.unit)))

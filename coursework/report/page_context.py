@@ -142,7 +142,7 @@ class PageContext:
         """Return a unit as the language of the page writes it."""
         return unit_text(self.words.phrases.unit(unit))
 
-    def beside(self, value: float, unit: str) -> str:
+    def unit_beside(self, value: float, unit: str) -> str:
         """Return a unit in the form that stands beside a number: "1 equation", "2 equations"."""
         if isinstance(unit, Sentence) and "number" in unit.values and float(value).is_integer():
             return self.words.phrases.composed(unit.key, {**unit.values, "number": int(value)})
