@@ -126,7 +126,7 @@ def _closure_positions(variant: Variant, symbols: Symbols) -> tuple[Position, ..
         kept = [Position(f"{variant.driven}.{a}", e, f"V{variant.driven}{a}") for a, e in zip("xy", point, strict=True)]
     for index, formula in enumerate(variant.holds, start=1):
         plain = formula.op == "part" and formula.args[0].op == "name"
-        name = f"{formula.args[0].name}.{formula.name}" if plain else f"hold {index}"
+        name = f"{formula.args[0].name}.{formula.name}" if plain else say("place.hold", index=index)
         with placed(variant, f"closure.holds.{index}", variant.line_of("closure", "holds", index - 1)):
             kept.append(Position(name, symbols.scalar(formula), "start", _unit(formula, variant)))
     return tuple(kept)

@@ -36,13 +36,13 @@ def _law(context: PageContext, law: Law) -> Display:
 
 def _tabulated(context: PageContext, law: Law) -> str:
     say = context.words
-    known = f"drive.method.{law.method}"
+    known, unit = f"drive.method.{law.method}", context.run.variant.unit_of(law.of)
     return say(
         "drive.table",
         symbol=context.symbol(law.name).text,
         of=context.symbol(law.of).text,
         count=len(law.table),
-        first=context.numbers.plain(law.table[0][0]),
-        last=context.numbers.plain(law.table[-1][0]),
+        first=context.quantity(law.table[0][0], unit),
+        last=context.quantity(law.table[-1][0], unit),
         method=say(known) if say.has(known) else clean(law.method),
     )

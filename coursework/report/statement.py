@@ -5,6 +5,7 @@ Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import replace
 
@@ -24,6 +25,8 @@ from coursework.report.text_runs import LONGEST_NAME, runs
 MOST_REMARKS = 12  # on the first page, on which the results begin
 USUAL_ROW = 4  # the row that is compared where a file names none
 SHOWN_DIGITS = 5
+MEASURED = 8  # digits of a datum; one with more has been computed
+_DECIMAL = re.compile(r"-?\d+\.\d+")
 PERIOD = "T"  # what a period is called, unless a datum has the name
 GAP = "\ue002"  # stands in a sentence where a text of the file goes; no text has it
 
@@ -176,8 +179,9 @@ def _first(context: PageContext, name: str, unit: str) -> str:
 
 
 def _given(context: PageContext, text: str, unit: str) -> str:
-    """Return a value as the file gives it, with the decimal sign and the unit of the page."""
-    return context.with_unit(_written(context, text), unit)
+    """Return a value as the file gives it, in the signs of the page; digits beyond what can be measured are left out."""
+    computed = _DECIMAL.fullmatch(text) and len(text.strip("-0.").replace(".", "")) > MEASURED
+    return context.with_unit(context.numbers.plain(float(text)) if computed else _written(context, text), unit)
 
 
 def _written(context: PageContext, text: str) -> str:

@@ -21,6 +21,7 @@ SIZE = (110.0, 40.0)  # mm; the screen of a phone shows it whole
 LETTER = 1.9  # mm, the mean width of a letter
 BESIDE = 0.35  # of a step, shown before it and, at least, behind it
 FINE = 32  # points of the curve a step
+SEEN = 0.8  # mm: a narrower gap is none to the eye, and a picture of it says nothing
 NARROW = 5.0  # mm: a gap too narrow for words between its ends
 ROOM = 0.25  # of the range of the values, for words beside it
 CLEAR = 2.6  # mm from the middle of a word to a line that it must not touch
@@ -29,7 +30,7 @@ GAP_PEN = 'class="gap" fill="none" stroke="#111" stroke-width="0.3"'
 
 
 def tangent_figure(context: PageContext, step: LocalError) -> Figure | None:
-    """Return the step enlarged; None where the exact motion is not known around it."""
+    """Return the step enlarged; None where the exact motion is not known around it, or its bend cannot be seen."""
     exact = evidence(context).exact
     if exact is None:
         return None
@@ -48,6 +49,8 @@ def tangent_figure(context: PageContext, step: LocalError) -> Figure | None:
     if abs(field.y(top[1]) - field.y(float(q[end]))) < NARROW:  # room for its words on the other side of the tangent
         away = top[1] + math.copysign(ROOM * (field.high - field.low), top[1] - float(q[end]))
         field = field_for(SIZE, times, [curve, np.array([foot[1], top[1], away])], context.numbers)
+    if abs(field.y(top[1]) - field.y(float(q[end]))) < SEEN:
+        return None
     unit = context.unit(step.unit)
     symbol = context.symbol(step.column)
     label = letters(symbol) + (f", {escape(unit)}" if unit else "")

@@ -114,6 +114,26 @@ def test_a_gear_on_a_pivot_does_not_roll_along(real: ModuleType) -> None:
     assert "Wheel 4 with centre C rolls at P without slipping." in told("v108")
 
 
+def test_a_computed_datum_is_shown_as_far_as_it_can_be_measured(real: ModuleType) -> None:
+    beside = next(part for part in real.parts(coursework.solve("v108"), "statement") if part["kind"] == "beside")
+    shown = {real.text_of(row[0]): real.text_of(row[2]) for row in beside["left"]["rows"]}
+    assert (shown["xO"], shown["yO"], shown["R0"]) == ("1.65234\u00a0m", "−1.7018\u00a0m", "0.574\u00a0m")
+
+
+def test_the_nodes_of_a_tabulated_law_have_their_unit(real: ModuleType) -> None:
+    shown = real.parts(coursework.solve("variable-crank-table", quantities=["table"]), "statement")
+    told = " ".join(real.text_of(part["text"]) for part in shown if part["kind"] == "paragraph")
+    assert "51 nodes from 1.33902\u00a0rad to 2.21168\u00a0rad" in told
+
+
+def test_a_bend_too_small_to_be_seen_has_no_picture(real: ModuleType) -> None:
+    def pictures(name: str) -> list[str]:
+        return [part["id"] for part in real.parts(coursework.solve(name), "results") if part["kind"] == "figure"]
+
+    assert pictures("variable-crank") == []
+    assert pictures("whitworth") == ["tangent"]
+
+
 def test_the_first_row_stands_beside_the_last(real: ModuleType) -> None:
     """The parts are those of numerics.md 1: scheme and period add up to the difference."""
     tables = [part for part in real.parts(real.full(), "results") if part["kind"] == "table"]
