@@ -6,42 +6,67 @@ Used by the pages.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from coursework.formula.tree import Formula
+from coursework.formula.tree import Formula, FormulaFault, evaluate, spelled
 
 INVERSE = {"asin", "acos", "atan", "atan2"}
+ROUND_OFF = 1e-12  # rad: two forms of one angle differ by less
 
 
 @dataclass(frozen=True, slots=True)
 class NamedAngles:
-    """The constant angles of some formulas, (name, formula) each in the order met."""
+    """The constant angles of some formulas, (name, formula) each in the order met; `alike` are other forms of them."""
 
     angles: tuple[tuple[str, Formula], ...]
+    alike: tuple[tuple[str, Formula], ...] = ()
 
     def put_in(self, formula: Formula) -> Formula:
         """Return the formula with names in the place of the angles."""
-        for name, angle in self.angles:
+        for name, angle in (*self.angles, *self.alike):
             if formula == angle:
                 return Formula("name", name=name)
         args = tuple(self.put_in(arg) for arg in formula.args)
         return replace(formula, args=args) if args != formula.args else formula
 
 
-def named_angles(formulas: Iterable[Formula], moving: Collection[str], taken: Collection[str]) -> NamedAngles:
+def named_angles(
+    formulas: Iterable[Formula], moving: Collection[str], taken: Collection[str], values: Mapping[str, float] | None = None
+) -> NamedAngles:
     """Return names for every angle that is an inverse function of data alone: beta, or beta_1, beta_2 … where there are several.
+
+    With the `values` of the data (SI) two forms of one angle get one name, and the shorter form is kept.
 
     >>> from coursework.formula.reader import parse
     >>> found = named_angles([parse("cos(phi + acos(b/(2*d)))")], {"phi"}, {"phi", "b", "d"})
     >>> found.angles[0][0]
     'beta'
     """
-    angles = list(dict.fromkeys(angle for formula in formulas for angle in _constant(formula, moving)))
-    names = ["beta"] if len(angles) == 1 else [f"beta{place}" for place in range(1, len(angles) + 1)]
+    groups: list[list[Formula]] = []
+    for angle in dict.fromkeys(angle for formula in formulas for angle in _constant(formula, moving)):
+        same = next((group for group in groups if _is_same(group[0], angle, values or {})), None)
+        groups.append([angle]) if same is None else same.append(angle)
+    forms = [sorted(group, key=lambda angle: len(spelled(angle))) for group in groups]
+    names = ["beta"] if len(forms) == 1 else [f"beta{place}" for place in range(1, len(forms) + 1)]
     if any(name in taken for name in names):
-        names = [f"beta_{place}" for place in range(1, len(angles) + 1)]
-    return NamedAngles(tuple(zip(names, angles, strict=True)))
+        names = [f"beta_{place}" for place in range(1, len(forms) + 1)]
+    first = tuple((name, group[0]) for name, group in zip(names, forms, strict=True))
+    return NamedAngles(first, tuple((name, angle) for name, group in zip(names, forms, strict=True) for angle in group[1:]))
+
+
+def _is_same(one: Formula, other: Formula, values: Mapping[str, float]) -> bool:
+    """Return whether two formulas have one value for the data, and for data a little beside them."""
+    if set(one.names()) != set(other.names()) or not set(one.names()) - {"pi"} <= set(values):
+        return False
+    for part in (0.0, 0.003, -0.005):
+        moved = {name: value * (1 + part * place) for place, (name, value) in enumerate(sorted(values.items()), start=1)}
+        try:
+            if abs(evaluate(one, moved) - evaluate(other, moved)) > ROUND_OFF:
+                return False
+        except FormulaFault:
+            return False
+    return True
 
 
 def _constant(formula: Formula, moving: Collection[str]) -> Iterator[Formula]:

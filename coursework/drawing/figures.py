@@ -15,10 +15,10 @@ import numpy as np
 from coursework.drawing.board import Board, fit
 from coursework.drawing.lengths import lengths
 from coursework.drawing.outline import Outline
-from coursework.drawing.painter import Painter
+from coursework.drawing.painter import DOT, Painter
 from coursework.drawing.poses import Poses, all_rows, read_poses
 from coursework.drawing.record import Drawing
-from coursework.drawing.sheet import ITALIC, Sheet
+from coursework.drawing.sheet import ITALIC, Sheet, inside
 from coursework.drawing.symbols import length_text, rate_word, short
 from coursework.drawing.tracing import read_outline
 from coursework.integration.motion import Motion, Stop
@@ -75,6 +75,7 @@ def _mechanism(mechanism: Mechanism, outline: Outline, poses: Poses, row: int) -
         tip = painter.at[name] + ARROW * way.conjugate()
         sheet.arrow(painter.at[name], tip, VELOCITY, f' data-driven="{short(name)}"')
     turns = {rate: painter.at[hinge] for rate, hinge in outline.cranks}
+    _marks(painter, sheet, mechanism)
     painter.point_names()
     for name, way in arrows.items():
         sheet.label(("V", short(name), ""), [(painter.at[name] + ARROW * way.conjugate(), way.conjugate(), 1.0)], ITALIC)
@@ -104,6 +105,17 @@ def driven_way(poses: Poses, name: str, row: int) -> complex:
     velocity = poses.velocity(name)
     later = [*range(row, len(velocity)), *range(row)]
     return next((complex(velocity[k] / abs(velocity[k])) for k in later if abs(velocity[k]) > 0), 0j)
+
+
+def _marks(painter: Painter, sheet: Sheet, mechanism: Mechanism) -> None:
+    """Draw the points that the guides of the frame lead through where nothing else does: lengths are counted from them."""
+    throughs = [through.name for through, _ in mechanism.variant.frame.rails if through.op == "name"]
+    for name in dict.fromkeys(throughs):
+        at = painter.at.get(name)
+        if at is None or name in painter.names or inside(at - 1, at + 1, sheet.field) != (at - 1, at + 1):
+            continue
+        sheet.circle(at, 0.7, DOT)
+        sheet.label((short(name), "", ""), [(at, painter.middle - at, 1.2)], ITALIC)
 
 
 def _lengths(painter: Painter, sheet: Sheet, mechanism: Mechanism) -> None:

@@ -37,7 +37,7 @@ def rate_word(name: str) -> tuple[str, str, str]:
 
 def length_text(length: Formula) -> str:
     """Return a length as it stands beside a link, "" where it is too long for that."""
-    text = lettered(spelled(length).replace("*", "").replace(" ", ""))
+    text = lettered(spelled(length).replace("*", "").replace(" ", "").replace("-", "−"))
     return text if len(text) <= LONGEST_LENGTH else ""
 
 

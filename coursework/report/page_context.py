@@ -16,7 +16,7 @@ from coursework.quantities import PLOTS
 from coursework.report.numbers import Numbers, unit_text, with_unit
 from coursework.report.parts import Runs
 from coursework.report.symbols import Symbol, symbol
-from coursework.report.text_runs import ITALIC, derivative, printed, runs, with_letters
+from coursework.report.text_runs import ITALIC, derivative, printed, runs, with_letters, with_pairs
 from coursework.report.words import Words
 from coursework.run import Run
 from coursework.sentences import ENGLISH, Sentence
@@ -69,7 +69,7 @@ class PageContext:
         shown += [formula for solution in run.solutions for _, formula in solution]
         shown += [formula for _, formula in run.scene.mechanism.points]
         moving = {*variant.columns, *(law.name for law in (*variant.drive, *variant.functions)), "t"}
-        return named_angles(shown, moving, variant.names)
+        return named_angles(shown, moving, variant.names, variant.values)
 
     def symbol(self, name: str) -> Symbol:
         """Return the symbol of a name."""
@@ -128,7 +128,10 @@ class PageContext:
         laws = (law.name for law in (*variant.drive, *variant.functions))
         points = {name for name, _ in self.run.scene.mechanism.points}
         letters = {*variant.columns, *(given.name for given in variant.given)} - points
-        return runs(with_letters(text, letters), (*variant.columns, *(given.name for given in variant.given), *laws, "pi"))
+        return runs(
+            with_pairs(with_letters(text, letters), variant.columns),
+            (*variant.columns, *(given.name for given in variant.given), *laws, "pi"),
+        )
 
     def say(self, key: str, **values: object) -> Runs:
         """Return one of our own sentences as runs."""

@@ -11,6 +11,7 @@ from dataclasses import replace
 
 from coursework.checks.summary import summary
 from coursework.drawing.lengths import lengths
+from coursework.formula.tree import Formula
 from coursework.mechanism import Mechanism
 from coursework.page_text import clean
 from coursework.quantities import CHECKS, GRAPH_CHECK, TABLE
@@ -107,10 +108,25 @@ def _held(context: PageContext) -> list[str]:
         if link.slides:
             told.append(say("statement.sleeve", link=clean(link.name), bar=clean(link.slides)))
     contacts = {link.contact for link in variant.links}
-    guided = [clean(t.name) for t, _ in variant.frame.rails if t.op == "name" and t.name not in contacts]
+    riders = [_rider(context.run.scene.mechanism, t) for t, _ in variant.frame.rails]
+    guided = [clean(name) for name in dict.fromkeys(riders) if name and name not in contacts]
     if guided:
         told.append(say.count("statement.guided", len(guided), points=say.listing(guided)))
     return told
+
+
+def _rider(mechanism: Mechanism, through: Formula) -> str:
+    """Return the point that moves on a guide: the one it leads through, or what a group has on it; "" where there is none."""
+    variant, points = mechanism.variant, dict(mechanism.points)
+    changing = {*variant.columns, *(law.name for law in (*variant.drive, *variant.functions)), "t"}
+
+    def moves(name: str) -> bool:
+        return name in changing or name not in variant.values and name in points and any(map(moves, points[name].names()))
+
+    if through.op == "name" and moves(through.name):
+        return through.name
+    held = (group.meets for group in variant.groups for guide in group.guides if guide.through == through)
+    return next((name for name in held if name), "")
 
 
 def _sought(context: PageContext) -> list[str]:

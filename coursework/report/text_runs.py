@@ -41,7 +41,9 @@ _MINUS = re.compile(rf"(?<=[\d)⁻⁰¹²³⁴⁵⁶⁷⁸⁹]) - (?=[\w(])|(?<=
 _POWER = re.compile(rf"(?<!{_WORD})(?<!\.)(\d+(?:\.\d+)?)[eE]([+-]?\d+)(?!{_WORD})")
 _NEGATIVE = re.compile(rf"(?<!{_WORD})(?<![.)])-(?=\d)")
 _ARTICLES = "aAI"  # one letter each, and words of a sentence
+_WORDS = frozenset("am an as at be by do go he if in is it me my no of on or so to up us we mm cm ms kg".split())
 _ALSO_UNITS = "ms"
+_RAISED_DIGITS = "²³⁴"
 _COMPONENT = re.compile(rf"(?<!{_WORD})(?<!\.)[A-Z]\d?\.[va]?[xy](?!{_WORD})")  # A.x, B2.vy
 _PLAIN_DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "01234567890123456789−")
 
@@ -98,6 +100,15 @@ def derivative(name: str) -> list[Run]:
     return runs(f"d{raised}\u2009{symbol(above).text}/d\u2009{symbol(below).text}{raised}")
 
 
+def with_pairs(text: str, names: Iterable[str]) -> str:
+    """Return a sentence in which names of a letter and its index are symbols: "37 % off in si" says s_i; words stay words."""
+    pairs = {name for name in names if len(name) == 2 and name.isascii() and name.isalpha() and name not in _WORDS}
+    pairs = {name for name in pairs if symbol(name).subscript}
+    if not pairs:
+        return text
+    return re.sub(rf"(?<!{_WORD})(?<![.–-])({'|'.join(sorted(pairs))})(?!{_WORD}|[(–-])", lambda it: symbol(it[1]).text, text)
+
+
 def with_letters(text: str, names: Iterable[str]) -> str:
     """Return a sentence in which those names that are one Latin letter are marked as symbols: "21 % off in s", not "0.4 s"."""
     letters = {name for name in names if len(name) == 1 and name.isascii() and name.isalpha() and name not in _ARTICLES}
@@ -106,8 +117,8 @@ def with_letters(text: str, names: Iterable[str]) -> str:
     units, others = ("".join(sorted(letters & set(_ALSO_UNITS))), "".join(sorted(letters - set(_ALSO_UNITS))))
     either = [f"[{others}]"] if others else []
     either += [rf"(?<!\d[ \u00a0])[{units}]"] if units else []
-    alone = rf"(?<!{_WORD})(?<![.'’/–\ue000-])(?<!--step )({'|'.join(either)})(?!{_WORD})(?![('’–-]\S)"
-    return re.sub(alone, rf"{ITALIC[0]}\1{ITALIC[1]}", text)
+    before, behind = rf"(?<!{_WORD})(?<![.'’/–\ue000-])(?<!--step )", rf"(?![^\W{_RAISED_DIGITS}])(?![\u2009\u202f]|[('’–-]\S)"
+    return re.sub(f"{before}({'|'.join(either)}){behind}", rf"{ITALIC[0]}\1{ITALIC[1]}", text)
 
 
 def numeral(text: str) -> str | list[Run]:

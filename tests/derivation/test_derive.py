@@ -95,6 +95,18 @@ def test_a_chain_has_a_contour_for_each_group() -> None:
     assert [spelled(side) for side in contours[0].right_parts] == ["r4 + r3*cos(theta3)", "r3*sin(theta3)"]
 
 
+def test_two_forms_of_one_constant_angle_have_one_name() -> None:
+    short, long = "acos((b^2 + d^2 - e^2)/(2*b*d))", "acos(b/(2*d) + d/(2*b) - e^2/(2*b*d))"
+    formulas = [parse(f"cos(phi + {long})"), parse(f"sin(phi - {short})"), parse("acos((b^2 + d^2 - e^2)/(2*b*e))")]
+    data = {"b": 3.0, "d": 4.0, "e": 4.0}  # two sides alike: only other data tell d from e
+    named = named_angles(formulas, {"phi"}, {"phi", *data}, data)
+    assert [(name, spelled(angle)) for name, angle in named.angles][0] == ("beta1", spelled(parse(short)))
+    assert len(named.angles) == 2
+    assert spelled(named.put_in(formulas[0])) == "cos(phi + beta1)"
+    assert spelled(named.put_in(formulas[1])) == "sin(phi - beta1)"
+    assert len(named_angles(formulas, {"phi"}, {"phi", *data}).angles) == 3, "without data nothing is known to be alike"
+
+
 def test_constant_angles_get_names_that_are_free() -> None:
     formulas = [parse("r*cos(phi + acos(b/(2*d)))"), parse("sin(phi - acos(b/(2*d))) + asin(b/d)"), parse("asin(phi/d)")]
     named = named_angles(formulas, {"phi"}, {"phi", "b", "d", "r", "beta1"})

@@ -336,3 +336,9 @@ def test_tables_beside_the_results_are_thinned_sooner_and_show_no_round_off(real
     assert {len(table["rows"]) for table in tables} == {31}
     assert len(next(part for part in real.parts(run, "results") if "rows" in part)["rows"]) == 61
     assert "10⁻" not in real.text_of(tables), "v_Sy is nought: the slider keeps its height"
+
+
+@pytest.mark.parametrize(("name", "rider"), [("example-5", "D"), ("example-6", "D5"), ("prp", "C"), ("example-2", "C")])
+def test_the_slider_moves_on_its_guide_and_not_the_point_the_guide_leads_through(real: ModuleType, name: str, rider: str) -> None:
+    run = coursework.solve(name, quantities=("table",))
+    assert f"{rider} moves in a straight guide." in real.text_of(real.parts(run, "statement"))
