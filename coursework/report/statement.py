@@ -121,7 +121,7 @@ def _rider(mechanism: Mechanism, through: Formula) -> str:
     changing = {*variant.columns, *(law.name for law in (*variant.drive, *variant.functions)), "t"}
 
     def moves(name: str) -> bool:
-        return name in changing or name not in variant.values and name in points and any(map(moves, points[name].names()))
+        return name in changing or (name in points and any(map(moves, points[name].names())))
 
     if through.op == "name" and moves(through.name):
         return through.name

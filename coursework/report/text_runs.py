@@ -41,7 +41,9 @@ _MINUS = re.compile(rf"(?<=[\d)⁻⁰¹²³⁴⁵⁶⁷⁸⁹]) - (?=[\w(])|(?<=
 _POWER = re.compile(rf"(?<!{_WORD})(?<!\.)(\d+(?:\.\d+)?)[eE]([+-]?\d+)(?!{_WORD})")
 _NEGATIVE = re.compile(rf"(?<!{_WORD})(?<![.)])-(?=\d)")
 _ARTICLES = "aAI"  # one letter each, and words of a sentence
-_WORDS = frozenset("am an as at be by do go he if in is it me my no of on or so to up us we mm cm ms kg".split())
+_WORDS = re.compile(
+    "a[mnst]|b[ey]|do|go|he|i[fnst]|m[ey]|no|o[fnr]|so|to|u[ps]|we|[cm]m|ms|kg"
+)  # no names of a letter and its index
 _ALSO_UNITS = "ms"
 _RAISED_DIGITS = "²³⁴"
 _COMPONENT = re.compile(rf"(?<!{_WORD})(?<!\.)[A-Z]\d?\.[va]?[xy](?!{_WORD})")  # A.x, B2.vy
@@ -102,7 +104,7 @@ def derivative(name: str) -> list[Run]:
 
 def with_pairs(text: str, names: Iterable[str]) -> str:
     """Return a sentence in which names of a letter and its index are symbols: "37 % off in si" says s_i; words stay words."""
-    pairs = {name for name in names if len(name) == 2 and name.isascii() and name.isalpha() and name not in _WORDS}
+    pairs = {name for name in names if len(name) == 2 and name.isascii() and name.isalpha() and not _WORDS.fullmatch(name)}
     pairs = {name for name in pairs if symbol(name).subscript}
     if not pairs:
         return text
