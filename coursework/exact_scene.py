@@ -40,7 +40,7 @@ class ExactScene(Scene):
         if not is_chain(variant) and (self.closure is None or not self.closure.complete):
             line = variant.line_of("time", "scheme") if variant.time.scheme else 1  # what is missing has no line of its own
             raise InputError([Fault(say("fault.V502", scheme=PRECISE.name), variant.file, line)])
-        refuse_aliasing(self.equations, variant.time.step)
+        refuse_aliasing(self.equations, variant.time.step, self.fastest_wave)
         exact = self.exact
         if self.settings.columns and len(exact.t):
             places = [exact.coordinate_names.index(name) for name in rates.coordinates]

@@ -38,7 +38,8 @@ def working_folder(target: Path) -> Iterator[Path]:
     with refused(target):
         made = _make(target)
     try:
-        clear_leftovers(target)
+        if target not in made:
+            clear_leftovers(target)
         with refused(target):
             lock, hidden = _new_hidden(target)
         _open.add(hidden.absolute())
@@ -135,7 +136,10 @@ def discard_all() -> None:
 
 def discard(hidden: Path) -> None:
     """Remove a hidden folder with all that is in it, as far as the system lets us."""
-    shutil.rmtree(hidden, ignore_errors=True)
+    try:
+        hidden.rmdir()  # usually it is empty: everything has been moved into place
+    except OSError:
+        shutil.rmtree(hidden, ignore_errors=True)
 
 
 def _make(target: Path) -> list[Path]:

@@ -7,6 +7,7 @@ Used by `quantities.py`, `run.py`, `exact_scene.py`, `model/model.py`, and by re
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -20,6 +21,7 @@ from coursework.geometry.agreement import require_agreement
 from coursework.geometry.chain import chain_positions, is_chain
 from coursework.geometry.closure import Closure, compile_closure, require_start
 from coursework.geometry.drive import breaks, refuse_aliasing, refuse_endless, refuse_short_tables
+from coursework.geometry.oscillation import fastest
 from coursework.geometry.start import start_values
 from coursework.graph import Ledger, computed
 from coursework.integration.exact_motion import NoVelocities, exact_motion, no_rows, passing_motion
@@ -113,9 +115,7 @@ class Scene:
         """The true motion followed to its first dead or change point; it starts closed also where the file's start is rounded."""
         refuse_short_tables(self.equations)
         time, closure = self.variant.time, self.closure
-        horizon = time.end
-        if time.period is not None and time.end > PERIODS_LOOKED_AT * time.period:
-            horizon = PERIODS_LOOKED_AT * time.period
+        horizon = min(time.end, PERIODS_LOOKED_AT * (time.period or np.inf))
         closed = closure.newton(0.0, closure.start, closure.origin) if closure is not None and closure.complete else None
         start = self.start if closed is None else closed.tolist()
         try:
@@ -158,7 +158,7 @@ class Scene:
     def march(self, step: float, scheme: str) -> Motion:
         """Return rows of a scheme with a step (s), corrected as the settings say, up to the stop of the true motion."""
         rates, passages = self.passing(self.rates), self.search.passages
-        angles = angles_in_determinants([self.reduction.blocks[index] for index in rates.blocks], self.variant)
+        angles = angles_in_determinants([self.reduction.blocks[index] for index in rates.blocks], self.equations)
         guarded = [index for index, name in enumerate(rates.coordinates) if name in angles]
         rows = march(rates, scheme, self.begin, step, self.variant.time.end, self.correction, self.stop, guarded, passages)
         scaled = rows.determinants / np.array([self.flow.largest[index] for index in rates.blocks])
@@ -175,11 +175,9 @@ class Scene:
 
     def rerun(self, scheme: str, step: float) -> Motion | None:
         """Return the rows made otherwise, None where they do not reach the end of the motion."""
-        try:
-            rows = self.march(step, scheme)
-        except (ArithmeticError, ValueError, OutsideTable):
-            return None
-        return rows if rows.stop is self.stop else None
+        with suppress(ArithmeticError, ValueError, OutsideTable):
+            return rows if (rows := self.march(step, scheme)).stop is self.stop else None
+        return None
 
     @property
     def correction(self) -> Correction | None:
@@ -199,11 +197,16 @@ class Scene:
         names = (coordinate.name for coordinate in self.variant.coordinates)
         return [value for name, value in zip(names, self.start, strict=True) if name in self.rates.coordinates]
 
+    @cached_property
+    def fastest_wave(self) -> float:
+        """The largest frequency (rad/s) in the formulas of the drives."""
+        return fastest(self.equations)
+
     @computed("stop", "equations", "closure", "rates", "reduction", "start", "flow", "search")
     def motion(self) -> Motion:
         """The rows of the coursework."""
         _ = self.stop  # a start that does not close is told before a step that is too coarse
-        refuse_aliasing(self.equations, self.variant.time.step)
+        refuse_aliasing(self.equations, self.variant.time.step, self.fastest_wave)
         refuse_unbounded(self.variant)
         motion = self.march(self.variant.time.step, self.settings.scheme)
         if motion.stop is not None and motion.stop.kind == "not finite":

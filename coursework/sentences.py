@@ -28,6 +28,7 @@ PLURALS: dict[str, Callable[[int], str]] = {
     ),
     "other": lambda n: "other",
 }
+_ROUND = ":r}"  # a format of our own, see `_Number`
 FORMS = frozenset({"one", "few", "many", "other"})
 
 
@@ -109,7 +110,8 @@ class Phrases:
         parts = values.get("parts")
         if isinstance(parts, tuple):
             return template.join(map(self.written, parts))
-        return self.filled(key, template, {name: self._filling(name, value) for name, value in values.items()})
+        marked = self.language != ENGLISH or _ROUND in template  # else Python writes a number as it is to be read
+        return self.filled(key, template, {name: self._filling(name, value, marked) for name, value in values.items()})
 
     def said(self, key: str, /, **values: object) -> str:
         """Return the sentence of a key in this language, for a template that says it itself."""
@@ -144,9 +146,9 @@ class Phrases:
             entry = entry[part]
         return entry
 
-    def _filling(self, name: str, value: object) -> object:
+    def _filling(self, name: str, value: object, marked: bool) -> object:
         if isinstance(value, float):
-            return _Number(value, self.template("decimal"))
+            return _Number(value, self.template("decimal")) if marked else value
         if isinstance(value, str):
             return self.unit(self.written(value)) if name == "unit" else self.written(value)
         return self.listing([self.written(part) for part in value]) if isinstance(value, tuple) else value

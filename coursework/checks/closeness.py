@@ -22,31 +22,32 @@ SPOILT = 1e-9
 def accuracy(evidence: Evidence) -> Finding:
     """Every column of every row is within 5 % of its scale of the exact motion."""
     motion, names = evidence.motion, evidence.names
-    unit = say("unit.of_the_scale")
+    unit = evidence.say("unit.of_the_scale")
     beyond = evidence.compared
     if evidence.stop is not None and len(motion.t) > beyond:
-        sentence = say("check.ACCURACY.beyond", row=beyond + 1, time=evidence.stop.time)
+        sentence = evidence.say("check.ACCURACY.beyond", row=beyond + 1, time=evidence.stop.time)
         return Finding("FAIL", sentence, row=beyond + 1)
     if len(motion.t) > beyond or not names:
-        return skipped(say("check.unknown"))
+        return skipped(evidence.say("check.unknown"))
     shares = np.abs(evidence.errors)
     row, place = worst(shares)
     name, value = names[place], float(shares[row, place])
-    found = say(
+    found = evidence.say(
         "check.ACCURACY.found", share=percent(value), name=name, row=row + 1, scale=evidence.scale[name], unit=evidence.unit(name)
     )
     lines = tuple(
-        (say("check.largest", name=name), float(size), unit) for name, size in zip(names, np.max(shares, axis=0), strict=True)
+        (evidence.say("check.largest", name=name), float(size), unit)
+        for name, size in zip(names, np.max(shares, axis=0), strict=True)
     )
     if (spoilt := _spoilt(evidence)) is not None:
         at, where, gap = spoilt
         key = "check.ACCURACY.first" if at == 0 else "check.ACCURACY.spoilt"
-        sentence = say(key, name=where, row=at + 1, before=at, gap=percent(gap), found=found)
+        sentence = evidence.say(key, name=where, row=at + 1, before=at, gap=percent(gap), found=found)
         return Finding("FAIL", sentence, value, LIMIT, unit, where, at + 1, rows=lines)
     if value == 0:
-        sentence = say("check.ACCURACY.same")
+        sentence = evidence.say("check.ACCURACY.same")
     else:
-        sentence = say("check.ACCURACY.pass" if value <= LIMIT else "check.ACCURACY.coarse", found=found)
+        sentence = evidence.say("check.ACCURACY.pass" if value <= LIMIT else "check.ACCURACY.coarse", found=found)
     return Finding("PASS" if value <= LIMIT else "COARSE", sentence, value, LIMIT, unit, name, row + 1, rows=lines)
 
 

@@ -84,19 +84,19 @@ def peak(evidence: Evidence) -> Finding:
     """No link turns by more than one radian in one step, also where it is fastest between two rows."""
     variant, step = evidence.variant, evidence.motion.step
     if evidence.stop is not None or not evidence.fastest:
-        return skipped(say("check.PEAK.stopped"))
+        return skipped(evidence.say("check.PEAK.stopped"))
     turning = [
         (rate, when, coordinate)
         for (rate, when), coordinate in zip(evidence.fastest, variant.coordinates, strict=True)
         if coordinate.unit == "rad"
     ]
     if not turning:
-        return skipped(say("check.PEAK.no_angle"))
+        return skipped(evidence.say("check.PEAK.no_angle"))
     rate, when, coordinate = max(turning, key=lambda entry: entry[0])
     turned = rate * step
-    moment = say("check.PEAK.constant") if when is None else say("check.PEAK.moment", time=when)
+    moment = evidence.say("check.PEAK.constant") if when is None else evidence.say("check.PEAK.moment", time=when)
     found = {"rate": coordinate.rate, "moment": moment, "value": rate, "turned": turned, "name": coordinate.name}
     if turned <= WIDEST_STEP:
-        return Finding("PASS", say("check.PEAK.pass", **found), turned, WIDEST_STEP, "rad", coordinate.rate)
-    sentence = say("check.PEAK.coarse", **found, step=WIDEST_STEP / rate)
+        return Finding("PASS", evidence.say("check.PEAK.pass", **found), turned, WIDEST_STEP, "rad", coordinate.rate)
+    sentence = evidence.say("check.PEAK.coarse", **found, step=WIDEST_STEP / rate)
     return Finding("COARSE", sentence, turned, WIDEST_STEP, "rad", coordinate.rate)

@@ -16,7 +16,6 @@ from coursework.checks.result import Finding, percent, skipped
 from coursework.codegen.tabulated import OutsideTable
 from coursework.geometry.drive import breaks
 from coursework.integration.exact_motion import refine
-from coursework.sentences import say
 
 Array = NDArray[Any]
 HALVINGS = 20
@@ -40,19 +39,21 @@ class Jump(NamedTuple):
 def continuity(evidence: Evidence) -> Finding:
     """No curve jumps, and no change between two rows is off by more than 5 % of the scale."""
     if evidence.compared < _FEWEST_ROWS or not evidence.names:
-        return skipped(say("check.CONTINUITY.skip"))
-    unit = say("unit.of_the_scale")
+        return skipped(evidence.say("check.CONTINUITY.skip"))
+    unit = evidence.say("unit.of_the_scale")
     if (jump := evidence.once("jump", lambda: jump_of_exact(evidence))) is not None:
-        sentence = say("check.CONTINUITY.fail", name=jump.column, share=percent(jump.share), time=jump.time, row=jump.row + 1)
+        sentence = evidence.say(
+            "check.CONTINUITY.fail", name=jump.column, share=percent(jump.share), time=jump.time, row=jump.row + 1
+        )
         return Finding("FAIL", sentence, jump.share, LIMIT, unit, jump.column, jump.row + 1)
     shares = np.abs(np.diff(evidence.errors, axis=0))
     row, place = worst(shares)
     name, value = evidence.names[place], float(shares[row, place])
     found = {"name": name, "share": percent(value), "row": row + 1, "next": row + 2}
     if value <= LIMIT:
-        sentence = say("check.CONTINUITY.pass", **found) if value else say("check.CONTINUITY.same")
+        sentence = evidence.say("check.CONTINUITY.pass", **found) if value else evidence.say("check.CONTINUITY.same")
         return Finding("PASS", sentence, value, LIMIT, unit, name, row + 1)
-    return Finding("COARSE", say("check.CONTINUITY.coarse", **found), value, LIMIT, unit, name, row + 1)
+    return Finding("COARSE", evidence.say("check.CONTINUITY.coarse", **found), value, LIMIT, unit, name, row + 1)
 
 
 def jump_of_exact(evidence: Evidence) -> Jump | None:

@@ -15,7 +15,6 @@ from coursework.checks.result import Finding, Verdict, percent
 from coursework.formula.tree import Formula, evaluate, spelled
 from coursework.geometry.closure import Closure
 from coursework.reduction.system import compile_values
-from coursework.sentences import say
 from coursework.variant.record import Variant
 
 Array = NDArray[np.float64]
@@ -38,22 +37,24 @@ def drift(evidence: Evidence) -> Finding:
     value, name = float(shares[row, equation]), closure.names[equation]
     unit = "rad" if angles[equation] else "m"
     lines = tuple(
-        (say("check.largest", name=name), float(size), "rad" if angle else "m")
+        (evidence.say("check.largest", name=name), float(size), "rad" if angle else "m")
         for name, size, angle in zip(closure.names, np.max(np.abs(residual), axis=0), angles, strict=True)
     )
     size = float(abs(residual[row, equation]))
     if (jump := _jump(evidence, closure, np.where(angles, 1.0, shortest))) is not None:
         at, which = jump
-        sentence = say("check.DRIFT.jump", name=closure.names[which], row=at, next=at + 1, time=float(motion.t[at]))
-        return Finding("FAIL", sentence, value, LIMIT, say("unit.of_the_scale"), closure.names[which], at + 1, rows=lines)
+        sentence = evidence.say("check.DRIFT.jump", name=closure.names[which], row=at, next=at + 1, time=float(motion.t[at]))
+        return Finding(
+            "FAIL", sentence, value, LIMIT, evidence.say("unit.of_the_scale"), closure.names[which], at + 1, rows=lines
+        )
     found = {"name": name, "row": row + 1, "size": size, "unit": unit, "share": percent(value), "shortest": shortest}
     verdict: Verdict = "PASS" if value <= LIMIT else "COARSE" if float(np.max(shares[0])) <= LIMIT else "FAIL"
     if value < ROUND_OFF:
-        sentence = say("check.DRIFT.same")
+        sentence = evidence.say("check.DRIFT.same")
     else:
         kind = "angle" if verdict == "COARSE" and angles[equation] else verdict.lower()
-        sentence = say(f"check.DRIFT.{kind}", **found)
-    return Finding(verdict, sentence, value, LIMIT, say("unit.of_the_scale"), name, row + 1, rows=lines)
+        sentence = evidence.say(f"check.DRIFT.{kind}", **found)
+    return Finding(verdict, sentence, value, LIMIT, evidence.say("unit.of_the_scale"), name, row + 1, rows=lines)
 
 
 def _jump(evidence: Evidence, closure: Closure, scales: Array) -> tuple[int, int] | None:

@@ -21,6 +21,7 @@ from coursework.integration.rates import Rates
 from coursework.integration.replay import Replay
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.system import compile_system
+from coursework.sentences import say
 from coursework.variant.record import Variant
 
 Array = NDArray[np.float64]
@@ -48,7 +49,8 @@ class Evidence:
     coordinate (largest rate of the true motion, when).  `replay` makes each row anew from the row before, None for rows that
     no scheme of ours has made; `rerun(scheme, step)` gives the same run made otherwise, None where that cannot be.
     `passages`: singular positions that the motion goes through; `order` of the highest derivative of the motion that is asked
-    for.  `facts` about the exact motion alone are found once and shared by every table of the scene.
+    for.  `facts` about the exact motion alone are found once and shared by every table of the scene.  `is_trial`: of a step
+    that may be advised.
     """
 
     variant: Variant
@@ -67,6 +69,11 @@ class Evidence:
     passages: tuple[Passage, ...] = ()
     order: int = 1
     facts: dict[str, object] = field(default_factory=dict)
+    is_trial: bool = False
+
+    def say(self, key: str, /, **values: object) -> str:
+        """Return a sentence about the motion; of a trial only verdicts and numbers are read."""
+        return "" if self.is_trial else say(key, **values)
 
     @property
     def restricted(self) -> bool:
@@ -91,9 +98,15 @@ class Evidence:
 
     def once(self, name: str, find: Callable[[], Fact]) -> Fact:
         """Return a fact about the exact motion, found when it is first asked for."""
-        if name not in self.facts:
-            self.facts[name] = find()
-        return cast("Fact", self.facts[name])
+        return _once(self.facts, name, find)
+
+    @cached_property
+    def _of_rows(self) -> dict[str, object]:
+        return {}
+
+    def once_of_rows(self, name: str, find: Callable[[], Fact]) -> Fact:
+        """Return a fact about the rows themselves, found when it is first asked for."""
+        return _once(self._of_rows, name, find)
 
     def unit(self, name: str) -> str:
         """Return the unit of a column."""
@@ -172,6 +185,12 @@ class Evidence:
         return system.names, shares
 
 
+def _once(facts: dict[str, object], name: str, find: Callable[[], Fact]) -> Fact:
+    if name not in facts:
+        facts[name] = find()
+    return cast("Fact", facts[name])
+
+
 def scales_of(spreads: Sequence[float], sizes: Sequence[float], units: Sequence[str], still: float) -> list[float]:
     """Return max(R, 0.1 A, 0.05 U) of each column: R its range, A its size, U the widest range of its unit; `still` at least."""
     widest = {unit: max(spread for spread, other in zip(spreads, units, strict=True) if other == unit) for unit in set(units)}
@@ -188,5 +207,6 @@ def turns(differences: Array) -> Array:
 
 def worst(shares: Array) -> tuple[int, int]:
     """Return row and column (from 0) of the largest size in (n, k); a number that is none is the largest of all."""
-    row, column = np.unravel_index(int(np.argmax(np.nan_to_num(np.abs(shares), nan=np.inf))), shares.shape)
-    return int(row), int(column)
+    # Of numbers that are none `argmax` takes the first, before any other.
+    row, column = divmod(int(np.argmax(np.abs(shares))), shares.shape[1])
+    return row, column

@@ -17,7 +17,7 @@ from coursework.checks.evidence import LIMIT, NO_ERROR, Evidence, turns
 from coursework.checks.result import Finding, percent, skipped
 from coursework.integration.finer import exact_at, prolonged
 from coursework.integration.motion import Motion
-from coursework.sentences import Sentence, joined, say, say_count
+from coursework.sentences import Sentence, joined, say
 
 Array = NDArray[np.float64]
 # Part of the scale by which the exact motion may miss its start after the stated period.  Measured over 38 stated periods:
@@ -81,17 +81,17 @@ def velocity(evidence: Evidence) -> Finding:
 
 
 def _judge(evidence: Evidence, code: str, names: tuple[str, ...]) -> Finding:
-    splits = mismatch(evidence)
+    splits = evidence.once_of_rows("mismatch", lambda: mismatch(evidence))
     if splits is None:
         return _behind_the_end(evidence, [name for name in names if name in evidence.names])
-    scale, unit = evidence.scale, say("unit.of_the_scale")
+    scale, unit = evidence.scale, evidence.say("unit.of_the_scale")
     judged = {split.name: split for split in splits if split.name in evidence.names}
     chosen = [split for name, split in judged.items() if name in names]
     if not chosen:
-        return skipped(say("check.PERIOD.driven"))
+        return skipped(evidence.say("check.PERIOD.driven"))
     if evidence.variant.time.period is None:
         if any(abs(split.period) > RETURNS * scale[name] for name, split in judged.items()):
-            return skipped(say("check.PERIOD.unstated"))
+            return skipped(evidence.say("check.PERIOD.unstated"))
     elif (wrong := _wrong(evidence, [split.name for split in chosen])) is not None:
         return wrong
     shares = {split.name: _share(split.total, scale[split.name]) for split in chosen}
@@ -100,18 +100,18 @@ def _judge(evidence: Evidence, code: str, names: tuple[str, ...]) -> Finding:
     assert row is not None
     first, last = (0.0 if abs(end) < NO_ERROR else end for end in (worst.first, worst.last))
     found = {
-        "which": say(f"check.{code}.which", name=worst.name), "share": percent(value), "row": row + 1, "first": first,
+        "which": evidence.say(f"check.{code}.which", name=worst.name), "share": percent(value), "row": row + 1, "first": first,
         "last": last, "unit": worst.unit, "scale": scale[worst.name],
     }  # fmt: skip
     if value == 0:
-        told = [say("check.PERIOD.same", row=row + 1)]
+        told = [evidence.say("check.PERIOD.same", row=row + 1)]
     else:
-        told = [say("check.PERIOD.pass" if value <= LIMIT else "check.PERIOD.coarse", **found)]
+        told = [evidence.say("check.PERIOD.pass" if value <= LIMIT else "check.PERIOD.coarse", **found)]
     late = _share(worst.period, scale[worst.name])
     if cannot_return := value > LIMIT and late > NEARLY * LIMIT and _is_beyond(evidence, worst.name):
-        told.append(say("check.PERIOD.due", share=percent(late), period=evidence.period))
-    if turned := [say_count("check.PERIOD.turns", split.turns, name=split.name) for split in chosen if split.turns]:
-        told.append(say("check.PERIOD.taken_off", turned=joined(turned, "join.semicolon")))
+        told.append(evidence.say("check.PERIOD.due", share=percent(late), period=evidence.period))
+    if turned := [evidence.say("check.PERIOD.turns", number=split.turns, name=split.name) for split in chosen if split.turns]:
+        told.append(evidence.say("check.PERIOD.taken_off", turned=joined(turned, "join.semicolon")))
     lines = tuple((_label(split.name, part), getattr(split, part), split.unit) for split in chosen for part in _PARTS)
     return Finding(
         "PASS" if value <= LIMIT else "COARSE", joined(told), value, LIMIT, unit, worst.name, row + 1, worst.first, worst.last,
@@ -144,7 +144,7 @@ def _behind_the_end(evidence: Evidence, names: list[str]) -> Finding:
         return skipped(_why_skipped(evidence))
     # The scale is that of a whole period, of which the run has only a part.
     wrong = _wrong(replace(evidence, exact=longer), names)
-    return wrong or skipped(say("check.PERIOD.due_later", end=float(evidence.motion.t[-1]), period=period))
+    return wrong or skipped(evidence.say("check.PERIOD.due_later", end=float(evidence.motion.t[-1]), period=period))
 
 
 def _wrong(evidence: Evidence, names: list[str]) -> Finding | None:
@@ -152,8 +152,10 @@ def _wrong(evidence: Evidence, names: list[str]) -> Finding | None:
     if (strayed := _strayed(evidence, names)) is None:
         return None
     name, share, first, last = strayed
-    sentence = say("check.PERIOD.period", period=evidence.period, name=name, share=percent(share), first=first, last=last)
-    return Finding("FAIL", sentence, share, RETURNS, say("unit.of_the_scale"), name, None, first, last)
+    sentence = evidence.say(
+        "check.PERIOD.period", period=evidence.period, name=name, share=percent(share), first=first, last=last
+    )
+    return Finding("FAIL", sentence, share, RETURNS, evidence.say("unit.of_the_scale"), name, None, first, last)
 
 
 def _strayed(evidence: Evidence, names: list[str]) -> tuple[str, float, float, float] | None:
@@ -188,13 +190,13 @@ def _is_beyond(evidence: Evidence, name: str) -> bool:
     return _share(gap - float(turns(np.array(gap))) * (evidence.unit(name) == "rad"), evidence.scale[name]) > NEARLY * LIMIT
 
 
-def _why_skipped(evidence: Evidence) -> Sentence:
+def _why_skipped(evidence: Evidence) -> str:
     motion = evidence.motion
     if motion.stop is not None:
-        return say("check.PERIOD.stopped", time=motion.stop.time)
+        return evidence.say("check.PERIOD.stopped", time=motion.stop.time)
     if evidence.compared < len(motion.t):
-        return say("check.unknown")
-    return say("check.PERIOD.short", end=float(motion.t[-1]), period=evidence.period)
+        return evidence.say("check.unknown")
+    return evidence.say("check.PERIOD.short", end=float(motion.t[-1]), period=evidence.period)
 
 
 def assembly(evidence: Evidence) -> Finding:
@@ -202,15 +204,15 @@ def assembly(evidence: Evidence) -> Finding:
     motion, exact = evidence.motion, evidence.exact
     determinants = motion.determinants
     if len(determinants) < 2 or not determinants.shape[1]:
-        return skipped(say("check.PERIOD-ASSEMBLY.skip"))
-    unit = say("unit.relative")
+        return skipped(evidence.say("check.PERIOD-ASSEMBLY.skip"))
+    unit = evidence.say("unit.relative")
     smallest = float(np.min(np.abs(motion.scaled))) if motion.scaled.size else None
     row = _changed(motion, evidence)
     if exact is not None and (true := _changed(exact, evidence)) is not None:
-        return Finding("FAIL", say("check.PERIOD-ASSEMBLY.fail", row=true + 1), smallest, None, unit, None, true + 1)
+        return Finding("FAIL", evidence.say("check.PERIOD-ASSEMBLY.fail", row=true + 1), smallest, None, unit, None, true + 1)
     if row is not None:
-        return Finding("COARSE", say("check.PERIOD-ASSEMBLY.coarse", row=row + 1), smallest, None, unit, None, row + 1)
-    return Finding("PASS", say("check.PERIOD-ASSEMBLY.pass"), smallest, None, unit)
+        return Finding("COARSE", evidence.say("check.PERIOD-ASSEMBLY.coarse", row=row + 1), smallest, None, unit, None, row + 1)
+    return Finding("PASS", evidence.say("check.PERIOD-ASSEMBLY.pass"), smallest, None, unit)
 
 
 def _changed(motion: Motion, evidence: Evidence) -> int | None:

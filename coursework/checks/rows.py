@@ -12,7 +12,7 @@ from coursework.checks.result import Finding, skipped
 from coursework.geometry.drive import breaks
 from coursework.geometry.swings import turning_cranks
 from coursework.schemes import EXACT
-from coursework.sentences import joined, say
+from coursework.sentences import joined
 
 # Explicit Euler wants at least twenty rows a period of the drive, and a turn of a crank.
 ROWS_A_PERIOD = 20
@@ -28,27 +28,29 @@ def enough(evidence: Evidence) -> Finding:
     Exact rows have no error from a break between them, so they are judged by the rows a period and a turn alone.
     """
     step, variant = evidence.motion.step, evidence.variant
-    listed = joined([say("check.STEP.time", time=time) for time in breaks(variant)], "join.comma")
+    listed = joined([evidence.say("check.STEP.time", time=time) for time in breaks(variant)], "join.comma")
     missed = off_row(evidence, step)
     is_exact = evidence.motion.scheme == EXACT
     if missed and not is_exact:
         time = missed[0]
         row = int(time / step)
         late = float(row + 1 - time / step)
-        sentence = say("check.STEP.break", time=time, row=row + 1, next=row + 2, late=late, breaks=listed)
-        return Finding("COARSE", sentence, late, 0.0, say("unit.of_a_step"), None, row + 1, cured=parts_at_breaks(evidence) > 0)
-    between = [say("check.STEP.exact", breaks=listed)] if missed else []
+        sentence = evidence.say("check.STEP.break", time=time, row=row + 1, next=row + 2, late=late, breaks=listed)
+        return Finding(
+            "COARSE", sentence, late, 0.0, evidence.say("unit.of_a_step"), None, row + 1, cured=parts_at_breaks(evidence) > 0
+        )
+    between = [evidence.say("check.STEP.exact", breaks=listed)] if missed else []
     cranks = evidence.once("turning", lambda: turning_cranks(evidence.equations))
     speeds = {"": evidence.drive_frequency, **{name: cranks[name] for name in cranks if name in evidence.motion.names}}
     name = max(speeds, key=lambda key: speeds[key])
     if not speeds[name] > 0:
-        return Finding("PASS", between[0]) if between else skipped(say("check.STEP.skip"))
+        return Finding("PASS", between[0]) if between else skipped(evidence.say("check.STEP.skip"))
     rows = float(2 * np.pi / (speeds[name] * step))
     verdict = "pass" if rows >= ROWS_A_PERIOD * (1 - 1e-9) else "coarse"
     most = float(2 * np.pi / ROWS_A_PERIOD / speeds[name])
     key = f"check.STEP.turn.{verdict}" if name else f"check.STEP.{verdict}"
-    sentence = joined([say(key, name=name, frequency=speeds[name], rows=rows, step=most), *between])
-    unit = say("unit.rows")
+    sentence = joined([evidence.say(key, name=name, frequency=speeds[name], rows=rows, step=most), *between])
+    unit = evidence.say("unit.rows")
     return Finding("PASS" if verdict == "pass" else "COARSE", sentence, rows, float(ROWS_A_PERIOD), unit, name or None)
 
 

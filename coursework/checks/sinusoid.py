@@ -14,7 +14,6 @@ from coursework.checks.result import Finding, Verdict, skipped
 from coursework.geometry.drive import frequencies
 from coursework.integration.finer import finer
 from coursework.integration.motion import Motion
-from coursework.sentences import say
 
 Array = NDArray[np.float64]
 # In a benign mechanism the first three harmonics carry more than this part of an oscillation (catalogue: 0.984 to 1.000).
@@ -30,29 +29,29 @@ def sinusoid(evidence: Evidence) -> Finding:
     """The first three harmonics of the drive carry at least nine tenths of the oscillation of every velocity."""
     found = evidence.once("frequencies", lambda: frequencies(evidence.equations))
     if not found:
-        return skipped(say("check.SINUSOID.drive"))
+        return skipped(evidence.say("check.SINUSOID.drive"))
     motion = evidence.motion
     slowest = 2 * np.pi / found[0]
     near = max(motion.step / 2, NEAR_PERIOD * slowest)
     periods = int((motion.t[-1] + near) / slowest) if len(motion.t) else 0
     names = tuple(name for name in evidence.names if name in motion.velocity_names)
     if motion.stop is not None or periods < 1 or evidence.compared < len(motion.t) or not names:
-        return skipped(say("check.SINUSOID.rows", period=slowest))
+        return skipped(evidence.say("check.SINUSOID.rows", period=slowest))
     window = periods * slowest + near
     true = evidence.once("sinusoid", lambda: _of_exact(evidence, names, found, window))
     if not true:
-        return skipped(say("check.unknown"))
+        return skipped(evidence.say("check.unknown"))
     name = min(names, key=lambda key: true[key])
-    unit = say("unit.of_power")
+    unit = evidence.say("unit.of_power")
     if true[name] < SHARE:
-        return skipped(say("check.SINUSOID.not", name=name, share=true[name]))
+        return skipped(evidence.say("check.SINUSOID.not", name=name, share=true[name]))
     if int(np.sum(motion.t <= window)) <= _terms(found):
-        return skipped(say("check.SINUSOID.few", rows=int(np.sum(motion.t <= window)), least=_terms(found) + 1))
+        return skipped(evidence.say("check.SINUSOID.few", rows=int(np.sum(motion.t <= window)), least=_terms(found) + 1))
     own = shares(motion, names, found, window)
     column = min(names, key=lambda key: own[key])
     rows = tuple((name, own[name], unit) for name in names)
     verdict: Verdict = "PASS" if own[column] >= SHARE else "COARSE"
-    sentence = say(f"check.SINUSOID.{verdict.lower()}", name=column, share=own[column], exact=true[column])
+    sentence = evidence.say(f"check.SINUSOID.{verdict.lower()}", name=column, share=own[column], exact=true[column])
     return Finding(verdict, sentence, own[column], SHARE, unit, column, rows=rows)
 
 

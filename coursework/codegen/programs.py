@@ -145,13 +145,15 @@ def _source(name: str, arguments: Iterable[str], lines: Iterable[Line], results:
     return "\n".join([*written, f"    return ({', '.join(results)}{',' if len(results) == 1 else ''})"])
 
 
-def compile_later(name: str, arguments: Sequence[str], body: Bound, results: Sequence[str]) -> Callable[..., Any]:
-    """Return the function over arrays, compiled when it is first called: many scenes never ask for it."""
+def compile_later(
+    name: str, arguments: Sequence[str], body: Bound, results: Sequence[str], *, numpy: bool = False
+) -> Callable[..., Any]:
+    """Return the same function, compiled when it is first called: many scenes never ask for it."""
     compiled: list[Callable[..., Any]] = []
 
     def call(*values: Any) -> Any:
         if not compiled:
-            compiled.append(compile_function(name, arguments, body, results, numpy=True))
+            compiled.append(compile_function(name, arguments, body, results, numpy=numpy))
         return compiled[0](*values)
 
     return call

@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 from coursework.codegen.programs import as_columns
 from coursework.codegen.tabulated import TableLaw
 from coursework.errors import Fault, InputError
-from coursework.geometry.oscillation import fastest
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import TIME, symbol
 from coursework.reduction.system import compile_values
@@ -110,9 +109,8 @@ def argument_slopes(equations: VelocityEquations) -> list[sp.Expr]:
     return [slope for slope in slopes if slope != 0]
 
 
-def refuse_aliasing(equations: VelocityEquations, step: float) -> None:
-    """Raise `InputError` where the step misses the drive's oscillation altogether (less than two rows a period)."""
-    frequency = fastest(equations)
+def refuse_aliasing(equations: VelocityEquations, step: float, frequency: float) -> None:
+    """Raise `InputError` where the step misses an oscillation (rad/s) of the drive altogether (less than two rows a period)."""
     if frequency * step >= np.pi * (1 - 1e-12):
         variant = equations.variant
         own = variant.time.own_step in {None, step}
@@ -154,20 +152,24 @@ def frequencies(equations: VelocityEquations) -> tuple[float, ...]:
 
     None are returned unless every drive is zero or a sum of sines and cosines of t, each times a constant.
     """
+    slopes = equations.once("slopes of sums", lambda: _slopes_of_sums(equations))
+    values = compile_values(equations, slopes)[0](0.0, *np.zeros(len(equations.variant.coordinates))) if slopes else ()
+    return tuple(sorted({abs(float(value)) for value in values}))
+
+
+def _slopes_of_sums(equations: VelocityEquations) -> list[sp.Expr]:
+    """Return d argument/dt of the sines the drives are sums of, nothing where one of them is no such sum."""
     laws = {symbol(law.name) for law in (*equations.variant.drive, *equations.variant.functions)}
     slopes = set()
     for law in equations.variant.drive:
         definition = equations.symbols.definitions[symbol(law.name)]
         if definition.free_symbols & laws:
-            return ()
+            return []
         for term in sp.Add.make_args(sp.expand(definition)):
             _, rest = term.as_independent(TIME, as_Add=False)
             if term == 0:
                 continue
             if not isinstance(rest, (sp.sin, sp.cos)) or (slope := sp.diff(rest.args[0], TIME)).has(TIME) or slope == 0:
-                return ()
+                return []
             slopes.add(slope)
-    if not slopes:
-        return ()
-    values = compile_values(equations, sorted(slopes, key=str))[0](0.0, *np.zeros(len(equations.variant.coordinates)))
-    return tuple(sorted({abs(float(value)) for value in values}))
+    return sorted(slopes, key=str)

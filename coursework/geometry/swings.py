@@ -30,14 +30,14 @@ _LOOKS, _LOOKS_A_PIECE, _BEFORE = 1025, 65, 1e-12
 _CONSTANT = 1e-9
 
 
-def drive_frequency(equations: VelocityEquations) -> float:
-    """Return the largest frequency (rad/s) of the drives, of formulas and of tables over t; 0 where none is known.
+def drive_frequency(equations: VelocityEquations, of_formulas: float | None = None) -> float:
+    """Return the largest frequency (rad/s) of the drives, of formulas (where not known yet) and of tables over t; 0 without any.
 
     >>> import coursework
     >>> round(drive_frequency(coursework.solve("31").scene.equations), 6)
     13.08
     """
-    found = [fastest(equations)]
+    found = [fastest(equations) if of_formulas is None else of_formulas]
     for law in equations.variant.drive:
         whole = written_out(equations.symbols.definitions[symbol(law.name)], equations)
         if whole.atoms(AppliedUndef):

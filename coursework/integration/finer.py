@@ -21,7 +21,7 @@ from coursework.schemes import PRECISE
 
 Array = NDArray[np.float64]
 # Runge-Kutta steps an interval is followed by at least.
-_FEWEST = 4
+_FEWEST = 2
 # What Runge-Kutta may be off at the end of an interval, as part of the range of the coordinate; the limit of a check is 0.05.
 _GAP = 1e-5
 # What the precise scheme may be off behind the last row (rad or m): beyond that the motion meets something it cannot pass.
@@ -88,7 +88,7 @@ def _between(positions: Array, moved: Array, places: Array) -> Array:
     """Return the positions (intervals, k, m) at places (k,) counted in steps: the cubic through both ends of a step.
 
     `positions` and what their slopes move in a step, `moved`: (steps + 1, intervals, m).  A cubic is off by 1/384 of the step
-    to the fourth power, a hundredth of what Runge-Kutta is allowed to be.
+    to the fourth power: where Runge-Kutta is off by what it may be, not more than that.
     """
     index = places.astype(int)
     share = (places - index)[:, None, None]

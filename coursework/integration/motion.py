@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -48,7 +49,7 @@ class Stop:
         return joined([self.cause, self.meaning])
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Motion:
     """Rows of one run.
 
@@ -85,12 +86,14 @@ class Motion:
                 return rows[:, names.index(name)]
         raise KeyError(name)
 
-    @property
+    @cached_property
     def names(self) -> tuple[str, ...]:
         """Return the columns after t."""
         return self.coordinate_names + self.velocity_names
 
-    @property
+    @cached_property
     def rows(self) -> Array:
         """Return all columns after t, (n, m + k)."""
-        return np.hstack([self.coordinates, self.velocities])
+        rows = np.concatenate([self.coordinates, self.velocities], axis=1)
+        rows.flags.writeable = False
+        return rows

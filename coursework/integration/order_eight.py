@@ -7,6 +7,7 @@ Source: E. Hairer, S. P. Nørsett, G. Wanner, "Solving Ordinary Differential Equ
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 
@@ -47,16 +48,16 @@ _FIFTH = {0: 0.01312004499419488, 5: -1.2251564463762044, 6: -0.4957589496572502
 SLOPES = len(_ROWS)  # new slopes a step: the first one is known
 
 
-def dormand_prince_8(field: Field, state: Array, slope: Array, length: float) -> tuple[Array, Array]:
-    """Return the state (m,) one step further and its error (m,); `slope` = field(*state).
+def dormand_prince_8(field: Field, state: Array, slope: Array, length: float) -> tuple[Array, list[float]]:
+    """Return the state (m,) one step further and its error, m numbers; `slope` = field(*state).
 
     >>> end, error = dormand_prince_8(lambda x, t: (x, 1.0), np.array([1.0, 0.0]), np.array([1.0, 1.0]), 0.1)
     >>> f"{end[0]:.12f}"
     '1.105170918076'
     """
-    after, third, fifth = np.array(_written_out(len(state))(field, length, *state.tolist(), *slope.tolist()))
-    size = np.hypot(fifth, 0.1 * third)
-    return after, np.abs(fifth) * np.abs(fifth) / np.where(size > 0, size, 1.0)
+    after, third, fifth = _written_out(len(state))(field, length, *state.tolist(), *slope.tolist())
+    sizes = (math.hypot(b, 0.1 * a) for a, b in zip(third, fifth, strict=True))
+    return np.array(after), [b * b / (size or 1.0) for b, size in zip(fifth, sizes, strict=True)]
 
 
 @cache

@@ -76,7 +76,7 @@ def compile_rates(equations: VelocityEquations, reduction: Reduction, wanted: Se
     return Rates(
         parts.coordinates, parts.velocities, parts.blocks,
         compile_function("rates", arguments, body, parts.results),
-        compile_later("rates", arguments, body, parts.results), body, breaks(equations.variant),
+        compile_later("rates", arguments, body, parts.results, numpy=True), body, breaks(equations.variant),
     )  # fmt: skip
 
 

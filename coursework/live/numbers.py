@@ -23,7 +23,7 @@ def live_numbers(run: Run, functions: Functions) -> dict[str, Any]:
     scheme and nothing else, as the page makes its tables.
     """
     scene, variant = run.scene, run.variant
-    angles = angles_in_determinants(scene.reduction.blocks, variant)
+    angles = angles_in_determinants(scene.reduction.blocks, scene.equations)
     return {
         "coordinates": [c.name for c in variant.coordinates],
         "velocities": [*variant.rates, *(name for name, _ in variant.unknowns)],

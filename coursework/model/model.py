@@ -99,7 +99,7 @@ class Model:
     @cached_property
     def angles_in_determinants(self) -> list[int]:
         """Return the places of the angles that are not driven and stand in a determinant."""
-        angles = angles_in_determinants(self.blocks, self.variant)
+        angles = angles_in_determinants(self.blocks, self.equations)
         return [place for place, name in enumerate(self.coordinates) if name in angles]
 
     @cached_property

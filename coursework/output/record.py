@@ -115,8 +115,7 @@ def _lines(value: Any) -> str:
     return "[\n  " + ",\n  ".join(map(_written, value)) + "\n ]"
 
 
-def _written(value: Any) -> str:
-    return json.dumps(value, ensure_ascii=False, allow_nan=False)
+_written = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
 
 
 def _stop(run: Run) -> dict[str, Any] | None:

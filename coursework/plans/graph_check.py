@@ -40,7 +40,7 @@ class GraphCheck:
     """The check of one `row` (from 1) at `time` (s).
 
     `rows` (name, measured, table value, measured - table, unit): angular velocities, speeds of joints, centres; nan where
-    the table has no such value.  `exact` (name, exact value, table - exact, unit) is the scheme's error in that row.
+    the table has no such value.  `true` reads the same off the exact row: name -> (value, unit), nothing where there is none.
     `notes` are sentences: how each centre was found, what the drawing does not determine, how far the row does not close.
     """
 
@@ -49,9 +49,15 @@ class GraphCheck:
     sketch: Sketch
     findings: Findings
     rows: tuple[GraphRow, ...]
-    exact: tuple[tuple[str, float, float, str], ...]
+    true: Callable[[], dict[str, tuple[float, str]]]
     notes: tuple[str, ...]
     readings: tuple[Reading, ...] = ()
+
+    @property
+    def exact(self) -> tuple[tuple[str, float, float, str], ...]:
+        """Return (name, exact value, table - exact, unit) of each: the scheme's error in that row."""
+        true = self.true()
+        return tuple((name, true[name][0], table - true[name][0], unit) for name, _, table, _, unit in self.rows if name in true)
 
     @property
     def centres(self) -> dict[str, complex | None]:
@@ -91,16 +97,16 @@ def check_graph(mechanism: Mechanism, equations: VelocityEquations, motion: Moti
         (name, value, tabled.get(name, math.nan), value - tabled.get(name, math.nan), unit)
         for name, (value, unit) in measured.items()
     )
-    true: dict[str, tuple[float, str]] = {}
-    if row <= len(exact.t):
-        perfect = read(exact, row - 1)
-        true = _measured(perfect, construct(perfect.pose))
-    errors = tuple((name, true[name][0], table - true[name][0], unit) for name, _, table, _, unit in rows if name in true)
+
+    def true() -> dict[str, tuple[float, str]]:
+        perfect = read(exact, row - 1) if row <= len(exact.t) else None
+        return _measured(perfect, construct(perfect.pose)) if perfect else {}
+
     values = {name: abs(value) for name, value in tabled.items()}
     scale = lay_out(sketch, findings).scale
     readings = read_off(sketch, findings, scale, values)
     notes = (*how_found(sketch, findings), *sketch.notes, *drift(sketch))
-    return GraphCheck(row, float(motion.t[row - 1]), sketch, findings, rows, errors, notes, readings)
+    return GraphCheck(row, float(motion.t[row - 1]), sketch, findings, rows, true, notes, readings)
 
 
 def _required_row(variant: Variant, motion: Motion) -> int:

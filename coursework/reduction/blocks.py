@@ -23,7 +23,6 @@ from coursework.reduction.meaning import meaning
 from coursework.reduction.symbolic import symbol
 from coursework.reduction.tidy import as_formula
 from coursework.sentences import say
-from coursework.variant.record import Variant
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,9 +93,13 @@ class Reduction:
         return tuple(sorted(chosen))
 
 
-def angles_in_determinants(blocks: Sequence[Block], variant: Variant) -> set[str]:
+def angles_in_determinants(blocks: Sequence[Block], equations: VelocityEquations) -> set[str]:
     """Return the angles that are not driven and stand in a determinant: a wide step of one can cross a dead point unseen."""
-    inside = {s for block in blocks for row in block.matrix for entry in row for s in entry.free_symbols}
+    key = ("in determinants", tuple((block.equations, block.unknowns) for block in blocks))
+    inside = equations.once(
+        key, lambda: {s for block in blocks for row in block.matrix for entry in row for s in entry.free_symbols}
+    )
+    variant = equations.variant
     free = (c.name for c in variant.coordinates if c.rate not in variant.known_rates and c.unit == "rad")
     return {name for name in free if symbol(name) in inside}
 

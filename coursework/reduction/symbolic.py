@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from fractions import Fraction
+from functools import lru_cache
 from math import comb
 
 import sympy as sp
@@ -33,6 +34,7 @@ def symbol(name: str) -> sp.Symbol:
     return local(private(name))
 
 
+@lru_cache(maxsize=4096)
 def local(name: str) -> sp.Symbol:
     """Return the real symbol of a private name."""
     return sp.Symbol(name, real=True)

@@ -15,7 +15,7 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from coursework.codegen.names import private
-from coursework.codegen.programs import Assign, Program, Statement, as_columns, compile_function, compile_later, program
+from coursework.codegen.programs import Assign, Program, Statement, as_columns, compile_later, program
 from coursework.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.reduction.symbolic import constants, local, symbol
 
@@ -74,7 +74,4 @@ def compile_values(equations: VelocityEquations, wanted: Sequence[sp.Expr]) -> t
 
     body = equations.once(("values", *wanted), written).bind(constants(equations.variant))
     arguments = [private(name) for name in ("t", *(c.name for c in equations.variant.coordinates))]
-    return (
-        compile_function("values", arguments, body, results),
-        compile_later("values", arguments, body, results),
-    )
+    return compile_later("values", arguments, body, results), compile_later("values", arguments, body, results, numpy=True)

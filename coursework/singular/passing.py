@@ -67,7 +67,7 @@ def _slope(flow: Flow, event: Event, moving: Array, end: float) -> float:
     after, before = (
         flow.scaled(event.time + side * nudge, (event.position + side * nudge * moving).tolist())[event.block] for side in (1, -1)
     )
-    return float(after - before) / (2 * nudge)
+    return (after - before) / (2 * nudge)
 
 
 def _flanked(

@@ -5,6 +5,7 @@ Enters: the steps of a walk along the flow.  Leaves: (rate, when) per coordinate
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -45,27 +46,29 @@ class Piece:
 class Peaks:
     """The largest and smallest rates seen, and the two steps beside each largest one."""
 
-    largest: Array
-    smallest: Array
-    when: Array
+    largest: list[float]
+    smallest: list[float]
+    when: list[float]
     beside: list[tuple[Piece, ...]]
     last: Piece | None = field(default=None)
 
     @staticmethod
     def of(count: int) -> Peaks:
         """Return the record of a walk that has not begun, for so many coordinates."""
-        return Peaks(np.full(count, -1.0), np.full(count, np.inf), np.zeros(count), [()] * count)
+        return Peaks([-1.0] * count, [math.inf] * count, [0.0] * count, [()] * count)
 
     def see(self, piece: Piece) -> None:
         """Take note of a step that was made; one that is made again, shorter, takes the place of its first try."""
         if self.last is not None and self.last.state is piece.state:
             self.last.length = piece.length
             return
-        rates = np.abs(piece.slope[:-1] / piece.slope[-1])
-        self.smallest = np.minimum(self.smallest, rates)
-        for coordinate in np.flatnonzero(rates > self.largest).tolist():
-            self.largest[coordinate], self.when[coordinate] = rates[coordinate], piece.state[-1]
-            self.beside[coordinate] = (piece,) if self.last is None else (self.last, piece)
+        *moved, pace = piece.slope.tolist()
+        for coordinate, move in enumerate(moved):
+            rate = abs(move / pace) if pace else math.inf
+            self.smallest[coordinate] = min(rate, self.smallest[coordinate])
+            if rate > self.largest[coordinate]:
+                self.largest[coordinate], self.when[coordinate] = rate, float(piece.state[-1])
+                self.beside[coordinate] = (piece,) if self.last is None else (self.last, piece)
         self.last = piece
 
     def found(self, end: float, turning: Sequence[int]) -> tuple[tuple[float, float | None], ...]:
@@ -75,11 +78,11 @@ class Peaks:
         """
         most = max((self.largest[coordinate] for coordinate in turning), default=0.0)
         listed: list[tuple[float, float | None]] = []
-        for coordinate, (rate, least) in enumerate(zip(self.largest.tolist(), self.smallest.tolist(), strict=True)):
+        for coordinate, (rate, least) in enumerate(zip(self.largest, self.smallest, strict=True)):
             if rate - least <= _CONSTANT * rate:
                 listed.append((rate, None))
                 continue
-            seen = [(rate, float(self.when[coordinate]))]
+            seen = [(rate, self.when[coordinate])]
             if coordinate in turning and rate >= _NEAR * most:
                 seen += [_highest(piece, coordinate, end) for piece in self._rising(coordinate)]
             listed.append(max(seen))

@@ -69,10 +69,10 @@ class Flow:
     def _values(self, t: float, q: Sequence[float]) -> tuple[float, ...]:
         return (*self.system.scalar(t, *q), 0.0)
 
-    def scaled(self, t: float, q: Sequence[float]) -> Array:
+    def scaled(self, t: float, q: Sequence[float]) -> list[float]:
         """Return the dimensionless determinants of all blocks at one time (s) and position."""
         values = self._values(t, q)
-        return np.array([_determinant(values, place) / size for place, size in zip(self.places, self.largest, strict=True)])
+        return [_determinant(values, place) / size for place, size in zip(self.places, self.largest, strict=True)]
 
     def slopes(self, t: float, q: Sequence[float], block: int) -> tuple[float, ...]:
         """Return dq/ds, with dt/ds last, for the clock of `block`.  Raises `ArithmeticError` where another one is singular."""
@@ -140,7 +140,7 @@ class Clock:
         self.flow.evaluations += 1
         return np.array(self.field(*state.tolist()))
 
-    def step(self, state: Array, slope: Array, length: float) -> tuple[Array, Array]:
+    def step(self, state: Array, slope: Array, length: float) -> tuple[Array, list[float]]:
         """Return the state a `length` of the clock (s) further, from its known `slope`, and the error of that."""
         self.flow.evaluations += SLOPES
         return dormand_prince_8(self.field, state, slope, length)

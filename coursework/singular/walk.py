@@ -12,7 +12,8 @@ Source: numerics.md 3.1.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -65,8 +66,8 @@ class Walk:
 
     def at_start(self) -> Event | None:
         """Return the event of a start, of the run or behind a break of the drive, that is singular itself."""
-        singular = np.flatnonzero(np.abs(self.scaled) < SINGULAR)
-        return self._event(self.state, int(singular[0])) if len(singular) else None
+        singular = [block for block, size in enumerate(self.scaled) if abs(size) < SINGULAR]
+        return self._event(self.state, singular[0]) if singular else None
 
     def until(self, goal: float) -> Event | None:
         """Walk to time `goal`, a break of the drive or the end; return the first event on the way, if any."""
@@ -78,15 +79,16 @@ class Walk:
     def _until(self, goal: float) -> Event | None:
         latest = goal * (1 + AT_END) if goal == self.end else goal
         for _ in range(MAX_STEPS):
-            block = int(np.argmin(np.abs(self.scaled)))
-            self.length = self.length or self.end / 200 / abs(self.scaled[block])
+            sizes = [abs(size) for size in self.scaled]
+            block = sizes.index(min(sizes))
+            self.length = self.length or self.end / 200 / sizes[block]
             clock = self._clock(block)
             taken = self._step(clock)
             if taken is None:
                 return None
             state, reach, following = taken
             after = self._determinants(state)
-            crossed = np.flatnonzero(after * self.scaled <= 0).tolist()
+            crossed = [k for k, (now, then) in enumerate(zip(after, self.scaled, strict=True)) if now * then <= 0]
             if crossed and not self._at_once(crossed, block, after):
                 self.length = reach / 4
                 continue
@@ -119,7 +121,7 @@ class Walk:
     def _begin(self, state: Array) -> None:
         self.state, self.scaled, self.length, self.way = state, self._determinants(state), 0.0, [state]
 
-    def _determinants(self, state: Array) -> Array:
+    def _determinants(self, state: Array) -> list[float]:
         *q, t = state.tolist()
         return self.flow.scaled(t, q)
 
@@ -130,8 +132,8 @@ class Walk:
         """Return the next state that is accurate enough, its distance and the next length; None where the law of a table ends."""
         t = float(self.state[-1])
         slope = self.slope = clock.slope(self.state)
-        sizes = 1.0 + np.abs(self.state)
-        sizes[-1] = self.end
+        allowed = [self.tolerance * (1.0 + abs(value)) for value in self.state.tolist()]
+        allowed[-1] = self.tolerance * self.end
         while True:
             try:
                 after, error = clock.step(self.state, slope, self.length)
@@ -145,21 +147,22 @@ class Walk:
                 why = fault.faults[0].message if isinstance(fault, OutsideTable) else say("event.no_value")
                 ahead = [(self.state + slope * self.length * 4.0**further).tolist() for further in range(1, 12)]
                 raise NotFollowed(say("fault.V512", time=t, reason=why), t, ahead) from fault
-            ratio = float(np.max(np.abs(error) / (self.tolerance * sizes)))
+            shares = [abs(off) / most for off, most in zip(error, allowed, strict=True)]
+            ratio = math.inf if math.isnan(sum(shares)) else max(shares)
             if ratio <= 1.0:
                 self.peaks.see(Piece(self.state, slope, clock, self.length))
                 return after, self.length, next_length(self.length, ratio, 8)
-            self.length = next_length(self.length, ratio if np.isfinite(ratio) else 1e10, 8)
+            self.length = next_length(self.length, min(ratio, 1e10), 8)
 
     def _reached(self, clock: Clock, part: float) -> Array:
         return clock.step(self.state, self.slope, part)[0]
 
-    def _at_once(self, crossed: list[int], block: int, after: Array) -> bool:
+    def _at_once(self, crossed: list[int], block: int, after: Sequence[float]) -> bool:
         """Return whether only the clock's determinant changes its sign, or several so close together that they do it at once."""
         return crossed == [block] or (block in crossed and max(abs(after[k]) + abs(self.scaled[k]) for k in crossed) < 1e-9)
 
     def _inside(
-        self, clock: Clock, reach: float, ahead: Array, after: Array, block: int, crossed: bool
+        self, clock: Clock, reach: float, ahead: Array, after: Sequence[float], block: int, crossed: bool
     ) -> tuple[Event | None, float]:  # fmt: skip
         """Return the event inside a step and its part of the step, (None, 0) where there is none.
 
@@ -169,13 +172,13 @@ class Walk:
             return None, 0.0
 
         def value(state: Array) -> float:
-            return float(self._determinants(state)[block] / self.scaled[block])
+            return self._determinants(state)[block] / self.scaled[block]
 
         lowest = reach if crossed else self._lowest(clock, reach, ahead, block)
         if not lowest:
             return None, 0.0
         bottom = self._reached(clock, lowest)
-        smallest = value(bottom) * abs(float(self.scaled[block]))
+        smallest = value(bottom) * abs(self.scaled[block])
         if smallest <= TOUCH:
             state, part = self._root(clock, lowest, value)
             return self._event(state, block), part
@@ -224,7 +227,7 @@ class Walk:
 
     def _at_rest(self, block: int) -> Event | None:
         """Return the change point, or the dead point that only time approaches, at which the flow comes to rest."""
-        size = abs(float(self.scaled[block]))
+        size = abs(self.scaled[block])
         if size < STALLED:
             return self._event(self._ahead(block), block)
         if size > self.tried / 2:
@@ -235,16 +238,16 @@ class Walk:
     def _ahead(self, block: int) -> Array:
         """Return the state at which a determinant that time alone moves is zero: a simple zero, or a touch."""
         *q, t = self.state.tolist()
-        now, nudge = float(self.scaled[block]), 1e-6 * self.end
-        rate = float(self.flow.scaled(t + nudge, q)[block] - self.flow.scaled(t - nudge, q)[block]) / (2 * nudge)
+        now, nudge = self.scaled[block], 1e-6 * self.end
+        rate = (self.flow.scaled(t + nudge, q)[block] - self.flow.scaled(t - nudge, q)[block]) / (2 * nudge)
         times = [t - order * now / rate for order in (1, 2)] if rate else [t]
-        return np.array([*q, min(times, key=lambda at: abs(float(self.flow.scaled(at, q)[block])))])
+        return np.array([*q, min(times, key=lambda at: abs(self.flow.scaled(at, q)[block]))])
 
     def _change_point(self, state: Array, block: int) -> Event | None:
         """Return the change point that the motion meets near a state, if there is one."""
         *q, t = state.tolist()
-        size = np.abs(self._determinants(state))
-        block = int(np.flatnonzero(size <= 10 * size[block])[0])
+        sizes = [abs(size) for size in self._determinants(state)]
+        block = next(k for k, size in enumerate(sizes) if size <= 10 * sizes[block])
         slope = np.array(self.flow.slopes(t, q, block))
         rates = slope[:-1] / slope[-1] if abs(slope[-1]) > 1e-9 else self.flow.part(t, q, block)[2]
         found = nearest_change_point(self.flow, t, state[:-1], block, rates)
@@ -261,7 +264,7 @@ class Walk:
         return event or self._named("dead point", float(state[-1]), state[:-1], block)
 
     def _named(self, kind: str, time: float, position: Array, block: int) -> Event:
-        size = np.abs(self.flow.scaled(time, position.tolist()))
-        together = tuple(int(k) for k in range(len(size)) if size[k] < TOGETHER or k == block)
+        sizes = self.flow.scaled(time, position.tolist())
+        together = tuple(k for k, size in enumerate(sizes) if abs(size) < TOGETHER or k == block)
         demanded = self.flow.demand(time, position.tolist(), together[0])
         return Event(kind, together[0], time, position, demanded, together)

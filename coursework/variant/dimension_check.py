@@ -5,7 +5,7 @@ Enters: a `Variant` as read, its `Source`, the formulas of its times.  Leaves: `
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import chain, islice
 
@@ -25,13 +25,13 @@ _MOST_PARTS = 300_000
 
 @dataclass(frozen=True, slots=True)
 class Dimensions:
-    """What was found: `names` as they entered, and what each is `known` to measure.
+    """What was found: `places` that were judged, and what each name is `known` to measure.
 
     `fault`, or in a file whose data carry no units the `disagreement` (path, label, two formulas); `numbers`: terms of
     velocity equations whose number had to measure something (SI unit); `times_as_angles`: calls such as sin(t).
     """
 
-    names: Mapping[str, Dimension]
+    places: tuple[Place, ...]
     known: Mapping[str, Dimension]
     fault: Fault | None
     disagreement: tuple[Path, Sentence] | None
@@ -60,8 +60,9 @@ class _Outcome:
 
 def check_dimensions(variant: Variant, source: Source, times: Mapping[Path, Formula]) -> Dimensions:
     """Return whether every +, =, argument and place of a file can hold, exponents of length and time being unknowns."""
-    outcome = _pass(variant, times)
-    names = outcome.measurer.names
+    names = measures(variant)
+    listed = tuple(places(variant, names, times))
+    outcome = _pass(variant, names, listed)
     known = {name: found for name in names if (found := outcome.solved(names[name])) is not None}
     fault = disagreement = None
     if outcome.clash and outcome.place:
@@ -69,15 +70,20 @@ def check_dimensions(variant: Variant, source: Source, times: Mapping[Path, Form
             fault = _fault(outcome.clash, outcome.place, outcome, variant, source, times)
         else:
             disagreement = outcome.place.path, disagreement_of(outcome.place, outcome.clash)
-    return Dimensions(names, known, fault, disagreement, tuple(outcome.numbers), tuple(outcome.times_as_angles))
+    return Dimensions(listed, known, fault, disagreement, tuple(outcome.numbers), tuple(outcome.times_as_angles))
 
 
-def _pass(variant: Variant, times: Mapping[Path, Formula], free: Path | None = None) -> _Outcome:
+def _freed(variant: Variant, times: Mapping[Path, Formula], free: Path | None = None) -> _Outcome:
+    """Return a pass in which the datum at the path `free` may measure anything."""
     names = measures(variant, free)
+    return _pass(variant, names, places(variant, names, times))
+
+
+def _pass(variant: Variant, names: dict[str, Dimension], listed: Iterable[Place]) -> _Outcome:
     measurer = Measurer(names, frozenset(given.name for given in variant.given if given.si))
     outcome = _Outcome(measurer)
     factors = []
-    for place in places(variant, names, times):
+    for place in listed:
         counted, angles = len(measurer.factors), len(measurer.times_as_angles)
         try:
             _judge(place, measurer)
@@ -109,7 +115,7 @@ def _fault(
     passes = max(1, _MOST_PARTS // (len(names) + parts))
     data = [*_data(variant)]
     tried = data if len(data) <= passes else []
-    candidates = [(datum, freed) for datum in tried if (freed := _pass(variant, times, datum.path)).clash is None]
+    candidates = [(datum, freed) for datum in tried if (freed := _freed(variant, times, datum.path)).clash is None]
     must = candidates[0][1].solved({candidates[0][0].name: 1}) if len(candidates) == 1 else None
     if must is None or not si_unit(must):
         return source.fault(at, fault_of_terms(place, clash, outcome.solved))
@@ -151,7 +157,7 @@ def _mends_itself(place: Place, variant: Variant, times: Mapping[Path, Formula],
             tuple(replace(law, formula=shorter) if law.name == place.path[1] and law.formula else law for law in laws)
             for laws in (variant.drive, variant.functions)
         )
-        if _pass(replace(variant, drive=drive, functions=functions), times).clash is None:
+        if _freed(replace(variant, drive=drive, functions=functions), times).clash is None:
             return True
     return False
 

@@ -7,6 +7,7 @@ Used by `reader.py`.
 from __future__ import annotations
 
 import math
+import operator
 from collections.abc import Callable
 from typing import Literal
 
@@ -156,8 +157,8 @@ class Parts:
 
     def _resolve(self, path: Path, tree: Formula, scope: str) -> Formula:
         if tree.op != "name":
-            args = tuple(self._resolve(path, arg, scope) for arg in tree.args)
-            return Formula(tree.op, args, tree.name, tree.column)
+            args = tuple([self._resolve(path, arg, scope) for arg in tree.args])
+            return tree if all(map(operator.is_, args, tree.args)) else Formula(tree.op, args, tree.name, tree.column)
         name = self.names.canonical(tree.name)
         kind = self.names.kinds.get(name)
         if name not in {"t", "pi"} and kind not in _SCOPES[scope]:
@@ -170,7 +171,7 @@ class Parts:
                 allowed = [known for known, its in self.names.kinds.items() if its in _SCOPES[scope]] if few else []
                 advice = closest(name, [*allowed, "t", "pi"]) or say("fault.part.declare")
                 self.undeclared(path, say("fault.V053", name=tree.name[:40], hint=advice), tree.column)
-        return Formula("name", (), name, tree.column)
+        return tree if name == tree.name else Formula("name", (), name, tree.column)
 
     def _kind(self, path: Path, tree: Formula) -> str:
         """Return scalar or vector; "?" after a fault."""

@@ -6,7 +6,7 @@ Enters: a `Variant`, what its names measure, the places of grads.  Leaves: `Rema
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 
 from coursework.dimensions.exponents import LENGTH
 from coursework.formula.tree import Formula, terms
@@ -14,7 +14,7 @@ from coursework.formula.units import UNITS
 from coursework.sentences import Sentence, say
 from coursework.variant.dimension_check import Dimensions
 from coursework.variant.dimension_words import text_of
-from coursework.variant.places import Path, Place, places
+from coursework.variant.places import Path, Place
 from coursework.variant.record import Given, Remark, Variant
 from coursework.variant.source import Source
 
@@ -24,12 +24,12 @@ _FAR = 30.0
 _LENGTHS = ("mm", "cm", "m"), ("мм", "см", "м")
 
 
-def remarks_on(
-    variant: Variant, dimensions: Dimensions, source: Source, times: Mapping[Path, Formula], grads: Iterable[tuple[Path, str]]
-) -> tuple[Remark, ...]:
+def remarks_on(variant: Variant, dimensions: Dimensions, source: Source, grads: Iterable[tuple[Path, str]]) -> tuple[Remark, ...]:
     """Return every remark on a file, in file order."""
+    angles = tuple(_terms_of_angles(dimensions.places))
+    phases = {term.name for _, term in angles if term.op == "name"}  # names that stand alone as a term of an angle
     found = [
-        *_angles(variant, dimensions, times), *_lengths(variant, dimensions), *_bare(variant, dimensions, times),
+        *_angles(variant, dimensions, angles, phases), *_lengths(variant, dimensions), *_bare(variant, dimensions, phases),
         *_left_out(variant, dimensions),
         *(("GRAD", path, say("remark.grad", text=text, degrees=text.split("g")[0].strip())) for path, text in grads),
     ]  # fmt: skip
@@ -40,7 +40,9 @@ def remarks_on(
 _Found = tuple[str, Path, Sentence]
 
 
-def _angles(variant: Variant, dimensions: Dimensions, times: Mapping[Path, Formula]) -> Iterator[_Found]:
+def _angles(
+    variant: Variant, dimensions: Dimensions, angles: Iterable[tuple[Place, Formula]], phases: Collection[str]
+) -> Iterator[_Found]:
     """Yield starts and phases beyond a turn that are written in rad or without unit: degrees, perhaps."""
     for coordinate in variant.coordinates:
         if (
@@ -49,11 +51,10 @@ def _angles(variant: Variant, dimensions: Dimensions, times: Mapping[Path, Formu
             and (coordinate.bare or coordinate.written in {"rad", "рад"})
         ):
             yield from _turned(coordinate.name, coordinate.start, coordinate.text, ("coordinates", coordinate.name))
-    phases = _phases(variant, dimensions, times)
     for given in variant.given:
         if given.name in phases and given.unit in {"", "rad", "рад"} and not dimensions.known.get(given.name, {}):
             yield from _turned(given.name, given.value, given.text, ("given", given.name))
-    for place, term in _terms_of_angles(variant, dimensions, times):
+    for place, term in angles:
         size = float(term.name) if term.op == "number" and not term.si else 0.0
         if size > _TURN * (1 + 1e-12):
             yield "ANGLE", place.path, say("remark.angle_in", place=place.label, text=f"{size:.10g}", turns=size / _TURN)
@@ -98,13 +99,12 @@ def _nearer(given: Given, neighbour: Given) -> str:
     return unit if far < math.log(_FAR) and unit != (given.unit or "m") else ""
 
 
-def _bare(variant: Variant, dimensions: Dimensions, times: Mapping[Path, Formula]) -> Iterator[_Found]:
+def _bare(variant: Variant, dimensions: Dimensions, phases: Collection[str]) -> Iterator[_Found]:
     """Yield data and starts without a unit beside others with one; plain numbers and zeros need none."""
     if dimensions.disagreement:
         return  # what is known of the others is then no more than a guess
     if not any(g.unit for g in variant.given) and not any(c.said and c.text for c in variant.coordinates):
         return
-    phases = _phases(variant, dimensions, times)
     for given in variant.given:
         measured = dimensions.known.get(given.name)
         if not given.si and given.value and (measured or (measured is not None and given.name in phases)):
@@ -132,14 +132,9 @@ def _left_out(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
         yield "NO-UNIT", path, told
 
 
-def _phases(variant: Variant, dimensions: Dimensions, times: Mapping[Path, Formula]) -> set[str]:
-    """Return the names that stand alone as a term of an angle."""
-    return {term.name for _, term in _terms_of_angles(variant, dimensions, times) if term.op == "name"}
-
-
-def _terms_of_angles(variant: Variant, dimensions: Dimensions, times: Mapping[Path, Formula]) -> Iterator[tuple[Place, Formula]]:
+def _terms_of_angles(places: Iterable[Place]) -> Iterator[tuple[Place, Formula]]:
     """Yield what stands as a term of an angle, and where: in sin, cos, tan, behind @, or where an angle is wanted."""
-    for place in places(variant, dimensions.names, times):
+    for place in places:
         for tree in place.formulas:
             if place.wanted == {}:
                 yield from ((place, term) for term in terms(tree))

@@ -15,6 +15,8 @@ _STRING = re.compile(
     r'''"""(?:\\.|[^\\])*?"{3,5}|\'\'\'.*?\'{3,5}|"(?:\\.|[^"\\\n])*"|'[^'\n]*\'''', re.DOTALL
 )  # fmt: skip
 _BARE = re.compile(r"[^,\]}#\n]+")
+# A key and a value on one line, as nearly every pair is.
+_PLAIN = re.compile(r"""([\w-]+)[ \t]*=[ \t]*(?!\"{3}|'{3})("(?:\\.|[^"\\\n])*"|'[^'\n]*'|[^\s"'\[{,\]}#][^,\]}#\n]*)""")
 
 Path = tuple[str | int, ...]
 
@@ -93,6 +95,13 @@ class _Scanner:
 
     def pair(self, table: Path) -> None:
         begin = self.place()
+        if plain := _PLAIN.match(self.text, self.at):
+            path = (*table, plain[1])
+            self.found.keys.setdefault(path, begin)
+            first, self.at = plain.start(2), plain.end()
+            self.found.values.setdefault(path, (begin[0], begin[1] + first - plain.start()))
+            self.found.spans.setdefault(path, (first, first + len(plain[2].rstrip())))
+            return
         path = (*table, *self.key())
         self.found.keys.setdefault(path, begin)
         self.at = min(len(self.text), self.text.find("=", self.at) + 1 or len(self.text))

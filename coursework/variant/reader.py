@@ -94,7 +94,7 @@ def _build(source: Source, name: str, path: Path | None) -> Variant:
         parts.faults.append(slip)
     if parts.faults:
         raise InputError(parts.faults)
-    remarks = remarks_on(variant, dimensions, source, parts.times, parts.grads)
+    remarks = remarks_on(variant, dimensions, source, parts.grads)
     return replace(variant, plausibility=remarks, times=parts.times, reread=partial(_read_again, source, name, path))
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 import pathlib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any
 
 from coursework.errors import InputError
@@ -41,7 +42,7 @@ MAX_NUMBERS = 4_000_000  # of a table: rows times columns
 MOST_PERIODS = 10_000  # of one run
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Variant:
     """One variant of the coursework, complete.
 
@@ -90,12 +91,12 @@ class Variant:
         laws = (law.name for law in (*self.drive, *self.functions))
         return tuple(dict.fromkeys(["t", *self.values, *laws, *self.columns]))
 
-    @property
+    @cached_property
     def rates(self) -> tuple[str, ...]:
         """Return the names of the rates, in the order of the coordinates."""
         return tuple(coordinate.rate for coordinate in self.coordinates)
 
-    @property
+    @cached_property
     def known_rates(self) -> tuple[str, ...]:
         """Return the rates that stand in [drive]."""
         laws = {law.name for law in self.drive}
@@ -107,7 +108,7 @@ class Variant:
         known = set(self.known_rates)
         return (*(rate for rate in self.rates if rate not in known), *(name for name, _ in self.unknowns))
 
-    @property
+    @cached_property
     def columns(self) -> tuple[str, ...]:
         """Return the table's columns after t."""
         return (*(c.name for c in self.coordinates), *self.rates, *(name for name, _ in self.unknowns))
@@ -135,12 +136,13 @@ class Variant:
 
     def unit_of(self, column: str) -> str:
         """Return the SI unit of a column of the table (angles "rad", rates "rad/s")."""
-        for coordinate in self.coordinates:
-            if column == coordinate.name:
-                return coordinate.unit
-            if column == coordinate.rate:
-                return "rad/s" if coordinate.unit == "rad" else "m/s"
-        return dict(self.unknowns).get(column, "s" if column == "t" else "").replace("1/s", "rad/s")
+        return self._units.get(column, "")
+
+    @cached_property
+    def _units(self) -> dict[str, str]:
+        units = {"t": "s"} | {name: unit.replace("1/s", "rad/s") for name, unit in self.unknowns}
+        units |= {c.rate: "rad/s" if c.unit == "rad" else "m/s" for c in self.coordinates}
+        return units | {c.name: c.unit for c in self.coordinates}
 
     def timed(self, step: float | None = None, end: float | None = None) -> Variant:
         """Return the variant with another step or end (s)."""

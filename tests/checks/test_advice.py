@@ -31,7 +31,7 @@ def test_every_nth_row_is_a_row_of_the_old_table(name, options):
     assert np.allclose(again.motion.t[::parts][: len(run.motion.t)], run.motion.t, rtol=1e-15, atol=0)
 
 
-@pytest.mark.parametrize(("step", "option"), [(None, "h/19"), (0.02 / 2, "h/18"), (0.03, None), (0.0137, None)])
+@pytest.mark.parametrize(("step", "option"), [(None, "h/18"), (0.02 / 2, "h/20"), (0.03, None), (0.0137, None)])
 def test_the_step_is_a_part_of_the_files_own_where_it_can_be(step, option):
     run = solve("31", step=step)
     accuracy = found(run, "ACCURACY")

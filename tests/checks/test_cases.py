@@ -25,16 +25,16 @@ def test_run_31_says_in_its_first_line_that_phi1_is_off_by_70_percent(tmp_path, 
     done = CliRunner().invoke(main, ["run", "31", "--format", "csv"])
     assert done.exit_code == 0
     assert done.stdout.splitlines()[0] == (
-        "The table is computed right: 5 of 5. It is not close to the motion: largest error 70 % (phi1, row 20); take --step h/19."
+        "The table is computed right: 5 of 5. It is not close to the motion: largest error 70 % (phi1, row 20); take --step h/18."
     )
     record = json.loads((tmp_path / "coursework-31" / "run.json").read_text(encoding="utf-8"))
     assert record["summary"] == done.stdout.splitlines()[0]
     accuracy = next(check for check in record["checks"] if check["code"] == "ACCURACY")
     assert (accuracy["column"], accuracy["row"], accuracy["verdict"], accuracy["unit"]) == ("phi1", 20, "COARSE", "of the scale")
     assert accuracy["value"] == pytest.approx(0.70, abs=0.005)
-    assert accuracy["step"] == 0.02 / 19
-    assert accuracy["sentence"].endswith("Take --step h/19 (0.00105263 s), or --scheme rk4 at this step (0.005 %).")
-    again = CliRunner().invoke(main, ["run", "31", "--step", "h/19", "--strict", "--format", "csv"])
+    assert accuracy["step"] == 0.02 / 18
+    assert accuracy["sentence"].endswith("Take --step h/18 (0.00111111 s), or --scheme rk4 at this step (0.005 %).")
+    again = CliRunner().invoke(main, ["run", "31", "--step", "h/18", "--strict", "--format", "csv"])
     assert again.exit_code == 0, again.output
 
 
