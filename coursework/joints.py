@@ -7,6 +7,7 @@ Used by `mechanism.py` (mobility), `reduction/meaning.py`, `drawing/tracing.py` 
 from __future__ import annotations
 
 import itertools
+import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
@@ -120,6 +121,26 @@ def chain_of_groups(variant: Variant, points: Mapping[str, Formula]) -> Linkage:
             holds[body].append(name)
     coordinates = {body: coordinate for coordinate, body in carried.items()}
     return Linkage(tuple(carried.values()), tuple(joints), coordinates, {body: tuple(names) for body, names in holds.items()})
+
+
+def link_names(chain: Linkage, variant: Variant) -> dict[str, str]:
+    """Return what each body of a chain is called: by the number of its rate (w3: 3), what turns before what slides; else the
+    next free.
+
+    >>> from coursework.api import load
+    >>> variant = load("walschaerts")
+    >>> chain = chain_of_groups(variant, dict(variant.points))
+    >>> {chain.coordinates[body]: name for body, name in link_names(chain, variant).items()}
+    {'phi1': '1', 'phi3': '3', 'phi2': '2', 's4': '6', 'phi4': '4', 's5': '7', 'phi5': '5'}
+    """
+    coordinates = {c.name: c for c in variant.coordinates}
+    carried = {body: coordinates[name] for body, name in chain.coordinates.items()}
+    wanted = dict.fromkeys(chain.bodies, "")
+    for body in sorted(chain.bodies, key=lambda body: carried[body].unit != "rad"):
+        digits = re.search(r"\d+$", carried[body].rate)
+        wanted[body] = digits[0] if digits and digits[0] not in wanted.values() else ""
+    free = (str(k) for k in range(1, 2 * len(wanted) + 1) if str(k) not in wanted.values())
+    return {body: name or next(free) for body, name in wanted.items()}
 
 
 def _guide(group: Group, index: int, carried: Mapping[str, str], points: Mapping[str, Formula]) -> str:

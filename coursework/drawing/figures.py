@@ -6,6 +6,7 @@ Used by `run.py`.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import partial
@@ -28,6 +29,7 @@ from coursework.sentences import Sentence, say
 
 HIGHEST = 86.0  # mm: with its caption the drawing leaves room on the first page
 ARROW = 13.0  # mm, of a driven velocity: its direction counts, not its size
+PARTS = (0.1, 0.3, 0.5, 0.7, 0.9)  # of a link: where it may be taken for what a word names
 VELOCITY = 'stroke="black" stroke-width="0.4"'
 
 
@@ -127,13 +129,15 @@ def _lengths(painter: Painter, sheet: Sheet, mechanism: Mechanism) -> None:
     for track, (_, radius) in zip(painter.outline.tracks, mechanism.variant.frame.circles, strict=True):
         if wheel := painter.wheel_on(track):
             named.append((radius, painter.at[track.centre], painter.at[wheel.contact]))
-    for length, *ends in named:
+    along = [[begin + part * (end - begin) for part in PARTS] for _, begin, end in named]
+    for place, (length, *ends) in enumerate(named):
         text = length_text(length) if length is not None else ""
         if text and abs(ends[1] - ends[0]) > 4:
             side = 1j * (ends[1] - ends[0])
             middle = sum(ends) / 2
             towards = -side if _dot(side, middle - painter.middle) > 0 else side
-            sheet.label((text, "", ""), [(middle, towards, 1.0)], ITALIC)
+            others = list(itertools.chain(*along[:place], *along[place + 1 :]))
+            sheet.label((text, "", ""), [(middle, towards, 1.0)], ITALIC, others=others)
 
 
 def _driven_words(outline: Outline) -> Sentence:

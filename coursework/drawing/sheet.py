@@ -30,7 +30,7 @@ GAP, SIDE_BY_SIDE = 2.2, 4.0  # mm: words nearer on one line read as one; mm of 
 CROSSED = 3.0  # mm of way that a word with its value rather takes than lying on a line; a name stays near what it names
 CROWDED = 8.0  # mm of lines: directions of the axes among more than that are not seen
 BEYOND, MARGIN = 30.0, 0.5  # mm of lines for each mm beyond the field; mm kept free around a word
-MISTAKEN = 8.0  # mm of lines that a word rather covers than standing nearer to what another word belongs to, times CROSSED
+MISTAKEN = 4.0  # mm of lines that a word rather covers than standing nearer to what another word belongs to, times CROSSED
 BOLD, ITALIC = 'font-weight="bold"', 'font-style="italic"'
 Rectangle = tuple[float, float, float, float]
 Word = tuple[str, str, str]  # text, what is set lower, what follows

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from coursework.drawing.lengths import arm_base
 from coursework.drawing.outline import Bar, Block, Outline, Rail, Slot, Track, Wheel
 from coursework.formula.tree import Formula, number
-from coursework.joints import FRAME, Linkage, chain_of_groups
+from coursework.joints import FRAME, Linkage, chain_of_groups, link_names
 from coursework.mechanism import Mechanism
 from coursework.variant.record import Variant
 
@@ -84,7 +84,7 @@ class _Pencil:
 
     def groups(self, linkage: Linkage) -> None:
         """Draw the bodies of a chain by their joints."""
-        called = self.called(linkage)
+        called = link_names(linkage, self.variant)
         corners: dict[str, list[str]] = {body: [] for body in linkage.bodies}
         for joint in linkage.joints:
             at = self.name_of(joint.where) if joint.where is not None else ""
@@ -120,16 +120,6 @@ class _Pencil:
             if angle not in parallel:
                 at = self.name_of(place)
                 self.rails.append(Rail(at, at, self.direction(at, angle)))
-
-    def called(self, linkage: Linkage) -> dict[str, str]:
-        """Return what each body of a chain is called: by the number of its rate (w3: 3), else the next free."""
-        rates = {c.name: c.rate for c in self.variant.coordinates}
-        wanted: dict[str, str] = {}
-        for body in linkage.bodies:
-            digits = re.search(r"\d+$", rates[linkage.coordinates[body]])
-            wanted[body] = digits[0] if digits and digits[0] not in wanted.values() else ""
-        free = (str(k) for k in range(1, 2 * len(wanted) + 1) if str(k) not in wanted.values())
-        return {body: name or next(free) for body, name in wanted.items()}
 
     def arms(self) -> None:
         """Draw what turns with a coordinate that no link and no group has: the arms between the points it places."""

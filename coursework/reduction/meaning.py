@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from functools import reduce
 
 from coursework.formula.tree import Formula, FormulaFault, evaluate, spelled
-from coursework.joints import linkage
+from coursework.joints import link_names, linkage
 from coursework.sentences import joined, say
 from coursework.variant.record import Variant
 
@@ -111,9 +111,10 @@ def _link(angle: str, variant: Variant) -> str:
 
 
 def _bodies(angle: str, variant: Variant) -> list[str]:
-    """Return the body of a chain of groups that goes with an angle, where no link is listed."""
+    """Return what the body of a chain of groups that goes with an angle is called, where no link is listed."""
     chain = linkage(variant, dict(variant.points)) if variant.groups and not variant.links else None
-    return [body for body, coordinate in chain.coordinates.items() if coordinate == angle] if chain else []
+    names = link_names(chain, variant) if chain else {}
+    return [name for body, name in names.items() if chain and chain.coordinates[body] == angle]
 
 
 def _listed(angles: list[str], variant: Variant) -> object:

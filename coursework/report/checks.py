@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from coursework.checks.result import GROUPS, VERDICTS, Finding
 from coursework.page_text import clean
+from coursework.report.numbers import ROUND_OFF
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Cell, Checks, Judged, Paragraph, Part, Runs
 from coursework.report.tables import thinned
@@ -71,7 +72,8 @@ def _lines(context: PageContext, check: Finding) -> tuple[list[str], list[list[C
     parts = [_line(context, label) for label, _, _ in check.rows]
     columns = list(dict.fromkeys(tail for _, tail in parts))
     rows = list(dict.fromkeys(head for head, _ in parts))
-    values = {pair: numeral(context.numbers.scalar(row[1])) for pair, row in zip(parts, check.rows, strict=True)}
+    noise = ROUND_OFF * max((abs(row[1]) for row in check.rows), default=0.0)
+    values = {pair: numeral(context.numbers.scalar(_seen(row, noise))) for pair, row in zip(parts, check.rows, strict=True)}
     units = {head: {row[2] for (own, _), row in zip(parts, check.rows, strict=True) if own == head} for head in rows}
     complete = len(columns) > 1 and all(columns) and len(values) == len(check.rows) == len(columns) * len(rows)
     if complete and all(len(found) == 1 for found in units.values()):
@@ -83,6 +85,14 @@ def _lines(context: PageContext, check: Finding) -> tuple[list[str], list[list[C
         return ["", *(clean(column) for column in columns)], table
     kept = [check.rows[index] for index in thinned(len(check.rows), most=MOST_LINES)]
     return [], [[_label(context, row[0]), _amount(context, row)] for row in kept]
+
+
+def _seen(row: tuple[str, float, str], noise: float) -> float:
+    """Return the amount of a line, 0 where it is round-off beside the largest, unless round-off is what it tells."""
+    label, amount, _ = row
+    part = label.values.get("part") if isinstance(label, Sentence) else None
+    tells = isinstance(part, Sentence) and part.key.endswith(".roundoff")
+    return 0.0 if abs(amount) < noise and not tells else amount
 
 
 def _line(context: PageContext, label: str) -> tuple[str, str]:

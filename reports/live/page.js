@@ -24,7 +24,8 @@ const shown = (value, digits) => {
 };
 // The same without zeros at the end.
 const plain = (value, digits) => written(String(Number(value.toPrecision(digits))));
-const fixed = (value, decimals) => written(value.toFixed(decimals));
+// What rounds to nought has no sign.
+const fixed = (value, decimals) => written(value.toFixed(decimals).replace(/^-(?=0(\.0*)?$)/, ""));
 // The decimals that multiples of a step need; of a step without an end, four digits of it.
 const decimalsOf = (step) => {
   for (let places = 0; places <= 7; places++) if (Math.abs(Number(step.toFixed(places)) - step) <= 1e-9 * step) return places;

@@ -134,6 +134,23 @@ def test_a_bend_too_small_to_be_seen_has_no_picture(real: ModuleType) -> None:
     assert pictures("whitworth") == ["tangent"]
 
 
+def test_round_off_in_the_table_of_a_check_prints_nought(real: ModuleType) -> None:
+    def lines(run: Any, code: str) -> dict[str, list[str]]:
+        judged = next(
+            item
+            for part in real.parts(run, "checks")
+            if part["kind"] == "checks"
+            for item in part["items"]
+            if item["code"] == code
+        )
+        return {real.text_of(row[0]): [real.text_of(cell) for cell in row[1:]] for row in judged["lines"]}
+
+    assert lines(coursework.solve("watt"), "PERIOD-POSITION")["φ1, rad"] == ["0"] * 6
+    own = lines(real.full(), "PERIOD-POSITION")["φ3, rad"]
+    assert own[2] == "0.04675"
+    assert "·10" in own[5]  # the column that tells of round-off keeps it
+
+
 def test_the_first_row_stands_beside_the_last(real: ModuleType) -> None:
     """The parts are those of numerics.md 1: scheme and period add up to the difference."""
     tables = [part for part in real.parts(real.full(), "results") if part["kind"] == "table"]
@@ -184,6 +201,7 @@ def test_a_datum_called_t_is_not_the_period(real: ModuleType) -> None:
         ("v101", "is zero where link 3 stands at a right angle to the direction β: "),
         ("v104", "is zero where the lever arms of link 3 and link 4 cancel: "),
         ("variable-crank", "is zero where link 2 is vertical: "),
+        ("walschaerts", "is zero where link 5 is vertical: "),  # ω5 is its angular velocity
     ],
 )
 def test_where_a_determinant_vanishes_is_said_of_the_links(real: ModuleType, name: str, sentence: str) -> None:
