@@ -1,6 +1,10 @@
 // The laboratory: step, scheme and one datum are moved; table, graphs, error, work and time follow at once.
 // Enters: `motion`, `panels`, `lines`, `watch`, the controls of the page.  Leaves: `laboratory`; `changed` tells the animation.
+// What a move does before the next paint, in evaluations: what they leave of it goes to graphs and lines, PIECE for each, and
+// a part of it to the cells of the table.  Pieces that come with each paint after it.
+const MOMENT = 7000, PIECE = 1500, NEXT = 4;
 const laboratory = {
+  turn: 0,
   prepare() {
     const option = (list, value, text) => {
       const made = document.createElement("option");
@@ -30,7 +34,7 @@ const laboratory = {
       this.slide();
       this.move({});
     });
-    work.begin(this.answer(), Infinity);
+    work.begin(this.answer(Infinity), Infinity);
   },
   // Set the slider of the datum: its range and the value of the file.
   slide() {
@@ -45,29 +49,39 @@ const laboratory = {
     work.begin(this.answer());
   },
   // Everything that follows from a move.  What takes longer than a moment is drawn from a sketch first, its numbers left open.
-  // What is in sight is answered at once, the rest of table and graphs while the page has nothing else to do.
-  *answer() {
-    const inSight = panels.inSight();
+  // Graphs and lines of the table come a few before the next paint and a few with each one after it, those in sight first.
+  *answer(cells = 0) {
     motion.choose();
     watch.open();
     this.tellMoved();
-    if (motion.cost > AT_ONCE) {
+    const { cost } = motion, left = Math.max(PIECE, MOMENT - cost), begun = this.turn;
+    if (cost > AT_ONCE) {
       motion.sketch();
       for (const id of ["lab-error", "lab-evaluations"]) tell(id, "…", "");
       tell("lab-dead", "", "");
       for (const id of ["lab-where", "lab-ratio", "lab-lost"]) tell(id, "");
-      panels.draw(inSight);
       changed();
-      yield Infinity;
+      this.draw(panels.seen, 1);
+      yield FRAME;
     }
     yield* motion.compute();
     this.tellFound();
-    panels.draw(inSight);
     changed();
-    yield* lines.write();
-    yield FRAME;
-    panels.draw(panels.all.filter((one) => !inSight.includes(one)));
+    lines.open();
+    const inSight = () => [...panels.seen, ...lines.seen];
+    this.draw(inSight(), left / PIECE);
+    yield* lines.write(cells || left / 4);
+    for (const pieces of [() => inSight(), () => [...panels.all, ...lines.all]]) {
+      for (let late; (late = pieces().filter((one) => one.turn <= begun)).length; this.draw(late, NEXT)) yield FRAME;
+    }
     watch.later();
+  },
+  // Draw so many pieces.  What has waited longest comes first: while a slider is dragged each has its turn.
+  draw(pieces, many) {
+    for (const piece of pieces.sort((a, b) => a.turn - b.turn).slice(0, many)) {
+      piece.turn = ++this.turn;
+      piece.draw();
+    }
   },
   tellMoved() {
     const steps = Math.max(0, motion.count - 1);

@@ -1,9 +1,9 @@
 // The table of what is tried, one line for each of its rows; the one at which the animation stands is marked.
 // Enters: `motion`.  Leaves: `lines`.  Lines are as high as the stylesheet says, so that nobody has to measure them.
-// What writing a cell and making one cost, in evaluations; px; cells that are spelled out for a frame.
-const CELL = 4, NEW_CELL = 12, HEIGHT = 22, SPELLED = 120;
+// How many cells that have to be written making one costs; px; cells that are spelled out together.
+const NEW_CELL = 5, HEIGHT = 22, SPELLED = 60;
 const lines = {
-  columns: ["t", ...data.shown], kept: [], lit: null, inSight: 15, top: 0,
+  columns: ["t", ...data.shown], made: [], groups: [], count: 0, lit: null, inSight: 15, top: 0,
   prepare() {
     const row = document.createElement("tr");
     row.setAttribute("role", "row");
@@ -24,8 +24,9 @@ const lines = {
     this.box.addEventListener("scroll", () => (this.top = this.box.scrollTop), { passive: true });
     // How many lines are on the screen, told at every tenth of the box.
     const threshold = [...Array(11).keys()].map((k) => k / 10);
-    const see = ({ isIntersecting, intersectionRect }) => (this.inSight = isIntersecting ? Math.ceil(intersectionRect.height / HEIGHT) + 2 : 0);
+    const see = ({ isIntersecting, intersectionRect }) => (this.inSight = isIntersecting ? Math.ceil(intersectionRect.height / HEIGHT) : 0);
     new IntersectionObserver((entries) => entries.forEach(see), { threshold }).observe(this.box);
+    this.few = Math.ceil(SPELLED / this.columns.length);
     this.blank = document.createElement("tr");
     this.blank.setAttribute("role", "row");
     for (const name of this.columns) {
@@ -35,54 +36,72 @@ const lines = {
       cell.append(" ");
     }
   },
-  // One line of the page for each row of the motion, elements kept from the last time.  Every value is there at once, its text
-  // at once where it is in sight; the other lines are spelled out a few for each frame.
+  make(i) {
+    const line = this.blank.cloneNode(true), cells = [...line.children];
+    line.setAttribute("data-row", i + 1);
+    // Lines that are spelled out together wait for their turn together.
+    if (i % this.few === 0) this.groups.push({ turn: 0, from: i, draw: () => this.spell(i) });
+    return { line, cells, texts: cells.map((cell) => cell.firstChild), values: [], said: [] };
+  },
+  // Take over the rows of the motion; lines behind the last of them go.
   // Of a table finer than that of the file no more is written out than can be read.
-  *write() {
-    const { body } = this, { rows, h } = motion, all = rows.n;
-    const count = Math.min(all, Math.max(data.rows, Math.floor(data.most_cells / this.columns.length)));
-    const columns = data.shown.map((name) => motion.column(false, name).value);
-    const decimals = columns.map((value) => {
+  open() {
+    const { rows, h } = motion, all = rows.n;
+    this.wanted = Math.min(all, Math.max(data.rows, Math.floor(data.most_cells / this.columns.length)));
+    this.value = data.shown.map((name) => motion.column(false, name).value);
+    this.decimals = this.value.map((value) => {
       let largest = 0;
       for (let i = 0; i < all; i++) largest = Math.max(largest, abs(value(i)));
       return largest > 0 ? Math.min(8, Math.max(0, 4 - Math.floor(Math.log10(largest)))) : 0;
     });
-    columns.unshift((i) => i * h);
-    decimals.unshift(decimalsOf(h));
-    while (body.rows.length > count) this.kept.push(body.removeChild(body.lastElementChild));
-    tell("lab-more", count < all ? say("first_rows", { rows: count, all }) : "");
-    const spell = (line, i) => {
-      line.classList.remove("live-later");
-      for (let c = 0, cell = line.firstChild; c < columns.length; c++, cell = cell.nextSibling) {
-        const text = fixed(columns[c](i), decimals[c]);
-        if (cell.firstChild.data !== text) cell.firstChild.data = text;
+    this.value.unshift((i) => i * h);
+    this.decimals.unshift(decimalsOf(h));
+    while (this.count > this.wanted) this.body.removeChild(this.made[--this.count].line);
+    tell("lab-more", this.wanted < all ? say("first_rows", { rows: this.wanted, all }) : "");
+  },
+  // One line of the page for each row, elements kept from the last time, so many cells for a frame; their text comes later.
+  *write(room) {
+    for (let i = 0, left = room; i < this.wanted; i++) {
+      const made = i === this.made.length;
+      if ((left -= this.columns.length * (made ? NEW_CELL : 1)) < 0) {
+        yield FRAME;
+        left = room;
       }
-    };
-    const first = Math.floor(this.top / HEIGHT), later = [];
-    let line = body.firstElementChild;
-    for (let i = 0; i < count; i++, line = line.nextElementSibling) {
-      const made = !line;
-      if (made) {
-        line = this.kept.pop() ?? this.blank.cloneNode(true);
-        line.setAttribute("data-row", i + 1);
+      if (made) this.made.push(this.make(i));
+      const { line, cells, values } = this.made[i];
+      if (i === this.count) {
         line.classList.add("live-later");
-        body.appendChild(line);
+        this.body.appendChild(line);
+        this.count++;
       }
-      for (let c = 0, cell = line.firstChild; c < columns.length; c++, cell = cell.nextSibling) cell.setAttribute("data-value", columns[c](i));
-      if (i >= first && i < first + this.inSight) spell(line, i);
-      else later.push([line, i]);
-      yield (made ? NEW_CELL : CELL) * columns.length;
+      this.value.forEach((value, c) => {
+        const now = value(i);
+        if (values[c] !== now) cells[c].setAttribute("data-value", (values[c] = now));
+      });
     }
     this.light(Number(live.dataset.row), false);
-    const few = Math.ceil(SPELLED / columns.length);
-    for (let k = 0; k < later.length; k++) {
-      if (k % few === 0) yield FRAME;
-      spell(...later[k]);
+  },
+  spell(from) {
+    for (let i = from; i < Math.min(from + this.few, this.count); i++) {
+      const { line, texts, said } = this.made[i];
+      line.classList.remove("live-later");
+      this.value.forEach((value, c) => {
+        const text = fixed(value(i), this.decimals[c]);
+        if (said[c] !== text) texts[c].data = said[c] = text;
+      });
     }
+  },
+  // The groups of lines that there are, and those in sight.
+  get all() {
+    return this.groups.filter(({ from }) => from < this.count);
+  },
+  get seen() {
+    const first = Math.floor(this.top / HEIGHT);
+    return this.all.filter(({ from }) => from + this.few > first && from < first + this.inSight);
   },
   // Mark the line of a row, and keep it in view while the mechanism moves.
   light(row, moving) {
-    const next = this.body?.children[row - 1] ?? null;
+    const next = row <= this.count ? this.made[row - 1].line : null;
     if (this.lit === next) return;
     if (moving && next) {
       // Read before anything is written, so that nothing is laid out twice.

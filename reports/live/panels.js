@@ -50,37 +50,37 @@ const panels = {
       const clip = svg("svg", { x: 0, y: TOP - 3, width: WIDE, height: BOTTOM - TOP + 6, viewBox: `0 ${TOP - 3} ${WIDE} ${BOTTOM - TOP + 6}` }, panel);
       const line = svg("path", { class: "live-true" }, clip), rows = svg("path", { class: "live-table" }, clip);
       const dots = svg("path", { class: "live-dots" }, clip), dead = svg("path", { class: "live-dead" }, panel);
-      return { panel, name, scale, line, rows, dots, dead };
+      const ticked = svg("path", {}, scale), zero = svg("path", { class: "live-zero" }, scale);
+      const made = { turn: 0, panel, name, scale, ticked, zero, texts: [], line, rows, dots, dead, draw: () => this.draw(made) };
+      return made;
     });
   },
   // Those that can be seen now; what is not known yet counts among them.
-  inSight() {
+  get seen() {
     return this.all.filter((one) => one.panel.seen !== false);
   },
-  draw(some) {
+  draw(one) {
     const dead = motion.dead === null ? "" : `M${this.x(motion.dead)} ${TOP}V${BOTTOM}`;
-    for (const one of some) {
-      if (one.drawn !== motion.drawn) this.truth(one);
-      const { n, h, value } = motion.column(false, one.name);
-      const range = [...one.range];
-      for (let i = 0; i < n && !dead; i++) widen(range, value(i));
-      const [low, high] = ends(...range);
-      const y = (value) => f1(Math.max(-999, Math.min(999, BOTTOM - ((BOTTOM - TOP) * (value - low)) / (high - low))));
-      // The line of the true motion is kept; what changes is how its range lies in the panel.
-      const [from, to] = one.range.map(y);
-      change(one.line, "transform", `translate(0 ${from}) scale(1 ${(to - from) / 1000})`);
-      const stride = Math.ceil(n / 200);
-      let joined = "", dotted = "";
-      for (let i = 0; i < n; i += stride) {
-        const at = `${this.x(i * h)} ${y(value(i))}`;
-        joined += `${i ? "L" : "M"}${at}`;
-        if (n <= 80) dotted += `M${at}h0`;
-      }
-      change(one.rows, "d", joined);
-      change(one.dots, "d", dotted);
-      change(one.dead, "d", dead);
-      this.scale(one, low, high, y);
+    if (one.drawn !== motion.drawn) this.truth(one);
+    const { n, h, value } = motion.column(false, one.name);
+    const range = [...one.range];
+    for (let i = 0; i < n && !dead; i++) widen(range, value(i));
+    const [low, high] = ends(...range);
+    const y = (value) => f1(Math.max(-999, Math.min(999, BOTTOM - ((BOTTOM - TOP) * (value - low)) / (high - low))));
+    // The line of the true motion is kept; what changes is how its range lies in the panel.
+    const [from, to] = one.range.map(y);
+    change(one.line, "transform", `translate(0 ${from}) scale(1 ${(to - from) / 1000})`);
+    const stride = Math.ceil(n / 200);
+    let joined = "", dotted = "";
+    for (let i = 0; i < n; i += stride) {
+      const at = `${this.x(i * h)} ${y(value(i))}`;
+      joined += `${i ? "L" : "M"}${at}`;
+      if (n <= 80) dotted += `M${at}h0`;
     }
+    change(one.rows, "d", joined);
+    change(one.dots, "d", dotted);
+    change(one.dead, "d", dead);
+    this.scale(one, low, high, y);
   },
   // The line of the true motion, its range one thousand high.
   truth(one) {
@@ -108,16 +108,19 @@ const panels = {
     const key = `${low} ${high}`;
     if (one.key === key) return;
     one.key = key;
-    one.scale.replaceChildren();
-    let path = "";
-    const few = ticks(low, high, 3);
-    for (const [value, text] of few.length > 1 ? few : ticks(low, high, 6)) {
-      path += `M${LEFT - 3} ${y(value)}h3`;
+    const few = ticks(low, high, 3), marks = few.length > 1 ? few : ticks(low, high, 6);
+    while (one.texts.length > marks.length) one.texts.pop().remove();
+    marks.forEach(([value, written_], i) => {
+      const text = (one.texts[i] ??= svg("text", { x: LEFT - 5, "text-anchor": "end" }, one.scale));
+      if (text.textContent !== written_) text.textContent = written_;
+      change(text, "y", y(value) + 4);
       // A longer number is set closer, so that none is cut off.
-      const room = text.length > 7 ? { textLength: LEFT - 8, lengthAdjust: "spacingAndGlyphs" } : {};
-      svg("text", { x: LEFT - 5, y: y(value) + 4, "text-anchor": "end", ...room }, one.scale).textContent = text;
-    }
-    svg("path", { d: path }, one.scale);
-    if (low < 0 && high > 0) svg("path", { d: `M${LEFT} ${y(0)}H${RIGHT}`, class: "live-zero" }, one.scale);
+      const long = written_.length > 7;
+      if (long === text.hasAttribute("textLength")) return;
+      text.toggleAttribute("textLength", long);
+      if (long) for (const [name, value] of [["textLength", LEFT - 8], ["lengthAdjust", "spacingAndGlyphs"]]) text.setAttribute(name, value);
+    });
+    change(one.ticked, "d", marks.map(([value]) => `M${LEFT - 3} ${y(value)}h3`).join(""));
+    change(one.zero, "d", low < 0 && high > 0 ? `M${LEFT} ${y(0)}H${RIGHT}` : "");
   },
 };

@@ -132,30 +132,48 @@ def test_a_move_does_only_what_it_changes(written: Any, opened: Any) -> None:
     assert again["asked"] == 0
 
 
-def test_a_move_writes_what_is_in_sight_and_then_the_rest(written: Any, opened: Any) -> None:
+# What a move changes, until it is painted and with each paint after it: graphs, and texts of the table.
+BY_FRAME = """([hook, value, event]) => new Promise((told) => {
+  const at = document.querySelector(hook), found = [[0, []]];
+  const take = (changes) => {
+    const now = found.at(-1);
+    for (const {type, target} of changes) {
+      if (type === "characterData") { now[0]++; continue; }
+      const graph = target.closest("[data-panel]").dataset.panel;
+      if (!now[1].includes(graph)) now[1].push(graph);
+    } };
+  const seen = new MutationObserver(take);
+  for (const body of document.querySelectorAll("#lab-table tbody, #live-panels")) {
+    seen.observe(body, {subtree: true, characterData: true, attributeFilter: ["d"]}); }
+  at.value = value;
+  at.dispatchEvent(new Event(event, {bubbles: true}));
+  take(seen.takeRecords());
+  let left = 60;
+  const frame = () => { found.push([0, []]); left-- ? requestAnimationFrame(frame) : told(found); };
+  requestAnimationFrame(frame); })"""
+PIECES, SPELLED = 4, 60  # of graphs and table that a paint waits for, and cells of such a piece of a table
+
+
+def test_a_move_draws_few_pieces_for_each_paint_those_in_sight_first(written: Any, opened: Any) -> None:
     page = opened(written("jansen")).page
     page.wait_for_selector("#lab-time:not([data-value=''])")
-    page.wait_for_timeout(500)
     columns, rows = (page.locator(f"#lab-table {all_}").count() for all_ in ("th", "tbody tr"))
-    move = """([hook, value, event]) => {
-      const at = document.querySelector(hook), seen = new MutationObserver(() => {});
-      for (const body of document.querySelectorAll("#lab-table tbody, #live-panels")) {
-        seen.observe(body, {subtree: true, characterData: true, attributeFilter: ["d"]}); }
-      at.value = value;
-      at.dispatchEvent(new Event(event, {bubbles: true}));
-      const changes = seen.takeRecords(), count = (type) => changes.filter((one) => one.type === type).length;
-      return [count("characterData"), count("attributes")]; }"""
-    high = 2 + 300 // 22
-    for place, lines in (("h1", 0), ("#lab-table", high)):
+    piece = SPELLED + columns
+    for place, scheme in (("h1", "heun"), ("#lab-table", "euler")):
         page.eval_on_selector(place, "at => at.scrollIntoView()")
         page.wait_for_timeout(300)
-        on_screen = "(at) => { const {top, bottom} = at.getBoundingClientRect(); return bottom >= 0 && top <= innerHeight; }"
-        graphs = page.locator("#live-panels svg").evaluate_all(f"all => all.filter({on_screen}).length")
-        texts, lines_drawn = page.evaluate(move, ["#lab-scheme", "heun" if lines else "midpoint", "change"])
-        assert (texts > 0) == (lines > 0)
-        assert texts <= lines * columns < rows * columns / 3
-        # Of each graph the line through the rows and its dots.
-        assert lines_drawn <= 2 * graphs
+        on_screen = "at => { const {top, bottom} = at.getBoundingClientRect(); return bottom >= 0 && top <= innerHeight; }"
+        in_sight = page.locator("#live-panels svg").evaluate_all(
+            f"all => all.filter({on_screen}).map(at => at.closest('[data-panel]').dataset.panel)"
+        )
+        frames = page.evaluate(BY_FRAME, ["#lab-scheme", scheme, "change"])
+        for texts, graphs in frames:
+            assert len(graphs) + texts / piece <= PIECES
+        drawn = [graph for _, graphs in frames for graph in graphs]
+        first = [graph in in_sight for graph in drawn]
+        assert first == sorted(first, reverse=True)
+        assert len(drawn) == len(set(drawn)) >= 10
+        assert (frames[0][0] + frames[1][0] + frames[2][0] > 0) == (place == "#lab-table")
         # In the end every text is that of its value.
         page.wait_for_selector("#lab-time:not([data-value=''])")
         read = "all => all.map((at) => [at.textContent, Number(at.dataset.value)])"
@@ -163,6 +181,43 @@ def test_a_move_writes_what_is_in_sight_and_then_the_rest(written: Any, opened: 
         assert len(cells) == rows * columns
         assert all(abs(float(text.replace("−", "-")) - value) <= 1e-3 * max(1.0, abs(value)) for text, value in cells)
     assert page.locator(".live-later").count() == 0
+
+
+def test_while_a_slider_is_dragged_every_graph_and_the_table_have_their_turn(written: Any, opened: Any) -> None:
+    page = opened(written("31"), viewport={"width": 1400, "height": 1500}).page
+    page.wait_for_selector("#lab-time:not([data-value=''])")
+    page.eval_on_selector(".live-laboratory", "at => at.scrollIntoView()")
+    page.wait_for_timeout(300)
+    state = """[...document.querySelectorAll("#live-panels path.live-table")].map((path) => path.getAttribute("d"))
+      .concat(document.querySelector("#lab-table tbody tr:nth-child(3)").textContent)"""
+    drag = f"""new Promise((told) => {{
+      const at = document.querySelector("#lab-datum"), low = Number(at.min), high = Number(at.max);
+      let k = 0;
+      const frame = () => {{
+        at.value = low + (high - low) * (0.5 + 0.004 * ++k);
+        at.dispatchEvent(new Event("input", {{bubbles: true}}));
+        k < 8 ? requestAnimationFrame(frame) : told({state});
+      }};
+      requestAnimationFrame(frame); }})"""
+    before, during = page.evaluate(state), page.evaluate(drag)
+    page.wait_for_selector("#lab-time:not([data-value=''])")
+    moved = [then != now for then, now in zip(before, page.evaluate(state), strict=True)]
+    assert sum(moved) > 4
+    assert [then != now for then, now in zip(before, during, strict=True)] == moved
+
+
+def test_a_move_lays_out_only_what_it_shows(written: Any, opened: Any, browser: Any) -> None:
+    page = opened(written("31")).page
+    page.wait_for_selector("#lab-time:not([data-value=''])")
+    page.eval_on_selector(".live-laboratory", "at => at.scrollIntoView()")
+    page.wait_for_timeout(300)
+    browser.start_tracing(page=page, categories=["devtools.timeline"])
+    page.evaluate(BY_FRAME, ["#lab-scheme", "heun", "change"])
+    events = json.loads(browser.stop_tracing())["traceEvents"]
+    dirty = [event["args"]["beginData"]["dirtyObjects"] for event in events if event["name"] == "Layout" and event["ph"] == "X"]
+    # Four graphs, and what is told beside the sliders; later 4 pieces of the table with two objects a cell.
+    assert 0 < max(dirty) <= PIECES * (2 * SPELLED + 20)
+    assert dirty[0] <= 160
 
 
 def test_a_long_table_is_computed_in_slices_and_its_numbers_wait_for_the_end(written: Any, opened: Any) -> None:
