@@ -164,7 +164,7 @@ class Evidence:
         """Return table minus exact as shares of the scales (compared rows, k); an angle a whole turn further is the same."""
         assert self.exact is not None
         gap = self.table(self.motion) - self.table(self.exact)
-        if len(gap):
+        if len(gap) and np.any(np.abs(gap[:, self.angles]) >= np.pi / 2):  # nearer than that no row is a turn from the last
             jumps = np.diff(gap[:, self.angles], axis=0, prepend=0.0)
             gap[:, self.angles] -= np.cumsum(turns(jumps), axis=0)
         return np.where(np.abs(gap) < NO_ERROR, 0.0, gap) / self.scales

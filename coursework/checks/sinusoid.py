@@ -71,14 +71,21 @@ def _terms(found: tuple[float, ...]) -> int:
 def shares(motion: Motion, names: tuple[str, ...], found: tuple[float, ...], window: float) -> dict[str, float]:
     """Return the part of each column's oscillation that the harmonics of `found` (rad/s) carry, up to `window` (s)."""
     t = motion.t[motion.t <= window]
-    straight = np.stack([np.ones_like(t), t], axis=1)
     turning = [shape(k * w * t) for w in found for k in HARMONICS for shape in (np.cos, np.sin)]
     columns = np.array([motion.column(name)[: len(t)] for name in names]).T
-    without_trend = _left(straight, columns)
-    unexplained = _left(np.column_stack([straight, *turning]), columns)
+    without_trend = _left_by_a_line(t, columns)
+    unexplained = _left(np.column_stack([np.ones_like(t), t, *turning]), columns)
     quiet = (_QUIET * np.max(np.abs(columns), axis=0)) ** 2 * len(t)
     carried = np.where(without_trend <= quiet, 1.0, 1 - unexplained / np.where(without_trend > 0, without_trend, 1.0))
     return dict(zip(names, carried.tolist(), strict=True))
+
+
+def _left_by_a_line(t: Array, columns: Array) -> Array:
+    """Return the sum of squares (k,) that the best straight line over t (n,) leaves of each column (n, k)."""
+    middle = t - np.mean(t)
+    level = columns - np.mean(columns, axis=0)
+    slope = middle @ level / (middle @ middle or 1.0)
+    return np.asarray(np.sum((level - middle[:, None] * slope) ** 2, axis=0))
 
 
 def _left(terms: Array, columns: Array) -> Array:
