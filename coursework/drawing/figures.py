@@ -30,6 +30,7 @@ from coursework.sentences import Sentence, say
 HIGHEST = 86.0  # mm: with its caption the drawing leaves room on the first page
 ARROW = 13.0  # mm, of a driven velocity: its direction counts, not its size
 PARTS = (0.1, 0.3, 0.5, 0.7, 0.9)  # of a link: where it may be taken for what a word names
+MISTAKEN = 4.0  # mm of way that the name of a length rather takes than standing nearer to another link
 VELOCITY = 'stroke="black" stroke-width="0.4"'
 
 
@@ -137,7 +138,7 @@ def _lengths(painter: Painter, sheet: Sheet, mechanism: Mechanism) -> None:
             middle = sum(ends) / 2
             towards = -side if _dot(side, middle - painter.middle) > 0 else side
             others = list(itertools.chain(*along[:place], *along[place + 1 :]))
-            sheet.label((text, "", ""), [(middle, towards, 1.0)], ITALIC, others=others)
+            sheet.label((text, "", ""), [(middle, towards, 1.0)], ITALIC, others=others, mistaken=MISTAKEN)
 
 
 def _driven_words(outline: Outline) -> Sentence:

@@ -99,8 +99,13 @@ class Outline:
         """Return the points of the file that something drawn goes through, in the order of the file."""
         used = {name for bar in self.bars for name in bar.corners} | {*self.hinges, *self.driven}
         used |= {block.at for block in self.blocks} | {name for wheel in self.wheels for name in (wheel.centre, wheel.contact)}
-        used |= {track.centre for track in self.tracks}
         return tuple(name for name, _ in self.points if name in used and not name.startswith("~"))
+
+    @property
+    def shown(self) -> tuple[str, ...]:
+        """Return the points that a drawing names: those of `names`, and the middles of fixed circles."""
+        middles = (track.centre for track in self.tracks if not track.centre.startswith("~"))
+        return tuple(dict.fromkeys((*self.names, *middles)))
 
     def plain(self) -> dict[str, Any]:
         """Return the outline as dicts, lists and strings, without the formulas."""

@@ -40,7 +40,7 @@ class Painter:
         self.sheet, self.outline, self.poses, self.row, self.put, self.mm = sheet, outline, poses, row, put, mm
         self.place = poses.pose(row)
         self.at = {name: put(z) for name, z in self.place.items()}
-        self.names = outline.names
+        self.names = outline.shown
         self.middle = middle_of(self.at[name] for name in self.names)
 
     def extent(self) -> Iterator[tuple[complex, float]]:

@@ -30,7 +30,7 @@ GAP, SIDE_BY_SIDE = 2.2, 4.0  # mm: words nearer on one line read as one; mm of 
 CROSSED = 3.0  # mm of way that a word with its value rather takes than lying on a line; a name stays near what it names
 CROWDED = 8.0  # mm of lines: directions of the axes among more than that are not seen
 BEYOND, MARGIN = 30.0, 0.5  # mm of lines for each mm beyond the field; mm kept free around a word
-MISTAKEN = 4.0  # mm of lines that a word rather covers than standing nearer to what another word belongs to, times CROSSED
+MISTAKEN = 8.0  # mm of lines that a word rather covers than standing nearer to what another word belongs to
 BOLD, ITALIC = 'font-weight="bold"', 'font-style="italic"'
 Rectangle = tuple[float, float, float, float]
 Word = tuple[str, str, str]  # text, what is set lower, what follows
@@ -147,19 +147,27 @@ class Sheet:
         self.segments += kept
 
     def label(
-        self, word: Word, places: Iterable[Place], look: str = "", *, turn: int = 0, others: Sequence[complex] = ()
+        self,
+        word: Word,
+        places: Iterable[Place],
+        look: str = "",
+        *,
+        turn: int = 0,
+        others: Sequence[complex] = (),
+        mistaken: float = MISTAKEN,
     ) -> Place:
         """Write a word beside the place where it covers least; return that place.
 
         `turn` +1 or -1 puts an arc with an arrow before the word: counter-clockwise or clockwise.  `others` are points that
-        words alike belong to: a reader takes the nearest.
+        words alike belong to: a reader takes the nearest, which is worth `mistaken` mm of way.
         """
         lead = 6.6 if turn else 0.0
         wide = lead + sum(size * width(part[:LONGEST]) for part, size in zip(word, SIZES, strict=True))
         height = 5.8 if turn else LETTER * 0.95 + (0.6 if word[1] else 0)
         crossing = CROSSED if word[2] else 1.0
         (_, middle), chosen = min(
-            ((self._room(wide, height, place, others, crossing), place) for place in places), key=lambda found: found[0][0]
+            ((self._room(wide, height, place, others, (crossing, mistaken)), place) for place in places),
+            key=lambda found: found[0][0],
         )
         left, top = middle.real - wide / 2, middle.imag - height / 2
         self.words.append((left, top, left + wide, top + height))
@@ -192,9 +200,13 @@ class Sheet:
         self.path([tip, arc[-1] + 0.9j * along, arc[-1] - 0.9j * along], 'fill="black" stroke="none"', closed=True, blocks=False)
 
     def _room(
-        self, width: float, height: float, place: Place, others: Sequence[complex], crossing: float
+        self, width: float, height: float, place: Place, others: Sequence[complex], costs: tuple[float, float]
     ) -> tuple[float, complex]:
-        """Return what the freest of the rectangles around a point covers, and its middle; `crossing` mm for each line."""
+        """Return what the freest of the rectangles around a point covers, and its middle.
+
+        `costs` (mm) are those of each line under it, and of standing nearer to one of `others`.
+        """
+        crossing, mistaken = costs
         near, away, gap = place
         toward = cmath.phase(away) if away else -math.pi / 4
         best, found = math.inf, near
@@ -208,8 +220,8 @@ class Sheet:
                 # The rectangle touches the circle of radius `gap + ring` about the point.
                 reach = min(width / 2 / max(abs(unit.real), 1e-9), height / 2 / max(abs(unit.imag), 1e-9))
                 middles.append(near + unit * (gap + ring + reach))
-                mistaken = any(_apart(middles[-1], width, height, other) < gap + ring for other in others)
-                prices.append(0.5 * ring + 0.6 * (1 - math.cos(turned)) + MISTAKEN * crossing * mistaken)
+                is_mistaken = any(_apart(middles[-1], width, height, other) < gap + ring for other in others)
+                prices.append(0.5 * ring + 0.6 * (1 - math.cos(turned)) + mistaken * is_mistaken)
             for middle, price, covered in zip(middles, prices, self._covered(middles, width, height, crossing), strict=True):
                 if price + covered < best - 1e-9:
                     best, found = price + covered, middle

@@ -33,7 +33,7 @@ def drawn_of(scene: Scene) -> Drawn:
     kept = outline.plain()
     data = {kind: kept[kind] for kind in ("points", "slots", "blocks", "rails", "wheels", "tracks", "hinges")}
     data["links"] = [{"name": bar.link, "points": list(bar.corners), "rate": bar.rate} for bar in outline.bars]
-    data |= {"shown_points": list(outline.names), "rings": _rings(outline)}
+    data |= {"shown_points": list(outline.shown), "rings": _rings(outline)}
     return Drawn(data, tuple(component for vector in vectors for component in vector))
 
 

@@ -25,6 +25,7 @@ from coursework.sentences import say
 VELOCITY = 'stroke="black" stroke-width="0.4"'
 CONSTRUCTION = 'stroke="black" stroke-width="0.15" stroke-dasharray="2.4 1 0.4 1"'
 READ = 1e4  # 1/m: a place is read off a drawing 1:1 to 0.1 mm
+FAR = 12.0  # mm of way that the name of a centre off the sheet rather takes than standing nearer to the arrow of another
 CLOSE = 0.05  # of the mechanism: a centre so near a point lies almost on it
 SHORTEST = 0.5  # mm: a shorter arrow is none
 SMALL = 4.0  # mm: beside a shorter arrow its name stands farther off
@@ -140,22 +141,25 @@ class _Drawing:
         self.painter.point_names()
         tips = [place[0] for _, places in (*self.marks, *self.far) for place in places]
 
-        def write(word: Word, places: list[Place], own: list[Place]) -> Place:
-            return self.sheet.label(word, places, others=[tip for tip in tips if all(tip != place[0] for place in own)])
+        def others(own: list[Place]) -> list[complex]:
+            return [tip for tip in tips if all(tip != place[0] for place in own)]
 
         for word, places in self.marks:
-            write(word, places, places)
+            self.sheet.label(word, places, others=others(places))
         for word, places in self.far:
-            chosen = write(word, places, places)
+            chosen = self.sheet.label(word, places, others=others(places), mistaken=FAR)
             for place in places:
                 if place != chosen:
-                    write((*word[:2], ""), [place], places)
+                    self.sheet.label((*word[:2], ""), [place], others=others(places), mistaken=FAR)
+        beside = {bar.link: self.painter.link_places(bar) for bar in self.sketch.outline.bars if bar.corners}
+        tips = [place[0] for place in beside.values()]
         for bar in self.sketch.outline.bars:
             body, omega = self.bodies.get(bar.link), self.findings.omegas.get(bar.link)
             turning = 0 if body is None or body.guide or not omega else (1 if omega > 0 else -1)
             value = self.written(say("drawing.turning", omega=abs(omega))) if omega and turning else ""
             if bar.corners:
-                self.sheet.label((short(bar.link), "", value), [self.painter.link_places(bar)], BOLD, turn=turning)
+                word = (short(bar.link), "", value)
+                self.sheet.label(word, [beside[bar.link]], BOLD, turn=turning, others=others([beside[bar.link]]))
 
     def foot(self, title: str) -> None:
         """Draw the bar by which a print is checked, and say the scales."""
