@@ -41,7 +41,7 @@ def drift(evidence: Evidence) -> Finding:
         for name, size, angle in zip(closure.names, np.max(np.abs(residual), axis=0), angles, strict=True)
     )
     size = float(abs(residual[row, equation]))
-    if (jump := _jump(evidence, closure, np.where(angles, 1.0, shortest))) is not None:
+    if (jump := evidence.once("opened", lambda: _jump(evidence, closure, np.where(angles, 1.0, shortest)))) is not None:
         at, which = jump
         sentence = evidence.say("check.DRIFT.jump", name=closure.names[which], row=at, next=at + 1, time=float(motion.t[at]))
         return Finding(

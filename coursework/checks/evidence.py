@@ -130,6 +130,10 @@ class Evidence:
         R is the range of the exact motion over the first period at most (an angle's at most 2π), A the largest size of a
         velocity, U the largest R among the columns of the same unit.
         """
+        assert self.exact is not None
+        return self.once(f"scale of {len(self.exact.t)} rows each {self.exact.step!r} s", self._scale)
+
+    def _scale(self) -> dict[str, float]:
         exact = self.exact
         assert exact is not None
         period = self.variant.time.period
