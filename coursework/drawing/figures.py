@@ -128,7 +128,9 @@ def _lengths(painter: Painter, sheet: Sheet, mechanism: Mechanism) -> None:
     drawn += [(wheel.centre, wheel.contact) for wheel in painter.outline.wheels]
     named = [(known.get(frozenset(ends)), painter.at[ends[0]], painter.at[ends[1]]) for ends in dict.fromkeys(drawn)]
     for track, (_, radius) in zip(painter.outline.tracks, mechanism.variant.frame.circles, strict=True):
-        if wheel := painter.wheel_on(track):
+        wheel = painter.wheel_on(track)
+        # Along a link between the two centres it would read as a length of that link.
+        if wheel and not any({track.centre, wheel.centre} <= {*bar.corners} for bar in painter.outline.bars):
             named.append((radius, painter.at[track.centre], painter.at[wheel.contact]))
     along = [[begin + part * (end - begin) for part in PARTS] for _, begin, end in named]
     for place, (length, *ends) in enumerate(named):

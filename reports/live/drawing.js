@@ -69,7 +69,8 @@ const drawing = {
     this.samples[0].unshift(this.first);
     this.slots = data.slots.map((slot) => this.reach(slot));
     this.ground();
-    words.choose(this.first);
+    const rows = this.samples[0];
+    words.choose(this.first, [1, 2, 3].map((k) => rows[Math.floor((k * rows.length) / 4)]));
     additions.renew();
   },
   x(value) {

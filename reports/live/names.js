@@ -27,25 +27,53 @@ const words = {
     const [x, y] = drawing.put(place, link.points[0]);
     return [x - 16 * side, y - 6];
   },
-  // Choose for each word, in the first position, the side on which it lies over no other word and no joint.
-  choose(place) {
+  // How much of the links (px) lies in a box, each position counted; a point every 3 px tells.
+  crossed(lines, [left, top, right, bottom]) {
+    let found = 0;
+    for (const [x1, y1, x2, y2] of lines) {
+      if (Math.max(x1, x2) < left || Math.min(x1, x2) > right || Math.max(y1, y2) < top || Math.min(y1, y2) > bottom) continue;
+      const count = Math.ceil(Math.hypot(x2 - x1, y2 - y1) / 3);
+      for (let k = 0; k <= count; k++) {
+        const x = x1 + ((x2 - x1) * k) / count, y = y1 + ((y2 - y1) * k) / count;
+        if (x > left && x < right && y > top && y < bottom) found += 3;
+      }
+    }
+    return found;
+  },
+  // The links as lines about a point, in the first position and in three others; the first counts as much as these.
+  about(place, others, name) {
+    const [x0, y0] = drawing.put(place, name);
+    return [place, place, place, ...others].flatMap((one) => {
+      const [x, y] = drawing.put(one, name);
+      const at = (each) => drawing.put(one, each);
+      return data.links.flatMap((link) =>
+        link.points.slice(1).map((each, k) => [...at(link.points[k]), ...at(each)]).map(([a, b, c, d]) => [a - x + x0, b - y + y0, c - x + x0, d - y + y0]),
+      );
+    });
+  },
+  // Choose for each word, in the first position, the side on which it lies over no other word, no joint and few links: once,
+  // so that no word leaps when something is tried.
+  choose(place, others) {
+    if (this.chosen === drawing.WIDE) return;
+    this.chosen = drawing.WIDE;
     const taken = data.shown_points.map((name) => drawing.put(place, name)).map(([x, y]) => [x - 4, y - 4, x + 4, y + 4]);
-    const choice = (boxes) => {
+    const choice = (boxes, lines = []) => {
       const over = ([left, top, right, bottom]) =>
         taken.reduce((sum, [l, t, r, b]) => sum + Math.max(0, Math.min(right, r) - Math.max(left, l)) * Math.max(0, Math.min(bottom, b) - Math.max(top, t)), 0);
-      const costs = boxes.map(over), best = costs.indexOf(Math.min(...costs));
+      const costs = boxes.map((box) => 20 * over(box) + this.crossed(lines, box)), best = costs.indexOf(Math.min(...costs));
       taken.push(boxes[best]);
       return best;
     };
     this.sides = data.links.map((link) => {
       if (!link.points.length) return 1;
-      const half = 4 * link.name.length + 1, sides = [1, -1];
-      return sides[choice(sides.map((side) => this.ofLink(link, place, side)).map(([x, y]) => [x - half, y - 11, x + half, y + 2]))];
+      const half = 4 * link.name.length + 5, sides = [1, -1];
+      const boxes = sides.map((side) => this.ofLink(link, place, side)).map(([x, y]) => [x - half, y - 11, x + half, y + 2]);
+      return sides[choice(boxes, link.points.length === 1 ? this.about(place, others, link.points[0]) : [])];
     });
     this.besides = data.shown_points.map((name) => {
       const [x, y] = drawing.put(place, name), wide = 9 * label(name).replace("_", "").length + 2;
       const besides = [[9, -8], [9, 19], [-8 - wide, -8], [-8 - wide, 19], [16, 5], [-15 - wide, 5]];
-      return besides[choice(besides.map(([dx, dy]) => [x + dx, y + dy - 13, x + dx + wide, y + dy + 4]))];
+      return besides[choice(besides.map(([dx, dy]) => [x + dx, y + dy - 13, x + dx + wide, y + dy + 4]), this.about(place, others, name))];
     });
   },
   place(place) {
