@@ -7,6 +7,7 @@ Used by every floor above; no finding that reaches a page is written in Python.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
@@ -29,6 +30,7 @@ PLURALS: dict[str, Callable[[int], str]] = {
     "other": lambda n: "other",
 }
 _ROUND = ":r}"  # a format of our own, see `_Number`
+_UNIT = re.compile("[A-Za-zµ]+")  # rad and s of "rad/s²"
 FORMS = frozenset({"one", "few", "many", "other"})
 
 
@@ -135,8 +137,9 @@ class Phrases:
         return f" {self.template('and')} ".join([self.template("join.comma").join(first), last] if first else [last])
 
     def unit(self, unit: str) -> str:
-        """Return a unit such as "rad/s" as this language writes it; one that the words file does not have as it is."""
-        return str(self.entries.get("units", {}).get(unit, unit))
+        """Return a unit such as "rad/s" as this language writes it; one that the words file does not have part by part."""
+        known = self.entries.get("units", {})
+        return str(known[unit]) if unit in known else _UNIT.sub(lambda part: str(known.get(part[0], part[0])), unit)
 
     def _found(self, key: str) -> object:
         entry: Any = self.entries

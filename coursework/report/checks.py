@@ -1,6 +1,6 @@
 """The section of checks: each with its verdict in a mark and a word, its number, its limit.
 
-Enters: a `PageContext`.  Leaves: the summary, and one part for each group of checks.  Used by `sections.py`.
+Enters: a `PageContext`.  Leaves: the summary, and one part for each group of checks.  Used by `sections.py` and `control.py`.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from coursework.report.tables import thinned
 from coursework.report.text_runs import numeral
 from coursework.sentences import Sentence
 
+NEARLY_WHOLE = 5e-5  # of an amount: less than four digits show
 MOST_LINES = 30  # further lines of one check; more are thinned
 SHORT_UNIT = 12  # letters of a unit that stands behind its number; a longer one stands below
 
@@ -45,7 +46,8 @@ def _judged(context: PageContext, check: Finding) -> Judged:
     numbers = context.numbers
     unit = context.told(check.unit)
     is_short = len(unit) <= SHORT_UNIT
-    is_count = check.value is not None and check.value >= 1 and check.value.is_integer()
+    value = check.value if check.value is None else counted(check.value, check.unit)
+    is_count = value is not None and value >= 1 and value.is_integer()
     heads, lines = _lines(context, check)
 
     def behind(value: float | None) -> str:
@@ -57,9 +59,7 @@ def _judged(context: PageContext, check: Finding) -> Judged:
         code=clean(check.code),
         title=context.rich(check.title),
         sentence=context.rich(check.sentence),
-        value=numeral(
-            context.with_unit(numbers.limit(check.value) if is_count else numbers.scalar(check.value), behind(check.value))
-        ),
+        value=numeral(context.with_unit(numbers.limit(value) if is_count else numbers.scalar(value), behind(value))),
         limit=numeral(context.with_unit(numbers.limit(check.limit), behind(check.limit))),
         unit="" if is_short or check.value is None else context.unit(unit),
         heads=heads,
@@ -85,6 +85,12 @@ def _lines(context: PageContext, check: Finding) -> tuple[list[str], list[list[C
         return ["", *(clean(column) for column in columns)], table
     kept = [check.rows[index] for index in thinned(len(check.rows), most=MOST_LINES)]
     return [], [[_label(context, row[0]), _amount(context, row)] for row in kept]
+
+
+def counted(value: float, unit: str) -> float:
+    """Return an amount, whole where it is that but for the last digit shown and its unit is a word: 24 rows, not 23.9999."""
+    is_whole = isinstance(unit, Sentence) and abs(value - round(value)) < NEARLY_WHOLE * abs(value)
+    return float(round(value)) if is_whole else value
 
 
 def _seen(row: tuple[str, float, str], noise: float) -> float:

@@ -6,6 +6,7 @@ Enters: a `PageContext`.  Leaves: `Claims`.  Used by `sections.py`; codes and li
 from __future__ import annotations
 
 from coursework.checks.result import Finding
+from coursework.report.checks import counted
 from coursework.report.numbers import ROUND_OFF
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Cell, Claims, Paragraph, Part
@@ -49,7 +50,7 @@ def _number(context: PageContext, finding: Finding) -> Cell:
     numbers, value = context.numbers, finding.value
     if value is None:
         return ""
-    value = value if abs(value) > ROUND_OFF else 0.0
+    value = counted(value, finding.unit) if abs(value) > ROUND_OFF else 0.0
     key = finding.unit.key if isinstance(finding.unit, Sentence) else ""
     if key in SHARES:
         return context.with_unit(numbers.scalar(100 * value, DIGITS), "%")

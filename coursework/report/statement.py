@@ -159,15 +159,19 @@ def _data(context: PageContext) -> Table:
     ]
     for c in variant.coordinates:
         head = context.symbol_runs([c.name])
-        between = clean(ends[c.name]) + context.words("join.comma") if ends[c.name] else ""
         if c.start is None:
             how = context.words("given.from_groups" if c.near is None else "given.follows")
-            rows.append([head, runs(between + how), _first(context, c.name, c.unit)])
+            rows.append([head, _between(context, ends[c.name], how), _first(context, c.name, c.unit)])
         else:
             how = context.words("given.at_start")
-            rows.append([head, runs(between + how), _given(context, c.text, c.written)])
+            rows.append([head, _between(context, ends[c.name], how), _given(context, c.text, c.written)])
     columns = [Column(context.say(f"given.{key}"), words=key != "written") for key in ("quantity", "meaning", "written")]
     return Table(columns, rows, context.say("given.data" if variant.given else "given.coordinates"))
+
+
+def _between(context: PageContext, ends: str, how: str) -> Runs:
+    """Return how a start is known, behind the two points whose distance it is."""
+    return runs(context.words("given.between", ends=clean(ends), how=how) if ends else how)
 
 
 def meanings(mechanism: Mechanism) -> dict[str, str]:

@@ -89,7 +89,7 @@ def motion_parts(context: PageContext) -> list[Part]:
 
 def extra_parts(context: PageContext, extra: ExtraTable) -> list[Part]:
     """Return the table of a further quantity; with row and time where it has a line for every row."""
-    caption, note = context.told(extra.title).rstrip(".") + ".", context.told(extra.note)
+    caption, note = context.told(extra.title).rstrip(".。") + context.words("table.stop"), context.told(extra.note)
     whole = Grid(extra.names, extra.units, extra.rows, extra.sizes)
     if extra.names[0] == "t":
         return _by_row(context, whole.part(1), whole.rows[:, 0], caption, note, MOST_BESIDE)

@@ -120,6 +120,7 @@ def with_letters(text: str, names: Iterable[str]) -> str:
     either = [f"[{others}]"] if others else []
     either += [rf"(?<!\d[ \u00a0])[{units}]"] if units else []
     before, behind = rf"(?<!{_WORD})(?<![.'’/–\ue000-])(?<!--step )", rf"(?![^\W{_RAISED_DIGITS}])(?![\u2009\u202f]|[('’–-]\S)"
+    behind += r"(?!(?<=[A-Z])\. ?[A-Z])"  # V. R. Pasika
     return re.sub(f"{before}({'|'.join(either)}){behind}", rf"{ITALIC[0]}\1{ITALIC[1]}", text)
 
 

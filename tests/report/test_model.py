@@ -151,6 +151,25 @@ def test_round_off_in_the_table_of_a_check_prints_nought(real: ModuleType) -> No
     assert "·10" in own[5]  # the column that tells of round-off keeps it
 
 
+def test_units_of_tables_beside_the_results_are_in_the_language_of_the_page(real: ModuleType) -> None:
+    run = coursework.solve("variable-crank-exact")
+    units = {
+        column["unit"]
+        for section in build_model(run, "uk").plain()["sections"] if section["name"] in {"accelerations", "analogs"}
+        for part in section["parts"] if part["kind"] == "table" for column in part["columns"]
+    }  # fmt: skip
+    assert units == {"", "с", "рад", "рад/с²", "м/с²", "1/рад", "м/рад", "м/рад²"}
+    told = real.text_of(next(part for part in real.parts(run, "statement") if part["kind"] == "paragraph")["text"])
+    assert told.startswith("Task sheet: own synthesis for the example of V. R. Pasika")
+    chinese = [
+        part["caption"]
+        for section in build_model(run, "zh").plain()["sections"]
+        for part in section["parts"]
+        if part["kind"] == "table"
+    ]
+    assert all(real.text_of(caption)[-1] != "." for caption in chinese)
+
+
 def test_the_first_row_stands_beside_the_last(real: ModuleType) -> None:
     """The parts are those of numerics.md 1: scheme and period add up to the difference."""
     tables = [part for part in real.parts(real.full(), "results") if part["kind"] == "table"]
