@@ -14,6 +14,7 @@ const additions = {
     this.fastest = 0;
     const { traces } = drawing.layers;
     traces.replaceChildren();
+    if (!drawing.first) return;
     if (this.on.velocities) {
       for (let i = 0; i < motion.count; i++) {
         const speeds = velocities(true, i * motion.h) ?? [];

@@ -33,45 +33,48 @@ const drawing = {
     if (!data.points.length) return;
     // On a small screen the drawing has fewer units, so that its letters keep their size.
     this.WIDE = matchMedia("(max-width: 599px)").matches ? 380 : 640;
-    const box = [Infinity, Infinity, -Infinity, -Infinity];
+    // The true motion is looked through once, also while step and scheme are moved.
+    if (!this.right || this.drawn !== motion.drawn) this.right = this.extent(true, motion.dead ?? data.end, data.step);
+    const ghost = this.extent(false, motion.duration, motion.h);
+    const box = this.right.box.map((end, k) => (k < 2 ? Math.min : Math.max)(end, ghost.box[k]));
+    this.samples = [this.right.rows, ghost.rows];
+    this.first = this.right.rows[0];
+    if (!this.first) return;
+    this.turns = {};
+    this.scale = Math.min((this.WIDE - 90) / Math.max(box[2] - box[0], 1e-12), (0.2 * this.WIDE + 200) / Math.max(box[3] - box[1], 1e-12));
+    const high = (box[3] - box[1]) * this.scale + 80;
+    this.origin = [(this.WIDE - (box[0] + box[2]) * this.scale) / 2, high - 40 + box[1] * this.scale];
+    change(this.field, "viewBox", `0 0 ${this.WIDE} ${f1(high)}`);
+    this.slots = data.slots.map((slot) => this.reach(slot));
+    this.ground();
+    const key = `${motion.drawn} ${this.WIDE} ${box}`;
+    const { rows } = this.right;
+    if (key !== this.key) words.choose(this.first, [1, 2, 3].map((k) => rows[Math.floor((k * rows.length) / 4)]));
+    this.drawn = motion.drawn;
+    this.key = key;
+    additions.renew();
+  },
+  // Where everything is in a hundred rows of a motion at most, from the start to a time (s), and the box around it (m).
+  extent(true_, last, h) {
+    const box = [Infinity, Infinity, -Infinity, -Infinity], rows = [];
     const take = (x, y, room = 0) => {
       box[0] = Math.min(box[0], x - room);
       box[1] = Math.min(box[1], y - room);
       box[2] = Math.max(box[2], x + room);
       box[3] = Math.max(box[3], y + room);
     };
-    const radii = data.wheels.map(() => 0);
-    this.samples = [true, false].map((true_) => {
-      const rows = [];
-      for (let i = 0; i < motion.count; i += Math.ceil(motion.count / 100)) {
-        const place = motion.at(true_, i * motion.h);
-        if (!place || !place.every(Number.isFinite)) continue;
-        rows.push(place);
-        for (const name of data.shown_points) take(X(place, name), Y(place, name));
-        data.wheels.forEach((wheel, k) => {
-          radii[k] = Math.hypot(X(place, wheel.contact) - X(place, wheel.centre), Y(place, wheel.contact) - Y(place, wheel.centre));
-          take(X(place, wheel.centre), Y(place, wheel.centre), radii[k]);
-        });
-      }
-      return rows;
-    });
-    this.first = motion.at(true, 0);
-    if (!this.first) return;
-    for (const track of data.tracks) {
-      const radius = Math.hypot(X(this.first, track.rim) - X(this.first, track.centre), Y(this.first, track.rim) - Y(this.first, track.centre));
-      take(X(this.first, track.centre), Y(this.first, track.centre), radius);
+    const count = 1 + Math.round(last / h);
+    const circle = (place, { centre }, rim) =>
+      take(X(place, centre), Y(place, centre), Math.hypot(X(place, rim) - X(place, centre), Y(place, rim) - Y(place, centre)));
+    for (let i = 0; i < count; i += Math.ceil(count / 100)) {
+      const place = motion.at(true_, i * h);
+      if (!place) continue;
+      rows.push(place);
+      for (const name of data.shown_points) take(X(place, name), Y(place, name));
+      for (const wheel of data.wheels) circle(place, wheel, wheel.contact);
+      if (true_ && !i) for (const track of data.tracks) circle(place, track, track.rim);
     }
-    this.turns = {};
-    this.scale = Math.min((this.WIDE - 90) / Math.max(box[2] - box[0], 1e-12), (0.2 * this.WIDE + 200) / Math.max(box[3] - box[1], 1e-12));
-    const high = (box[3] - box[1]) * this.scale + 80;
-    this.origin = [(this.WIDE - (box[0] + box[2]) * this.scale) / 2, high - 40 + box[1] * this.scale];
-    change(this.field, "viewBox", `0 0 ${this.WIDE} ${f1(high)}`);
-    this.samples[0].unshift(this.first);
-    this.slots = data.slots.map((slot) => this.reach(slot));
-    this.ground();
-    const rows = this.samples[0];
-    words.choose(this.first, [1, 2, 3].map((k) => rows[Math.floor((k * rows.length) / 4)]));
-    additions.renew();
+    return { box, rows };
   },
   x(value) {
     return this.origin[0] + value * this.scale;
@@ -181,8 +184,9 @@ const drawing = {
   },
   // Redraw both mechanisms at t (s).
   draw(t) {
-    if (!data.points.length || !this.first) return;
-    const right = motion.at(true, t), ghost = motion.at(false, t);
+    if (!data.points.length) return;
+    const right = this.first ? motion.at(true, t) : null, ghost = this.first ? motion.at(false, t) : null;
+    for (const name of ["ground", "pins", "words"]) change(this.layers[name], "visibility", right ? "visible" : "hidden");
     change(this.paths.body, "d", right ? this.outline(right, true, t) : "");
     change(this.paths.ghost, "d", ghost ? this.outline(ghost, false, t) : "");
     if (right) this.joints(right);

@@ -70,7 +70,7 @@ const laboratory = {
     lines.open();
     const inSight = () => [...panels.seen, ...lines.seen];
     this.draw(inSight(), left / PIECE);
-    yield* lines.write(cells || left / 4);
+    yield* lines.write(cells || left / 8);
     for (const pieces of [() => inSight(), () => [...panels.all, ...lines.all]]) {
       for (let late; (late = pieces().filter((one) => one.turn <= begun)).length; this.draw(late, NEXT)) yield FRAME;
     }

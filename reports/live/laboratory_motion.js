@@ -131,11 +131,12 @@ const motion = {
   get duration() {
     return (this.count - 1) * this.h;
   },
-  // Where everything drawn is at t (s), flat x, y in m; null where that motion has no such time.
+  // Where everything drawn is at t (s), flat x, y in m; null where that motion has no such time or a point no place.
   at(true_, t) {
     const rows = true_ ? this.truth : this.rows;
     if (!rows || !rows.n || t > (rows.n - 1) * rows.h * (1 + 1e-9)) return null;
-    return places(t, interpolated(rows, t, new Float64Array(m)), this.d, new Float64Array(2 * data.points.length));
+    const place = places(t, interpolated(rows, t, new Float64Array(m)), this.d, new Float64Array(2 * data.points.length));
+    return finite(place) ? place : null;
   },
   // A velocity of the table at t, null where there is none.
   rate(true_, t, name) {

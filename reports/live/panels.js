@@ -116,9 +116,10 @@ const panels = {
       change(text, "y", y(value) + 4);
       // A longer number is set closer, so that none is cut off.
       const long = written_.length > 7;
-      if (long === text.hasAttribute("textLength")) return;
-      text.toggleAttribute("textLength", long);
-      if (long) for (const [name, value] of [["textLength", LEFT - 8], ["lengthAdjust", "spacingAndGlyphs"]]) text.setAttribute(name, value);
+      for (const [name, value] of [["textLength", LEFT - 8], ["lengthAdjust", "spacingAndGlyphs"]]) {
+        if (long) text.setAttribute(name, value);
+        else text.removeAttribute(name);
+      }
     });
     change(one.ticked, "d", marks.map(([value]) => `M${LEFT - 3} ${y(value)}h3`).join(""));
     change(one.zero, "d", low < 0 && high > 0 ? `M${LEFT} ${y(0)}H${RIGHT}` : "");

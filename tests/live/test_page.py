@@ -194,6 +194,31 @@ def test_the_start_follows_a_length_until_the_links_do_not_close(written: Any, o
     assert page.said == []
 
 
+@pytest.mark.parametrize("name", ["jansen", "v110", "variable-crank-table"])
+def test_every_datum_goes_from_end_to_end_and_nothing_is_drawn_nowhere(written: Any, opened: Any, name: str) -> None:
+    page = opened(written(name))
+    for switch in ("traces", "velocities", "centres"):
+        page.page.click(f"#live-{switch}")
+    drag = """async () => {
+      const move = (at, value, event) => { at.value = value; at.dispatchEvent(new Event(event, {bubbles: true})); };
+      const painted = () => new Promise((told) => requestAnimationFrame(() => setTimeout(told)));
+      const [list, at] = ["#lab-datum-name", "#lab-datum"].map((hook) => document.querySelector(hook)), shown = [];
+      for (const {value: datum} of list.options) {
+        move(list, datum, "change");
+        for (const part of [0, 0.97, 1]) {
+          move(at, Number(at.min) + part * (at.max - at.min), "input");
+          await painted();
+          // What links do not close is not shown, nor what was shown before.
+          const closed = document.querySelector("#lab-error").dataset.value !== "NaN";
+          shown.push(closed || document.querySelector(".live-body path").getAttribute("d") === "" || datum);
+        }
+      }
+      return shown; }"""
+    shown = page.page.evaluate(drag)
+    assert set(shown) == {True}
+    assert page.said == []
+
+
 def test_motion_is_not_forced_on_anyone(written: Any, opened: Any) -> None:
     page = opened(written("31"), before=lambda page: page.clock.install(time=0), reduced_motion="reduce")
     page.page.clock.pause_at(60_000)
