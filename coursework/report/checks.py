@@ -14,6 +14,7 @@ from coursework.report.tables import thinned
 from coursework.report.text_runs import numeral
 from coursework.sentences import Sentence
 
+NOTHING_AT_ALL = 1e-18  # SI: smaller than any round-off of a mechanism
 NEARLY_WHOLE = 5e-5  # of an amount: less than four digits show
 MOST_LINES = 30  # further lines of one check; more are thinned
 SHORT_UNIT = 12  # letters of a unit that stands behind its number; a longer one stands below
@@ -72,7 +73,7 @@ def _lines(context: PageContext, check: Finding) -> tuple[list[str], list[list[C
     parts = [_line(context, label) for label, _, _ in check.rows]
     columns = list(dict.fromkeys(tail for _, tail in parts))
     rows = list(dict.fromkeys(head for head, _ in parts))
-    noise = ROUND_OFF * max((abs(row[1]) for row in check.rows), default=0.0)
+    noise = max(ROUND_OFF * max((abs(row[1]) for row in check.rows), default=0.0), NOTHING_AT_ALL)
     values = {pair: numeral(context.numbers.scalar(_seen(row, noise))) for pair, row in zip(parts, check.rows, strict=True)}
     units = {head: {row[2] for (own, _), row in zip(parts, check.rows, strict=True) if own == head} for head in rows}
     complete = len(columns) > 1 and all(columns) and len(values) == len(check.rows) == len(columns) * len(rows)

@@ -52,6 +52,8 @@ def _number(context: PageContext, finding: Finding) -> Cell:
         return ""
     value = counted(value, finding.unit) if abs(value) > ROUND_OFF else 0.0
     key = finding.unit.key if isinstance(finding.unit, Sentence) else ""
+    if key == "unit.equations" and finding.limit is not None and value < finding.limit:
+        return context.words("control.of", part=numbers.whole(int(value)), whole=numbers.whole(int(finding.limit)))
     if key in SHARES:
         return context.with_unit(numbers.scalar(100 * value, DIGITS), "%")
     shown = numbers.whole(int(value)) if value.is_integer() and abs(value) >= 1 else numbers.scalar(value, DIGITS)

@@ -170,6 +170,15 @@ def test_units_of_tables_beside_the_results_are_in_the_language_of_the_page(real
     assert all(real.text_of(caption)[-1] != "." for caption in chinese)
 
 
+def test_the_control_says_how_many_equations_the_geometry_confirms(real: ModuleType) -> None:
+    def confirmed(run: Any) -> str:
+        (claims,) = (part for part in real.parts(run, "control") if part["kind"] == "claims")
+        return str(next(real.text_of(line[3]) for line in claims["items"] if "what the geometry says" in real.text_of(line[2])))
+
+    assert confirmed(coursework.solve("v101")) == "3 of 4"
+    assert confirmed(coursework.solve("v104")) == "4\u00a0equations"
+
+
 def test_the_first_row_stands_beside_the_last(real: ModuleType) -> None:
     """The parts are those of numerics.md 1: scheme and period add up to the difference."""
     tables = [part for part in real.parts(real.full(), "results") if part["kind"] == "table"]
