@@ -54,7 +54,15 @@ class Formula:
 
     def names(self) -> tuple[str, ...]:
         """Return the symbols used, each once, in order of appearance."""
-        return tuple(dict.fromkeys(node.name for node in self.walk() if node.op == "name"))
+        found: dict[str, None] = {}
+        waiting = [self]
+        while waiting:
+            node = waiting.pop()
+            if node.op == "name":
+                found[node.name] = None
+            else:
+                waiting += node.args[::-1]
+        return tuple(found)
 
     @property
     def value(self) -> Fraction:
