@@ -11,7 +11,8 @@ from dataclasses import dataclass
 
 from coursework.drawing.board import COLUMN, EDGE, SPEEDS, around
 from coursework.drawing.record import Drawing
-from coursework.drawing.sheet import ITALIC, Sheet, Word
+from coursework.drawing.sheet import AXIS_LETTER, ITALIC, Sheet, Word
+from coursework.drawing.sheet import width as width_of
 from coursework.drawing.symbols import decimal, short
 from coursework.plans.foot import FOOT, draw_foot
 from coursework.plans.polygons import ACCELERATION, POLE, UNITS, VELOCITY, Polygons
@@ -39,7 +40,11 @@ def draw_plan(found: Polygons, plan: str, hinges: tuple[str, ...], row: int, wri
     mm = [(kind, start, end, at / unit, vector / unit) for kind, start, end, at, vector in arrows]
     small = _small(mm)
     left, top, right, bottom = around([(0j, 9.0), *((complex(at + vector).conjugate(), 7.0) for *_, at, vector in mm)])
-    inset = _Inset.of(small) if small else None
+    inset = None
+    if small:
+        inset = _Inset.of(
+            small, lambda times: written(say("plans.inset", times=times, scale=decimal(unit / times), unit=UNITS[plan]))
+        )
     corner = complex(right + 3, top)
     if inset is not None:
         if right + 3 + inset.width - left > COLUMN - 2 * EDGE:
@@ -57,6 +62,8 @@ def draw_plan(found: Polygons, plan: str, hinges: tuple[str, ...], row: int, wri
         if kind == "absolute":
             images[end] = tip
     sheet.circle(pole, 0.8, 'fill="white" stroke="black" stroke-width="0.35"')
+    if inset is not None:
+        inset.draw(sheet, pole + corner)
     at_pole = [name for name, tip in images.items() if abs(tip - pole) <= SEEN * LONGEST]
     still = [image(name) for name in dict.fromkeys((*hinges, *at_pole))]
     sheet.label(_pole(plan, "".join(f", {name}" for name in still)), [(pole, -1 + 1j, 1.2)], ITALIC)
@@ -68,8 +75,6 @@ def draw_plan(found: Polygons, plan: str, hinges: tuple[str, ...], row: int, wri
             middle = pole + complex(at + vector / 2).conjugate()
             low = image(end) + ("" if start == POLE else image(start))
             sheet.label(("n" if kind == "normal" else "k", low, ""), [(middle, 1j * complex(vector).conjugate(), 0.8)], ITALIC)
-    if inset is not None:
-        inset.draw(sheet, pole + corner, unit, plan, written)
     scale = say("plans.scale", scale=decimal(unit), unit=UNITS[plan])
     time = float(found.t[row - 1])
     draw_foot(sheet, [scale, say("drawing.title", row=row, time=time)], written)
@@ -103,32 +108,33 @@ def _small(mm: list[tuple[str, str, str, complex, complex]]) -> list[tuple[str, 
 
 @dataclass(frozen=True, slots=True)
 class _Inset:
-    """Short vectors drawn again, `times` enlarged, from a pole of their own at `origin` of a box (mm)."""
+    """Short vectors drawn again, `times` enlarged, from a pole of their own at `origin` of a box (mm), below `lines` of words."""
 
     vectors: list[tuple[str, str, str, complex]]
     times: int
+    lines: list[str]
     width: float
     height: float
     origin: complex
 
     @classmethod
-    def of(cls, small: list[tuple[str, str, str, complex]]) -> _Inset:
+    def of(cls, small: list[tuple[str, str, str, complex]], told: Callable[[int], str]) -> _Inset:
         times = 10
         while max(abs(vector) for *_, vector in small) * times < SMALL:
             times *= 10
         left, top, right, bottom = around([(0j, 7.0), *(((times * vector).conjugate(), 7.0) for *_, vector in small)])
-        width = max(INSET, right - left)
-        return cls(small, times, width, bottom - top + HEAD, complex((width - right - left) / 2, HEAD - top))
+        lines = told(times).split("\n")
+        width = max(INSET, right - left, *(AXIS_LETTER * width_of(line) + 3 for line in lines))
+        return cls(small, times, lines, width, bottom - top + HEAD, complex((width - right - left) / 2, HEAD - top))
 
-    def draw(self, sheet: Sheet, corner: complex, unit: float, plan: str, written: Callable[[str], str]) -> None:
+    def draw(self, sheet: Sheet, corner: complex) -> None:
         """Draw the box with its left top corner at a place of the sheet."""
         right, bottom = corner.real + self.width, corner.imag + self.height
         around_it = [corner, complex(right, corner.imag), complex(right, bottom), complex(corner.real, bottom)]
         sheet.path(around_it, 'fill="none" stroke="black" stroke-width="0.2"', closed=True)
         sheet.words.append((corner.real, corner.imag, right, corner.imag + HEAD))
-        words = written(say("plans.inset", times=self.times, scale=decimal(unit / self.times), unit=UNITS[plan]))
-        for k, line in enumerate(words.split("\n")):
-            sheet.text(corner + complex(1.5, 3.6 + 3.4 * k), (line, "", ""), size=2.85)
+        for k, line in enumerate(self.lines):
+            sheet.text(corner + complex(1.5, 3.6 + 3.4 * k), (line, "", ""), size=AXIS_LETTER)
         pole = corner + self.origin
         sheet.circle(pole, 0.6, 'fill="white" stroke="black" stroke-width="0.3"')
         tips: list[tuple[complex, str]] = []

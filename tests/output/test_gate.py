@@ -1,6 +1,7 @@
 """Nothing absurd is written: a number that is none is a fault with quantity, rows, line and reason."""
 
 import json
+import math
 import subprocess
 import sys
 from dataclasses import replace
@@ -220,3 +221,12 @@ def test_a_check_that_breaks_is_our_fault_and_the_others_still_judge(strict, fol
 def test_what_is_finite_passes(name):
     pass_gate(coursework.solve(name), pages=True)
     pass_gate(coursework.solve(name, step=coursework.load(name).time.step * 3, quantities=["table", "checks"]), pages=False)
+
+
+@pytest.mark.parametrize("name", ["example-4", "example-6", "oscillating-cylinder", "whitworth"])
+def test_a_block_without_a_column_of_its_own_keeps_no_check_from_being_written(name: str) -> None:
+    """The block turns with its lever: the drawing gives its angular velocity, the table has none to compare."""
+    run = coursework.solve(name, quantities=("table", "graph_check"))
+    assert run.graph is not None
+    assert any(math.isnan(row[2]) for row in run.graph.rows), "or this tests nothing"
+    pass_gate(run, pages=True)
