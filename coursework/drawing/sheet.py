@@ -214,13 +214,16 @@ class Sheet:
             if 0.5 * ring >= best:
                 break
             middles, prices = [], []
+            # No rectangle of this ring is nearer than its ring to what lies farther off.
+            farthest = 2 * (gap + ring) + math.hypot(width, height)
+            close = [other for other in others if abs(other - near) < farthest]
             for k in range(DIRECTIONS):
                 turned = math.tau * k / DIRECTIONS
                 unit = cmath.rect(1.0, toward + turned)
                 # The rectangle touches the circle of radius `gap + ring` about the point.
                 reach = min(width / 2 / max(abs(unit.real), 1e-9), height / 2 / max(abs(unit.imag), 1e-9))
                 middles.append(near + unit * (gap + ring + reach))
-                is_mistaken = any(_apart(middles[-1], width, height, other) < gap + ring for other in others)
+                is_mistaken = any(_apart(middles[-1], width, height, other) < gap + ring for other in close)
                 prices.append(0.5 * ring + 0.6 * (1 - math.cos(turned)) + mistaken * is_mistaken)
             for middle, price, covered in zip(middles, prices, self._covered(middles, width, height, crossing), strict=True):
                 if price + covered < best - 1e-9:
