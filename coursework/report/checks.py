@@ -50,6 +50,8 @@ def _judged(context: PageContext, check: Finding) -> Judged:
     value = check.value if check.value is None else counted(check.value, check.unit)
     is_count = value is not None and value >= 1 and value.is_integer()
     heads, lines = _lines(context, check)
+    if check.verdict == "PASS" and check.value == 0 and not heads:
+        lines = []  # where nothing is off, a list of noughts says nothing more
 
     def behind(value: float | None) -> str:
         return context.unit_beside(value, check.unit) if is_short and value is not None else ""

@@ -388,3 +388,12 @@ def test_tables_beside_the_results_are_thinned_sooner_and_show_no_round_off(real
 def test_the_slider_moves_on_its_guide_and_not_the_point_the_guide_leads_through(real: ModuleType, name: str, rider: str) -> None:
     run = coursework.solve(name, quantities=("table",))
     assert f"{rider} moves in a straight guide." in real.text_of(real.parts(run, "statement"))
+
+
+def test_a_check_that_finds_nothing_off_lists_no_noughts(real: ModuleType) -> None:
+    def lines(run: Any) -> dict[str, int]:
+        return {one["code"]: len(one["lines"]) for part in real.parts(run, "checks") for one in part.get("items", [])}
+
+    exact, coarse = lines(coursework.solve("jansen", quantities=("table", "checks"))), lines(real.full())
+    assert exact["ACCURACY"] == 0
+    assert coarse["ACCURACY"] == 7
