@@ -2,7 +2,7 @@
 // Enters: `motion`, `panels`, `lines`, `watch`, the controls of the page.  Leaves: `laboratory`; `changed` tells the animation.
 // What a move does before the next paint, in evaluations: what they leave of it goes to graphs and lines, PIECE for each, and
 // a part of it to the cells of the table.  Pieces that come with each paint after it.
-const MOMENT = 7000, PIECE = 1500, NEXT = 4;
+const MOMENT = 7000, PIECE = 1500, NEXT = 3;
 const laboratory = {
   turn: 0,
   prepare() {

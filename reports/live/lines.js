@@ -39,6 +39,7 @@ const lines = {
   make(i) {
     const line = this.blank.cloneNode(true), cells = [...line.children];
     line.setAttribute("data-row", i + 1);
+    if (i > 15) line.classList.add("live-far");
     // Lines that are spelled out together wait for their turn together.
     if (i % this.few === 0) this.groups.push({ turn: 0, from: i, draw: () => this.spell(i) });
     return { line, cells, texts: cells.map((cell) => cell.firstChild), values: [], said: [] };
