@@ -120,6 +120,7 @@ def read(text: str | int | float, wanted: str = "") -> Quantity:
     return Quantity(_finite(float(Fraction(number) * factor), text), unit, si, match["number"])
 
 
+@lru_cache(maxsize=1000)
 def plain_unit(unit: str) -> str:
     """Return a unit as `UNITS` writes it, where it is one: powers with ^2, divisions with a slash ("м·с⁻²" is м/с^2)."""
     plain = "".join(unit.split()).translate(_SIGNS).replace("**", "^").replace("^-^", "^-")

@@ -63,9 +63,5 @@ def _csv(head: Iterable[str], rows: Iterable[Iterable[object]]) -> str:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(head)
-    writer.writerows(map(_cell, row) for row in rows)
+    writer.writerows(rows)  # the writer spells a float as `repr` does, and None as an empty cell
     return text.getvalue()
-
-
-def _cell(value: object) -> str:
-    return "" if value is None else value if isinstance(value, str) else repr(value)
