@@ -1,9 +1,8 @@
-// Where the animation stands, on the rest of the page: a line in every graph, the row of the table.
+// Where the animation stands, on the rest of the page: a line in every graph, the row of every table.
 // Enters: graphs [data-panel] with the box of their axes and its times; rows [data-row].  Leaves: `cursors`.
 const cursors = {
   panels: [],
-  rows: [],
-  lit: null,
+  tables: [],
   // A graph, or the drawing in it, says data-box="left top right bottom" in its own units and data-time="first last" (s).
   find() {
     const homes = [...document.querySelectorAll("[data-panel] [data-box]")];
@@ -25,8 +24,8 @@ const cursors = {
       way.pause();
       return { home, way, from };
     });
-    const rows = [...document.querySelectorAll("tr[data-row]")].filter((row) => !live.contains(row));
-    this.rows = rows.map((row) => [Number(row.dataset.row), row]).sort(([a], [b]) => a - b);
+    const tables = [...document.querySelectorAll("table:has(tr[data-row])")].filter((table) => !live.contains(table));
+    this.tables = tables.map((table) => ({ rows: [...table.querySelectorAll("tr[data-row]")], lit: null }));
   },
   place(t, moving) {
     for (const one of this.panels) {
@@ -37,10 +36,12 @@ const cursors = {
     }
     // A printed table may have every n-th row only: the last one that is reached.
     const own = 1 + Math.round(t / data.step);
-    const reached = this.rows.findLast(([row]) => row <= own)?.[1] ?? null;
-    if (reached === this.lit) return;
-    this.lit?.classList.remove("live-now");
-    reached?.classList.add("live-now");
-    this.lit = reached;
+    for (const table of this.tables) {
+      const reached = table.rows.findLast((row) => Number(row.dataset.row) <= own) ?? null;
+      if (reached === table.lit) continue;
+      table.lit?.classList.remove("live-now");
+      reached?.classList.add("live-now");
+      table.lit = reached;
+    }
   },
 };

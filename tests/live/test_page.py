@@ -89,6 +89,14 @@ def test_a_cursor_goes_through_every_graph(written: Any, opened: Any) -> None:
     assert all(b > a for a, b in zip(before, after, strict=True))
 
 
+def test_every_table_of_the_page_shows_the_row_that_is_reached(written: Any, opened: Any) -> None:
+    page = opened(written("pantograph"))
+    page.set("#scrub", 13)
+    lit = page.page.eval_on_selector_all("tr.live-now", "all => all.map(row => row.dataset.row)")
+    # The laboratory and the table of results have row 14; each of the three parts of the points prints every second row.
+    assert sorted(lit) == ["13", "13", "13", "14", "14"]
+
+
 @pytest.mark.parametrize(
     ("name", "table"),
     [("31", "table.csv"), ("robot-arm", "table.csv"), ("v107", "table.csv"), ("example-3", "table-euler.csv"),
