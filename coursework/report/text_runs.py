@@ -134,4 +134,5 @@ def _spelt(text: str, names: Iterable[str]) -> str:
     if not sure:
         return text
     pattern = "|".join(sorted(map(re.escape, sure), key=len, reverse=True))
-    return re.sub(rf"(?<!{_WORD})(?<!\.)({pattern})(?!{_WORD}|\()", lambda match: symbol(match[1]).text, text)
+    behind = rf"(?![^\W{HAN}{_RAISED_DIGITS}]|\()"  # a raised digit belongs to no name: l2²
+    return re.sub(rf"(?<!{_WORD})(?<!\.)({pattern}){behind}", lambda match: symbol(match[1]).text, text)

@@ -38,6 +38,9 @@ def test_sentences_are_split_into_runs() -> None:
     assert runs("take --step h/18.") == [{"t": "take "}, {"c": "--step h/18"}, {"t": "."}]
     assert runs("a--b, --strict ends") == [{"t": "a--b, "}, {"c": "--strict"}, {"t": " ends"}]
     assert runs("my_file_name") == [{"t": "my_file_name"}]
+    assert runs("√(l2² − 1), l22²", ["l2"]) == [
+        {"t": "√("}, {"v": "l", "s": "2"}, {"p": "2"}, {"t": " − 1), l22"}, {"p": "2"},
+    ]  # fmt: skip
     assert runs("w3 and phi1, not w33 or a word", ["w3", "phi1", "a"]) == [
         {"v": "ω", "s": "3"}, {"t": " and "}, {"v": "φ", "s": "1"}, {"t": ", not w33 or a word"},
     ]  # fmt: skip
