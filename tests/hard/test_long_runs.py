@@ -61,7 +61,7 @@ def test_h20_eulers_false_cycle_is_found_out():
     assert drift.verdict == "COARSE"
     assert "has settled on a cycle that the mechanism does not make" in drift.sentence
     labels = {label: value for label, value, _ in drift.rows}
-    assert labels["phi2 after 1000 period(s)"] == pytest.approx(row[2][1] - 3.37, abs=1e-4)
+    assert labels["phi2 after 1000 periods"] == pytest.approx(row[2][1] - 3.37, abs=1e-4)
 
 
 def test_h20_drift_per_period_is_told():
