@@ -1,4 +1,4 @@
-"""CONDITION and PEAK: how many digits the equations leave, and whether the step is short enough for the fastest link.
+"""CONDITION and PEAK: how many digits the equations leave, and whether the step is short enough for the fastest angle.
 
 Enters: `Evidence`.  Leaves: a `Finding` each.  Used by `check.py`.
 """
@@ -81,7 +81,10 @@ def _or_one(sizes: Array) -> Array:
 
 
 def peak(evidence: Evidence) -> Finding:
-    """No link turns by more than one radian in one step, also where it is fastest between two rows."""
+    """No angle that is integrated changes by more than one radian in one step, also where it is fastest between two rows.
+
+    A wheel whose angle nobody adds up may turn faster: no row steps over anything with it.
+    """
     variant, step = evidence.variant, evidence.motion.step
     if evidence.stop is not None or not evidence.fastest:
         return skipped(evidence.say("check.PEAK.stopped"))

@@ -69,7 +69,7 @@ def agreement(evidence: Evidence) -> Finding:
     open_to_doubt = tuple(name for name in written if name not in confirmed)
     count = {"count": len(confirmed), "all": len(written)}
     if open_to_doubt:
-        sentence = say("check.AGREEMENT.some", names=open_to_doubt, **count)
+        sentence = say_count("check.AGREEMENT.some", len(open_to_doubt), names=open_to_doubt, **count)
     else:
         sentence = say("check.AGREEMENT.pass", **count)
     return Finding("PASS", sentence, float(len(confirmed)), float(len(written)), say_count("unit.equations", len(written)))

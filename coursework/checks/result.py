@@ -6,6 +6,7 @@ Used by run, output, report and the command line.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Literal
 
@@ -14,6 +15,8 @@ from coursework.sentences import Sentence, load_phrases, say
 Group = Literal["computation", "motion"]
 GROUPS: tuple[Group, ...] = ("computation", "motion")
 Verdict = Literal["PASS", "COARSE", "FAIL", "SKIP", "ERROR"]
+# Parts of a whole that are told: four decimals.
+_FLOOR = 10**4
 # The status a command ends with is that of the worst verdict.
 VERDICTS: tuple[Verdict, ...] = ("PASS", "COARSE", "FAIL", "SKIP", "ERROR")
 
@@ -57,6 +60,11 @@ class Finding:
 def skipped(sentence: str) -> Finding:
     """Return the finding of a check that has nothing to judge; the sentence says what is therefore not known."""
     return Finding("SKIP", sentence)
+
+
+def floored(share: float) -> float:
+    """Return a part of a whole to four decimals, never more than it is: 0.99987 -> 0.9998."""
+    return math.floor(share * _FLOOR) / _FLOOR
 
 
 def percent(share: float) -> Sentence:

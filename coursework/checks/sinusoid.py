@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.checks.evidence import NEAR_PERIOD, Evidence
-from coursework.checks.result import Finding, Verdict, skipped
+from coursework.checks.result import Finding, Verdict, floored, skipped
 from coursework.geometry.drive import frequencies
 from coursework.integration.finer import finer
 from coursework.integration.motion import Motion
@@ -44,14 +44,14 @@ def sinusoid(evidence: Evidence) -> Finding:
     name = min(names, key=lambda key: true[key])
     unit = evidence.say("unit.of_power")
     if true[name] < SHARE:
-        return skipped(evidence.say("check.SINUSOID.not", name=name, share=true[name]))
+        return skipped(evidence.say("check.SINUSOID.not", name=name, share=floored(true[name])))
     if int(np.sum(motion.t <= window)) <= _terms(found):
         return skipped(evidence.say("check.SINUSOID.few", rows=int(np.sum(motion.t <= window)), least=_terms(found) + 1))
     own = shares(motion, names, found, window)
     column = min(names, key=lambda key: own[key])
     rows = tuple((name, own[name], unit) for name in names)
     verdict: Verdict = "PASS" if own[column] >= SHARE else "COARSE"
-    sentence = evidence.say(f"check.SINUSOID.{verdict.lower()}", name=column, share=own[column], exact=true[column])
+    sentence = evidence.say(f"check.SINUSOID.{verdict.lower()}", name=column, share=floored(own[column]), exact=floored(true[column]))
     return Finding(verdict, sentence, own[column], SHARE, unit, column, rows=rows)
 
 

@@ -52,6 +52,8 @@ def _close(accuracy: Finding | None, findings: list[Finding], named: Callable[[F
         told.append(accuracy.sentence)
     elif is_motion and accuracy.value == 0:
         told.append(say("summary.same"))
+    elif accuracy.value == 0:
+        told.append(say("summary.no_error"))
     elif accuracy.value is not None:
         found = {"share": percent(accuracy.value), "name": accuracy.column, "row": accuracy.row}
         is_far = accuracy.verdict == "COARSE"

@@ -5,7 +5,7 @@ Enters: a `PageContext`.  Leaves: the summary, and one part for each group of ch
 
 from __future__ import annotations
 
-from coursework.checks.result import GROUPS, VERDICTS, Finding
+from coursework.checks.result import GROUPS, VERDICTS, Finding, floored
 from coursework.page_text import clean
 from coursework.report.numbers import ROUND_OFF
 from coursework.report.page_context import PageContext
@@ -16,6 +16,7 @@ from coursework.sentences import Sentence
 
 NOTHING_AT_ALL = 1e-18  # SI: smaller than any round-off of a mechanism
 NEARLY_WHOLE = 5e-5  # of an amount: less than four digits show
+OF_POWER = "unit.of_power"  # what carries less than 1 never rounds up to it
 MOST_LINES = 30  # further lines of one check; more are thinned
 SHORT_UNIT = 12  # letters of a unit that stands behind its number; a longer one stands below
 
@@ -91,7 +92,11 @@ def _lines(context: PageContext, check: Finding) -> tuple[list[str], list[list[C
 
 
 def counted(value: float, unit: str) -> float:
-    """Return an amount, whole where it is that but for the last digit shown and its unit is a word: 24 rows, not 23.9999."""
+    """Return an amount as it is told: a part of a whole never larger than it is; whole where it is that but for the last
+    digit shown and its unit is a word: 24 rows, not 23.9999.
+    """
+    if isinstance(unit, Sentence) and unit.key == OF_POWER:
+        return floored(value)
     is_whole = isinstance(unit, Sentence) and abs(value - round(value)) < NEARLY_WHOLE * abs(value)
     return float(round(value)) if is_whole else value
 
@@ -119,4 +124,4 @@ def _label(context: PageContext, label: str) -> Runs:
 
 
 def _amount(context: PageContext, row: tuple[str, float, str]) -> Cell:
-    return numeral(context.with_unit(context.numbers.scalar(row[1]), context.told(row[2])))
+    return numeral(context.with_unit(context.numbers.scalar(counted(row[1], row[2])), context.told(row[2])))

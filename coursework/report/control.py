@@ -6,7 +6,7 @@ Enters: a `PageContext`.  Leaves: `Claims`.  Used by `sections.py`; codes and li
 from __future__ import annotations
 
 from coursework.checks.result import Finding
-from coursework.report.checks import counted
+from coursework.report.checks import OF_POWER, counted
 from coursework.report.numbers import ROUND_OFF
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Cell, Claims, Paragraph, Part
@@ -14,7 +14,8 @@ from coursework.report.text_runs import numeral
 from coursework.sentences import Sentence
 
 DIGITS = 3
-SHARES = {"unit.of_the_scale", "unit.of_power", "unit.relative"}  # parts of a whole are told in percent
+ROWS = "unit.rows"  # 24.02 of them are 24 rows
+SHARES = {"unit.of_the_scale", "unit.relative"}  # parts of a whole are told in percent
 
 
 def control(context: PageContext) -> list[Part]:
@@ -54,7 +55,10 @@ def _number(context: PageContext, finding: Finding) -> Cell:
     key = finding.unit.key if isinstance(finding.unit, Sentence) else ""
     if key == "unit.equations" and finding.limit is not None and value < finding.limit:
         return context.words("control.of", part=numbers.whole(int(value)), whole=numbers.whole(int(finding.limit)))
+    if key == OF_POWER:
+        return context.with_unit(numbers.plain(100 * value), "%")
     if key in SHARES:
         return context.with_unit(numbers.scalar(100 * value, DIGITS), "%")
-    shown = numbers.whole(int(value)) if value.is_integer() and abs(value) >= 1 else numbers.scalar(value, DIGITS)
+    is_count = key == ROWS or (value.is_integer() and abs(value) >= 1)
+    shown = numbers.plain(value, DIGITS) if is_count else numbers.scalar(value, DIGITS)
     return numeral(context.with_unit(shown, context.unit_beside(value, finding.unit)))

@@ -11,12 +11,12 @@ import coursework
 from coursework.checks import check as records
 from coursework.checks.check import CHECKS, Check, check_motion
 from coursework.checks.needs import Need
-from coursework.checks.result import GROUPS, VERDICTS, Finding
+from coursework.checks.result import GROUPS, VERDICTS, Finding, floored
 from coursework.checks.summary import summary
 from coursework.cli import main
 from coursework.report import build_model
 from coursework.report.html import render_html
-from tests.checks.scenes import evidence_of, solve
+from tests.checks.scenes import evidence_of, finding, solve
 
 KEYS = ["code", "group", "verdict", "value", "unit", "limit", "column", "row", "sentence"]
 
@@ -98,7 +98,7 @@ SUMMARIES = {
     "the step is too coarse for something else": (
         [judged("STOP", "PASS"), judged("ACCURACY", "PASS", value=0.0, column="w6", row=1),
          judged("STEP", "COARSE", option="--step h/2"), judged("PEAK", "COARSE", option="--step h/2")],
-        "The table is computed right: 1 of 1. It is close to the motion: largest error 0 % (w6, row 1). "
+        "The table is computed right: 1 of 1. It is close to the motion: no entry is off by more than round-off. "
         "The step is too coarse for STEP and PEAK; take --step h/2.",
     ),
     "no step helps": (
@@ -127,6 +127,20 @@ SUMMARIES = {
         "It is close to the motion: largest error less than 0.0001 % (u, row 2).",
     ),
 }  # fmt: skip
+
+
+@pytest.mark.parametrize(("share", "told"), [(0.99987, "0.9998"), (0.999999, "0.9999"), (0.9, "0.9"), (1.0, "1")])
+def test_a_part_of_a_whole_is_never_told_larger_than_it_is(share, told):
+    assert f"{floored(share):.4g}" == told
+
+
+@pytest.mark.parametrize(("names", "told"), [(("2",), "of equation 2 are"), (("2", "4"), "of equations 2 and 4 are")])
+def test_equations_that_nothing_confirms_are_called_so(names, told):
+    run = solve("v101")
+    closure = run.results.evidence.closure
+    left = tuple(name for name in ("1", "2", "3", "4") if name not in names)
+    found = finding("AGREEMENT", evidence_of(run, closure=replace(closure, agreed=left)))
+    assert told in found.sentence
 
 
 @pytest.mark.parametrize("name", SUMMARIES)
