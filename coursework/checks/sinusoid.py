@@ -51,7 +51,9 @@ def sinusoid(evidence: Evidence) -> Finding:
     column = min(names, key=lambda key: own[key])
     rows = tuple((name, own[name], unit) for name in names)
     verdict: Verdict = "PASS" if own[column] >= SHARE else "COARSE"
-    sentence = evidence.say(f"check.SINUSOID.{verdict.lower()}", name=column, share=floored(own[column]), exact=floored(true[column]))
+    sentence = evidence.say(
+        f"check.SINUSOID.{verdict.lower()}", name=column, share=floored(own[column]), exact=floored(true[column])
+    )
     return Finding(verdict, sentence, own[column], SHARE, unit, column, rows=rows)
 
 

@@ -18,6 +18,7 @@ from coursework.schemes import SCHEMES
 from coursework.sentences import title_of
 
 SEEN = 1e-9  # of the scale of a column: a smaller error is none to speak of
+ALIKE = 1e-4  # of the largest error: one that is less beside it is as large, to the digits shown
 ON_THE_CURVE = 1e-12  # the same for one step, which leaves no more than round-off
 
 
@@ -72,22 +73,29 @@ def splits(context: PageContext) -> tuple[Split, ...]:
 
 
 def largest_errors(context: PageContext) -> list[LargestError]:
-    """Return the largest error of the coordinates of each unit, those below `SEEN` left out."""
+    """Return the largest error of the coordinates of each unit, those below `SEEN` left out.
+
+    Of those alike to the digits shown the first coordinate is named, and its first row, as in the laboratory.
+    """
     found = evidence(context)
     if not found.compared or found.exact is None or len(found.motion.t) > found.compared:
         return []
     scheme = SCHEMES.get(found.motion.scheme)
     title = context.told(_title(context, scheme is None or context.run.tableau is not None))
     sizes = np.abs(found.errors) * found.scales
-    largest: dict[str, LargestError] = {}
-    for place, name in enumerate(found.names):
-        if name not in found.motion.coordinate_names:
-            continue
-        row, unit = int(np.argmax(sizes[:, place])), found.unit(name)
-        value = float(sizes[row, place])
-        if value > SEEN * found.scales[place] and (unit not in largest or value > largest[unit].value):
-            largest[unit] = LargestError(title, name, unit, value, row + 1)
-    return list(largest.values())
+    seen = [
+        place
+        for place, name in enumerate(found.names)
+        if name in found.motion.coordinate_names and np.max(sizes[:, place]) > SEEN * found.scales[place]
+    ]
+    told = []
+    for unit in dict.fromkeys(found.unit(found.names[place]) for place in seen):
+        places = [place for place in seen if found.unit(found.names[place]) == unit]
+        largest = float(np.max(sizes[:, places]))
+        alike = sizes[:, places] >= (1 - ALIKE) * largest
+        first = int(np.argmax(alike.any(axis=0)))
+        told.append(LargestError(title, found.names[places[first]], unit, largest, int(np.argmax(alike[:, first])) + 1))
+    return told
 
 
 def _title(context: PageContext, own: bool) -> str:

@@ -166,13 +166,15 @@ function* follow(rows, h, inside, start, d, end) {
 }
 
 // The largest difference of a coordinate from the true motion over the rows: value, coordinate and row from 1.
+// Of those alike to the digits shown the first coordinate is named, and its first row, as in the box of the first page.
+const ALIKE = 1e-4;
 const largestError = (rows, truth) => {
-  const stride = Math.round(rows.h / truth.h), worst = { value: 0, place: 0, row: 1 };
-  for (let i = 0; i < rows.n && i * stride < truth.n; i++) {
-    for (let place = 0; place < m; place++) {
-      const gap = abs(rows.q[i * m + place] - truth.q[i * stride * m + place]);
-      if (gap > worst.value) Object.assign(worst, { value: gap, place, row: i + 1 });
-    }
+  const stride = Math.round(rows.h / truth.h), count = Math.min(rows.n, Math.ceil(truth.n / stride));
+  const gap = (i, place) => abs(rows.q[i * m + place] - truth.q[i * stride * m + place]);
+  let value = 0;
+  for (let i = 0; i < count; i++) for (let place = 0; place < m; place++) if (gap(i, place) > value) value = gap(i, place);
+  for (let place = 0; place < m; place++) {
+    for (let i = 0; i < count; i++) if (gap(i, place) >= value * (1 - ALIKE)) return { value, place, row: i + 1 };
   }
-  return worst;
+  return { value, place: 0, row: 1 };
 };
