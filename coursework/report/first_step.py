@@ -5,6 +5,8 @@ Enters: a `PageContext`.  Leaves: displayed equations.  Used by `solution.py`.
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from coursework.report import lecture
 from coursework.report.numbers import MINUS, first_of
 from coursework.report.page_context import PageContext
@@ -13,6 +15,7 @@ from coursework.sentences import title_of
 
 DECIMALS = 5  # of a result
 DIGITS, MOST_DIGITS = 6, 15  # of a factor: as many as give the printed result
+INDICES = "kinjm"  # letters that count the steps; a datum of the file may have one
 MOST_LINES = 8  # coordinates written out; the others are done alike
 
 
@@ -27,10 +30,11 @@ def first_step(context: PageContext) -> list[Part]:
         return [Paragraph(context.say("derivation.scheme", scheme=context.told(title_of(scheme)))), lines]
     rate_of = {coordinate.name: coordinate.rate for coordinate in run.variant.coordinates}
     names = run.motion.coordinate_names[:MOST_LINES]
-    index = [_line(context, name, rate_of[name]) for name in names]
+    index = index_of_steps(run.variant.names)
+    steps = [_line(context, name, rate_of[name], index) for name in names]
     parts: list[Part] = [
-        Paragraph(context.say("derivation.along", step=context.quantity(run.step, "s"))),
-        Equations(index, flow=True),
+        Paragraph(context.say("derivation.along", index=context.lettering(index), step=context.quantity(run.step, "s"))),
+        Equations(steps, flow=True),
     ]
     if len(run.motion.t) > 1 and not run.settings.project and not run.settings.gain:
         numbers = [_numbers(context, name, rate_of[name]) for name in names]
@@ -39,10 +43,19 @@ def first_step(context: PageContext) -> list[Part]:
     return parts
 
 
-def _line(context: PageContext, name: str, rate: str) -> Display:
+def index_of_steps(names: Collection[str]) -> str:
+    """Return the letter that counts the steps: the first that the file gives no other meaning.
+
+    >>> index_of_steps(["k", "L1", "i"])
+    'n'
+    """
+    return next((letter for letter in INDICES if letter not in names), INDICES[0])
+
+
+def _line(context: PageContext, name: str, rate: str, k: str) -> Display:
     q, w = context.symbol(name), context.symbol(rate)
-    math = f"{q.typst} (k + 1) = {q.typst} (k) + {w.typst} (k) thin h"
-    return Display(math, f"{q.text}(k + 1) = {q.text}(k) + {w.text}(k) h")
+    math = f"{q.typst} ({k} + 1) = {q.typst} ({k}) + {w.typst} ({k}) thin h"
+    return Display(math, f"{q.text}({k} + 1) = {q.text}({k}) + {w.text}({k}) h")
 
 
 def _numbers(context: PageContext, name: str, rate: str) -> Display:

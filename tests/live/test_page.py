@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import re
+import unicodedata
 from pathlib import Path
 from typing import Any
 
@@ -119,13 +120,13 @@ def test_the_laboratory_gives_the_table_of_the_run(written: Any, opened: Any, na
             assert abs(float(value) - there[column]) <= 1e-12 * largest[column], column
 
 
-@pytest.mark.parametrize(("name", "told"), [("peaucellier", "in φ3, row"), ("engine-start", "in φ1, row 61")])
+@pytest.mark.parametrize(("name", "told"), [("peaucellier", "in φ3, row"), ("engine-start", "in φ1, row 41")])
 def test_of_errors_alike_the_laboratory_names_the_same_as_the_box(written: Any, opened: Any, name: str, told: str) -> None:
     """Of links that lean alike, and of rows that stand still, the one that is larger in its last digits says nothing."""
     page = opened(written(name)).page
-    where = page.inner_text("#lab-where").strip()
+    where = unicodedata.normalize("NFKC", page.inner_text("#lab-where")).strip()
     assert where.startswith(told)
-    assert where in page.inner_text("#statement")
+    assert where in unicodedata.normalize("NFKC", page.inner_text("#statement"))
 
 
 def test_a_better_scheme_and_a_smaller_step_cost_what_they_cost(written: Any, opened: Any) -> None:
