@@ -21,7 +21,7 @@ from coursework.grading.platforms.roster import Student
 from coursework.integration.integrate import march
 from coursework.integration.motion import Motion
 from coursework.plans.graph_check import GraphCheck, check_graph
-from coursework.report.statement import meanings
+from coursework.report.data_meanings import meanings
 from coursework.scene import Scene
 from coursework.schemes import DEFAULT_SCHEME
 from coursework.settings import Settings

@@ -76,7 +76,7 @@ def data_rows(handout: Handout, words: Words) -> list[list[object]]:
     """Return each given datum: its symbol, its value as written, what it means."""
     variant, meanings = handout.variant, handout.meanings
     return [
-        [symbol_runs(variant, g.name), datum(g.text, g.unit or g.si, words), lettered(variant, meanings[g.name])]
+        [symbol_runs(variant, g.name), datum(g.text, g.unit or g.si, words), lettered(variant, words.written(meanings[g.name]))]
         for g in variant.given
     ]
 

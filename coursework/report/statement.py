@@ -6,22 +6,22 @@ Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
 from dataclasses import replace
 
 from coursework.checks.summary import summary
-from coursework.drawing.lengths import lengths
 from coursework.formula.tree import Formula
 from coursework.mechanism import Mechanism
 from coursework.page_text import clean
 from coursework.quantities import CHECKS, GRAPH_CHECK, TABLE
 from coursework.report.closeness import largest_errors, splits
+from coursework.report.data_meanings import coordinate_meanings, meanings
 from coursework.report.figures import drawn
 from coursework.report.laws import laws_shown
 from coursework.report.numbers import NOISE, NOTHING, TIGHT, first_of
 from coursework.report.page_context import STOP_DIGITS, PageContext
 from coursework.report.parts import Beside, Cell, Column, Paragraph, Part, Result, Runs, Table, TitleBlock
 from coursework.report.text_runs import LONGEST_NAME, runs
+from coursework.variant.record import Variant
 
 MOST_REMARKS = 12  # on the first page, on which the results begin
 USUAL_ROW = 4  # the row that is compared where a file names none
@@ -104,7 +104,13 @@ def _held(context: PageContext) -> list[str]:
     for link in variant.links:
         if link.wheel and link.contact:
             wheel = {"link": clean(link.name), "centre": clean(link.wheel), "point": clean(link.contact)}
-            told.append(say("statement.gear" if link.wheel in variant.frame.hinges else "statement.wheel", **wheel))
+            middle = _rolled_on(variant, link.contact)
+            if link.wheel in variant.frame.hinges:
+                told.append(say("statement.gear", **wheel))
+            elif middle:
+                told.append(say("statement.wheel_on_circle", middle=clean(middle), **wheel))
+            else:
+                told.append(say("statement.wheel", **wheel))
         if link.slides:
             told.append(say("statement.sleeve", link=clean(link.name), bar=clean(link.slides)))
     contacts = {link.contact for link in variant.links}
@@ -113,6 +119,13 @@ def _held(context: PageContext) -> list[str]:
     if guided:
         told.append(say.count("statement.guided", len(guided), points=say.listing(guided)))
     return told
+
+
+def _rolled_on(variant: Variant, contact: str) -> str:
+    """Return the middle of the one fixed circle that a wheel rolls on; "" where it rolls on a rail, or there are several."""
+    on_rail = any(through.op == "name" and through.name == contact for through, _ in variant.frame.rails)
+    middles = [centre.name for centre, _ in variant.frame.circles if centre.op == "name"]
+    return middles[0] if len(middles) == len(variant.frame.circles) == 1 and not on_rail else ""
 
 
 def _rider(mechanism: Mechanism, through: Formula) -> str:
@@ -148,11 +161,11 @@ def _data(context: PageContext) -> Table:
     """The data of the task sheet as written, and the start."""
     variant = context.variant
     means = meanings(context.run.scene.mechanism)
-    ends = ends_kept(context.run.scene.mechanism, [c.name for c in variant.coordinates])
+    measured = coordinate_meanings(context.run.scene.mechanism)
     rows: list[list[Cell]] = [
         [
             context.symbol_runs([g.name]),
-            context.quoted(g.means, LONGEST_NAME) if g.means else runs(means[g.name]),
+            context.quoted(g.means, LONGEST_NAME) if g.means else context.lettered(context.told(means[g.name])),
             _given(context, g.text, g.unit),
         ]
         for g in variant.given
@@ -161,34 +174,17 @@ def _data(context: PageContext) -> Table:
         head = context.symbol_runs([c.name])
         if c.start is None:
             how = context.words("given.from_groups" if c.near is None else "given.follows")
-            rows.append([head, _between(context, ends[c.name], how), _first(context, c.name, c.unit)])
+            rows.append([head, _between(context, measured[c.name], how), _first(context, c.name, c.unit)])
         else:
             how = context.words("given.at_start")
-            rows.append([head, _between(context, ends[c.name], how), _given(context, c.text, c.written)])
+            rows.append([head, _between(context, measured[c.name], how), _given(context, c.text, c.written)])
     columns = [Column(context.say(f"given.{key}"), words=key != "written") for key in ("quantity", "meaning", "written")]
     return Table(columns, rows, context.say("given.data" if variant.given else "given.coordinates"))
 
 
-def _between(context: PageContext, ends: str, how: str) -> Runs:
-    """Return how a start is known, behind the two points whose distance it is."""
-    return runs(context.words("given.between", ends=clean(ends), how=how) if ends else how)
-
-
-def meanings(mechanism: Mechanism) -> dict[str, str]:
-    """Return what the file says each datum means; else the two points that it keeps apart, in the author's order, or ""."""
-    ends = ends_kept(mechanism, [given.name for given in mechanism.variant.given])
-    return {
-        given.name: clean(given.means, LONGEST_NAME) if given.means else clean(ends[given.name])
-        for given in mechanism.variant.given
-    }
-
-
-def ends_kept(mechanism: Mechanism, names: Iterable[str]) -> dict[str, str]:
-    """Return the two points whose distance each name is, in the author's order: "AB", or "" where it is none."""
-    places = [name for name, _ in mechanism.points]
-    kept = {length.name: ends for ends, length in reversed(lengths(mechanism).items()) if length.op == "name"}
-    order = {name: place for place, name in enumerate(places)}
-    return {name: "".join(sorted(kept.get(name, ()), key=lambda end: order.get(end, len(order)))) for name in names}
+def _between(context: PageContext, measured: str, how: str) -> Runs:
+    """Return how a start is known, behind what the coordinate measures."""
+    return runs(context.words("given.between", ends=context.told(measured), how=how) if measured else how)
 
 
 def _first(context: PageContext, name: str, unit: str) -> str:

@@ -1,0 +1,125 @@
+"""What the data of a file mean: as its author says, else as its points, guides and drive use them.
+
+Enters: a `Mechanism`.  Leaves: texts, or sentences that are written in the language of a page later.
+Used by `statement.py` and `assigning/handout.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from coursework.drawing.lengths import lengths
+from coursework.formula.tree import Formula, terms
+from coursework.mechanism import Mechanism
+from coursework.page_text import clean
+from coursework.report.text_runs import LONGEST_NAME
+from coursework.sentences import say
+from coursework.variant.record import Variant
+
+_WAVES = {"sin", "cos"}
+
+
+def meanings(mechanism: Mechanism) -> dict[str, str]:
+    """Return what each datum means: the file's own words; the two points that it keeps apart; what else it is used for; or "".
+
+    >>> import coursework
+    >>> meanings(coursework.solve("v101").scene.mechanism)["p"]
+    'angular frequency of the drive'
+    """
+    variant = mechanism.variant
+    ends = ends_kept(mechanism, [given.name for given in variant.given])
+    uses: dict[str, str] = {}
+    for name, use in (*_placed(mechanism), *_guided(variant), *_turned(mechanism), *_driving(variant)):
+        uses.setdefault(name, use)
+    return {
+        given.name: clean(given.means, LONGEST_NAME) or clean(ends[given.name]) or uses.get(given.name, "")
+        for given in variant.given
+    }
+
+
+def coordinate_meanings(mechanism: Mechanism) -> dict[str, str]:
+    """Return what each coordinate measures where that is a length: between two points, or along a guide; else ""."""
+    variant = mechanism.variant
+    found = ends_kept(mechanism, [coordinate.name for coordinate in variant.coordinates])
+    lengths_only = {coordinate.name for coordinate in variant.coordinates if coordinate.unit == "m"}
+    for group in variant.groups:
+        slides = [name for name in group.coordinates if name in lengths_only]
+        for name, guide in zip(reversed(slides), reversed(group.guides), strict=False):
+            if guide.through.op == "name":
+                found[name] = found[name] or say("given.means.along", point=clean(guide.through.name))
+    return found
+
+
+def ends_kept(mechanism: Mechanism, names: Iterable[str]) -> dict[str, str]:
+    """Return the two points whose distance each name is, in the author's order: "AB", or "" where it is none."""
+    places = [name for name, _ in mechanism.points]
+    kept = {length.name: ends for ends, length in reversed(lengths(mechanism).items()) if length.op == "name"}
+    order = {name: place for place, name in enumerate(places)}
+    return {name: "".join(sorted(kept.get(name, ()), key=lambda end: order.get(end, len(order)))) for name in names}
+
+
+def _placed(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
+    """Yield the coordinates of the points that the file puts somewhere."""
+    for point, formula in mechanism.points:
+        if formula.op == "pair":
+            for axis, part in zip("xy", formula.args, strict=True):
+                if part.op == "name":
+                    yield part.name, say(f"given.means.{axis}", point=clean(point))
+
+
+def _guided(variant: Variant) -> Iterator[tuple[str, str]]:
+    """Yield radii of fixed circles, directions of guides, and how far something moves beside its guide."""
+    for centre, radius in variant.frame.circles:
+        if centre.op == radius.op == "name":
+            yield radius.name, say("given.means.circle", point=clean(centre.name))
+    guides = [(guide.through, guide.angle) for group in variant.groups for guide in group.guides]
+    for through, angle in (*variant.frame.rails, *guides):
+        if through.op == angle.op == "name":
+            yield angle.name, say("given.means.direction", point=clean(through.name))
+    beside = [(guide.through, guide.offset) for group in variant.groups for guide in group.guides]
+    beside += [(group.start_points[-1], group.offset) for group in variant.groups if group.start_points]
+    for through, offset in beside:
+        if through.op == offset.op == "name":
+            yield offset.name, say("given.means.offset", point=clean(through.name))
+
+
+def _turned(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
+    """Yield the angles between a bar and the coordinate it turns with: E = D + r5 @ (phi3 + gamma)."""
+    moving = {coordinate.name for coordinate in mechanism.variant.coordinates}
+    for point, formula in mechanism.points:
+        parts = [*terms(formula)]
+        if [part.op for part in parts] != ["name", "@"]:
+            continue
+        angles = [part.name for part in terms(parts[1].args[1]) if part.op == "name"]
+        turning = [name for name in angles if name in moving]
+        for name in angles:
+            if len(turning) == 1 and name not in moving:
+                yield name, say("given.means.turned", name=turning[0], ends=clean(parts[0].name + point))
+
+
+def _driving(variant: Variant) -> Iterator[tuple[str, str]]:
+    """Yield the constants of the drive: a speed, the frequency, the phase and the amplitude of its sines."""
+    for law in variant.drive:
+        if law.formula is not None and law.formula.op == "name":
+            yield law.formula.name, say("given.means.speed", name=law.name)
+    formulas = [(law.name, formula) for law in variant.drive for formula in law.formulas]
+    waves = [node for _, formula in formulas for node in formula.walk() if node.op == "call" and node.name in _WAVES]
+    for part in (part for wave in waves for part in terms(wave.args[0])):
+        factors = [factor.name for factor in _factors(part) if factor.op == "name"]
+        if "t" in factors:
+            yield from ((name, say("given.means.frequency")) for name in factors if name != "t")
+        elif part.op == "name":
+            yield part.name, say("given.means.phase")
+    for law_name, part in ((law_name, part) for law_name, formula in formulas for part in terms(formula)):
+        product = list(_factors(part))
+        swings = [factor in waves or (factor.op == "^" and factor.args[0] in waves) for factor in product]
+        if len(product) == 2 and any(swings):
+            yield from ((factor.name, say("given.means.amplitude", name=law_name)) for factor in product if factor.op == "name")
+
+
+def _factors(tree: Formula) -> Iterator[Formula]:
+    if tree.op == "*":
+        for part in tree.args:
+            yield from _factors(part)
+    else:
+        yield tree
