@@ -25,10 +25,8 @@ def test_what_the_data_are(name):
 
 def test_a_product_of_two_data_is_the_amplitude_of_neither():
     """rr*w0*cos(w0*t + beta): neither a length nor an angular velocity is the size of a speed."""
-    text = (
-        (coursework.load("andrews").path).read_text(encoding="utf-8").replace('means = "radius of the circle of F about O"', "")
-    )
-    variant = coursework.parse_variant(text.replace(", }", " }"))
+    text = coursework.load("andrews").path.read_text(encoding="utf-8")
+    variant = coursework.parse_variant(text.replace('{ value = "7 mm", means = "radius of the circle of F about O" }', '"7 mm"'))
     assert meanings(coursework.solve(variant, quantities=["table"]).scene.mechanism)["rr"] == ""
 
 
@@ -40,8 +38,6 @@ def test_a_slide_is_measured_between_points_or_along_its_guide():
 
 
 def test_no_datum_of_the_catalogue_is_without_a_meaning():
-    bare = {}
-    for name in names():
-        found = meanings(coursework.solve(name, quantities=["table"]).scene.mechanism)
-        bare |= {name: left for left in [[key for key, meaning in found.items() if not meaning]] if left}
-    assert bare == {}
+    found = {name: meanings(coursework.solve(name, quantities=["table"]).scene.mechanism) for name in names()}
+    bare = [(name, key) for name, told in found.items() for key, meaning in told.items() if not meaning]
+    assert bare == []
