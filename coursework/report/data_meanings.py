@@ -47,6 +47,9 @@ def coordinate_meanings(mechanism: Mechanism) -> dict[str, str]:
         for name, guide in zip(reversed(slides), reversed(group.guides), strict=False):
             if guide.through.op == "name":
                 found[name] = found[name] or say("given.means.along", point=clean(guide.through.name))
+        carried = len(slides) > len(group.guides) > 0 and group.meets and group.start_points[0].op == "name"
+        if carried:  # along a slide on the block that the group meets: RPP
+            found[slides[0]] = found[slides[0]] or clean(group.start_points[0].name + str(group.meets))
     return found
 
 
