@@ -46,7 +46,7 @@ def coordinate_meanings(mechanism: Mechanism) -> dict[str, str]:
         slides = [name for name in group.coordinates if name in lengths_only]
         for name, guide in zip(reversed(slides), reversed(group.guides), strict=False):
             if guide.through.op == "name":
-                found[name] = found[name] or say("given.means.along", point=clean(guide.through.name))
+                found[name] = found[name] or say("datum.along", point=clean(guide.through.name))
         carried = len(slides) > len(group.guides) > 0 and group.meets and group.start_points[0].op == "name"
         if carried:  # along a slide on the block that the group meets: RPP
             found[slides[0]] = found[slides[0]] or clean(group.start_points[0].name + str(group.meets))
@@ -67,23 +67,23 @@ def _placed(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
         if formula.op == "pair":
             for axis, part in zip("xy", formula.args, strict=True):
                 if part.op == "name":
-                    yield part.name, say(f"given.means.{axis}", point=clean(point))
+                    yield part.name, say(f"datum.{axis}", point=clean(point))
 
 
 def _guided(variant: Variant) -> Iterator[tuple[str, str]]:
     """Yield radii of fixed circles, directions of guides, and how far something moves beside its guide."""
     for centre, radius in variant.frame.circles:
         if centre.op == radius.op == "name":
-            yield radius.name, say("given.means.circle", point=clean(centre.name))
+            yield radius.name, say("datum.circle", point=clean(centre.name))
     guides = [(guide.through, guide.angle) for group in variant.groups for guide in group.guides]
     for through, angle in (*variant.frame.rails, *guides):
         if through.op == angle.op == "name":
-            yield angle.name, say("given.means.direction", point=clean(through.name))
+            yield angle.name, say("datum.direction", point=clean(through.name))
     beside = [(guide.through, guide.offset) for group in variant.groups for guide in group.guides]
     beside += [(group.start_points[-1], group.offset) for group in variant.groups if group.start_points]
     for through, offset in beside:
         if through.op == offset.op == "name":
-            yield offset.name, say("given.means.offset", point=clean(through.name))
+            yield offset.name, say("datum.offset", point=clean(through.name))
 
 
 def _turned(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
@@ -97,27 +97,27 @@ def _turned(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
         turning = [name for name in angles if name in moving]
         for name in angles:
             if len(turning) == 1 and name not in moving:
-                yield name, say("given.means.turned", name=turning[0], ends=clean(parts[0].name + point))
+                yield name, say("datum.turned", name=turning[0], ends=clean(parts[0].name + point))
 
 
 def _driving(variant: Variant) -> Iterator[tuple[str, str]]:
     """Yield the constants of the drive: a speed, the frequency, the phase and the amplitude of its sines."""
     for law in variant.drive:
         if law.formula is not None and law.formula.op == "name":
-            yield law.formula.name, say("given.means.speed", name=law.name)
+            yield law.formula.name, say("datum.speed", name=law.name)
     formulas = [(law.name, formula) for law in variant.drive for formula in law.formulas]
     waves = [node for _, formula in formulas for node in formula.walk() if node.op == "call" and node.name in _WAVES]
     for part in (part for wave in waves for part in terms(wave.args[0])):
         factors = [factor.name for factor in _factors(part) if factor.op == "name"]
         if "t" in factors:
-            yield from ((name, say("given.means.frequency")) for name in factors if name != "t")
+            yield from ((name, say("datum.frequency")) for name in factors if name != "t")
         elif part.op == "name":
-            yield part.name, say("given.means.phase")
+            yield part.name, say("datum.phase")
     for law_name, part in ((law_name, part) for law_name, formula in formulas for part in terms(formula)):
         product = list(_factors(part))
         swings = [factor in waves or (factor.op == "^" and factor.args[0] in waves) for factor in product]
         if len(product) == 2 and any(swings):
-            yield from ((factor.name, say("given.means.amplitude", name=law_name)) for factor in product if factor.op == "name")
+            yield from ((factor.name, say("datum.amplitude", name=law_name)) for factor in product if factor.op == "name")
 
 
 def _factors(tree: Formula) -> Iterator[Formula]:

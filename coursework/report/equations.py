@@ -13,6 +13,7 @@ from enum import IntEnum
 from coursework.formula.tree import Formula
 from coursework.report.numbers import MINUS, TIMES, superscript
 from coursework.report.symbols import parts_of_derivative, symbol
+from coursework.report.text_runs import ITALIC
 
 
 class Level(IntEnum):
@@ -46,11 +47,15 @@ _EXPONENTIAL = re.compile(r"(.*)[eE]\+?(-?\d+)")
 
 @dataclass(frozen=True, slots=True)
 class Setter:
-    """Sets formulas; `typst` chooses the language, `rates` are the names whose "d…" is a derivative in time."""
+    """Sets formulas; `typst` chooses the language, `rates` are the names whose "d…" is a derivative in time.
+
+    `in_sentence`: a bare letter is marked for the sentence around it.
+    """
 
     typst: bool
     rates: frozenset[str] = frozenset()
     inline: bool = False  # inside an exponent: quotients with a slash
+    in_sentence: bool = False
 
     def set(self, tree: Formula) -> Piece:
         """Return the piece of a formula."""
@@ -98,7 +103,9 @@ class Setter:
             return self._quotient(above, below)
         found = symbol(name, self.rates)
         kind = "word" if len(found.letter) > 1 else ""
-        return Piece(found.typst if self.typst else found.text, Level.ATOM, opens=kind, closes=kind)
+        is_bare = self.in_sentence and len(found.text) == 1 and found.text.isascii()
+        shown = f"{ITALIC[0]}{found.text}{ITALIC[1]}" if is_bare else found.text
+        return Piece(found.typst if self.typst else shown, Level.ATOM, opens=kind, closes=kind)
 
     @property
     def _dot(self) -> str:
@@ -207,6 +214,7 @@ def math(tree: Formula, rates: frozenset[str] = frozenset()) -> str:
     return Setter(typst=True, rates=rates).set(tree).source
 
 
-def text_equation(left: Formula, right: Formula, rates: frozenset[str] = frozenset()) -> str:
-    """Return "left = right" as plain text."""
-    return f"{text(left, rates)} = {text(right, rates)}"
+def text_equation(left: Formula, right: Formula, rates: frozenset[str] = frozenset(), *, in_sentence: bool = False) -> str:
+    """Return "left = right" as plain text; `in_sentence`: bare letters are marked, so that none is taken for a word."""
+    setter = Setter(typst=False, rates=rates, in_sentence=in_sentence)
+    return f"{setter.set(left).source} = {setter.set(right).source}"

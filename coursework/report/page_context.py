@@ -125,9 +125,9 @@ class PageContext:
     def lettered(self, text: str, *, data: bool = True) -> Runs:
         """Return a sentence that is clean already, the names of this variant set as symbols; without `data` no bare letter."""
         variant = self.run.variant
-        laws = (law.name for law in (*variant.drive, *variant.functions))
+        laws = [law.name for law in (*variant.drive, *variant.functions)]
         points = {name for name, _ in self.run.scene.mechanism.points}
-        letters = {*variant.columns, *(given.name for given in variant.given)} - points
+        letters = {"t", *variant.columns, *(given.name for given in variant.given), *laws} - points
         return runs(
             with_pairs(with_letters(text, letters), variant.columns) if data else text,
             (*variant.columns, *(given.name for given in variant.given), *laws, "pi"),

@@ -121,7 +121,7 @@ def _vanishing(context: PageContext, block: Block, delta: str, determinant: Form
     shown = determinant or block.determinant
     if shown is None or not set(shown.names()) - {"pi"}:
         return []  # of a plain number nobody asks where it is zero
-    text = setting.text_equation(Formula("name", name=delta), context.angles.put_in(shown), context.rates)
+    text = setting.text_equation(Formula("name", name=delta), context.angles.put_in(shown), context.rates, in_sentence=True)
     text = marked_text(text, context.numbers.mark)
     if block.meaning == say("determinant.never"):
         return context.lettered(context.words("derivation.never", determinant=text))

@@ -41,6 +41,7 @@ _MINUS = re.compile(rf"(?<=[\d)⁻⁰¹²³⁴⁵⁶⁷⁸⁹]) - (?=[\w(])|(?<=
 _POWER = re.compile(rf"(?<!{_WORD})(?<!\.)(\d+(?:\.\d+)?)[eE]([+-]?\d+)(?!{_WORD})")
 _NEGATIVE = re.compile(rf"(?<!{_WORD})(?<![.)])-(?=\d)")
 _ARTICLES = "aAI"  # one letter each, and words of a sentence
+_OF_A_FORMULA = r"(?=\)| ?[=+·/²³]| − | (?:sin|cos|tan)\b)"  # what no article has behind it
 _WORDS = re.compile(
     "a[mnst]|b[ey]|do|go|he|i[fnst]|m[ey]|no|o[fnr]|so|to|u[ps]|we|[cm]m|ms|kg"
 )  # no names of a letter and its index
@@ -113,7 +114,10 @@ def with_pairs(text: str, names: Iterable[str]) -> str:
 
 def with_letters(text: str, names: Iterable[str]) -> str:
     """Return a sentence in which those names that are one Latin letter are marked as symbols: "21 % off in s", not "0.4 s"."""
-    letters = {name for name in names if len(name) == 1 and name.isascii() and name.isalpha() and name not in _ARTICLES}
+    letters = {name for name in names if len(name) == 1 and name.isascii() and name.isalpha()}
+    if articles := "".join(sorted(letters & set(_ARTICLES))):
+        text = re.sub(rf"(?<!{_WORD})([{articles}]){_OF_A_FORMULA}", rf"{ITALIC[0]}\1{ITALIC[1]}", text)
+    letters -= set(_ARTICLES)
     if not letters:
         return text
     units, others = ("".join(sorted(letters & set(_ALSO_UNITS))), "".join(sorted(letters - set(_ALSO_UNITS))))

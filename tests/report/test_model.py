@@ -102,7 +102,23 @@ def test_lengths_of_the_frame_and_of_a_slide_are_said_by_their_ends(real: Module
 
     assert data("whitworth") | {"d": "AD", "s2": "DB, at t = 0, computed", "φ1": "at t = 0"} == data("whitworth")
     assert data("v107")["s"] == "OM, at t = 0"
-    assert data("v108")["xO"] == ""
+    assert data("v108")["xO"] == "abscissa of O"
+
+
+def test_a_datum_called_like_an_article_is_a_symbol_in_formulas_and_a_word_elsewhere(real: ModuleType) -> None:
+    def letters(name: str) -> str:
+        run = coursework.solve(name)
+        parts = [*real.parts(run, "statement"), *real.parts(run, "solution")]
+        texts = [
+            each
+            for part in parts
+            for each in (part.get("text"), *(one.get("after") for one in part.get("items") or [] if isinstance(one, dict)))
+        ]
+        return " ".join("".join(f"<{r['v']}>" if "v" in r else r.get("t", "") for r in text) for text in texts if text)
+
+    told = letters("v102")
+    assert "<Δ> = <a> sin <φ> + <c> cos <φ>" in told and "D is a fixed pivot" in told
+    assert "/(2 <a>) = 0.525 m" in letters("peaucellier") and "C runs on a circle" in letters("peaucellier")
 
 
 def test_a_gear_on_a_pivot_does_not_roll_along(real: ModuleType) -> None:
@@ -111,7 +127,8 @@ def test_a_gear_on_a_pivot_does_not_roll_along(real: ModuleType) -> None:
         return " ".join(real.text_of(part["text"]) for part in real.parts(run, "statement") if part["kind"] == "paragraph")
 
     assert "Wheel 4 turns about O and does not slip at Q." in told("v112")
-    assert "Wheel 4 with centre C rolls at P without slipping." in told("v108")
+    assert "Wheel 4 with centre C rolls at P without slipping." in told("v101")
+    assert "Wheel 4 with centre C rolls at P on the fixed circle about O without slipping." in told("v108")
 
 
 def test_a_computed_datum_is_shown_as_far_as_it_can_be_measured(real: ModuleType) -> None:
