@@ -15,6 +15,8 @@ from coursework.report.parts import Bullets, Cell, Column, Part, Table
 from coursework.report.text_runs import numeral
 
 READ_DECIMALS = 1  # of a length in mm that is read to 0.5
+RULER = 300.0  # mm: longer than the sheet and the ruler; such a length nobody reads
+PERCENT_DECIMALS = 2  # of a difference in percent, in every row alike
 
 
 def graph_check(context: PageContext) -> list[Part]:
@@ -31,8 +33,15 @@ def graph_check(context: PageContext) -> list[Part]:
     rows = [_row(context, one) for one in graph.readings]
     if rows:
         parts.append(Table(heads, rows, context.say("graph.table")))
-    notes = [Bullets([context.rich(note) for note in graph.notes])] if graph.notes else []
+    told = [context.rich(note) for note in graph.notes]
+    if far := [one.length for one in graph.readings if _is_far(one)]:
+        told.append(context.rich(context.words("graph.beyond", lengths=context.words.listing(far))))
+    notes = [Bullets(told)] if told else []
     return [*parts, *notes, *sheet]
+
+
+def _is_far(one: Reading) -> bool:
+    return one.read is not None and one.read > RULER
 
 
 def _row(context: PageContext, one: Reading) -> list[Cell]:
@@ -41,10 +50,16 @@ def _row(context: PageContext, one: Reading) -> list[Cell]:
     if one.read is None:
         read = words("graph.given", length=one.length) if one.length else ""
     else:
-        read = f"{one.length} = {numbers.fixed(one.read, READ_DECIMALS)}"
-    apart = numbers.plain(100 * one.difference, 2) if math.isfinite(one.difference) else NOTHING
-    explained = f" (±{numbers.plain(100 * one.explained, 2)})" if one.explained else ""
+        length = numbers.fixed(one.read, READ_DECIMALS)
+        read = words("graph.computed", length=one.length, mm=length) if _is_far(one) else f"{one.length} = {length}"
+    apart = numbers.dressed(_percent(one.difference)) if math.isfinite(one.difference) else NOTHING
+    explained = f" (±{numbers.dressed(_percent(one.explained))})" if one.explained else ""
     values = [numeral(context.with_unit(numbers.scalar(one.found), one.unit)), NOTHING]
     if math.isfinite(one.table):
         values[1] = numeral(context.with_unit(numbers.scalar(one.table), one.unit))
     return [context.rich(one.name), context.rich(read), context.rich(one.relation), *values, f"{apart}{explained}"]
+
+
+def _percent(share: float) -> str:
+    """Return a share in percent; what rounds to nought has no sign."""
+    return f"{round(100 * share, PERCENT_DECIMALS) + 0.0:.{PERCENT_DECIMALS}f}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import replace
 from types import ModuleType
@@ -414,3 +415,14 @@ def test_a_check_that_finds_nothing_off_lists_no_noughts(real: ModuleType) -> No
     exact, coarse = lines(coursework.solve("jansen", quantities=("table", "checks"))), lines(real.full())
     assert exact["ACCURACY"] == 0
     assert coarse["ACCURACY"] == 7
+
+
+@pytest.mark.parametrize(("name", "row", "column"), [("robot-arm", 0, "P2M = 780.0, computed"), ("31", 3, "P2B = 187.0")])
+def test_what_no_ruler_reaches_is_computed_and_every_difference_has_two_decimals(
+    real: ModuleType, name: str, row: int, column: str
+) -> None:
+    parts = real.parts(coursework.solve(name, quantities=["table", "graph_check"]), "graph_check")
+    table = next(part for part in parts if part["kind"] == "table")
+    assert real.text_of(table["rows"][row][1]) == column
+    shown = [text for text in (real.text_of(line[-1]) for line in table["rows"]) if text not in {"", "–"}]
+    assert shown and all(re.fullmatch(r"−?\d+\.\d\d( \(±\d+\.\d\d\))?", text) for text in shown)
