@@ -5,6 +5,7 @@ Enters: a `PageContext`.  Leaves: the summary, and one part for each group of ch
 
 from __future__ import annotations
 
+from coursework.checks.evidence import NO_ERROR
 from coursework.checks.result import GROUPS, VERDICTS, Finding, floored
 from coursework.page_text import clean
 from coursework.report.numbers import ROUND_OFF
@@ -16,6 +17,7 @@ from coursework.sentences import Sentence
 
 NOTHING_AT_ALL = 1e-18  # SI: smaller than any round-off of a mechanism
 NEARLY_WHOLE = 5e-5  # of an amount: less than four digits show
+OF_THE_SCALE = "unit.of_the_scale"
 OF_POWER = "unit.of_power"  # what carries less than 1 never rounds up to it
 MOST_LINES = 30  # further lines of one check; more are thinned
 SHORT_UNIT = 12  # letters of a unit that stands behind its number; a longer one stands below
@@ -51,7 +53,7 @@ def _judged(context: PageContext, check: Finding) -> Judged:
     value = check.value if check.value is None else counted(check.value, check.unit)
     is_count = value is not None and value >= 1 and value.is_integer()
     heads, lines = _lines(context, check)
-    if check.verdict == "PASS" and check.value == 0 and not heads:
+    if check.verdict == "PASS" and value == 0 and not heads:
         lines = []  # where nothing is off, a list of noughts says nothing more
 
     def behind(value: float | None) -> str:
@@ -76,7 +78,8 @@ def _lines(context: PageContext, check: Finding) -> tuple[list[str], list[list[C
     parts = [_line(context, label) for label, _, _ in check.rows]
     columns = list(dict.fromkeys(tail for _, tail in parts))
     rows = list(dict.fromkeys(head for head, _ in parts))
-    noise = max(ROUND_OFF * max((abs(row[1]) for row in check.rows), default=0.0), NOTHING_AT_ALL)
+    least = NO_ERROR if check.verdict == "PASS" and check.value == 0 else NOTHING_AT_ALL
+    noise = max(ROUND_OFF * max((abs(row[1]) for row in check.rows), default=0.0), least)
     values = {pair: numeral(context.numbers.scalar(_seen(row, noise))) for pair, row in zip(parts, check.rows, strict=True)}
     units = {head: {row[2] for (own, _), row in zip(parts, check.rows, strict=True) if own == head} for head in rows}
     complete = len(columns) > 1 and all(columns) and len(values) == len(check.rows) == len(columns) * len(rows)
@@ -92,11 +95,14 @@ def _lines(context: PageContext, check: Finding) -> tuple[list[str], list[list[C
 
 
 def counted(value: float, unit: str) -> float:
-    """Return an amount as it is told: a part of a whole never larger than it is; whole where it is that but for the last
-    digit shown and its unit is a word: 24 rows, not 23.9999.
+    """Return an amount as it is told: a part of a whole never larger than it is, of a scale 0 where it is round-off; whole
+    where it is that but for the last digit shown and its unit is a word: 24 rows, not 23.9999.
     """
-    if isinstance(unit, Sentence) and unit.key == OF_POWER:
+    key = unit.key if isinstance(unit, Sentence) else ""
+    if key == OF_POWER:
         return floored(value)
+    if key == OF_THE_SCALE and abs(value) < ROUND_OFF:
+        return 0.0
     is_whole = isinstance(unit, Sentence) and abs(value - round(value)) < NEARLY_WHOLE * abs(value)
     return float(round(value)) if is_whole else value
 

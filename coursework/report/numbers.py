@@ -23,6 +23,7 @@ TABLE_DIGITS = 5  # significant digits of the largest entry of a column: what a 
 SMALLEST_DECIMAL = 1e-3  # below this a fixed number shows mostly zeros, so powers of ten take over
 LARGEST_DECIMAL = 1e5
 MOST_DECIMALS = 8
+SURE_DIGITS = 12  # that round-off leaves of a number
 MORE_DECIMALS = 3  # of a time, beyond the first digit of the step: 1/120 s is 0.008333
 ROUND_OFF = 1e-12  # of the largest entry of a column: below it stands what is left of a zero
 NOISE = 1e-9  # of a difference of two rows: what a motion that returns leaves behind
@@ -47,7 +48,8 @@ class Numbers:
             return self._endless(value)
         if value == 0:
             return "0"
-        text = f"{value:.{decimals}f}"
+        # Two numbers that differ by round-off alone are written alike, also where a half is to be rounded.
+        text = f"{float(f'{value:.{SURE_DIGITS}g}'):.{decimals}f}"
         return self.power(value, digits) if not text.strip("-0.") else self._dress(text)
 
     def power(self, value: float, digits: int = 3) -> str:

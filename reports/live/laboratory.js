@@ -3,6 +3,8 @@
 // What a move does before the next paint, in evaluations: what they leave of it goes to graphs and lines, PIECE for each, and
 // a part of it to the cells of the table.  Pieces that come with each paint after it.
 const MOMENT = 7000, PIECE = 1500, NEXT = 3;
+// An error below this (rad or m) is none, as in the checks of the page.
+const ROUND_OFF = 1e-10;
 const laboratory = {
   turn: 0,
   prepare() {
@@ -95,9 +97,11 @@ const laboratory = {
   },
   tellFound() {
     const { worst, rows, dead } = motion, name = data.coordinates[worst.place], angle = data.units[name] === "rad";
-    const error = angle ? `${shown((worst.value * 180) / Math.PI, 3)}°` : `${shown(worst.value * 1000, 3)} ${data.words.mm}`;
+    const none = worst.value < ROUND_OFF, size = none ? 0 : worst.value;
+    const error = angle ? `${shown((size * 180) / Math.PI, 3)}°` : `${shown(size * 1000, 3)} ${data.words.mm}`;
     tell("lab-error", error, String(worst.value));
-    const where = Number.isFinite(worst.value) ? say("where", { name: label(name), row: worst.row }) : "";
+    const place = Number.isFinite(worst.value) ? say("where", { name: label(name), row: worst.row }) : "";
+    const where = none ? data.words.round_off : place;
     if (where !== this.where) symbolic(byId("lab-where"), (this.where = where));
     tell("lab-evaluations", String(rows.evaluations), String(rows.evaluations));
     tell("lab-h", say("step", { h: plain(motion.h, 4), steps: Math.max(0, rows.n - 1) }));
@@ -110,7 +114,7 @@ const laboratory = {
     const { first, worst, rows } = motion;
     const error = worst.value / first.error, work = rows.evaluations / first.evaluations;
     if (!tried.halvings && tried.scheme === data.scheme && tried.value === null) return data.own ? data.words.same : "";
-    if (!Number.isFinite(error) || !Number.isFinite(work) || error === 0) return "";
+    if (!Number.isFinite(error) || !Number.isFinite(work) || Math.min(first.error, worst.value) < ROUND_OFF) return "";
     if (error < 0.1) return say("less", { error: shown(Number((1 / error).toPrecision(2)), 2), work: plain(work, 2) });
     return say("more", { error: plain(error, 2), work: plain(work, 2) });
   },

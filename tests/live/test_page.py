@@ -129,6 +129,16 @@ def test_of_errors_alike_the_laboratory_names_the_same_as_the_box(written: Any, 
     assert where in unicodedata.normalize("NFKC", page.inner_text("#statement"))
 
 
+def test_an_error_of_round_off_is_none(written: Any, opened: Any) -> None:
+    """Both rates of cardan's circles are constant: Euler is exact, and so is its table by half the step."""
+    page = opened(written("cardan"))
+    page.set("#lab-step", 1)
+    page.page.wait_for_selector("#lab-error:not([data-value=''])")
+    assert 0 <= float(page.value("#lab-error")) < 1e-10
+    assert (page.page.inner_text("#lab-error"), page.page.inner_text("#lab-where")) == ("0°", "round-off alone")
+    assert page.page.inner_text("#lab-ratio") == ""
+
+
 def test_a_better_scheme_and_a_smaller_step_cost_what_they_cost(written: Any, opened: Any) -> None:
     page = opened(written("31"))
     first = float(page.value("#lab-error"))

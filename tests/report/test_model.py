@@ -426,3 +426,13 @@ def test_what_no_ruler_reaches_is_computed_and_every_difference_has_two_decimals
     assert real.text_of(table["rows"][row][1]) == column
     shown = [text for text in (real.text_of(line[-1]) for line in table["rows"]) if text not in {"", "–"}]
     assert shown and all(re.fullmatch(r"−?\d+\.\d\d( \(±\d+\.\d\d\))?", text) for text in shown)
+
+
+def test_where_nothing_differs_no_remainder_of_round_off_is_shown(real: ModuleType) -> None:
+    section = next(s for s in build_model(coursework.solve("cardan")).sections if s.name == "checks")
+    items = {item.code: item for part in section.parts if part.kind == "checks" for item in part.items}
+    period = items["PERIOD-POSITION"]
+    assert "nothing differs" in real.text_of(period.sentence)
+    kept = [cell for row in period.lines for head, cell in zip(period.heads[1:], row[1:], strict=True) if head != "roundoff"]
+    assert kept and set(map(real.text_of, kept)) == {"0"}
+    assert real.text_of(items["DRIFT"].value).startswith("0")

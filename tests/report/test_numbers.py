@@ -83,3 +83,10 @@ def test_what_round_off_leaves_of_a_zero_is_zero_in_a_column() -> None:
 def test_a_column_is_judged_by_the_one_beside_it() -> None:
     assert N.column([1.1e-16, 0.0], size=0.5) == ["0", "0"]
     assert N.column([1.1e-16, 0.0])[0] != "0"
+
+
+def test_numbers_that_differ_by_round_off_are_written_alike():
+    below, above, other = N.column([1.1187499999999998, 1.1187500000000004, 1.11875001])
+    assert (f"{1.1187499999999998:.4f}", f"{1.1187500000000004:.4f}") == ("1.1187", "1.1188")
+    assert below == above == "1.1187"
+    assert other == "1.1188"
