@@ -72,6 +72,11 @@ def splits(context: PageContext) -> tuple[Split, ...]:
     return mismatch(context.run.results.evidence) or ()
 
 
+def unreturned(context: PageContext) -> list[Split]:
+    """Return the columns, driven ones too, whose last row is not the first, by more than round-off."""
+    return [split for split in splits(context) if context.numbers.without_noise(split.total, split.first)]
+
+
 def largest_errors(context: PageContext) -> list[LargestError]:
     """Return the largest error of the coordinates of each unit, those below `SEEN` left out.
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from coursework.checks.period import Split
 from coursework.quantities import CHECKS
-from coursework.report.closeness import LocalError, evidence, largest_step_error, splits
+from coursework.report.closeness import LocalError, evidence, largest_step_error, splits, unreturned
 from coursework.report.numbers import deserved_decimals
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Cell, Column, Paragraph, Part, Table
@@ -111,8 +111,7 @@ def _period(context: PageContext, found: list[Split]) -> list[str]:
     told = {"end": context.quantity(end, "s"), "period": context.quantity(period, "s")}
     most = max(coordinates, key=lambda split: abs(split.period))
     if context.run.tableau is None:
-        returns = not any(context.numbers.without_noise(split.total, split.first) for split in found)
-        return [say("why.returns" if returns else "why.elsewhere", **told)]
+        return [say("why.elsewhere" if unreturned(context) else "why.returns", **told)]
     if late < 1e-9 * period:
         return [say("why.period_met", **told)]
     if all(abs(split.period) < HARDLY * abs(split.total) for split in coordinates):

@@ -13,11 +13,11 @@ from coursework.formula.tree import Formula
 from coursework.mechanism import Mechanism
 from coursework.page_text import clean
 from coursework.quantities import CHECKS, GRAPH_CHECK, TABLE
-from coursework.report.closeness import largest_errors, splits
+from coursework.report.closeness import largest_errors, splits, unreturned
 from coursework.report.data_meanings import coordinate_meanings, meanings
 from coursework.report.figures import drawn
 from coursework.report.laws import laws_shown
-from coursework.report.numbers import NOISE, NOTHING, TIGHT, first_of
+from coursework.report.numbers import NOTHING, TIGHT, first_of
 from coursework.report.page_context import STOP_DIGITS, PageContext
 from coursework.report.parts import Beside, Cell, Column, Paragraph, Part, Result, Runs, Table, TitleBlock
 from coursework.report.text_runs import LONGEST_NAME, runs
@@ -242,32 +242,24 @@ def _checked(context: PageContext) -> str:
 def _misses(context: PageContext) -> list[Runs]:
     """Return last minus first row of the coordinates, and the scheme's largest error for each unit."""
     say, numbers, told = context.words, context.numbers, []
-    names = set(context.run.motion.coordinate_names) - _driven(context)
-    found = [(split, numbers.without_noise(split.total, split.first)) for split in splits(context) if split.name in names]
-    if any(total for _, total in found):
-        gaps = [
-            f"{context.lettering(split.name)}{TIGHT}{context.with_unit(numbers.scalar(total, 3), split.unit)}"
-            for split, total in found
-            if total
-        ]
+    coordinates, left = context.run.motion.coordinate_names, unreturned(context)
+    moved = [split for split in left if split.name in coordinates]
+    gaps = [
+        f"{context.lettering(split.name)}{TIGHT}{context.with_unit(numbers.scalar(split.total, 3), split.unit)}"
+        for split in [split for split in moved if split.name not in _driven(context)] or moved
+    ]
+    if gaps:
         told.append(runs(say("result.misses", gaps=", ".join(gaps))))
-    elif found:
-        told.append(runs(say("result.repeats" if _velocities_return(context) else "result.repeats_positions")))
+    elif any(split.name in coordinates for split in splits(context)):
+        told.append(runs(say("result.repeats_positions" if left else "result.repeats")))
     if errors := largest_errors(context):
         listed = say("join.semicolon").join(say("result.where", **error.told(context)) for error in errors)
         told.append(runs(say("result.error", scheme=errors[0].scheme, errors=listed)))
     return told
 
 
-def _velocities_return(context: PageContext) -> bool:
-    """Return whether the velocities of the last row are those of the first."""
-    names = context.run.motion.velocity_names
-    found = [split for split in splits(context) if split.name in names]
-    return all(abs(split.total) <= NOISE * max(abs(split.first), abs(split.last), 1.0) for split in found)
-
-
 def _driven(context: PageContext) -> set[str]:
-    """Return the coordinates whose rate is driven: they return by themselves."""
+    """Return the coordinates whose rate is driven: of them it is known where they are."""
     variant = context.run.variant
     return {c.name for c in variant.coordinates if c.rate in variant.known_rates}
 

@@ -436,3 +436,24 @@ def test_where_nothing_differs_no_remainder_of_round_off_is_shown(real: ModuleTy
     kept = [cell for row in period.lines for head, cell in zip(period.heads[1:], row[1:], strict=True) if head != "roundoff"]
     assert kept and set(map(real.text_of, kept)) == {"0"}
     assert real.text_of(items["DRIFT"].value).startswith("0")
+
+
+@pytest.mark.parametrize(
+    ("name", "options", "box", "why"),
+    [
+        ("example-1", {}, "The last row repeats the first.", "its last row repeats the first."),
+        ("31", {"scheme": "exact"}, "Last row minus first row: φ1", "that alone is why the last row is not the first."),
+    ],
+)
+def test_the_box_and_the_reason_agree_on_what_returns(
+    real: ModuleType, name: str, options: dict[str, Any], box: str, why: str
+) -> None:
+    sections = {section.name: section for section in build_model(coursework.solve(name, **options)).sections}
+    told = {
+        key: " ".join(real.text_of(text) for text in texts)
+        for key, texts in {
+            "box": [item for part in sections["statement"].parts if part.kind == "beside" for item in part.right.items],
+            "why": [part.text for part in sections["results"].parts if part.kind == "paragraph"],
+        }.items()
+    }
+    assert box in told["box"] and why in told["why"]
