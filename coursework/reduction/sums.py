@@ -1,4 +1,4 @@
-"""Sums of data that an author writes as one length, (R0 + R4): found in his formulas, and gathered again after multiplying out.
+"""Sums of data that an author writes as one length, (R0 + R4) or (L - L/k): found in his formulas, and gathered again after multiplying out.
 
 Enters: formulas of a file; the terms of an expression.  Leaves: sums; terms in which each is one factor.  Used by `tidy.py`.
 """
@@ -14,7 +14,7 @@ from coursework.formula.tree import Formula
 from coursework.reduction.symbolic import symbol
 
 Term = tuple[Fraction, tuple[tuple[sp.Expr, int], ...]]
-Sum = tuple[tuple[int, sp.Symbol], ...]  # sign and name of each part
+Sum = tuple[Term, ...]  # each part a product of data
 
 
 def written_sums(formulas: Iterable[Formula], data: frozenset[str]) -> dict[sp.Expr, Sum]:
@@ -26,19 +26,43 @@ def written_sums(formulas: Iterable[Formula], data: frozenset[str]) -> dict[sp.E
                 if factor.op not in {"+", "-"}:
                     continue
                 parts = [*_parts(factor, 1, data)]
-                whole = tuple((sign, name) for sign, name in parts if name is not None)
+                whole = tuple(part for part in parts if part is not None and part[1])
                 if len(whole) == len(parts):
-                    found[sp.Add(*(sign * name for sign, name in whole))] = whole
+                    found[sp.Add(*map(_expression, whole))] = whole
     return {expr: whole for expr, whole in found.items() if isinstance(expr, sp.Add) and len(expr.args) == len(whole)}
 
 
-def _parts(formula: Formula, sign: int, data: frozenset[str]) -> Iterator[tuple[int, sp.Symbol | None]]:
-    """Yield sign and symbol of each part of a sum, None for a part that is no datum."""
+def _parts(formula: Formula, sign: int, data: frozenset[str]) -> Iterator[Term | None]:
+    """Yield each part of a sum with its sign, None for a part that is no product of data."""
     if formula.op in {"+", "-"}:
         yield from _parts(formula.args[0], sign, data)
         yield from _parts(formula.args[1], -sign if formula.op == "-" else sign, data)
     else:
-        yield sign, symbol(formula.name) if formula.op == "name" and formula.name in data else None
+        part = _product(formula, data)
+        yield None if part is None else (part[0] * sign, part[1])
+
+
+def _product(formula: Formula, data: frozenset[str]) -> Term | None:
+    """Return a product or quotient of data and whole numbers as a term, None for anything else."""
+    if formula.op == "name" and formula.name in data:
+        return Fraction(1), ((symbol(formula.name), 1),)
+    if formula.op == "number" and formula.value.denominator == 1 and formula.value:
+        return formula.value, ()
+    if formula.op not in {"*", "/"}:
+        return None
+    first, second = (_product(part, data) for part in formula.args)
+    if first is None or second is None:
+        return None
+    side = 1 if formula.op == "*" else -1
+    powers = dict(first[1])
+    for name, power in second[1]:
+        powers[name] = powers.get(name, 0) + side * power
+    return first[0] * second[0] ** side, tuple((name, power) for name, power in powers.items() if power)
+
+
+def _expression(part: Term) -> sp.Expr:
+    factor, atoms = part
+    return sp.Mul(sp.Rational(factor.numerator, factor.denominator), *(name**power for name, power in atoms))
 
 
 def gathered(terms: list[Term], sums: dict[sp.Expr, Sum]) -> list[Term]:
@@ -46,7 +70,7 @@ def gathered(terms: list[Term], sums: dict[sp.Expr, Sum]) -> list[Term]:
 
     >>> from sympy.abc import a, b, x
     >>> one = Fraction(1)
-    >>> gathered([(one, ((a, 1), (x, 1))), (one, ((b, 1), (x, 1)))], {a + b: ((1, a), (1, b))})
+    >>> gathered([(one, ((a, 1), (x, 1))), (one, ((b, 1), (x, 1)))], {a + b: ((one, ((a, 1),)), (one, ((b, 1),)))})
     [(Fraction(1, 1), ((x, 1), (a + b, 1)))]
     """
     for expr, parts in sums.items():
@@ -65,13 +89,13 @@ def gathered(terms: list[Term], sums: dict[sp.Expr, Sum]) -> list[Term]:
 
 def _group(terms: list[Term], place: int, parts: Sum) -> tuple[list[int], Term] | None:
     """Return which terms a sum was multiplied out to, that at `place` for its first part, and by what; None if one is missing."""
-    lead = _without(terms[place], parts[0][1])
+    lead = _without(terms[place], parts[0])
     if lead is None:
         return None
-    by, places = lead[0] * parts[0][0], [place]
-    for sign, name in parts[1:]:
-        wanted = (by * sign, frozenset(lead[1]))
-        others = ((k, _without(term, name)) for k, term in enumerate(terms) if k not in places)
+    by, places = lead[0], [place]
+    for part in parts[1:]:
+        wanted = (by, frozenset(lead[1]))
+        others = ((k, _without(term, part)) for k, term in enumerate(terms) if k not in places)
         found = next((k for k, other in others if other is not None and (other[0], frozenset(other[1])) == wanted), None)
         if found is None:
             return None
@@ -79,10 +103,11 @@ def _group(terms: list[Term], place: int, parts: Sum) -> tuple[list[int], Term] 
     return places, (by, lead[1])
 
 
-def _without(term: Term, name: sp.Symbol) -> Term | None:
-    """Return a term divided by a name that it has as a factor, None where it has not."""
+def _without(term: Term, part: Term) -> Term | None:
+    """Return a term divided by a product that it has as a factor, None where it has not."""
     factor, atoms = term
-    if dict(atoms).get(name, 0) < 1:
+    own, taken = dict(atoms), dict(part[1])
+    if any(own.get(atom, 0) * power < power * power for atom, power in taken.items()):
         return None
-    left = ((atom, power - (atom == name)) for atom, power in atoms)
-    return factor, tuple((atom, power) for atom, power in left if power)
+    left = ((atom, power - taken.get(atom, 0)) for atom, power in atoms)
+    return factor / part[0], tuple((atom, power) for atom, power in left if power)

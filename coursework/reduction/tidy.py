@@ -46,7 +46,7 @@ class Order:
         if isinstance(atom, sp.Pow):
             return self.rank(atom.base)
         if atom in self.sums:
-            return min(self.rank(name) for _, name in self.sums[atom])
+            return min(self.rank(name) for _, names in self.sums[atom] for name, _ in names)
         inner = tuple(sorted(self._names.get(s.name, len(self._names)) for s in atom.free_symbols))
         return (1, self._calls.get(_call_name(atom), 99), *inner)
 

@@ -41,7 +41,7 @@ _MINUS = re.compile(rf"(?<=[\d)⁻⁰¹²³⁴⁵⁶⁷⁸⁹]) - (?=[\w(])|(?<=
 _POWER = re.compile(rf"(?<!{_WORD})(?<!\.)(\d+(?:\.\d+)?)[eE]([+-]?\d+)(?!{_WORD})")
 _NEGATIVE = re.compile(rf"(?<!{_WORD})(?<![.)])-(?=\d)")
 _ARTICLES = "aAI"  # one letter each, and words of a sentence
-_OF_A_FORMULA = r"(?=\)| ?[=+·/²³]| − | (?:sin|cos|tan)\b)"  # what no article has behind it
+_OF_A_FORMULA = r"(?:(?<!\(.)(?=\))|(?= ?[=+·/²³]| − | (?:sin|cos|tan)\b))"  # no article has that behind it; (a) is a number
 _WORDS = re.compile(
     "a[mnst]|b[ey]|do|go|he|i[fnst]|m[ey]|no|o[fnr]|so|to|u[ps]|we|[cm]m|ms|kg"
 )  # no names of a letter and its index

@@ -207,3 +207,10 @@ def test_a_sum_that_the_author_wrote_as_one_length_stays_one():
     assert evaluate(first.numerators[0], values) == pytest.approx(
         evaluate(first.right_sides[0], values) * d - b * evaluate(first.right_sides[1], values)
     )
+
+
+def test_a_length_that_is_a_part_of_a_datum_less_stays_one_length():
+    """M + (L1 - L1/k) @ phi4: its derivative is not multiplied out."""
+    shown = {one.name: spelled(one.left) for one in coursework.solve("pantograph", quantities=["table"]).equations}
+    assert shown["3x"].count("(L1 - L1/k)") == shown["3y"].count("(L1 - L1/k)") == 2
+    assert shown["3x"].count("L1") == 4
