@@ -1,4 +1,4 @@
-"""Sums of data that an author writes as one length, (R0 + R4) or (L - L/k): found in his formulas, and gathered again after multiplying out.
+"""Sums of data that an author writes as one length, (R0 + R4), (L - L/k): found in his formulas, gathered after multiplying out.
 
 Enters: formulas of a file; the terms of an expression.  Leaves: sums; terms in which each is one factor.  Used by `tidy.py`.
 """
