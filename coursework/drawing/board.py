@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from coursework.drawing.sheet import Rectangle, Sheet
+from coursework.drawing.cover import Rectangle
+from coursework.drawing.sheet import Sheet
 from coursework.drawing.symbols import ratio
 from coursework.sentences import Sentence
 

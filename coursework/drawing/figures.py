@@ -6,22 +6,23 @@ Used by `run.py`.
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
-from functools import partial
 
 import numpy as np
 
 from coursework.drawing.board import Board, fit
-from coursework.drawing.lengths import lengths
+from coursework.drawing.dimensions import dimension_names, draw_dimensions, room_for_dimensions
+from coursework.drawing.naming import link_names, link_owner, part_lengths, point_names, rate_places
 from coursework.drawing.outline import Outline
 from coursework.drawing.painter import DOT, Painter
+from coursework.drawing.placing import Owner
 from coursework.drawing.poses import Poses, all_rows, read_poses
 from coursework.drawing.record import Drawing
 from coursework.drawing.sheet import ITALIC, Sheet, inside
-from coursework.drawing.symbols import length_text, rate_word, short
+from coursework.drawing.symbols import lowered_name, name_word, rate_word, short
 from coursework.drawing.tracing import read_outline
+from coursework.formula.tree import terms
 from coursework.integration.motion import Motion, Stop
 from coursework.mechanism import Mechanism
 from coursework.reduction.equations import VelocityEquations
@@ -29,8 +30,8 @@ from coursework.sentences import Sentence, say
 
 HIGHEST = 86.0  # mm: with its caption the drawing leaves room on the first page
 ARROW = 13.0  # mm, of a driven velocity: its direction counts, not its size
-PARTS = (0.1, 0.3, 0.5, 0.7, 0.9)  # of a link: where it may be taken for what a word names
-MISTAKEN = 4.0  # mm of way that the name of a length rather takes than standing nearer to another link
+AT_HINGE = 7.0  # mm: so far the sense of a rotation still stands at its hinge
+AXIS = 'stroke="black" stroke-width="0.15" stroke-dasharray="2.4 1 0.4 1"'
 VELOCITY = 'stroke="black" stroke-width="0.4"'
 
 
@@ -69,24 +70,35 @@ def draw_stop(mechanism: Mechanism, equations: VelocityEquations, motion: Motion
 def _mechanism(mechanism: Mechanism, outline: Outline, poses: Poses, row: int) -> tuple[Board, str]:
     """Return one row with names, lengths and what drives it."""
     arrows = {name: way for name in outline.driven if (way := driven_way(poses, name, row))}
-    board = fit(partial(room, outline, poses, [row], arrows), HIGHEST)
+
+    def needed(mm: float) -> Iterator[tuple[complex, float]]:
+        yield from room(outline, poses, [row], arrows, mm)
+        painter = Painter(Sheet(1.0, 1.0, (0.0, 0.0, 1.0, 1.0)), outline, poses, row, lambda z: (z * mm).conjugate(), mm)
+        yield from room_for_dimensions(painter, mechanism)
+
+    board = fit(needed, HIGHEST)
     sheet = board.sheet()
     painter = Painter(sheet, outline, poses, row, board.put, board.mm)
     painter.fixed()
     painter.moving()
-    for name, way in arrows.items():
-        tip = painter.at[name] + ARROW * way.conjugate()
-        sheet.arrow(painter.at[name], tip, VELOCITY, f' data-driven="{short(name)}"')
-    turns = {rate: painter.at[hinge] for rate, hinge in outline.cranks}
-    _marks(painter, sheet, mechanism)
-    painter.point_names()
-    for name, way in arrows.items():
-        sheet.label(("V", short(name), ""), [(painter.at[name] + ARROW * way.conjugate(), way.conjugate(), 1.0)], ITALIC)
-    painter.link_names()
-    _lengths(painter, sheet, mechanism)
-    for rate, at in turns.items():
-        sense = float(np.sign(poses.drive[rate][np.argmax(np.abs(poses.drive[rate]) > 0)]))
-        sheet.label(rate_word(rate), [(at, at - painter.middle, 2.5)], ITALIC, turn=int(sense) or 1)
+    shafts = {name: (painter.at[name], painter.at[name] + ARROW * way.conjugate()) for name, way in arrows.items()}
+    for name, (at, tip) in shafts.items():
+        sheet.arrow(at, tip, VELOCITY, f' data-driven="{short(name)}"', heavy=True)
+    marks = _marks(painter, sheet, mechanism)
+    dimensions = draw_dimensions(painter, mechanism, marks)
+    point_names(painter)
+    for name, (at, tip) in shafts.items():
+        sheet.label(("V", lowered_name(name), ""), [(tip, tip - at, 1.0)], ITALIC, owner=Owner([(at, tip)]))
+    link_names(painter)
+    part_lengths(painter, mechanism, [line for _, line in dimensions])
+    dimension_names(painter, dimensions)
+    for bar in outline.bars:
+        for rate, hinge in outline.cranks:
+            if bar.rate == rate and hinge in bar.corners:
+                law = poses.drive[rate]
+                sense = int(np.sign(law[np.argmax(np.abs(law) > 0)])) or 1
+                owner = replace(link_owner(painter, bar), lost=AT_HINGE)
+                sheet.label(rate_word(rate), rate_places(painter, bar, hinge), ITALIC, turn=sense, owner=owner)
     sheet.axes(highest=HIGHEST)
     return replace(board, height=sheet.height), sheet.svg()
 
@@ -110,37 +122,37 @@ def driven_way(poses: Poses, name: str, row: int) -> complex:
     return next((complex(velocity[k] / abs(velocity[k])) for k in later if abs(velocity[k]) > 0), 0j)
 
 
-def _marks(painter: Painter, sheet: Sheet, mechanism: Mechanism) -> None:
-    """Draw the points that the guides of the frame lead through where nothing else does: lengths are counted from them."""
-    throughs = [through.name for through, _ in mechanism.variant.frame.rails if through.op == "name"]
-    for name in dict.fromkeys(throughs):
+def _marks(painter: Painter, sheet: Sheet, mechanism: Mechanism) -> list[str]:
+    """Draw the fixed points from which places on the guides of the frame are counted where nothing else does; return them."""
+    points = dict(mechanism.points)
+    riders = [through.name for through, _ in mechanism.variant.frame.rails if through.op == "name"]
+    bases = [part.name for name in riders for part in terms(points[name]) if part.op == "name"]
+    drawn = []
+    for name in dict.fromkeys((*riders, *bases)):
         at = painter.at.get(name)
         if at is None or name in painter.names or inside(at - 1, at + 1, sheet.field) != (at - 1, at + 1):
             continue
         sheet.circle(at, 0.7, DOT)
-        sheet.label((short(name), "", ""), [(at, painter.middle - at, 1.2)], ITALIC)
+        sheet.label(name_word(name), [(at, painter.middle - at, 1.2)], ITALIC)
+        for rail in painter.outline.rails:
+            ends = painter.rail_line(rail)
+            if rail.rider in riders and name in {part.name for part in terms(points[rail.rider])}:
+                near = min(ends, key=lambda end: abs(end - at))
+                along = (ends[1] - ends[0]) / abs(ends[1] - ends[0])
+                foot = at + along * _dot(along, near - at)
+                if not _between(ends, at):
+                    sheet.line(at, foot, AXIS)
+        drawn.append(name)
+    return drawn
 
 
-def _lengths(painter: Painter, sheet: Sheet, mechanism: Mechanism) -> None:
-    """Write the lengths that the file gives beside the parts of the links that have them."""
-    known = lengths(mechanism)
-    drawn = [(bar.corners[k], bar.corners[k + 1]) for bar in painter.outline.bars for k in range(len(bar.corners) - 1)]
-    drawn += [(wheel.centre, wheel.contact) for wheel in painter.outline.wheels]
-    named = [(known.get(frozenset(ends)), painter.at[ends[0]], painter.at[ends[1]]) for ends in dict.fromkeys(drawn)]
-    for track, (_, radius) in zip(painter.outline.tracks, mechanism.variant.frame.circles, strict=True):
-        wheel = painter.wheel_on(track)
-        # Along a link between the two centres it would read as a length of that link.
-        if wheel and not any({track.centre, wheel.centre} <= {*bar.corners} for bar in painter.outline.bars):
-            named.append((radius, painter.at[track.centre], painter.at[wheel.contact]))
-    along = [[begin + part * (end - begin) for part in PARTS] for _, begin, end in named]
-    for place, (length, *ends) in enumerate(named):
-        text = length_text(length) if length is not None else ""
-        if text and abs(ends[1] - ends[0]) > 4:
-            side = 1j * (ends[1] - ends[0])
-            middle = sum(ends) / 2
-            towards = -side if _dot(side, middle - painter.middle) > 0 else side
-            others = list(itertools.chain(*along[:place], *along[place + 1 :]))
-            sheet.label((text, "", ""), [(middle, towards, 1.0)], ITALIC, others=others, mistaken=MISTAKEN)
+def _between(ends: tuple[complex, complex], at: complex) -> bool:
+    way = ends[1] - ends[0]
+    return 0 <= _dot(way, at - ends[0]) <= _dot(way, way)
+
+
+def _dot(a: complex, b: complex) -> float:
+    return (a.conjugate() * b).real
 
 
 def _driven_words(outline: Outline) -> Sentence:
@@ -149,7 +161,3 @@ def _driven_words(outline: Outline) -> Sentence:
     if outline.cranks:
         return say("drawing.mechanism.turned", rates=tuple(rate for rate, _ in outline.cranks))
     return say("drawing.mechanism.free")
-
-
-def _dot(a: complex, b: complex) -> float:
-    return (a.conjugate() * b).real

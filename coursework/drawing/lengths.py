@@ -1,7 +1,7 @@
 """Lengths that a file gives between two points, found in its formulas.
 
 Enters: a `Mechanism`.  Leaves: formulas by pairs of points.
-Used by `drawing/tracing.py`, `drawing/figures.py` and `plans/plans.py`.
+Used by `drawing/tracing.py`, `drawing/naming.py`, `drawing/dimensions.py` and `plans/plans.py`.
 """
 
 from __future__ import annotations

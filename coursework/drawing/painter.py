@@ -1,7 +1,8 @@
-"""A mechanism on a sheet, from what lies behind to what stands in front: rails, hinges, links, blocks, joints, names.
+"""A mechanism on a sheet, from what lies behind to what stands in front: rails, hinges, links, blocks, joints.
 
 Enters: an `Outline`, its `Poses` and where points of the plane lie on the sheet.  Leaves: items on the `Sheet`.
-Used by `drawing/figures.py`.  SVG elements say what they are: data-link, data-sleeve, data-rail.
+Used by `drawing/figures.py`, `drawing/naming.py`, `drawing/dimensions.py` and `plans/drawing.py`.
+SVG elements say what they are: data-link, data-sleeve, data-rail.
 """
 
 from __future__ import annotations
@@ -12,10 +13,10 @@ import math
 from collections.abc import Callable, Iterator
 from functools import cached_property
 
+from coursework.drawing.cover import Rectangle
 from coursework.drawing.outline import Bar, Block, Outline, Rail, Slot, Track, Wheel
 from coursework.drawing.poses import Poses
-from coursework.drawing.sheet import BOLD, ITALIC, PITCH, Rectangle, Sheet, inside, middle_of, plain
-from coursework.drawing.symbols import short
+from coursework.drawing.sheet import PITCH, Sheet, inside, middle_of, plain
 
 LINK = 'stroke="black" stroke-width="0.8"'
 THIN = 'stroke="black" stroke-width="0.2"'
@@ -42,6 +43,7 @@ class Painter:
         self.at = {name: put(z) for name, z in self.place.items()}
         self.names = outline.shown
         self.middle = middle_of(self.at[name] for name in self.names)
+        self.grounds: list[tuple[complex, complex]] = []  # the rails as they are drawn
 
     def extent(self) -> Iterator[tuple[complex, float]]:
         """Yield what takes room: places on the sheet (mm, y down) with the room around each."""
@@ -110,6 +112,7 @@ class Painter:
         if part := inside(a, b, self.sheet.field):
             self.sheet.line(*part, FRAME, ' data-rail=""')
             self.sheet.hatch(*part, side)
+            self.grounds.append(part)
 
     def track(self, track: Track) -> None:
         """Draw the part of a fixed circle near its wheel, hatched inside the solid, with the radius that leads there."""
@@ -138,17 +141,20 @@ class Painter:
 
     def hinge(self, name: str) -> None:
         """Draw a hinge of the frame: a triangle on hatched ground, on the side away from the links."""
-        at = self.at[name]
-        arms = [self.at[p] - at for b in self.outline.bars if name in b.corners for p in b.corners if self.at[p] != at]
-        near = {d: max((_dot(arm, d) / abs(arm) for arm in arms), default=0.0) for d in (1j, -1 + 0j, 1 + 0j, -1j)}
-        # The ground is below, as in a textbook, unless a link hides it there.
-        down = 1j if near[1j] < FREE else min(near, key=lambda d: round(near[d], 6))
+        at, down = self.at[name], self.ground(name)
         side = 1j * down
         foot = at + 5.0 * down
         self.sheet.path([at, foot + 2.9 * side, foot - 2.9 * side], RING, closed=True)
         self.sheet.line(foot - 4.6 * side, foot + 4.6 * side, FRAME)
         self.sheet.hatch(foot - 4.6 * side, foot + 4.6 * side, down)
         self.sheet.boxes.append(_around(at + 3.5 * down, 4.0))
+
+    def ground(self, name: str) -> complex:
+        """Return on which side of a hinge its ground is: below, as in a textbook, unless a link hides it there."""
+        at = self.at[name]
+        arms = [self.at[p] - at for b in self.outline.bars if name in b.corners for p in b.corners if self.at[p] != at]
+        near = {d: max((_dot(arm, d) / abs(arm) for arm in arms), default=0.0) for d in (1j, -1 + 0j, 1 + 0j, -1j)}
+        return 1j if near[1j] < FREE else min(near, key=lambda d: round(near[d], 6))
 
     # what moves
 
@@ -158,7 +164,8 @@ class Painter:
         if contact := self.racks.get(bar.link):
             self.rack(bar, contact)
         for a, b in itertools.pairwise(bar.corners):
-            self.sheet.line(self.at[a], self.at[b], LINK, f'{data} data-from="{plain(a)}" data-to="{plain(b)}"')
+            ends = f' data-from="{plain(a)}" data-to="{plain(b)}"'
+            self.sheet.line(self.at[a], self.at[b], LINK, data + ends, heavy=True)
         for a, b, c in zip(bar.corners, bar.corners[1:], bar.corners[2:], strict=False):
             self.corner(a, b, c)
 
@@ -195,7 +202,7 @@ class Painter:
         """Draw the line on which a block slides as a part of its link."""
         for a, b in itertools.pairwise(self.slot_line(slot)):
             if a != b:
-                self.sheet.line(a, b, LINK, f' data-link="{plain(slot.link)}" data-slot=""')
+                self.sheet.line(a, b, LINK, f' data-link="{plain(slot.link)}" data-slot=""', heavy=True)
 
     def block(self, block: Block) -> None:
         """Draw the block of a slider, or a sleeve: a block with open ends through which the bar is seen."""
@@ -250,43 +257,6 @@ class Painter:
         pinned = name in self.outline.hinges or any(name == block.at for block in self.outline.blocks)
         ring = members > 1 or pinned or any(name == wheel.centre for wheel in self.outline.wheels)
         self.sheet.circle(self.at[name], 1.25 if ring else 1.0, RING if ring else DOT)
-
-    # names
-
-    def point_names(self) -> None:
-        """Write the name of each point beside it, away from the links."""
-        for name in self.names:
-            self.sheet.label((short(name), "", ""), [(self.at[name], self.away(name), 1.6)], ITALIC)
-
-    def away(self, name: str) -> complex:
-        """Return the direction from a point in which its links are not."""
-        at = self.at[name]
-        arms = [self.at[p] - at for bar in self.outline.bars if name in bar.corners for p in bar.corners if self.at[p] != at]
-        lean = sum((arm / abs(arm) for arm in arms), 0j)
-        return -lean if abs(lean) > 0.2 else at - self.middle
-
-    def link_places(self, bar: Bar) -> tuple[complex, complex, float]:
-        """Return the place beside which the name of a link stands: its longest part, its wheel, its block."""
-        wheel = next((w for w in self.outline.wheels if w.link == bar.link), None)
-        if wheel is not None:
-            radius = abs(self.at[wheel.contact] - self.at[wheel.centre])
-            return self.at[wheel.centre], -self.middle + self.at[wheel.centre], 4.0 if radius > 12 else radius + 1.0
-        lines = [(self.at[a], self.at[b]) for a, b in itertools.pairwise(bar.corners)]
-        for slot in self.outline.slots:
-            if slot.link == bar.link:
-                lines += itertools.pairwise(self.slot_line(slot))
-        if not lines:
-            return self.at[bar.corners[0]], self.at[bar.corners[0]] - self.middle, 4.0
-        a, b = max(lines, key=lambda line: abs(line[1] - line[0]))
-        middle = (a + b) / 2
-        side = 1j * (b - a)
-        return middle, side if _dot(side, middle - self.middle) > 0 else -side, 1.2
-
-    def link_names(self) -> None:
-        """Write the names of the links in bold."""
-        for bar in self.outline.bars:
-            if bar.corners:
-                self.sheet.label((short(bar.link), "", ""), [self.link_places(bar)], BOLD)
 
 
 def _dot(a: complex, b: complex) -> float:

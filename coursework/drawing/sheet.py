@@ -14,28 +14,25 @@ from html import escape
 
 import numpy as np
 
-from coursework.drawing.cover import Lines, common
+from coursework.drawing.cover import Rectangle, Segment
+from coursework.drawing.placing import BEYOND, MARGIN, Owner, Place, Taken
 
 FONT = "'DejaVu Sans', Verdana, 'Segoe UI', sans-serif"
 LETTER = 3.2  # mm, 9 pt
 AXIS_LETTER = 2.85  # mm, 8 pt: as small as print gets
 SIZES = (LETTER, 2.3, 2.7)  # mm: of a word, of what is set lower, of what follows
 BROAD = frozenset("MWmwωΩΨΦφψЖШЩЮФМжшщюфмы%@…—=+−<>")
+NARROW = frozenset(" \u00a0.,:;/|!'()[]ijl")
+HEAVIER = 1.1  # times as wide as it else is: a bold word
 LONGEST = 60  # letters of a text; what is longer would run over the drawing
 PITCH = 1.6  # mm between the strokes of a hatch
-DIRECTIONS = 16  # in which a place is looked for
-RINGS = (0.0, 2.0, 4.5, 8.0, 12.0, 17.0, 23.0, 30.0, 40.0)  # mm farther out; the last ones only where words would meet
-WORD_ON_WORD = 200.0  # mm of lines that a word rather covers than another word
-GAP, SIDE_BY_SIDE = 2.2, 4.0  # mm: words nearer on one line read as one; mm of lines that a word rather covers
-CROSSED = 3.0  # mm of way that a word with its value rather takes than lying on a line; a name stays near what it names
 CROWDED = 8.0  # mm of lines: directions of the axes among more than that are not seen
-BEYOND, MARGIN = 30.0, 0.5  # mm of lines for each mm beyond the field; mm kept free around a word
-MISTAKEN = 8.0  # mm of lines that a word rather covers than standing nearer to what another word belongs to
 BOLD, ITALIC = 'font-weight="bold"', 'font-style="italic"'
-Rectangle = tuple[float, float, float, float]
+OFF_POINT = 1.6  # mm: a joint is seen so far around a point
+BAND = 'stroke="white" stroke-width="1.8" stroke-linecap="butt"'
+HIDDEN, ALONG = 12.0, 0.95  # mm, and cosine of the angle: such an arrow is not seen upon a link
+LEAD = 'stroke="#555" stroke-width="0.15"'
 Word = tuple[str, str, str]  # text, what is set lower, what follows
-Place = tuple[complex, complex, float]  # beside this point, rather in this direction, at this distance
-_NO_LINES = Lines(())
 
 
 def plain(text: str, longest: int = LONGEST) -> str:
@@ -46,9 +43,13 @@ def plain(text: str, longest: int = LONGEST) -> str:
 
 def width(text: str) -> float:
     """Return the width of a text in heights of its letters, on the generous side; a letter of Chinese is a square."""
-    return sum(
-        1.02 if ord(letter) > 0x2E80 else 0.9 if letter in BROAD else 0.71 if letter.isupper() else 0.64 for letter in text
-    )
+    return sum(map(_wide, text))
+
+
+def _wide(letter: str) -> float:
+    if ord(letter) > 0x2E80:
+        return 1.02
+    return 0.9 if letter in BROAD else 0.42 if letter in NARROW else 0.71 if letter.isupper() else 0.64
 
 
 def number(value: float) -> str:
@@ -77,23 +78,23 @@ class Sheet:
     def __init__(self, width: float, height: float, field: Rectangle) -> None:
         self.width, self.height, self.field = width, height, field
         self.items: list[str] = []
-        self.segments: list[tuple[complex, complex]] = []
+        self.segments: list[Segment] = []
+        self.heavy: list[Segment] = []  # links and arrows, on which no word may stand
         self.boxes: list[Rectangle] = []  # symbols that words keep off
         self.words: list[Rectangle] = []  # words so far
-        self._lines = _NO_LINES  # the segments as arrays, made anew when there are more
+        self.taken = Taken(self.segments, self.heavy, self.boxes, self.words)
 
-    def line(self, a: complex, b: complex, pen: str, data: str = "") -> None:
+    def line(self, a: complex, b: complex, pen: str, data: str = "", *, heavy: bool = False) -> None:
         """Draw a segment, clipped to the drawing field."""
         if part := inside(a, b, self.field):
             a, b = part
             ends = f'x1="{number(a.real)}" y1="{number(a.imag)}" x2="{number(b.real)}" y2="{number(b.imag)}"'
             self.items.append(f"<line {ends} {pen}{data}/>")
-            self.segments.append((a, b))
+            (self.heavy if heavy else self.segments).append((a, b))
 
     def path(self, points: Sequence[complex], look: str, *, closed: bool = False, blocks: bool = True) -> None:
         """Draw a line through points; `look` says stroke and fill."""
-        text = "L".join(f"{number(p.real)} {number(p.imag)}" for p in points)
-        self.items.append(f'<path d="M{text}{"Z" if closed else ""}" {look}/>')
+        self.items.append(f'<path d="{_way(points)}{"Z" if closed else ""}" {look}/>')
         if blocks:
             self.segments += itertools.pairwise(points)
 
@@ -108,22 +109,34 @@ class Sheet:
         else:
             self.boxes.append((at.real - radius, at.imag - radius, at.real + radius, at.imag + radius))
 
-    def arrow(self, a: complex, b: complex, pen: str, data: str = "", head: float = 2.6) -> None:
+    def arrow(self, a: complex, b: complex, pen: str, data: str = "", head: float = 2.6, *, heavy: bool = False) -> None:
         """Draw an arrow from a to b with a filled head."""
         along = (b - a) / abs(b - a)
         neck = b - along * min(head, abs(b - a))
-        self.line(a, neck, pen, data)
+        self.line(a, neck, pen, data, heavy=heavy)
         side = 0.32 * head * 1j * along
         self.path([b, neck + side, neck - side], f'fill="black" stroke="none"{data}', closed=True)
+
+    def vector(self, a: complex, b: complex, pen: str, data: str) -> None:
+        """Draw the arrow of a vector; a short one that lies along a heavy line gets a white band, or it would not be seen."""
+        along = (b - a) / abs(b - a)
+        if OFF_POINT < abs(b - a) < HIDDEN and any(self._hides(a, along, line) for line in self.heavy):
+            self.items.append(f'<path d="{_way((a + OFF_POINT * along, b))}" fill="none" {BAND}/>')
+        self.arrow(a, b, pen, data, head=min(2.6, 0.6 * abs(b - a)), heavy=True)
+
+    def _hides(self, at: complex, along: complex, line: Segment) -> bool:
+        ways = [end - at for end in line if abs(end - at) > OFF_POINT]
+        return len(ways) == 1 and (along.conjugate() * ways[0]).real > ALONG * abs(ways[0])
 
     def axes(self, length: float = 7.0, highest: float = 0.0) -> None:
         """Draw the directions of x and y in the corner where they cover least; below, where that is much and `highest` allows."""
         left, top, right, bottom = self.field
         wide = high = length + 3.5
         corners = [complex(x, y) for y in (bottom - high, top) for x in (left, right - wide)]
-        costs = self._covered([corner + complex(wide, high) / 2 for corner in corners], wide, high)
-        corner = corners[costs.index(min(costs))]
-        if min(costs) > CROWDED + 2 * BEYOND * MARGIN and self.height + high <= highest:
+        middles = np.array([(corner.real + wide / 2, corner.imag + high / 2) for corner in corners])
+        costs = self.taken.covered(middles, wide, high, self.field)
+        corner = corners[int(np.argmin(costs))]
+        if costs.min() > CROWDED + 2 * BEYOND * MARGIN and self.height + high <= highest:
             self.height, self.field = self.height + high, (left, top, right, bottom + high)
             corner = complex(left, bottom)
         at = corner + complex(1, high - 1.5)
@@ -146,46 +159,46 @@ class Sheet:
         self.items.append(f'<path d="{text}" fill="none" stroke="black" stroke-width="0.15"/>')
         self.segments += kept
 
-    def label(
-        self,
-        word: Word,
-        places: Iterable[Place],
-        look: str = "",
-        *,
-        turn: int = 0,
-        others: Sequence[complex] = (),
-        mistaken: float = MISTAKEN,
-    ) -> Place:
-        """Write a word beside the place where it covers least; return that place.
+    def label(self, word: Word, places: Iterable[Place], look: str = "", *, turn: int = 0, owner: Owner | None = None) -> Place:
+        """Write a word where it covers least, beside one of its places, the best first; return that place.
 
-        `turn` +1 or -1 puts an arc with an arrow before the word: counter-clockwise or clockwise.  `others` are points that
-        words alike belong to: a reader takes the nearest, which is worth `mistaken` mm of way.
+        `turn` +1 or -1 puts an arc with an arrow before the word: counter-clockwise or clockwise.  A word belongs to the points
+        of its places where no `owner` is said.
         """
+        listed = list(places)
         lead = 6.6 if turn else 0.0
-        wide = lead + sum(size * width(part[:LONGEST]) for part, size in zip(word, SIZES, strict=True))
+        wide = sum(size * width(part[:LONGEST]) for part, size in zip(word, SIZES, strict=True))
+        wide = lead + wide * (HEAVIER if look == BOLD else 1.0)
         height = 5.8 if turn else LETTER * 0.95 + (0.6 if word[1] else 0)
-        crossing = CROSSED if word[2] else 1.0
-        (_, middle), chosen = min(
-            ((self._room(wide, height, place, others, (crossing, mistaken)), place) for place in places),
-            key=lambda found: found[0][0],
-        )
+        owner = owner or Owner([(at, at) for at, _, _ in listed])
+        stand = self.taken.stand(wide, height, listed, owner, self.field)
+        middle = stand.middle
         left, top = middle.real - wide / 2, middle.imag - height / 2
+        if stand.leader is not None:
+            self.leader(stand.leader, (left, top, left + wide, top + height))
         self.words.append((left, top, left + wide, top + height))
         if turn:
             self.sense(complex(left + 3, middle.imag), turn)
         base = middle.imag + LETTER * 0.37 - (0.3 if word[1] else 0)
         self.text(complex(left + lead, base), word, look)
-        return chosen
+        return stand.place
+
+    def leader(self, foot: complex, box: Rectangle) -> None:
+        """Draw the thin line from what a word names to the word."""
+        edge = inside(foot, complex(box[0] + box[2], box[1] + box[3]) / 2, box)
+        if edge is not None and abs(edge[0] - foot) > MARGIN:
+            self.line(foot, edge[0], LEAD, ' data-leader=""')
 
     def text(self, at: complex, word: Word, look: str = "", size: float = LETTER) -> None:
         """Write a word, its base line beginning at a point, on a white halo."""
         head, low, tail = (plain(part) for part in word)
-        if tail.startswith(" "):
+        upright = ""
+        if tail.startswith(" "):  # a value, not a part of the name
             tail = "\u00a0" + tail[1:]  # a space at the beginning of a piece may be left out by whoever sets the drawing
+            upright = ' font-style="normal"' if look == ITALIC else ""
         below = f'<tspan dy="0.8" font-size="{SIZES[1]}">{low}</tspan>' if low else ""
-        beside = (
-            f'<tspan{" dy=" + chr(34) + "-0.8" + chr(34) if low else ""} font-size="{SIZES[2]}">{tail}</tspan>' if tail else ""
-        )
+        raised = ' dy="-0.8"' if low else ""
+        beside = f'<tspan{raised} font-size="{SIZES[2]}"{upright}>{tail}</tspan>' if tail else ""
         halo = 'stroke="white" stroke-width="0.9" stroke-linejoin="round" paint-order="stroke"'
         place = f'x="{number(at.real)}" y="{number(at.imag)}" font-size="{size}"'
         self.items.append(f"<text {place} {halo}{' ' if look else ''}{look}>{head}{below}{beside}</text>")
@@ -199,55 +212,6 @@ class Sheet:
         tip = arc[-1] + 1.7 * along
         self.path([tip, arc[-1] + 0.9j * along, arc[-1] - 0.9j * along], 'fill="black" stroke="none"', closed=True, blocks=False)
 
-    def _room(
-        self, width: float, height: float, place: Place, others: Sequence[complex], costs: tuple[float, float]
-    ) -> tuple[float, complex]:
-        """Return what the freest of the rectangles around a point covers, and its middle.
-
-        `costs` (mm) are those of each line under it, and of standing nearer to one of `others`.
-        """
-        crossing, mistaken = costs
-        near, away, gap = place
-        toward = cmath.phase(away) if away else -math.pi / 4
-        best, found = math.inf, near
-        for ring in RINGS:
-            if 0.5 * ring >= best:
-                break
-            middles, prices = [], []
-            # No rectangle of this ring is nearer than its ring to what lies farther off.
-            farthest = 2 * (gap + ring) + math.hypot(width, height)
-            close = [other for other in others if abs(other - near) < farthest]
-            for k in range(DIRECTIONS):
-                turned = math.tau * k / DIRECTIONS
-                unit = cmath.rect(1.0, toward + turned)
-                # The rectangle touches the circle of radius `gap + ring` about the point.
-                reach = min(width / 2 / max(abs(unit.real), 1e-9), height / 2 / max(abs(unit.imag), 1e-9))
-                middles.append(near + unit * (gap + ring + reach))
-                is_mistaken = any(_apart(middles[-1], width, height, other) < gap + ring for other in close)
-                prices.append(0.5 * ring + 0.6 * (1 - math.cos(turned)) + mistaken * is_mistaken)
-            for middle, price, covered in zip(middles, prices, self._covered(middles, width, height, crossing), strict=True):
-                if price + covered < best - 1e-9:
-                    best, found = price + covered, middle
-        return best, found
-
-    def _covered(self, middles: Sequence[complex], width: float, height: float, crossing: float = 1.0) -> list[float]:
-        """Return how much each of the equal rectangles covers: mm of lines, more for other labels and beyond the field."""
-        half = np.array([width / 2 + MARGIN, height / 2 + MARGIN])
-        at = np.array([(middle.real, middle.imag) for middle in middles])
-        low, high = at - half, at + half
-        field = np.array(self.field)
-        beyond = np.maximum(field[:2] - low, 0.0) + np.maximum(high - field[2:], 0.0)
-        symbols, words = common(low, high, self.boxes), common(low, high, self.words)
-        if self._lines.count != len(self.segments):
-            self._lines = Lines(self.segments)
-        gap = np.array([GAP, 0.0])
-        beside = common(low - gap, high + gap, self.words)
-        crossed, covered = self._lines.within(low, high)
-        cost = BEYOND * beyond.sum(axis=1) + 3.0 * symbols.sum(axis=1) + covered + crossing * crossed
-        cost += 6.0 * np.count_nonzero(symbols, axis=1) + WORD_ON_WORD * np.count_nonzero(words, axis=1)
-        cost += SIDE_BY_SIDE * np.count_nonzero(beside, axis=1)
-        return [float(value) for value in cost]
-
     def svg(self) -> str:
         """Return the drawing."""
         size = f'width="{number(self.width)}mm" height="{number(self.height)}mm"'
@@ -260,10 +224,8 @@ class Sheet:
         ))  # fmt: skip
 
 
-def _apart(middle: complex, width: float, height: float, point: complex) -> float:
-    """Return how far a point is from a rectangle (mm)."""
-    off = point - middle
-    return math.hypot(max(abs(off.real) - width / 2, 0.0), max(abs(off.imag) - height / 2, 0.0))
+def _way(points: Sequence[complex]) -> str:
+    return "M" + "L".join(f"{number(p.real)} {number(p.imag)}" for p in points)
 
 
 def middle_of(points: Iterable[complex]) -> complex:

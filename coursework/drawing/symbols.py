@@ -1,7 +1,7 @@
 """Names of a file as a drawing writes them: "r1" is r₁, "2*r3" is 2r₃, "phi1" is φ₁.
 
 Enters: a name or a formula.  Leaves: short text.
-Used by `drawing/painter.py` and `drawing/figures.py`.
+Used by `drawing/naming.py`, `drawing/dimensions.py`, `drawing/figures.py` and `plans/`.
 """
 
 from __future__ import annotations
@@ -16,12 +16,19 @@ LONGEST_NAME = 12  # letters of the name of a point or link
 LONGEST_LENGTH = 14  # letters of the length beside a link; a longer formula says less than none
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _NAME = re.compile(r"(?<![^\W\d])(?<!\.)([^\W\d_]+?)(\d*)(?!\w)")
+_INDEXED = re.compile(r"([^\W\d_])(?:_?(\d+)|_(\w+)|([ij])|(?<=[xy])([^\W\d_]))")
 _RATE = re.compile(r"(?:w|omega)_?(\w*)")
 
 
 def short(name: str) -> str:
     """Return the name of a point or link, cut where it is too long to stand beside it."""
     return name if len(name) <= LONGEST_NAME else name[: LONGEST_NAME - 1] + "…"
+
+
+def name_word(name: str) -> tuple[str, str, str]:
+    """Return the name of a point or datum as a word with what is set lower: "P1" is P with 1, "Ki" K with i, "xF" x with F."""
+    found = _INDEXED.fullmatch(name)
+    return (found[1], next(part for part in found.groups()[1:] if part), "") if found else (short(greek(name)), "", "")
 
 
 def lettered(text: str) -> str:
@@ -35,10 +42,21 @@ def rate_word(name: str) -> tuple[str, str, str]:
     return ("ω", greek(found[1]), "") if found else (short(name), "", "")
 
 
+def lowered_name(name: str) -> str:
+    """Return the name of a point as it stands below a letter: "P1" is P₁."""
+    return short(lettered(name)) if _INDEXED.fullmatch(name) else short(name)
+
+
 def length_text(length: Formula) -> str:
     """Return a length as it stands beside a link, "" where it is too long for that."""
     text = lettered(spelled(length).replace("*", "").replace(" ", "").replace("-", "−"))
     return text if len(text) <= LONGEST_LENGTH else ""
+
+
+def length_word(length: Formula) -> tuple[str, str, str]:
+    """Return a length as a word with what is set lower: "xF" is x with F; an empty one where it is too long."""
+    named = length.op == "name" and not length.name[-1:].isdigit()
+    return name_word(length.name) if named else (length_text(length), "", "")
 
 
 def decimal(value: float) -> Sentence:

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from coursework.drawing.board import SPEEDS, Board, fit
 from coursework.drawing.figures import HIGHEST, VELOCITY, room
+from coursework.drawing.naming import point_names
 from coursework.drawing.painter import Painter
 from coursework.drawing.poses import read_poses
 from coursework.drawing.record import Drawing
@@ -65,7 +66,7 @@ def draw_positions(mechanism: Mechanism, equations: VelocityEquations, period: M
     first.moving()
     turned = [name for rate, _ in outline.cranks for bar in outline.bars if bar.rate == rate for name in bar.corners]
     numbered = next((name for name in (*outline.driven, *turned, *moving) if name in moving), "")
-    first.point_names()
+    point_names(first)
     if numbered:
         middle = board.put(complex(np.mean(poses.at[numbered])))
         for place, row in enumerate(rows[1:], start=2):

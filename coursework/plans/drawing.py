@@ -7,14 +7,18 @@ Used by `graph_check.py`.
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable
 from dataclasses import replace
 
+from coursework.drawing.cover import Segment
+from coursework.drawing.naming import lies_on, link_owner, link_places, point_names
 from coursework.drawing.painter import Painter
+from coursework.drawing.placing import Owner, Place
 from coursework.drawing.record import Drawing
-from coursework.drawing.sheet import BOLD, Place, Sheet, Word, inside, plain
-from coursework.drawing.symbols import decimal, short
+from coursework.drawing.sheet import BOLD, ITALIC, Sheet, Word, inside, plain
+from coursework.drawing.symbols import decimal, lowered_name, short
 from coursework.plans.foot import draw_foot
 from coursework.plans.graph_words import centre_letter
 from coursework.plans.instant_centres import Centre, Findings
@@ -26,6 +30,8 @@ VELOCITY = 'stroke="black" stroke-width="0.4"'
 CONSTRUCTION = 'stroke="black" stroke-width="0.15" stroke-dasharray="2.4 1 0.4 1"'
 READ = 1e4  # 1/m: a place is read off a drawing 1:1 to 0.1 mm
 FAR = 12.0  # mm of way that the name of a centre off the sheet rather takes than standing nearer to the arrow of another
+MISTAKEN = 8.0  # mm of way that any other name rather takes
+AT_LINK = 6.0  # mm: so far the sense of a rotation still stands at its link
 CLOSE = 0.05  # of the mechanism: a centre so near a point lies almost on it
 SHORTEST = 0.5  # mm: a shorter arrow is none
 SMALL = 4.0  # mm: beside a shorter arrow its name stands farther off
@@ -74,8 +80,8 @@ class _Drawing:
         self.at = self.painter.at
         self.points = list(dict.fromkeys((*sketch.outline.names, *(name for body in sketch.pose.bodies for name in body.points))))
         self.letter = centre_letter(sketch)
-        self.marks: list[tuple[Word, list[Place]]] = []
-        self.far: list[tuple[Word, list[Place]]] = []  # of centres off the sheet: each arrow is named, one has the place too
+        self.marks: list[tuple[Word, list[Place], Segment]] = []
+        self.far: list[tuple[Word, list[Place], list[Segment]]] = []  # of a centre off the sheet each arrow is named, one in full
         self.middle = self.painter.middle
 
     def svg(self, title: str) -> str:
@@ -100,11 +106,13 @@ class _Drawing:
             return
         arrow = self.layout.arrow(velocity)
         tip = self.at[name] + arrow
-        if abs(arrow) > SHORTEST:
-            self.sheet.arrow(self.at[name], tip, VELOCITY, f' data-velocity="{plain(name)}"', head=min(2.6, 0.6 * abs(arrow)))
+        seen = abs(arrow) > SHORTEST
+        if seen:
+            self.sheet.vector(self.at[name], tip, VELOCITY, f' data-velocity="{plain(name)}"')
         value = self.written(say("drawing.speed", speed=abs(velocity)))
         away = arrow or self.at[name] - self.middle
-        self.marks.append((("V", short(name), value), [(tip, away, 1.0 if abs(arrow) > SMALL else 2.0)]))
+        places = [(tip, away, 1.0 if abs(arrow) > SMALL else 2.0), (tip - arrow / 4, 1j * away, 1.0)]
+        self.marks.append((("V", lowered_name(name), value), places if seen else places[:1], (tip - arrow / 2, tip)))
 
     def construction(self, link: str, centre: Centre) -> None:
         """Draw the lines that lead from two points to a centre, or to where they leave the sheet."""
@@ -121,45 +129,44 @@ class _Drawing:
         if link in layout.near:
             for arm in (1.5 + 1.5j, 1.5 - 1.5j):
                 self.sheet.line(at - arm, at + arm, 'stroke="black" stroke-width="0.4"')
-            self.marks.append(((self.letter, short(link), ""), [(at, at - self.middle, 2.2)]))
+            self.marks.append(((self.letter, short(link), ""), [(at, at - self.middle, 2.2)], (at, at)))
             return
-        places = []
+        places, arrows = [], []
         for name in centre.lines:
             if part := inside(self.at[name], at, self.sheet.field):
                 along = (at - self.at[name]) / abs(at - self.at[name])
                 self.sheet.arrow(part[1] - 5 * along, part[1], CONSTRUCTION, head=2.6)
                 places.append((part[1] - 6 * along, self.middle - part[1], 1.4))
+                arrows.append((part[1] - 8 * along, part[1]))
         decimals = max(0, math.ceil(math.log10(READ / layout.scale) - 1e-9))
         where = say("drawing.place", x=round(centre.at.real, decimals) + 0.0, y=round(centre.at.imag, decimals) + 0.0)
         if places:
-            self.far.append(((self.letter, short(link), self.written(where).replace("-", "−")), places))
+            self.far.append(((self.letter, short(link), self.written(where).replace("-", "−")), places, arrows))
 
     # words
 
     def names(self) -> None:
         """Write all labels: points, velocities, centres, links with the sense and size of their rotation."""
-        self.painter.point_names()
-        tips = [place[0] for _, places in (*self.marks, *self.far) for place in places]
+        point_names(self.painter)
+        owned = [*(line for *_, line in self.marks), *itertools.chain(*(lines for *_, lines in self.far))]
 
-        def others(own: list[Place]) -> list[complex]:
-            return [tip for tip in tips if all(tip != place[0] for place in own)]
+        def owner(own: list[Segment], mistaken: float = MISTAKEN) -> Owner:
+            return Owner(own, [line for line in owned if not any(line == mine or lies_on(line, mine) for mine in own)], mistaken)
 
-        for word, places in self.marks:
-            self.sheet.label(word, places, others=others(places))
-        for word, places in self.far:
-            chosen = self.sheet.label(word, places, others=others(places), mistaken=FAR)
-            for place in places:
+        for word, places, line in self.marks:
+            self.sheet.label(word, places, ITALIC, owner=owner([line]))
+        for word, places, lines in self.far:
+            chosen = self.sheet.label(word, places, ITALIC, owner=owner(lines, FAR))
+            for place, line in zip(places, lines, strict=True):
                 if place != chosen:
-                    self.sheet.label((*word[:2], ""), [place], others=others(places), mistaken=FAR)
-        beside = {bar.link: self.painter.link_places(bar) for bar in self.sketch.outline.bars if bar.corners}
-        tips = [place[0] for place in beside.values()]
+                    self.sheet.label((*word[:2], ""), [place], ITALIC, owner=owner([line], FAR))
         for bar in self.sketch.outline.bars:
             body, omega = self.bodies.get(bar.link), self.findings.omegas.get(bar.link)
             turning = 0 if body is None or body.guide or not omega else (1 if omega > 0 else -1)
             value = self.written(say("drawing.turning", omega=abs(omega))) if omega and turning else ""
             if bar.corners:
-                word = (short(bar.link), "", value)
-                self.sheet.label(word, [beside[bar.link]], BOLD, turn=turning, others=others([beside[bar.link]]))
+                belongs = replace(link_owner(self.painter, bar), lost=AT_LINK)
+                self.sheet.label((short(bar.link), "", value), link_places(self.painter, bar), BOLD, turn=turning, owner=belongs)
 
     def foot(self, title: str) -> None:
         """Draw the bar by which a print is checked, and say the scales."""

@@ -107,3 +107,37 @@ def lines(svg: str, key: str) -> list[Line]:
 def names(svg: str, key: str) -> set[str]:
     """Return the values of an attribute."""
     return {node.attrib[key] for node in ElementTree.fromstring(svg).iter() if key in node.attrib}
+
+
+def along(line: Line, count: int = 240) -> list[complex]:
+    """Return places on a line, so near each other that no word passes between them."""
+    return [line.a + (line.b - line.a) * k / count for k in range(count + 1)]
+
+
+def beside(word: Word, line: Line) -> float:
+    """Return how far a word is from a line (mm)."""
+    return min(apart(word, place) for place in along(line))
+
+
+def led(svg: str, word: Word, own: list[Line]) -> bool:
+    """Return whether a thin line leads from a word to one of its own lines."""
+    near = [line for line in lines(svg, "data-leader") if min(apart(word, line.a), apart(word, line.b)) < 3.0]
+    return any(abs(place - foot) < 1.5 for line in near for mine in own for place in along(mine) for foot in (line.a, line.b))
+
+
+def crossed(svg: str, *keys: str) -> list[tuple[str, str]]:
+    """Return the words through which a line goes that carries one of the attributes."""
+    drawn = [line for key in keys for line in lines(svg, key)]
+    return [(word.text, str(line.says)) for word in words(svg) for line in drawn if beside(word, line) == 0.0]
+
+
+def covers(line: Line, other: Line) -> bool:
+    """Return whether two lines lie on one another: what stands beside one stands beside both."""
+    return sum(min(abs(a - b) for b in along(other)) < 0.5 for a in along(line, 20)) > 1
+
+
+def astray(svg: str, word: Word, own: list[Line], others: list[Line]) -> list[str]:
+    """Return the other lines to which a word stands nearer than to its own, where no thin line leads it back."""
+    mine = min(beside(word, line) for line in own)
+    nearer = [line for line in others if beside(word, line) <= mine and not any(covers(line, one) for one in own)]
+    return [] if led(svg, word, own) else [f"{word.text} at {line.says}" for line in nearer]

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from coursework.drawing.cover import Lines, common
+from coursework.drawing.cover import Lines, common, through
 
 BOX = np.array([[1.0, 2.0]]), np.array([[4.0, 6.0]])
 
@@ -45,3 +45,20 @@ def test_shared_areas_by_hand():
     others = [(0.0, 0.0, 2.0, 3.0), (4.0, 2.0, 5.0, 6.0), (2.0, 3.0, 3.0, 4.0)]
     assert common(*BOX, others).tolist() == [[1.0, 0.0, 1.0]]
     assert common(*BOX, []).shape == (1, 0)
+
+
+def test_distances_of_a_rectangle_from_lines_by_hand() -> None:
+    lines = Lines([(0 + 0j, 9 + 0j), (5 + 1j, 9 + 9j), (8 + 9j, 8 + 9j), (0 + 3j, 9 + 3j), (7 + 3j, 7 + 30j)])
+    assert lines.apart(*BOX)[0] == pytest.approx([2.0, abs(complex(4, 2) - _foot(4 + 2j, 5 + 1j, 9 + 9j)), 5.0, 0.0, 3.0])
+
+
+def _foot(at, a, b):
+    """Return the point of a line that is nearest to another, by trial."""
+    return min((a + (b - a) * k / 100_000 for k in range(100_001)), key=lambda place: abs(place - at))
+
+
+def test_what_a_way_crosses_by_hand() -> None:
+    lines = Lines([(0 + 5j, 9 + 5j), (0 + 7j, 2 + 7j), (5 + 0j, 5 + 9j)])
+    begin, step = np.array([[3.0, 0.0], [1.0, 0.0]]), np.array([[0.0, 9.0], [8.0, 9.0]])
+    assert lines.crossed(begin, step).tolist() == [1, 2]
+    assert through(begin, step, [(2.0, 3.0, 4.0, 4.0), (6.0, 0.0, 9.0, 2.0)]).tolist() == [1, 1]

@@ -1,0 +1,110 @@
+"""Every word of a drawing stands nearer to what it names than to anything alike, or is led to it; none lies on a link."""
+
+from __future__ import annotations
+
+import pytest
+
+from coursework import load
+from coursework.catalogue import names
+from coursework.drawing.lengths import lengths
+from coursework.drawing.symbols import length_text
+from coursework.drawing.tracing import read_outline
+from coursework.mechanism import build
+from tests.drawing import measured
+from tests.drawing.test_mechanism import drawing_of
+from tests.plans.test_graph_check import svg_of
+
+FARTHEST = 8.0  # mm from its line to a word that nothing leads to it
+SENSE = 6.0  # mm before a word with the arrow of a rotation
+# The crank of these three changes its length: no construction with rigid links.
+CONSTRUCTED = [name for name in names() if not name.startswith("variable-crank")]
+
+
+@pytest.mark.parametrize("name", names())
+def test_no_word_lies_on_a_link_or_an_arrow(name: str) -> None:
+    assert measured.crossed(drawing_of(name).svg, "data-link", "data-driven") == []
+
+
+@pytest.mark.parametrize("name", CONSTRUCTED)
+def test_no_word_of_a_construction_lies_on_a_link_or_an_arrow(name: str) -> None:
+    assert measured.crossed(svg_of(name), "data-link", "data-velocity") == []
+
+
+@pytest.mark.parametrize("name", names())
+def test_a_length_stands_beside_the_part_that_has_it(name: str) -> None:
+    svg = drawing_of(name).svg
+    known = lengths(build(load(name)))
+    parts = [line for line in measured.lines(svg, "data-link") if "data-from" in line.says]
+    drawn = [*measured.lines(svg, "data-link"), *measured.lines(svg, "data-driven"), *measured.lines(svg, "data-dimension")]
+    said: dict[str, list[measured.Line]] = {}
+    for line in parts:
+        length = known.get(frozenset((line.says["data-from"], line.says["data-to"])))
+        if length is not None and length_text(length) and abs(line.b - line.a) > 2.5:
+            said.setdefault(length_text(length), []).append(line)
+    for text, own in said.items():
+        written = [word for word in measured.words(svg) if word.text == text]
+        assert len(written) >= len(own), text
+        for line in own:
+            # Of words alike the nearest is meant: the arms of a rhomb are all called l.
+            word = min(written, key=lambda word: measured.beside(word, line))
+            assert measured.astray(svg, word, own, drawn) == []
+            assert measured.beside(word, line) < FARTHEST or measured.led(svg, word, own)
+
+
+@pytest.mark.parametrize("kind", ["mechanism", "construction"])
+@pytest.mark.parametrize("name", CONSTRUCTED)
+def test_the_name_of_a_link_stands_beside_it(name: str, kind: str) -> None:
+    svg = drawing_of(name).svg if kind == "mechanism" else svg_of(name)
+    drawn = [*measured.lines(svg, "data-link"), *measured.lines(svg, "data-velocity")]
+    wheels = measured.names(svg, "data-link") - {line.says["data-link"] for line in drawn if "data-link" in line.says}
+    outline = read_outline(build(load(name)))
+    assert outline is not None
+    wheels |= {wheel.link for wheel in outline.wheels} | {bar.link for bar in outline.bars if len(bar.corners) == 1}
+    for bar in outline.bars:
+        own = [line for line in drawn if line.says.get("data-link") == bar.link]
+        word = next((w for w in measured.words(svg) if w.text.partition(":")[0] == bar.link), None)
+        if word is not None and own and bar.link not in wheels:
+            left, *rest = word.box
+            word = measured.Word(word.text, (left - (SENSE if ":" in word.text else 0.0), *rest))  # type: ignore[arg-type]
+            others = [line for line in drawn if line not in own]
+            assert measured.astray(svg, word, own, others) == []
+
+
+@pytest.mark.parametrize(
+    ("name", "texts"),
+    [
+        ("example-1", {"r₄"}), ("chebyshev", {"r₄", "2r₂"}), ("homework", {"r₄"}), ("example-3", {"r₄", "xF", "yF"}),
+        ("example-4", {"r₃", "r₄"}), ("cardan", {"f", "R₀"}), ("example-6", {"h", "r₄"}), ("jansen", {"d", "i", "a"}),
+        ("pantograph", {"L₁", "L₂"}), ("v104", {"xO", "yO"}), ("prp", {"xj", "yj"}),
+    ],
+)  # fmt: skip
+def test_lengths_between_points_that_no_link_joins_have_dimension_lines(name: str, texts: set[str]) -> None:
+    svg = drawing_of(name).svg
+    dimensions: dict[str, list[measured.Line]] = {}
+    for line in measured.lines(svg, "data-dimension"):
+        dimensions.setdefault(line.says["data-dimension"], []).append(line)
+    for text in texts - {"r₃"}:
+        assert len(dimensions[text]) == 2, "a half to each end"
+        words = [word for word in measured.words(svg) if word.text == text]
+        others = [line for other, lines in dimensions.items() if other != text for line in lines]
+        assert any(measured.astray(svg, word, dimensions[text], others) == [] for word in words)
+    assert texts <= {word.text for word in measured.words(svg)}
+
+
+def test_the_measure_sees_what_is_astray() -> None:
+    def sheet(y: float, leader: str = "") -> str:
+        own, other = (f'<line x1="0" y1="{at}" x2="40" y2="{at}" data-link="{link}"/>' for at, link in ((5, 1), (15, 2)))
+        text = f'<text x="9" y="{y}" font-size="3.2">r</text>'
+        return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 40 20">{own}{other}{leader}{text}</svg>'
+
+    def found(svg: str) -> list[str]:
+        own, other = measured.lines(svg, "data-link")
+        return measured.astray(svg, measured.words(svg)[0], [own], [other])
+
+    _, up, down = measured.size("r", 3.2)
+    between = 10 + (up - down) / 2
+    assert found(sheet(between - 0.1)) == []
+    assert len(found(sheet(between + 0.1))) == 1
+    assert found(sheet(between + 0.1, '<line x1="10" y1="5" x2="10" y2="8.5" data-leader=""/>')) == []
+    assert measured.crossed(sheet(15 - down + 0.1), "data-link") != []
+    assert measured.crossed(sheet(15 - down - 0.1), "data-link") == []
