@@ -145,7 +145,7 @@ def test_an_equation_that_alone_knows_a_velocity_is_not_said_to_be_checked():
     agreement = found(solve(text), "AGREEMENT")
     assert agreement.verdict == "PASS"
     assert (agreement.value, agreement.limit) == (4.0, 5.0)
-    assert "Signs and coefficients of tail are not checked" in agreement.sentence
+    assert "Signs and coefficients of equation tail are not checked" in agreement.sentence
 
 
 @pytest.mark.parametrize("scheme", ["rk4", "exact"])
