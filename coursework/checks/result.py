@@ -15,8 +15,8 @@ from coursework.sentences import Sentence, load_phrases, say
 Group = Literal["computation", "motion"]
 GROUPS: tuple[Group, ...] = ("computation", "motion")
 Verdict = Literal["PASS", "COARSE", "FAIL", "SKIP", "ERROR"]
-# Parts of a whole that are told: four decimals.
-_FLOOR = 10**4
+# The unit of a part of a whole: what carries less than 1 never rounds up to it.
+OF_POWER = "unit.of_power"
 # The status a command ends with is that of the worst verdict.
 VERDICTS: tuple[Verdict, ...] = ("PASS", "COARSE", "FAIL", "SKIP", "ERROR")
 
@@ -62,9 +62,9 @@ def skipped(sentence: str) -> Finding:
     return Finding("SKIP", sentence)
 
 
-def floored(share: float) -> float:
-    """Return a part of a whole to four decimals, never more than it is: 0.99987 -> 0.9998."""
-    return math.floor(share * _FLOOR) / _FLOOR
+def floored(share: float, decimals: int = 4) -> float:
+    """Return a part of a whole to so many decimals, never more than it is: 0.99987 -> 0.9998."""
+    return math.floor(share * 10**decimals) / 10**decimals
 
 
 def percent(share: float) -> Sentence:

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from coursework.api import load, solve
-from coursework.checks.result import GROUPS
+from coursework.checks.result import GROUPS, OF_POWER, floored
 from coursework.commands.screen import in_language, tell
 from coursework.errors import InputError
 from coursework.file_set import files_of, working_folder
@@ -220,7 +220,8 @@ def tell_checks(run: Run) -> None:
         for check in (check for check in run.checks if check.group == group):
             parts = [f"  {in_language(say(f'checks.mark.{check.verdict}'))} {check.verdict:<6} {check.code:<16}"]
             if check.value is not None:
-                bare = {"value": check.value}
+                is_part = isinstance(check.unit, Sentence) and check.unit.key == OF_POWER
+                bare = {"value": floored(check.value, 3) if is_part else check.value}
                 parts.append(say("screen.value_unit", **bare, unit=check.unit) if check.unit else say("screen.value", **bare))
             if check.limit is not None:
                 parts.append(say("screen.limit", limit=check.limit))

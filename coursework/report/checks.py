@@ -6,7 +6,7 @@ Enters: a `PageContext`.  Leaves: the summary, and one part for each group of ch
 from __future__ import annotations
 
 from coursework.checks.evidence import NO_ERROR
-from coursework.checks.result import GROUPS, VERDICTS, Finding, floored
+from coursework.checks.result import GROUPS, OF_POWER, VERDICTS, Finding, floored
 from coursework.page_text import clean
 from coursework.report.numbers import ROUND_OFF
 from coursework.report.page_context import PageContext
@@ -18,7 +18,6 @@ from coursework.sentences import Sentence
 NOTHING_AT_ALL = 1e-18  # SI: smaller than any round-off of a mechanism
 NEARLY_WHOLE = 5e-5  # of an amount: less than four digits show
 OF_THE_SCALE = "unit.of_the_scale"
-OF_POWER = "unit.of_power"  # what carries less than 1 never rounds up to it
 MOST_LINES = 30  # further lines of one check; more are thinned
 SHORT_UNIT = 12  # letters of a unit that stands behind its number; a longer one stands below
 

@@ -5,8 +5,8 @@ Enters: a `PageContext`.  Leaves: `Claims`.  Used by `sections.py`; codes and li
 
 from __future__ import annotations
 
-from coursework.checks.result import Finding
-from coursework.report.checks import OF_POWER, counted
+from coursework.checks.result import OF_POWER, Finding
+from coursework.report.checks import counted
 from coursework.report.numbers import ROUND_OFF
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Cell, Claims, Paragraph, Part
