@@ -64,7 +64,8 @@ def skipped(sentence: str) -> Finding:
 
 def floored(share: float, decimals: int = 4) -> float:
     """Return a part of a whole to so many decimals, never more than it is: 0.99987 -> 0.9998."""
-    return math.floor(share * 10**decimals) / 10**decimals
+    scale = 10.0**decimals
+    return math.floor(share * scale) / scale
 
 
 def percent(share: float) -> Sentence:
