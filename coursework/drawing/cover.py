@@ -77,18 +77,20 @@ class Lines:
     def feet(self, points: Array) -> Array:
         """Return the point (n, m, 2) of each segment that is nearest to each point (n, 2)."""
         square = np.maximum(self.length**2, _STILL)
-        way = np.clip(((points[:, None] - self.begin) * self.step).sum(axis=2) / square, 0.0, 1.0)
+        off = (points[:, None] - self.begin) * self.step
+        way = np.minimum(np.maximum((off[..., 0] + off[..., 1]) / square, 0.0), 1.0)
         feet: Array = self.begin + way[..., None] * self.step
         return feet
 
     def apart(self, low: Array, high: Array) -> Array:
         """Return the distance (n, m) of each rectangle from each segment, 0 where they meet."""
-        corners = [low, high, np.column_stack([low[:, 0], high[:, 1]]), np.column_stack([high[:, 0], low[:, 1]])]
-        far = [np.hypot(*np.moveaxis(self.feet(corner) - corner[:, None], 2, 0)) for corner in corners]
+        corners = np.concatenate([low, high, np.column_stack([low[:, 0], high[:, 1]]), np.column_stack([high[:, 0], low[:, 1]])])
+        off = self.feet(corners) - corners[:, None]
+        far = np.hypot(off[..., 0], off[..., 1]).reshape(4, len(low), self.count).min(axis=0)
         for end in (self.begin, self.end):
             beyond = np.maximum(np.maximum(low[:, None] - end, end - high[:, None]), 0.0)
-            far.append(np.hypot(beyond[..., 0], beyond[..., 1]))
-        found: Array = np.where(self.parts(low, high) > 0, 0.0, np.minimum.reduce(far))
+            far = np.minimum(far, np.hypot(beyond[..., 0], beyond[..., 1]))
+        found: Array = np.where(self.parts(low, high) > 0, 0.0, far)
         return found
 
     def crossed(self, begin: Array, step: Array) -> Array:

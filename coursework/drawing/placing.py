@@ -26,13 +26,14 @@ HEAVY = 120.0  # mm of thin lines that a word rather covers than a heavy one: a 
 WORD_ON_WORD = 200.0  # the same for another word
 CROSSED = 4.0  # the same for every line that goes through it
 SYMBOL = (3.0, 6.0)  # the same for a mm² of a symbol, and for every symbol
-GAP, SIDE_BY_SIDE = 2.2, 4.0  # mm: words nearer on one line read as one; mm of lines that a word rather covers
+GAP, SIDE_BY_SIDE = 2.2, 8.0  # mm: words nearer on one line read as one; mm of lines that a word rather covers
 BEYOND = 30.0  # mm of lines for each mm beyond the field
 CLEARLY = 1.0  # mm: a word is that much nearer to its own than to what it might be mistaken for
 LOST = 5.0  # mm: farther from a line or a point a word seems to belong to nothing
 LEADER, LEADER_CROSSES = 4.0, (15.0, 100.0, 3.0)  # mm of lines for such a line, and for each heavy line, word, symbol it crosses
 STEP_OFF = 0.6  # mm: it is looked at from beside the line it leads to
 ALONG = (0.35, 0.6, 0.85)  # parts of its way at which it must not lie on a heavy line
+CHEAPEST = 8  # places looked at together
 TOUCH = 1.2  # mm: a place so near a point or a line is beside that; farther off it is beside a rim or a block
 
 
@@ -100,29 +101,40 @@ class Taken:
         near, gaps = (np.array([place[k] for place in places])[:, None] for k in (0, 2))
         fixed = TURNED * (1 - np.cos(turns)) + NEXT * np.arange(len(places))[:, None]
         best, found = math.inf, Stand(places[0][0], places[0], None)
-        for ring in RINGS:
-            if FARTHER * ring >= best:
-                break
+        first = np.arange(near.size * DIRECTIONS) < DIRECTIONS
+        # The first place by itself: where it is good, the others need no look.
+        for ring, group in ((ring, group) for ring in RINGS for group in (first, ~first)):
+            least = FARTHER * ring + fixed.ravel()
+            kept = np.flatnonzero(group & (least < best))
+            if not kept.size:
+                continue
             # Each rectangle touches the circle of radius `gap + ring` about its point.
-            at = (near + units * (gaps + ring + reach)).ravel()
+            at = (near + units * (gaps + ring + reach)).ravel()[kept]
             middles = np.column_stack([at.real, at.imag])
-            cost = FARTHER * ring + fixed.ravel() + self.covered(middles, width, height, room)
             low, high = middles - half, middles + half
+            cost = least[kept] + self.covered(middles, width, height, room)
             if owner.breaks:
                 crossed, length = own.within(low - MARGIN, high + MARGIN)
                 cost -= length + CROSSED * crossed
-            mine = own.apart(low, high).min(axis=1)
-            theirs = rivals.apart(low, high).min(axis=1, initial=math.inf)
-            mistaken = theirs < mine + CLEARLY
-            led = mistaken | (mine > owner.lost)
-            feet = (near + units * np.maximum(gaps - TOUCH, 0.0)).ravel()
-            feet = np.column_stack([feet.real, feet.imag])
-            cost += owner.mistaken * mistaken + led * (LEADER + self._in_the_way(feet, middles))
-            k = int(np.argmin(np.round(cost, 6)))
-            if cost[k] < best - 1e-9:
-                best = float(cost[k])
-                leader = complex(*feet[k]) if led[k] else None
-                found = Stand(complex(at[k]), places[k // DIRECTIONS], leader)
+            feet = (near + units * np.maximum(gaps - TOUCH, 0.0)).ravel()[kept]
+            # What a reader could mistake only adds to the cost: it is looked at where the rest is cheap.
+            order = np.argsort(np.round(cost, 6), kind="stable")
+            for some in (order[k : k + CHEAPEST] for k in range(0, len(order), CHEAPEST)):
+                if cost[some[0]] >= best - 1e-9:
+                    break
+                mine = own.apart(low[some], high[some]).min(axis=1)
+                theirs = rivals.apart(low[some], high[some]).min(axis=1, initial=math.inf)
+                mistaken = theirs < mine + CLEARLY
+                led = mistaken | (mine > owner.lost)
+                whole = cost[some] + owner.mistaken * mistaken
+                if led.any():
+                    foot = np.column_stack([feet[some].real, feet[some].imag])
+                    whole += led * (LEADER + self._in_the_way(foot, middles[some]))
+                k = int(np.argmin(np.round(whole, 6)))
+                if whole[k] < best - 1e-9:
+                    best, chosen = float(whole[k]), int(some[k])
+                    leader = complex(feet[chosen]) if led[k] else None
+                    found = Stand(complex(at[chosen]), places[int(kept[chosen]) // DIRECTIONS], leader)
         return found
 
     def _in_the_way(self, feet: Array, middles: Array) -> Array:

@@ -14,7 +14,7 @@ class Drawing:
     """One figure: `id` for links, `svg` (one unit = 1 mm) of `width` by `height` mm, `caption`, and `alt` for who cannot see it.
 
     `wide` drawings need a landscape page of their own; `exact` ones are printed at exactly their size, which carries a scale.
-    `steps` are sentences to be numbered below it.
+    `steps` are sentences to be numbered below it; `letters` are those that name points there, set as in a formula.
     """
 
     id: str
@@ -25,6 +25,7 @@ class Drawing:
     alt: str
     exact: bool = False
     steps: tuple[str, ...] = ()
+    letters: tuple[str, ...] = ()
 
     @property
     def wide(self) -> bool:

@@ -10,10 +10,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from coursework.drawing.board import COLUMN, EDGE, SPEEDS, around
+from coursework.drawing.naming import PARTS, lies_on
+from coursework.drawing.placing import Owner
 from coursework.drawing.record import Drawing
 from coursework.drawing.sheet import AXIS_LETTER, ITALIC, Sheet, Word
 from coursework.drawing.sheet import width as width_of
-from coursework.drawing.symbols import decimal, short
+from coursework.drawing.symbols import decimal, name_word, short
 from coursework.plans.foot import FOOT, draw_foot
 from coursework.plans.polygons import ACCELERATION, POLE, UNITS, VELOCITY, Polygons
 from coursework.plans.steps import image, steps
@@ -67,21 +69,32 @@ def draw_plan(found: Polygons, plan: str, hinges: tuple[str, ...], row: int, wri
     at_pole = [name for name, tip in images.items() if abs(tip - pole) <= SEEN * LONGEST]
     still = [image(name) for name in dict.fromkeys((*hinges, *at_pole))]
     sheet.label(_pole(plan, "".join(f", {name}" for name in still)), [(pole, -1 + 1j, 1.2)], ITALIC)
+    tips = [(tip, tip) for tip in (pole, *images.values())]
     for name, tip in images.items():
         if name not in at_pole:
-            sheet.label((image(name), "", ""), [(tip, tip - pole, 1.0)], ITALIC)
+            sheet.label(name_word(name.lower()), [(tip, tip - pole, 1.0)], ITALIC, owner=Owner([(tip, tip)], tips))
     for kind, start, end, at, vector in mm:
         if kind in {"normal", "coriolis"} and abs(vector) > SMALL:
-            middle = pole + complex(at + vector / 2).conjugate()
+            tail, tip = pole + complex(at).conjugate(), pole + complex(at + vector).conjugate()
+            places = [(tail + part * (tip - tail), 1j * (tip - tail), 0.8) for part in PARTS]
+            rivals = [line for line in sheet.segments if not lies_on(line, (tail, tip))]
             low = image(end) + ("" if start == POLE else image(start))
-            sheet.label(("n" if kind == "normal" else "k", low, ""), [(middle, 1j * complex(vector).conjugate(), 0.8)], ITALIC)
+            sheet.label(("n" if kind == "normal" else "k", low, ""), places, ITALIC, owner=Owner([(tail, tip)], rivals))
     scale = say("plans.scale", scale=decimal(unit), unit=UNITS[plan])
     time = float(found.t[row - 1])
     draw_foot(sheet, [scale, say("drawing.title", row=row, time=time)], written)
     caption = say(f"plans.{plan}.caption", row=row, time=time, scale=decimal(unit), unit=UNITS[plan])
     alt = say(f"plans.{plan}.alt", row=row)
     told = steps(found, plan, row - 1, unit)
-    return Drawing(f"{plan}-plan", sheet.svg(), sheet.width, sheet.height, caption, alt, exact=True, steps=told)
+    letters = _letters(found, hinges)
+    return Drawing(f"{plan}-plan", sheet.svg(), sheet.width, sheet.height, caption, alt, exact=True, steps=told, letters=letters)
+
+
+def _letters(found: Polygons, hinges: tuple[str, ...]) -> tuple[str, ...]:
+    """Return the letters that steps speak of: points and their images."""
+    points = {name.rstrip("'") for s in found.segments for name in (s.start, s.end) if name != POLE}
+    points |= {*hinges, *(line.base for one in found.found for line in one.lines if line.base)}
+    return tuple(sorted({name[0] for name in points} | {image(name)[0] for name in points}))
 
 
 def _arrows(found: Polygons, plan: str, row: int) -> list[tuple[str, str, str, complex, complex]]:

@@ -6,13 +6,14 @@ Used by `plans/polygon_sheet.py`.
 
 from __future__ import annotations
 
+from coursework.drawing.symbols import lowered_name
 from coursework.plans.polygons import ACCELERATION, POLE, Found, Line, Polygons
 from coursework.sentences import Sentence, say
 
 
 def image(name: str) -> str:
-    """Return the letter of an image: that of the point, small."""
-    return name.lower()
+    """Return the letter of an image: that of the point, small, its digits lowered."""
+    return lowered_name(name).lower()
 
 
 def steps(found: Polygons, plan: str, row: int, unit: float) -> tuple[Sentence, ...]:
@@ -23,14 +24,14 @@ def steps(found: Polygons, plan: str, row: int, unit: float) -> tuple[Sentence, 
 
 def _step(one: Found, plan: str, size: dict[tuple[str, str, str], float], unit: float) -> Sentence:
     point, amount = one.point, size[("absolute", POLE, one.point)]
-    values = {"point": point, "image": image(point), "size": amount, "mm": amount / unit}
+    values = {"point": lowered_name(point), "image": image(point), "size": amount, "mm": amount / unit}
     if one.rule in {"given", "rolls", "solved"}:
         return say(f"plans.{plan}.{one.rule}", **values)
     under = f"{point}'" if one.rule == "stretches" else point
     if one.rule in {"slide", "stretches"}:
         rider = under.rstrip("'")
         sliding = size[("sliding", under, rider)]
-        values |= {"rider": rider, "small": image(rider), "sliding": sliding, "sliding_mm": sliding / unit}
+        values |= {"rider": lowered_name(rider), "small": image(rider), "sliding": sliding, "sliding_mm": sliding / unit}
         if plan == ACCELERATION:
             coriolis = size[("coriolis", under, rider)]
             values |= {"coriolis": coriolis, "coriolis_mm": coriolis / unit}
@@ -45,10 +46,10 @@ def _line(line: Line, point: str, plan: str, size: dict[tuple[str, str, str], fl
     if line.kind == "slot":
         return say("plans.line.slot", link=line.link, base=image(line.base) + ("'" if line.base == point else ""))
     if line.kind == "wheel":
-        return say("plans.line.wheel", contact=line.base, point=point)
+        return say("plans.line.wheel", contact=lowered_name(line.base), point=lowered_name(point))
     start = line.base if ("relative", line.base, point) in size else POLE
     normal = size.get(("normal", start, point))
     where = say("plans.line.pole") if start == POLE else image(line.base)
     if plan == ACCELERATION and normal is not None:
-        return say("plans.line.normal", start=where, base=line.base, point=point, mm=normal / unit)
-    return say("plans.line.across", start=where, base=line.base, point=point)
+        return say("plans.line.normal", start=where, base=lowered_name(line.base), point=lowered_name(point), mm=normal / unit)
+    return say("plans.line.across", start=where, base=lowered_name(line.base), point=lowered_name(point))

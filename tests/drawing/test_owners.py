@@ -7,7 +7,7 @@ import pytest
 from coursework import load
 from coursework.catalogue import names
 from coursework.drawing.lengths import lengths
-from coursework.drawing.symbols import length_text
+from coursework.drawing.symbols import length_text, name_word
 from coursework.drawing.tracing import read_outline
 from coursework.mechanism import build
 from tests.drawing import measured
@@ -108,3 +108,17 @@ def test_the_measure_sees_what_is_astray() -> None:
     assert found(sheet(between + 0.1, '<line x1="10" y1="5" x2="10" y2="8.5" data-leader=""/>')) == []
     assert measured.crossed(sheet(15 - down + 0.1), "data-link") != []
     assert measured.crossed(sheet(15 - down - 0.1), "data-link") == []
+
+
+def test_names_have_their_index_lowered() -> None:
+    assert [name_word(name) for name in ("P1", "D5", "Ki", "xF", "A", "beta", "Pin")] == [
+        ("P", "1", ""), ("D", "5", ""), ("K", "i", ""), ("x", "F", ""), ("A", "", ""), ("β", "", ""), ("Pin", "", ""),
+    ]  # fmt: skip
+    assert '>P<tspan dy="0.8" font-size="2.3">1</tspan>' in drawing_of("jansen").svg
+    assert "P₁" in {
+        word.text.partition("\u00a0")[0][1:] for word in measured.words(svg_of("jansen")) if word.text.startswith("V")
+    }
+
+
+def test_the_point_from_which_a_guide_is_counted_is_drawn() -> None:
+    assert "K" in {word.text for word in measured.words(drawing_of("v110").svg)}

@@ -17,6 +17,8 @@ from coursework.catalogue import names
 from coursework.drawing.record import Drawing
 from coursework.errors import InputError
 from coursework.output.tables import run_tables
+from coursework.report import build_model
+from coursework.report.parts import Paragraph
 from coursework.run import Run
 from tests.drawing import measured
 
@@ -193,6 +195,19 @@ def test_the_steps_say_how_it_is_drawn() -> None:
     assert "25.6 mm" in acceleration[1]
     assert "44.3 mm" in acceleration[1]
     assert all(math.isfinite(float(n)) for step in (*velocity, *acceleration) for n in re.findall(r"\d+\.\d+", step))
+
+
+@pytest.mark.parametrize("name", ["31", "jansen"])
+def test_letters_of_points_in_the_steps_are_set_as_in_a_formula(name: str) -> None:
+    """In Jansen's leg the points are P1 to P4: the image of P1 is p with 1, not "p1"; units stay upright."""
+    section = next(section for section in build_model(run_of(name)).sections if section.name == "plans")
+    steps = [part.text for part in section.parts if isinstance(part, Paragraph)]
+    upright = " ".join(run["t"] for step in steps for run in step if "t" in run)
+    points = {point for point, _ in run_of(name).scene.mechanism.points}
+    set_so = {run["v"] for step in steps for run in step if "v" in run}
+    assert {point[0] for point in points} | {point[0].lower() for point in points} >= set_so - {"V", "a"} > {"p", "P"}
+    assert " mm" in upright
+    assert not re.search(r"\b[A-Z][A-Z]\b|\bp\d|\b[b-eg-z] lies", upright), upright
 
 
 def test_a_file_without_points_is_told_so() -> None:
