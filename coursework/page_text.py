@@ -13,12 +13,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from coursework.data import folder
+from coursework.line_ends import HAN, line_groups
 
 if TYPE_CHECKING:
     from jinja2 import Template
 
 LONGEST = 2000  # characters of one text: a word of 1 MB would take Typst half a minute
-HAN = "\u2e80-\u9fff\uff00-\uffef"  # signs of Chinese: no spaces between them, and a line may break at any of them
 _LINE_END = re.compile(rf"(?<=[{HAN}])[ \t]*\n\s*(?=[{HAN}])")
 _UNBROKEN = re.compile(rf"[^\s{HAN}]{{25,}}")
 _SHORT = 24  # characters, below which no word needs a place to break
@@ -42,6 +42,7 @@ def _template(place: Path, name: str) -> Template:
         trim_blocks=True,
         lstrip_blocks=True,
     )
+    looks.filters["line_groups"] = line_groups
     return looks.get_template(name)
 
 

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+from coursework.line_ends import marked
 from coursework.live.drawn import Drawn, drawn_of
 from coursework.live.frames import frames_of
 from coursework.live.functions import live_functions
@@ -82,7 +83,9 @@ def _said(run: Run, drawn: Drawn, phrases: Phrases, label: Callable[[str], str],
     """Return the outline and the words of the page."""
     variant = run.variant
     names = ["t", *variant.columns, *variant.values, *drawn.data["shown_points"]]
-    words = _words(phrases) | {f"scheme_{scheme.name}": phrases.written(title_of(scheme)) for scheme in SCHEMES.values()}
+    words = {key: marked(words) for key, words in _words(phrases).items()} | {
+        f"scheme_{scheme.name}": phrases.written(title_of(scheme)) for scheme in SCHEMES.values()
+    }
     return drawn.data | {
         "words": words,
         "labels": {name: label(name) for name in names},

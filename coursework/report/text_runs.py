@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from coursework.page_text import HAN
+from coursework.line_ends import HAN, KEPT
 from coursework.report.numbers import superscript
 from coursework.report.symbols import GREEK, is_named_after, symbol
 
@@ -29,8 +29,8 @@ _RUN = re.compile(
     rf"|(?P<unit>(?<=\u00a0){_LETTER}+/{_LETTER}+[²]?(?!{_WORD}))"
     rf"|\ue003(?P<kept>[^\ue004]*)\ue004"
 )
-# Around a letter of our own words, and around what no line may break; `clean` removes all four from other text.
-ITALIC, KEPT = ("\ue000", "\ue001"), ("\ue003", "\ue004")
+# Around a letter of our own words; `clean` removes both from other text, as it does `KEPT`.
+ITALIC = ("\ue000", "\ue001")
 _RAISED = re.compile("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]")
 _NAMELIKE = re.compile(r"\d|(?<=.)[A-Z]")  # w3, VMx: no word of a sentence looks like that
 _TIMES = re.compile(r"(?<=[\w)])\*(?=[\w(])")

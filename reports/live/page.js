@@ -33,23 +33,32 @@ const decimalsOf = (step) => {
 };
 const say = (key, values) => data.words[key].replace(/\{(\w+)\}/g, (_, gap) => values[gap]);
 const label = (name) => data.labels[name] ?? name;
+// A sentence in pieces: every second one stands between the marks of what no line may break.
+const pieces = (text) =>
+  text.split(/[\ue003\ue004]/).map((piece, k) => {
+    if (k % 2 === 0) return piece;
+    const kept = document.createElement("span");
+    kept.className = "typed";
+    kept.textContent = piece;
+    return kept;
+  });
 // A symbol with its subscript lowered: "φ_c", "V_Mx".
 const symbolic = (place, text) => {
   const [head, low, rest] = text.split(/_([^\s,]+)/);
-  place.textContent = head;
+  place.replaceChildren(...pieces(head));
   if (!low) return;
   const drawn = place instanceof SVGElement;
   const below = drawn ? svg("tspan", { dy: 4, "font-size": "75%" }) : document.createElement("sub");
   below.textContent = low;
   place.append(below);
   if (!rest) return;
-  const after = drawn ? svg("tspan", { dy: -4 }) : document.createTextNode("");
-  after.textContent = rest;
-  place.append(after);
+  if (drawn) svg("tspan", { dy: -4 }, place).textContent = rest;
+  else place.append(...pieces(rest));
 };
 const tell = (id, text, value) => {
   const place = byId(id);
-  if (place.textContent !== text) place.textContent = text;
+  if (place.told !== text) place.replaceChildren(...pieces(text));
+  place.told = text;
   if (value !== undefined) place.dataset.value = value;
 };
 const f1 = (value) => Math.round(10 * value) / 10;

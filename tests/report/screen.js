@@ -1,5 +1,5 @@
 // What a person or a screen reader would complain about on the page that is open; each function returns sentences.
-// Enters: a document.  Leaves: `judge` with `layout()`, `access()`, `contrast()`, `focus()`.
+// Enters: a document.  Leaves: `judge` with `layout()`, `lines()`, `access()`, `contrast()`, `focus()`.
 const shown = (element) => element.checkVisibility() && element.getBoundingClientRect().width > 0;
 const name = (element) => {
   const home = element.closest("[id]");
@@ -44,6 +44,39 @@ function layout() {
         }
       }
     });
+  }
+  return found;
+}
+
+// No line ends in a number with its unit, beside "=", in a quotient or behind a label of a number.
+const UNITS = "(?:rad|m|mm|s|ms|рад|м|мм|с)(?:/(?:rad|s|рад|с))?[²2]?|%";
+const TOGETHER = new RegExp(`(?<=\\d)\\s(?=(?:${UNITS})(?![\\p{L}\\d]))|(?<=[\\p{L}\\d)²])\\s(?==\\s)|(?<=\\p{L}/)(?=\\p{L})|(?<=\\b\\p{L}{1,14}:)\\s(?=[−\\d])|(?<=\\b[Rr]ow)\\s(?=\\d)`, "gu");
+function lines() {
+  const found = [];
+  const inline = (element) => getComputedStyle(element).display === "inline";
+  for (const block of document.body.querySelectorAll("*")) {
+    if (inline(block) || block.closest("svg, script, style, table:not(:has(.words))") || !shown(block)) continue;
+    const places = [];
+    const collect = (at) => {
+      for (const child of at.childNodes) {
+        if (child.nodeType === Node.TEXT_NODE) for (let k = 0; k < child.length; k++) places.push([child, k]);
+        else if (child.nodeType === Node.ELEMENT_NODE && inline(child)) collect(child);
+      }
+    };
+    collect(block);
+    const text = places.map(([node, k]) => node.data[k]).join("");
+    const box = (place) => {
+      const range = document.createRange();
+      range.setStart(...places[place]);
+      range.setEnd(places[place][0], places[place][1] + 1);
+      return range.getBoundingClientRect();
+    };
+    for (const match of text.matchAll(TOGETHER)) {
+      const before = match.index - 1, behind = match.index + match[0].length;
+      if (behind >= text.length) continue;
+      // Subscripts lie lower, but never to the left of what they belong to.
+      if (box(behind).left < box(before).left) found.push(`${name(block)}: ${text.slice(Math.max(0, before - 15), before + 1)} | ${text.slice(behind, behind + 12)}`);
+    }
   }
   return found;
 }
@@ -141,4 +174,4 @@ function focus() {
   return found;
 }
 
-window.judge = { layout, access, contrast, focus };
+window.judge = { layout, lines, access, contrast, focus };

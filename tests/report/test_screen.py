@@ -52,7 +52,7 @@ def shown(variant: str, language: str, folder: Path, page: Any) -> list[str]:
 def faults(page: Any) -> list[str]:
     """Return what a person would complain about: on a phone, and with both colours of a screen."""
     page.set_viewport_size(PHONE)
-    found = [*page.evaluate("judge.layout()"), *page.evaluate("judge.access()")]
+    found = [*page.evaluate("judge.layout()"), *page.evaluate("judge.access()"), *page.evaluate("judge.lines()")]
     for scheme in ("light", "dark"):
         page.emulate_media(color_scheme=scheme)
         found += [f"{scheme}: {fault}" for fault in page.evaluate("judge.contrast()")]
@@ -86,6 +86,23 @@ def test_the_keyboard_is_seen_and_a_wide_screen_hides_nothing(page: Any, tmp_pat
         assert page.evaluate("judge.focus()") == []
     assert page.evaluate("judge.layout()") == []
     assert page.evaluate("judge.access()") == []
+
+
+@pytest.mark.parametrize(("variant", "language"), [("31", "en"), ("v107", "ru"), ("jansen", "en")])
+def test_no_line_ends_between_a_number_and_its_unit(variant: str, language: str, page: Any, tmp_path: Path) -> None:
+    shown(variant, language, tmp_path, page)
+    widths = (*range(320, 400, 14), 800, 1100, 1250, 1400)
+
+    def ends() -> list[str]:
+        found = []
+        for width in widths:
+            page.set_viewport_size({"width": width, "height": 900})
+            found += page.evaluate("judge.lines()")
+        return found
+
+    assert ends() == []
+    page.add_style_tag(content=".typed { white-space: normal !important; }")
+    assert len(ends()) > 5
 
 
 def test_the_judge_sees_each_fault(page: Any, tmp_path: Path) -> None:

@@ -1,0 +1,108 @@
+"""Where a line of a page on the screen may not end: in a number with its unit, in a short equation, quotient or label.
+
+Enters: sentences, as runs or with gaps.  Leaves: their runs in groups, those of one group on one line.
+Used by `page_text.py` and `live/page.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from typing import NamedTuple
+
+LONGEST = 30  # characters that stay together: a line of a telephone holds 40
+KEPT = ("\ue003", "\ue004")  # around what no line may break; text of others is cleaned of both
+HAN = "\u2e80-\u9fff\uff00-\uffef"  # signs of Chinese: no spaces between them, and a line may break at any of them
+_SIGN = rf"[^\s\u200b{HAN}]"  # what a piece between two spaces is made of
+_OF_QUOTIENT = r"[\w.,;·()|²³√−-]"
+_BEGIN = rf"(?<!{_SIGN})"
+_GAP = " \u00a0\u2009\u202f"
+_NUMBER = r"(?:[−-]?\d[\d.,]*|\{\w+\})"  # or the gap of a sentence that a script fills
+_NAMED = r"rad|deg|rpm|min|mm|cm|ms|µs|m|s|рад|град|мин|хв|мм|см|мкс|мс|м|с"
+_UNIT = rf"(?:(?:{_NAMED})(?:/(?:{_NAMED})[²2]?)?|1/(?:s|с)|%)"
+_ROW = r"(?:[Rr]ows?|[Сс]трок\w?|[Рр]яд\w{0,3})"
+_TOGETHER = tuple(
+    re.compile(pattern)
+    for pattern in (
+        rf"{_BEGIN}{_SIGN}{{1,18}}(?:[{_GAP}][=≈<>≤≥][{_GAP}]{_SIGN}{{1,18}}(?!{_SIGN}))+(?:[{_GAP}]{_UNIT}(?!\w))?",
+        rf"{_BEGIN}{_SIGN}{{1,24}}[{_GAP}][=≈<>≤≥](?!{_SIGN})",  # of a longer one, the sign and what stands before it
+        rf"{_NUMBER}[{_GAP}]{_UNIT}(?!\w)[.,;:)]*",
+        rf"{_BEGIN}{_OF_QUOTIENT}+/{_OF_QUOTIENT}+(?!{_SIGN})",
+        rf"{_BEGIN}(?:\w{{1,14}}:[{_GAP}](?!\{{scheme)|{_ROW}[{_GAP}]){_NUMBER}",
+        rf"(?:sin|cos|tan|tg)[{_GAP}]{_SIGN}{{1,12}}(?!{_SIGN})",
+        rf"{_BEGIN}[−-]?\d+[{_GAP}][α-ωϕ]{_SIGN}{{0,6}}(?!{_SIGN})",
+    )
+)
+_WORTH_A_LOOK = re.compile(r"[=≈<>≤≥/%{]|\d|cos|sin|tan|tg")
+
+
+class Group(NamedTuple):
+    """Runs that follow one another, on one line where they are `kept`."""
+
+    kept: bool
+    runs: list[dict[str, str]]
+
+
+def line_groups(runs: Sequence[dict[str, str]]) -> list[Group]:
+    """Return the runs of a sentence in groups; a run of text is split where a group begins or ends.
+
+    >>> [(kept, [run["t"] for run in runs]) for kept, runs in line_groups([{"t": "an error of 21 % in all"}])]
+    [(False, ['an error of ']), (True, ['21 %']), (False, [' in all'])]
+    """
+    places = _together("".join(map(_text, runs)))
+    if not places:
+        return [Group(kept=False, runs=list(runs))]
+    groups: list[Group] = []
+    at = 0
+    for run in runs:
+        size = len(_text(run))
+        for begin, end, kept in _cut(at, at + size, places) if "t" in run else [(at, at + size, _inside(at, places))]:
+            piece = {**run, "t": run["t"][begin - at : end - at]} if "t" in run else run
+            if groups and groups[-1].kept == kept and begin not in {place[0] for place in places}:
+                groups[-1].runs.append(piece)
+            else:
+                groups.append(Group(kept, [piece]))
+        at += size
+    return groups
+
+
+def marked(sentence: str) -> str:
+    r"""Return a sentence whose gaps a script fills, with `KEPT` around what stands on one line.
+
+    >>> marked("dashed: {scheme}, h = {h} s")
+    'dashed: {scheme}, \ue003h = {h} s\ue004'
+    """
+    for begin, end in reversed(_together(sentence)):
+        sentence = f"{sentence[:begin]}{KEPT[0]}{sentence[begin:end]}{KEPT[1]}{sentence[end:]}"
+    return sentence
+
+
+def _text(run: dict[str, str]) -> str:
+    return "".join(run.get(key, "") for key in "tvspc")
+
+
+def _inside(place: int, places: list[tuple[int, int]]) -> bool:
+    return any(begin <= place < end for begin, end in places)
+
+
+def _together(text: str) -> list[tuple[int, int]]:
+    """Return the places that no line may break, in order; none over another, none longer than `LONGEST`."""
+    if not _WORTH_A_LOOK.search(text):
+        return []
+    kept: list[tuple[int, int]] = []
+    for begin, end in sorted(match.span() for pattern in _TOGETHER for match in pattern.finditer(text)):
+        first, last = kept[-1] if kept else (0, 0)
+        if kept and begin < last:
+            if max(end, last) - first <= LONGEST:
+                kept[-1] = (first, max(end, last))
+        elif end - begin <= LONGEST:
+            kept.append((begin, end))
+    return kept
+
+
+def _cut(begin: int, end: int, places: list[tuple[int, int]]) -> Iterator[tuple[int, int, bool]]:
+    """Yield the pieces of a run of text, each with whether it is kept."""
+    ends = sorted({begin, end, *(place for pair in places for place in pair if begin < place < end)})
+    for first, last in pairwise(ends):
+        yield first, last, _inside(first, places)
