@@ -125,7 +125,7 @@ def driven_way(poses: Poses, name: str, row: int) -> complex:
 def _marks(painter: Painter, sheet: Sheet, mechanism: Mechanism) -> list[str]:
     """Draw the fixed points from which places on the guides of the frame are counted where nothing else does; return them."""
     points = dict(mechanism.points)
-    riders = [through.name for through, _ in mechanism.variant.frame.rails if through.op == "name"]
+    riders = [through.name for through, _ in mechanism.variant.frame.rails if through.name in points]
     bases = [part.name for name in riders for part in terms(points[name]) if part.op == "name"]
     drawn = []
     for name in dict.fromkeys((*riders, *bases)):

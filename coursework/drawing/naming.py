@@ -86,16 +86,15 @@ def link_places(painter: Painter, bar: Bar) -> list[Place]:
     lines = [line for line in link_lines(painter, bar) if abs(line[1] - line[0]) > SHORT]
     lines.sort(key=lambda line: -round(abs(line[1] - line[0]), 6))
     at = painter.at[bar.corners[0]]
-    return [place for line in lines for place in beside(painter, line, 1.2)] or [(at, at - painter.middle, 4.0)]
+    block = [(at, at - painter.middle, 4.0)] if len(bar.corners) == 1 or not lines else []
+    return [*block, *(place for line in lines for place in beside(painter, line, 1.2))]
 
 
 def rate_places(painter: Painter, bar: Bar, hinge: str) -> list[Place]:
     """Return the places beside which the rate of a crank may stand: its hinge, else the part of it near the hinge."""
     at = painter.at[hinge]
-    ends = next(line for line in link_lines(painter, bar) if at in line)
-    end = next(end for end in ends if end != at)
-    side = 1j * (end - at)
-    return [(at, at - painter.middle, 2.5), *((at + part * (end - at), side, 1.0) for part in NEAR_HINGE)]
+    ways = [end - at for line in link_lines(painter, bar) if at in line for end in line if end != at][:1]
+    return [(at, at - painter.middle, 2.5), *((at + part * way, 1j * way, 1.0) for way in ways for part in NEAR_HINGE)]
 
 
 def link_names(painter: Painter) -> None:

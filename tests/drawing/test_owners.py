@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
-from coursework import load
+from coursework import load, solve
 from coursework.catalogue import names
 from coursework.drawing.lengths import lengths
 from coursework.drawing.symbols import length_text, name_word
@@ -122,3 +124,11 @@ def test_names_have_their_index_lowered() -> None:
 
 def test_the_point_from_which_a_guide_is_counted_is_drawn() -> None:
     assert "K" in {word.text for word in measured.words(drawing_of("v110").svg)}
+
+
+def test_a_crank_without_length_is_drawn_all_the_same() -> None:
+    variant = load("example-2")
+    none = replace(variant, given=tuple(replace(datum, value=1e-30) if datum.name == "r1" else datum for datum in variant.given))
+    drawing = solve(none, quantities=["table"]).mechanism()
+    assert drawing is not None
+    assert {"A", "B", "C"} <= {word.text for word in measured.words(drawing.svg)}
