@@ -1,7 +1,7 @@
 """An instructor's own pieces of `reports/`, standing before those of the package of the same name.
 
 Enters: a folder of own pieces, or their content from another process.  Leaves: contexts in which they stand in; their stamp.
-Used by `commands/`, `grading/batch/` and `output/`.
+Used by `commands/`, `grading/batch/`, `output/`, `page_text.py` and `report/`.
 """
 
 from __future__ import annotations
@@ -61,6 +61,17 @@ def pieces_in_use() -> dict[str, bytes]:
         for name, content in found.items()
         if not (package / name).is_file() or (package / name).read_bytes() != content
     }
+
+
+def line_in_pieces(error: BaseException) -> tuple[str, int] | None:
+    """Return the own piece in use, and its line, where an error arose or through which it came; None for any other error."""
+    found, own, trace = None, pieces_in_use(), error.__traceback__
+    while trace is not None:
+        path = Path(trace.tb_frame.f_code.co_filename)
+        name = path.relative_to(standing_in[-1]).as_posix() if own and path.is_relative_to(standing_in[-1]) else ""
+        found = (name, trace.tb_lineno) if name in own else found
+        trace = trace.tb_next
+    return found
 
 
 @contextmanager

@@ -1,6 +1,6 @@
 """What every page starts from: the templates of `reports/`, and text cleaned of what would spoil a page.
 
-Enters: the name of a template; text of a student or a file.  Leaves: a template that escapes; plain text.
+Enters: the name of a template and what fills it; text of a student or a file.  Leaves: the page, escaped; plain text.
 Used by the report and by the pages of grading.
 """
 
@@ -10,14 +10,18 @@ import re
 import unicodedata
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from coursework.data import folder
+from coursework.errors import CourseworkError, Fault, InputError
 from coursework.line_ends import HAN, line_groups
+from coursework.own_pieces import line_in_pieces, pieces_in_use
+from coursework.sentences import say
 
 if TYPE_CHECKING:
     from jinja2 import Template
 
+READ = frozenset({".j2", ".toml", ".css", ".js", ".typ"})  # the kinds of pieces that are text
 LONGEST = 2000  # characters of one text: a word of 1 MB would take Typst half a minute
 _LINE_END = re.compile(rf"(?<=[{HAN}])[ \t]*\n\s*(?=[{HAN}])")
 _UNBROKEN = re.compile(rf"[^\s{HAN}]{{25,}}")
@@ -26,9 +30,29 @@ _PIECE = re.compile(r"\S{1,12}")
 _INVISIBLE = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
 
 
-def template(name: str) -> Template:
-    """Return a template of `reports/`; what is filled in is escaped, and a gap that nothing fills is an error."""
-    return _template(folder("reports"), name)
+def filled(name: str, /, **content: Any) -> str:
+    """Return a template of `reports/` with its gaps filled; what is filled in is escaped.
+
+    Raises `InputError` where a piece of the instructor's own fails, such as by a gap that nothing fills, or lacks a part.
+    """
+    from jinja2 import TemplateError
+
+    try:
+        return _template(folder("reports"), name).render(**content)
+    except CourseworkError:
+        raise
+    except Exception as error:
+        place = line_in_pieces(error)
+        if not place and isinstance(error, TemplateError):  # what another template misses in an own one
+            place = (", ".join(name for name in pieces_in_use() if name.endswith(".j2")), 0)
+        if not place or not place[0]:
+            raise
+        raise InputError([failing_piece(*place, str(error))]) from error
+
+
+def failing_piece(name: str, line: int, error: str) -> Fault:
+    """Return what is told of an instructor's own piece that cannot be read or filled."""
+    return Fault(say("fault.C066", error=error), name, line)
 
 
 @lru_cache
@@ -44,6 +68,30 @@ def _template(place: Path, name: str) -> Template:
     )
     looks.filters["line_groups"] = line_groups
     return looks.get_template(name)
+
+
+def unreadable(piece: Path) -> Fault | None:
+    """Return why a text, a template or a words file cannot be read.  What Typst refuses is told when it does."""
+    import tomllib
+
+    from jinja2 import Environment, TemplateSyntaxError
+
+    if piece.suffix not in READ:
+        return None
+    try:
+        text = piece.read_text(encoding="utf-8")
+        if piece.suffix == ".j2":
+            Environment().parse(text)
+        if piece.suffix == ".toml":
+            tomllib.loads(text)
+    except UnicodeDecodeError as error:
+        line = error.object[: error.start].count(b"\n") + 1
+        return Fault(say("fault.C065", content=error.object[error.start]), str(piece), line)
+    except TemplateSyntaxError as error:
+        return failing_piece(str(piece), error.lineno, error.message or "")
+    except tomllib.TOMLDecodeError as error:
+        return failing_piece(str(piece), 0, str(error))
+    return None
 
 
 def clean(text: str, longest: int = LONGEST) -> str:

@@ -14,7 +14,7 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from coursework.data import folder
+from coursework.data import REPORTS, folder, folder_of_package
 from coursework.errors import InputError
 
 if TYPE_CHECKING:
@@ -182,14 +182,34 @@ def load_phrases(language: str = ENGLISH) -> Phrases:
 
 @cache
 def _phrases(place: Path, language: str) -> Phrases:
-    import tomllib  # only a command that says something pays for it
-
-    path = place / f"words.{language}.toml"
-    if not path.is_file():
+    name = f"words.{language}.toml"
+    entries: dict[str, Any] = {}
+    for path in dict.fromkeys((folder_of_package(REPORTS) / name, place / name)):  # own words stand before the package's
+        if path.is_file():
+            entries = _over(entries, _read(path, language))
+    if not entries:
         known = sorted(file.name.split(".")[1] for file in place.glob("words.*.toml"))
         hint = closest(language, known) or say("hint.there_is", known=tuple(known))
         raise InputError(say("fault.L002", language=language, place=place, hint=hint))
-    return Phrases(language, tomllib.loads(path.read_text(encoding="utf-8")))
+    return Phrases(language, entries)
+
+
+def _read(path: Path, language: str) -> dict[str, Any]:
+    import tomllib  # only a command that says something pays for it
+
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except ValueError as error:  # no TOML, or no UTF-8
+        if language == ENGLISH:
+            raise  # in which it would have to be told
+        raise InputError(say("fault.L003", language=language, error=str(error))) from error
+
+
+def _over(below: dict[str, Any], above: dict[str, Any]) -> dict[str, Any]:
+    """Return the sentences of two files, those of the upper one where both have them."""
+    both = {key: _over(below[key], value) for key, value in above.items()
+            if isinstance(value, dict) and isinstance(below.get(key), dict)}  # fmt: skip
+    return below | above | both
 
 
 def say(key: str, /, **values: object) -> Sentence:

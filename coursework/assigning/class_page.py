@@ -15,7 +15,7 @@ from coursework.assigning.ranges import MEASURES, Range
 from coursework.assigning.spread import BASE, HEIGHT, LEFT, MARK, RIGHT, WIDTH, strip
 from coursework.assigning.variants import Assignment
 from coursework.formula.units import read
-from coursework.page_text import clean, template
+from coursework.page_text import clean, filled
 from coursework.report.numbers import unit_text, with_unit
 from coursework.report.words import Words
 
@@ -33,8 +33,7 @@ def class_page(handouts: Sequence[Handout], assignment: Assignment, seed: str, w
         "assigned.summary", count=len(handouts), template=clean(assignment.template.name, LONGEST), seed=clean(seed, LONGEST),
         drawn=centre.drawn, feasible=centre.feasible, mean=statistics.fmean(draws) if draws else 0.0, most=max(draws, default=0),
     )  # fmt: skip
-    return template("assigned.html.j2").render(
-        words=words, language=words.phrases.language, summary=summary,
+    return filled("assigned.html.j2", words=words, language=words.phrases.language, summary=summary,
         refused=words("assigned.refused", reasons=", ".join(refused)) if refused else "",
         difficulty=[_measure(name, accepted, assignment, words) for name in MEASURES] if accepted else [],
         data=[_datum(one, accepted, assignment, words) for one in ranges if one.count > 1] if accepted else [],

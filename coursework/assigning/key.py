@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from coursework.assigning.handout import Handout
 from coursework.assigning.page_words import Equation, Plain, equation, lettered, mathematics, named, symbol_runs
 from coursework.assigning.sheet import LONGEST, data_rows, pictures, start_rows
-from coursework.page_text import clean, template
+from coursework.page_text import clean, filled
 from coursework.report.numbers import unit_text, with_unit
 from coursework.report.words import Words
 from coursework.scene import Scene
@@ -59,7 +59,7 @@ def key_html(handout: Handout, equations: tuple[Sequence[Equation], Sequence[Equ
         "check": _check(handout, words),
     }
     drawn = pictures(mathematics([*written, *solved]))
-    return template("key.html.j2").render(page=page, pictures=drawn.pictures, glyphs=drawn.glyphs)
+    return filled("key.html.j2", page=page, pictures=drawn.pictures, glyphs=drawn.glyphs)
 
 
 def _rows(handout: Handout, words: Words) -> list[tuple[str, ...]]:

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from coursework.assigning.handout import Handout, guide_number
 from coursework.assigning.page_words import Plain, datum, drives, lettered, mathematics, symbol_runs, symbol_text, time_text
 from coursework.errors import OutputError
-from coursework.page_text import clean, template
+from coursework.page_text import clean, filled
 from coursework.report.formulas import Drawn, draw
 from coursework.report.numbers import with_unit
 from coursework.report.pdf import pdf_of
@@ -47,7 +47,7 @@ def sheet(handout: Handout, words: Words, deadline: str = "") -> Plain:
 def sheet_html(page: Plain) -> str:
     """Return a task sheet for the screen, which prints on A4 and fetches nothing."""
     drawn = pictures(mathematics(page["drive"]))
-    return template("sheet.html.j2").render(page=page, pictures=drawn.pictures, glyphs=drawn.glyphs)
+    return filled("sheet.html.j2", page=page, pictures=drawn.pictures, glyphs=drawn.glyphs)
 
 
 def sheets_pdf(pages: Sequence[Plain]) -> bytes:

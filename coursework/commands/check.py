@@ -21,11 +21,10 @@ def check_variant(variant: str) -> int:
     tell_remarks(run)
     scene = run.scene
     equations, reduction = scene.equations, scene.reduction
-    count = len(chosen.sought)
     tell(
         say(
             "screen.counts",
-            count=count,
+            number=len(chosen.sought),
             unknowns=", ".join(chosen.sought),
             equations=len(equations.equations),
             drives=len(chosen.drive),
@@ -65,7 +64,7 @@ def _tell_mobility(run: Run) -> None:
         return
     sum_of = f"3·{mobility.links} − 2·{mobility.lower_pairs} − {mobility.higher_pairs}"
     drives = (2 if run.variant.driven else 0) + len(run.variant.known_rates)
-    verdict = say("screen.driven", drives=drives)
+    verdict = say("screen.driven", number=drives)
     if drives and mobility.degrees != drives:
         verdict = say("screen.driven_otherwise", drives=drives)
     if not drives:

@@ -11,6 +11,7 @@ from pathlib import Path
 from coursework.data import REPORTS, folder
 from coursework.errors import Fault, InputError
 from coursework.own_pieces import own_pieces, pieces_in
+from coursework.page_text import unreadable
 from coursework.sentences import closest, say
 
 MOST_BYTES = 4 * 2**20  # of one piece: a page with more does not open well anywhere
@@ -34,3 +35,5 @@ def _look_at(own: Path) -> None:
         raise InputError([Fault(say("fault.C062", advice=advice, known=tuple(sorted(known))), str(own))])
     if large := [name for name in found if (own / name).stat().st_size > MOST_BYTES]:
         raise InputError([Fault(say("fault.C063", most=MOST_BYTES // 2**20), str(own / large[0]))])
+    if faults := [fault for name in found if name in known and (fault := unreadable(own / name))]:
+        raise InputError(faults)

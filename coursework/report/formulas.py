@@ -9,9 +9,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
+from pathlib import Path
 
+from coursework.data import folder
 from coursework.report.line_breaks import pieces
-from coursework.report.typesetting import typeset
+from coursework.report.typesetting import refusal, typeset
 
 _SYMBOL = re.compile(r'<symbol id="([^"]+)"[^>]*>\s*<path d="([^"]+)"\s*/>\s*</symbol>')
 _RUN = re.compile(r'<g transform="matrix\(1 0 0 -1 (\S+) (\S+)\)"\s*>((?:\s*<use [^>]*/>)*)\s*</g>')
@@ -46,7 +48,7 @@ class Drawn:
     glyphs: str
 
 
-_cache: dict[str, tuple[Picture, dict[str, str]]] = {}
+_cache: dict[tuple[Path, str], tuple[Picture, dict[str, str]]] = {}
 
 
 def draw(sources: Iterable[str], *, breaks: bool = False) -> Drawn:
@@ -55,15 +57,19 @@ def draw(sources: Iterable[str], *, breaks: bool = False) -> Drawn:
     wanted = list(dict.fromkeys(piece for parts in parted.values() for piece in parts))
     if len(_cache) > MOST_CACHED:
         _cache.clear()
-    if missing := [piece for piece in wanted if piece not in _cache]:
-        pages = typeset("equation.typ", missing, "svg")
+    looks = folder("reports")  # own pieces may draw them in another way
+    if missing := [piece for piece in wanted if (looks, piece) not in _cache]:
+        try:
+            pages = typeset("equation.typ", missing, "svg")
+        except RuntimeError as error:  # typst.TypstError
+            raise refusal(error) from error
         pages = pages if isinstance(pages, list) else [pages]
         for piece, page in zip(missing, pages, strict=True):
-            _cache[piece] = _taken_apart(page.decode("utf-8"))
+            _cache[looks, piece] = _taken_apart(page.decode("utf-8"))
     glyphs: dict[str, str] = {}
     for piece in wanted:
-        glyphs |= _cache[piece][1]
-    pictures = {source: _joined([_cache[piece][0] for piece in parts]) for source, parts in parted.items()}
+        glyphs |= _cache[looks, piece][1]
+    pictures = {source: _joined([_cache[looks, piece][0] for piece in parts]) for source, parts in parted.items()}
     return Drawn(pictures, "".join(glyphs[key] for key in sorted(glyphs)))
 
 

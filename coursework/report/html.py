@@ -12,7 +12,7 @@ from typing import Any
 
 from coursework.data import folder
 from coursework.errors import OutputError
-from coursework.page_text import template
+from coursework.page_text import filled
 from coursework.report.formulas import Drawn, draw
 from coursework.report.model import ReportModel
 
@@ -31,9 +31,7 @@ def render_html(model: ReportModel) -> str:
     page = model.plain()
     drawn = _drawn(page)
     style = _stylesheet("report") + (_stylesheet("live") if model.live else "")
-    return template("report.html.j2").render(
-        page=page, style=style, pictures=drawn.pictures, glyphs=drawn.glyphs, live=model.live
-    )
+    return filled("report.html.j2", page=page, style=style, pictures=drawn.pictures, glyphs=drawn.glyphs, live=model.live)
 
 
 def _drawn(page: dict[str, Any]) -> Drawn:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from coursework.page_text import template
+from coursework.page_text import filled
 from coursework.quantities import CHECKS, GRAPH_CHECK, Quantity
 from coursework.report.checks import checks
 from coursework.report.dead_point import dead_point
@@ -57,4 +57,4 @@ def notebook_html(run: Run, language: str = "en") -> str:
     context = PageContext(run, load_words(language))
     parts = [part for write, quantity in SHOWN if quantity is None or run.asks(quantity) for part in write(context)]
     page = {"language": language, "heading": heading_of(context), "method": runs(method_line(context)), "parts": parts}
-    return template("notebook.html.j2").render(page=page, pictures={})
+    return filled("notebook.html.j2", page=page, pictures={})

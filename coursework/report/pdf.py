@@ -9,10 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from coursework.errors import OutputError
 from coursework.report.model import ReportModel
-from coursework.report.typesetting import typeset
-from coursework.sentences import say
+from coursework.report.typesetting import refusal, typeset
 
 # Tried in turn: (standard, fonts of the machine).  The first serves all Latin, Greek and Cyrillic text; a name in
 # another script takes the machine's fonts; where those lack the sign too, the page is printed without the standard.
@@ -30,13 +28,13 @@ def render_pages(reports: Sequence[dict[str, Any]]) -> bytes:
 
 
 def pdf_of(template: str, data: Any) -> bytes:
-    """Return what a template of `reports/` makes of data as PDF.  Raises `OutputError`."""
-    refused = ""
+    """Return what a template of `reports/` makes of data as PDF.  Raises `OutputError`; `InputError` for an own piece."""
+    refused = RuntimeError(template)
     for standard, everything in WAYS:
         try:
             return bytes(typeset(template, data, "pdf", standard=standard, everything=everything))
         except RuntimeError as error:  # typst.TypstError, which cannot be named before Typst is loaded
-            refused = getattr(error, "diagnostic", "") or str(error)
+            refused = error
             if "could not be displayed" not in str(error):
                 break
-    raise OutputError(say("fault.W015", refused=refused[:2000]))
+    raise refusal(refused) from refused

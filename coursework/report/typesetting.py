@@ -11,6 +11,7 @@ import atexit
 import importlib.util
 import json
 import os
+import re
 import shutil
 import tempfile
 import threading
@@ -19,7 +20,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from coursework.data import folder
-from coursework.errors import OutputError
+from coursework.errors import CourseworkError, InputError, OutputError
+from coursework.own_pieces import pieces_in_use
+from coursework.page_text import failing_piece
 from coursework.sentences import say
 
 if TYPE_CHECKING:
@@ -31,6 +34,7 @@ FACES = ("DejaVuSans.ttf", "DejaVuSans-Bold.ttf", "DejaVuSans-Oblique.ttf", "Dej
 # Typst keeps what it has computed until ten further compilations had no use for it: 480 MB of reports that differ in their
 # data.  So many empty ones behind each PDF, 0.2 ms each, leave what the next report takes over, and half the memory.
 EMPTY = 5
+_PLACE = re.compile(r"┌─ .*?reports/(?P<name>[^:\n]+):(?P<line>\d+):")  # in Typst's account of an error
 _ALONE = threading.Lock()  # a compiler that is used again serves one thread at a time
 
 
@@ -120,6 +124,15 @@ def typeset(
     if kind == "pdf":
         _forget()
     return made
+
+
+def refusal(error: RuntimeError) -> CourseworkError:
+    """Return what is told of a `typst.TypstError`: by which own piece of the instructor it came, else that no page was set."""
+    told = " ".join(str(error).split())
+    found = _PLACE.search(getattr(error, "diagnostic", ""))
+    if found and (name := found["name"]) in pieces_in_use():
+        return InputError([failing_piece(name, int(found["line"]), told)])
+    return OutputError(say("fault.W015", refused=told[:2000]))
 
 
 def _forget() -> None:

@@ -10,7 +10,9 @@ from click.testing import CliRunner, Result
 
 from coursework.cli import main
 from coursework.data import folder
+from coursework.errors import InputError
 from coursework.own_pieces import own_pieces
+from coursework.sentences import load_phrases
 from tests.grading.batch.classroom import hand_in
 
 PLAIN = folder("reports")
@@ -62,6 +64,54 @@ def test_what_cannot_be_meant_is_refused_before_anything_is_computed(
     assert found.exit_code == 2
     assert told in found.stderr
     assert not (tmp_path / "out").exists()
+
+
+BROKEN = {
+    "a tag that is none": ({"parts.html.j2": "a\n{% broken"}, "parts.html.j2:2"),
+    "a gap nothing fills": ({"report.html.j2": "\n{{ page.nothing.at }}"}, "report.html.j2:2"),
+    "a sum that fails": (
+        {"report.html.j2": '{% extends "package/report.html.j2" %}{% block header %}\n{{ 1/0 }}{% endblock %}'},
+        "report.html.j2:2",
+    ),
+    "a part another needs": ({"parts.html.j2": "{% macro other() %}{% endmacro %}"}, "parts.html.j2"),
+    "letters of another encoding": ({"report.css": "\n\xe9"}, "report.css:2"),
+    "words that are no TOML": ({"words.en.toml": "x = ["}, "words.en.toml"),
+    "a bracket for Typst": ({"runs.typ": "\n#let x = ("}, "runs.typ:2"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", BROKEN)
+@pytest.mark.parametrize("kind", ["html", "pdf"])
+def test_a_piece_that_does_not_work_is_told_by_its_name_and_line(tmp_path: Path, case: str, kind: str) -> None:
+    files, place = BROKEN[case]
+    looks = tmp_path / "looks"
+    looks.mkdir()
+    for name, text in files.items():
+        (looks / name).write_text(text, encoding="latin-1")
+    done = run("31", "--templates", looks, "--quantities", "table,checks", "--format", kind, "--out", tmp_path / "out")
+    if kind == "pdf" and case in {"a gap nothing fills", "a sum that fails", "a part another needs"}:
+        assert done.exit_code == 0  # a page for the screen is not needed there
+        return
+    assert done.exit_code == 2, done.output
+    assert place in done.stderr
+    assert "fault of the tool" not in done.stderr
+
+
+def test_own_words_need_only_be_those_that_are_changed(tmp_path: Path) -> None:
+    looks = tmp_path / "looks"
+    looks.mkdir()
+    (looks / "words.en.toml").write_text('[title]\nkind = "Coursework of our department"\n', encoding="utf-8")
+    done = run("31", "--templates", looks, "--quantities", "table", "--format", "html", "--out", tmp_path / "out")
+    assert done.exit_code == 0, done.output
+    page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert "Coursework of our department" in page
+    assert "Statement" in page
+
+
+def test_a_words_file_that_cannot_be_read_is_told(tmp_path: Path) -> None:
+    (tmp_path / "words.de.toml").write_text("x = [", encoding="utf-8")
+    with own_pieces(tmp_path), pytest.raises(InputError, match=r"L003 words\.de\.toml cannot be read"):
+        load_phrases("de")
 
 
 def test_a_piece_of_four_mib_is_taken(tmp_path: Path) -> None:

@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from coursework.grading.pages.bars import bars
 from coursework.grading.pages.class_facts import PARTS, ClassFacts
 from coursework.grading.pages.feedback import misconception_sentence, shown_points
-from coursework.page_text import clean, template
+from coursework.page_text import clean, filled
 from coursework.sentences import Phrases, Sentence, say
 
 TENTHS = 10  # parts of the distribution
@@ -73,7 +73,7 @@ def class_page(
         ],
         "not_on_roster": [(clean(name), _listed(files)) for name, files in not_on_roster[:MOST_LISTED]],
     }
-    return template("class.html.j2").render(say=words.said, language=words.language, **words.throughout(content))
+    return filled("class.html.j2", say=words.said, language=words.language, **words.throughout(content))
 
 
 def _state(state: str) -> Sentence:

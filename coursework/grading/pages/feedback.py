@@ -15,7 +15,7 @@ import numpy as np
 from coursework.grading.marking.cells import CARRIED, GIVEN, KEY, MISSING, WRONG
 from coursework.grading.marking.grade import Grade, TableMarks
 from coursework.grading.pages.curves import panel
-from coursework.page_text import clean, template
+from coursework.page_text import clean, filled
 from coursework.sentences import Phrases, Sentence, load_phrases, say
 from coursework.variant.texts import in_language
 
@@ -69,7 +69,8 @@ def short_page(student: str, name: str | None, final: Mapping[str, Any], words: 
 
 def _page(final: Mapping[str, Any], student: str, name: str | None, words: Phrases, **content: Any) -> str:
     reason = final["reason"] if final["score"] is None else ""
-    return template("feedback.html.j2").render(
+    return filled(
+        "feedback.html.j2",
         say=words.said,
         language=words.language,
         student="" if name and student.startswith(name) else clean(student, LONGEST_TEXT),
