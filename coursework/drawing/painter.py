@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterator
 from functools import cached_property
 
 from coursework.drawing.cover import Rectangle
+from coursework.drawing.ground import hinge_ground, inward, racks, rail_side, wheel_on
 from coursework.drawing.outline import Bar, Block, Outline, Rail, Slot, Track, Wheel
 from coursework.drawing.poses import Poses
 from coursework.drawing.sheet import PITCH, Sheet, inside, middle_of, plain
@@ -27,8 +28,6 @@ DOT = 'fill="black" stroke="none"'
 BLOCK = (4.2, 2.4)  # mm, half length and half height of a slider
 BEYOND = 10.0  # mm of a bar beyond the farthest place of its sleeve
 RAIL = 9.0  # mm of a rail beyond the farthest place of its slider
-FREE = 0.75  # cosine of the angle to a link beside which the ground of a hinge may stand
-TOUCHING = 0.02  # of its radius: a wheel within this of a fixed circle rolls on it
 ALIGNED = 1e-9  # of the mechanism: a point within this of a line lies on it
 
 
@@ -102,11 +101,7 @@ class Painter:
         """Draw a rail, hatched on the side where nothing is."""
         a, b = self.rail_line(rail)
         along = (b - a) / abs(b - a)
-        side = 1j * along
-        wheels = [self.at[w.centre] for w in self.outline.wheels if w.contact == rail.rider and rail.rolls]
-        others = wheels or [self.at[name] for name in self.names if name != rail.rider]
-        if others and _dot(side, middle_of(others) - a) > 0:
-            side = -side
+        side = -1j * along * rail_side(self.outline, self.place, rail)
         if rail.rider and not rail.rolls:
             a, b = a + side * BLOCK[1], b + side * BLOCK[1]
         if part := inside(a, b, self.sheet.field):
@@ -128,16 +123,13 @@ class Painter:
         arc = [middle + radius * out / abs(out) * cmath.exp(1j * half * (2 * k / steps - 1)) for k in range(steps + 1)]
         kept = [p for p in arc if inside(p - 0.01, p + 0.01, self.sheet.field)]
         self.sheet.path(kept, OUTLINE)
-        inward = 1 if abs(self.at[wheel.centre] - middle) > radius else -1
+        solid = inward(self.outline, self.poses.pose(0), track)
         for a, b in itertools.pairwise(kept):
-            self.sheet.hatch(a, b, inward * (middle - a))
+            self.sheet.hatch(a, b, solid * (middle - a))
 
     def wheel_on(self, track: Track) -> Wheel | None:
         """Return the wheel that touches a fixed circle in row 1; later rows of a scheme drift away from it."""
-        first = self.poses.pose(0)
-        radius = abs(first[track.rim] - first[track.centre])
-        gaps = {w: abs(abs(first[w.contact] - first[track.centre]) - radius) for w in self.outline.wheels}
-        return next((wheel for wheel, gap in gaps.items() if gap <= TOUCHING * radius), None)
+        return wheel_on(self.outline, self.poses.pose(0), track)
 
     def hinge(self, name: str) -> None:
         """Draw a hinge of the frame: a triangle on hatched ground, on the side away from the links."""
@@ -151,10 +143,7 @@ class Painter:
 
     def ground(self, name: str) -> complex:
         """Return on which side of a hinge its ground is: below, as in a textbook, unless a link hides it there."""
-        at = self.at[name]
-        arms = [self.at[p] - at for b in self.outline.bars if name in b.corners for p in b.corners if self.at[p] != at]
-        near = {d: max((_dot(arm, d) / abs(arm) for arm in arms), default=0.0) for d in (1j, -1 + 0j, 1 + 0j, -1j)}
-        return 1j if near[1j] < FREE else min(near, key=lambda d: round(near[d], 6))
+        return hinge_ground(self.outline, self.place, name).conjugate()
 
     # what moves
 
@@ -222,20 +211,8 @@ class Painter:
 
     @cached_property
     def racks(self) -> dict[str, str]:
-        """Return the racks, link -> contact with its gear: a slider of one point on a rail that runs through the contact."""
-        found = {}
-        resting = {rail.rider for rail in self.outline.rails if rail.rolls}
-        for wheel in self.outline.wheels:
-            on_track = any(self.wheel_on(track) == wheel for track in self.outline.tracks)
-            if wheel.contact in resting or on_track or sum(wheel.contact in bar.corners for bar in self.outline.bars) > 1:
-                continue
-            for rail in self.outline.rails:
-                along = complex(self.poses.along(rail.base, rail.toward)[0])
-                way = complex(self.poses.at[wheel.contact][0] - self.poses.at[rail.at][0]) * along.conjugate()
-                bars = [bar.link for bar in self.outline.bars if bar.corners == (rail.rider,)]
-                if bars and abs(way.imag) <= 1e-6 * abs(way):
-                    found[bars[0]] = wheel.contact
-        return found
+        """Return the racks, link -> contact with its gear."""
+        return {rack.link: rack.contact for rack in racks(self.outline, self.poses.pose(0))}
 
     def rack(self, bar: Bar, contact: str) -> None:
         """Draw a rack as a bar from its joint beyond its gear, on the side away from the gear."""

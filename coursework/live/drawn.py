@@ -9,7 +9,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
+from coursework.drawing.ground import Places, hinge_ground, inward, racks, rail_side
 from coursework.drawing.outline import Outline
+from coursework.drawing.poses import read_poses
 from coursework.drawing.tracing import read_outline
 from coursework.scene import Scene
 
@@ -26,15 +30,34 @@ def drawn_of(scene: Scene) -> Drawn:
     """Return what is drawn; nothing where a file places no points."""
     outline = read_outline(scene.mechanism)
     if outline is None:
-        kinds = ("points", "links", "slots", "blocks", "rails", "wheels", "tracks", "hinges", "shown_points", "rings")
+        kinds = ("points", "links", "slots", "blocks", "rails", "wheels", "tracks", "hinges", "racks", "shown_points", "rings")
         return Drawn({kind: [] for kind in kinds}, ())
     symbols = scene.equations.symbols
     vectors = [symbols.vectors.get(name) or symbols.vector(formula) for name, formula in outline.points]
     kept = outline.plain()
-    data = {kind: kept[kind] for kind in ("points", "slots", "blocks", "rails", "wheels", "tracks", "hinges")}
+    data = {kind: kept[kind] for kind in ("points", "slots", "blocks", "wheels")}
     data["links"] = [{"name": bar.link, "points": list(bar.corners), "rate": bar.rate} for bar in outline.bars]
+    start = read_poses(outline, scene.equations)(np.zeros(1), np.array([scene.start])).pose(0)
+    data |= _ground(outline, kept, start)
     data |= {"shown_points": list(outline.shown), "rings": _rings(outline)}
     return Drawn(data, tuple(component for vector in vectors for component in vector))
+
+
+def _ground(outline: Outline, kept: dict[str, Any], start: Places) -> dict[str, Any]:
+    """Return what is fixed, by key, with the side of its ground in the start position as on paper; and the racks."""
+    ways = [(name, hinge_ground(outline, start, name)) for name in outline.hinges]
+    sides = [rail_side(outline, start, rail) for rail in outline.rails]
+    solid = [inward(outline, start, track) for track in outline.tracks]
+    gears = [(rack.rail, rack.contact, rack.side) for rack in racks(outline, start)]
+    return {
+        "hinges": [{"at": name, "ground": [int(way.real), int(way.imag)]} for name, way in ways],
+        "rails": [rail | {"side": side} for rail, side in zip(kept["rails"], sides, strict=True)],
+        "tracks": [track | {"inward": side} for track, side in zip(kept["tracks"], solid, strict=True)],
+        "racks": [
+            {"at": rail.rider, "base": rail.base, "toward": rail.toward, "riders": [contact], "side": side}
+            for rail, contact, side in gears
+        ],
+    }
 
 
 def _rings(outline: Outline) -> list[str]:

@@ -5,6 +5,7 @@ Enters: a `Run`, the words of a language, the writers of symbols and units.  Lea
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -23,6 +24,7 @@ from coursework.sentences import Phrases, load_phrases, title_of
 # Script and data of one page (bytes), and rows of a table that a laboratory computes anew at every move.
 MOST_BYTES, MOST_ROWS = 60_000, 512
 MOST_CELLS = 2000  # of a table finer than the file's that are written out
+_PUT_TOGETHER = ("scheme_", "on_", "off_")  # words whose keys a script puts together
 SPEEDS = (0.05, 0.1, 0.2, 1.0)
 _LABORATORY = (
     "numbers", "marching", "slices", "laboratory_motion", "page", "drawing", "names", "additions", "cursors", "panels", "lines",
@@ -65,10 +67,12 @@ def live_part(run: Run, phrases: Phrases, label: Callable[[str], str], unit: Cal
         functions = live_functions(run.scene, drawn.places)
         sliders = sliders_of(run, unit)
         data = said | live_numbers(run, functions) | {"sliders": sliders, "given_order": list(run.variant.values)}
-        part = _part(run, phrases, script_of(functions.text, _LABORATORY), embedded(data | {"most_cells": MOST_CELLS}), True)
+        script = script_of(functions.text, _LABORATORY)
+        part = _part(run, phrases, script, embedded(_asked(data, script) | {"most_cells": MOST_CELLS}), True)
         if part.size <= MOST_BYTES:
             return part
     script = script_of("", _RECORDED)
+    said = _asked(said, script)
     room = MOST_BYTES - len(script.encode()) - len(embedded(said).encode())
     return _part(run, phrases, script, embedded(said | frames_of(run, drawn, room)), False)
 
@@ -88,11 +92,18 @@ def _said(run: Run, drawn: Drawn, phrases: Phrases, label: Callable[[str], str],
     }
     return drawn.data | {
         "words": words,
-        "labels": {name: label(name) for name in names},
+        "labels": {name: text for name in names if (text := label(name)) != name},
         "unit_words": {name: unit(variant.unit_of(name)) for name in ("t", *variant.columns)},
         "decimal": phrases.template("decimal"),
         "language": phrases.language,
     }
+
+
+def _asked(data: dict[str, Any], script: str) -> dict[str, Any]:
+    """Return the data without the words that the script never names: those stand in the page itself."""
+    named = {*re.findall(r"\w+", script)}
+    words = {key: text for key, text in data["words"].items() if key in named or key.startswith(_PUT_TOGETHER)}
+    return data | {"words": words}
 
 
 def _words(phrases: Phrases) -> dict[str, str]:

@@ -18,6 +18,7 @@ from typing import Any
 from coursework.data import folder
 
 _TEXT = re.compile(r"""("(?:[^"\\]|\\.)*"|`[^`]*`)""")
+_NEEDLESS = re.compile(r"(?<=[;{,(\[])\n|\n(?=[})\]])")  # ends of lines that end no statement
 _BESIDE = re.compile(r" ?([-=+*/<>?:,;{}()\[\]&|!]+) ?")
 
 
@@ -29,7 +30,8 @@ def script_of(functions: str, pieces: Sequence[str]) -> str:
     first, *others = map(_piece, pieces)
     functions = "\n".join(map(_tight, functions.splitlines()))
     reading = 'const data = JSON.parse(document.getElementById("coursework").textContent);'
-    return "\n".join(("(() => {", '"use strict";', reading, first, functions, *others, "})();"))
+    whole = "\n".join(("(() => {", '"use strict";', reading, first, functions, *others, "})();"))
+    return _NEEDLESS.sub("", whole)
 
 
 def embedded(data: Mapping[str, Any]) -> str:

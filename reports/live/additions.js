@@ -81,17 +81,17 @@ const additions = {
   },
 };
 
-// The farthest that a point of the table's mechanism has left its rail or its fixed circle: point and distance (m).
+// The farthest that a point of the table's mechanism has left its rail or its fixed circle: which, point and distance (m).
 const offRail = (ghost) => {
   let worst = null;
-  const take = (point, distance) => {
-    if (!worst || distance > worst.distance) worst = { point, distance };
+  const take = (guide, point, distance) => {
+    if (!worst || distance > worst.distance) worst = { guide, point, distance };
   };
   for (const rail of data.rails) {
     if (!rail.rider) continue;
     const [ux, uy] = along(drawing.first, rail.base, rail.toward);
     const dx = X(ghost, rail.rider) - X(drawing.first, rail.at), dy = Y(ghost, rail.rider) - Y(drawing.first, rail.at);
-    take(rail.rider, Math.abs(ux * dy - uy * dx));
+    take("rail", rail.rider, Math.abs(ux * dy - uy * dx));
   }
   const distance = (place, a, b) => Math.hypot(X(place, a) - X(place, b), Y(place, a) - Y(place, b));
   for (const track of data.tracks) {
@@ -99,7 +99,7 @@ const offRail = (ghost) => {
     for (const wheel of data.wheels) {
       const begun = Math.abs(distance(drawing.first, wheel.contact, track.centre) - radius);
       const gap = Math.abs(Math.hypot(X(ghost, wheel.contact) - X(drawing.first, track.centre), Y(ghost, wheel.contact) - Y(drawing.first, track.centre)) - radius);
-      if (begun < 1e-3 * radius) take(wheel.contact, gap);
+      if (begun < 1e-3 * radius) take("circle", wheel.contact, gap);
     }
   }
   return worst;

@@ -20,9 +20,11 @@ const show = (t, inWords = true) => {
   tell("live-clock", told);
   const { right, ghost } = places_ ?? {};
   const rail = ghost && offRail(ghost), away = ghost && right && offPlace(ghost, right);
-  const mm = (found) => (found.distance < 5e-8 ? "0" : shown(found.distance * 1000, 3));
-  tell("live-rail", rail ? say("off_rail", { point: label(rail.point), distance: mm(rail) }) : "", rail ? String(rail.distance) : "");
-  tell("live-away", away ? say("off_place", { point: label(away.point), distance: mm(away) }) : ghost ? "" : data.words.no_ghost);
+  // What differs by less than 50 nm is where it should be.
+  const off = (found, there, away_) =>
+    say(found.distance < 5e-8 ? there : away_, { point: label(found.point), distance: shown(found.distance * 1000, 3) });
+  tell("live-rail", rail ? off(rail, "on_" + rail.guide, "off_" + rail.guide) : "", rail ? String(rail.distance) : "");
+  tell("live-away", away ? off(away, "in_place", "off_place") : ghost ? "" : data.words.no_ghost);
 };
 
 // After the laboratory has changed the motion: the same time, other rows.

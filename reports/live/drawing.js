@@ -46,6 +46,7 @@ const drawing = {
     this.origin = [(this.WIDE - (box[0] + box[2]) * this.scale) / 2, high - 40 + box[1] * this.scale];
     change(this.field, "viewBox", `0 0 ${this.WIDE} ${f1(high)}`);
     this.slots = data.slots.map((slot) => this.reach(slot));
+    this.racks = data.racks.map((rack) => this.reach(rack));
     this.ground();
     const key = `${motion.drawn} ${this.WIDE} ${box}`;
     const { rows } = this.right;
@@ -105,20 +106,25 @@ const drawing = {
         high = Math.max(high, s + 25);
       }
       const ends = [x0 + low * ux, y0 - low * uy, x0 + high * ux, y0 - high * uy];
-      // A pin slides on the line itself, a wheel and a block stand beside it: the hatching is below or to the right.
-      const side = ux < 0 || (ux === 0 && uy > 0) ? -1 : 1, gap = rail.rolls ? 0 : 7;
+      // A wheel rolls on the line itself, a block slides beside it.
+      const side = -rail.side, gap = rail.rolls || !rail.rider ? 0 : 7;
       const ox = uy * gap * side, oy = ux * gap * side;
       lines += `M${f1(ends[0] + ox)} ${f1(ends[1] + oy)}L${f1(ends[2] + ox)} ${f1(ends[3] + oy)}`;
       hatch(ends[0] + ox, ends[1] + oy, ends[2] + ox, ends[3] + oy, (uy * side - ux * 0.7) * 6, (ux * side + uy * 0.7) * 6);
     }
     for (const track of data.tracks) {
       const [x, y] = this.put(this.first, track.centre), [rx, ry] = this.put(this.first, track.rim);
-      lines += round(x, y, f1(Math.hypot(rx - x, ry - y)));
+      const r = Math.hypot(rx - x, ry - y), count = Math.round((Math.PI * r) / 4), lean = 1 - (track.inward * 6) / r;
+      lines += round(x, y, f1(r));
+      for (let i = 0; i < (track.inward && count); i++) {
+        const at = (2 * Math.PI * i) / count, off = at + 5 / r;
+        thin += `M${f1(x + r * Math.cos(at))} ${f1(y + r * Math.sin(at))}L${f1(x + r * lean * Math.cos(off))} ${f1(y + r * lean * Math.sin(off))}`;
+      }
     }
-    for (const name of data.hinges) {
-      const [x, y] = this.put(this.first, name);
-      lines += `M${f1(x)} ${f1(y)}l-9 15h18z`;
-      hatch(x - 13, y + 15, x + 13, y + 15, -5, 6);
+    for (const { at, ground } of data.hinges) {
+      const [x, y] = this.put(this.first, at), [gx, gy] = [ground[0], -ground[1]], [bx, by] = [x + 15 * gx, y + 15 * gy];
+      lines += `M${f1(x)} ${f1(y)}L${f1(bx - 9 * gy)} ${f1(by + 9 * gx)}L${f1(bx + 9 * gy)} ${f1(by - 9 * gx)}Z`;
+      hatch(bx - 13 * gy, by - 13 * gx, bx + 13 * gy, by + 13 * gx, 6 * gx - 5 * gy, 6 * gy - 5 * gx);
     }
     change(this.paths.ground, "d", lines);
     change(this.paths.hatch, "d", thin);
@@ -138,6 +144,11 @@ const drawing = {
       const on = (s, n) => `${f1(x + s * ux - n * uy)} ${f1(y - s * uy - n * ux)}`;
       path += `M${on(low, beside)}L${on(high, beside)}`;
       if (Math.abs(beside) > 1) path += `M${on(0, 0)}L${on(0, beside)}`;
+    });
+    this.racks.forEach(({ slot, low, high }) => {
+      const [ux, uy] = along(place, slot.base, slot.toward), [x, y] = this.put(place, slot.at);
+      const corner = (s, n) => `${f1(x + s * ux - n * uy)} ${f1(y - s * uy - n * ux)}`, deep = 7 * slot.side;
+      path += `M${corner(low, 0)}L${corner(high, 0)}L${corner(high, deep)}L${corner(low, deep)}Z`;
     });
     for (const block of data.blocks) {
       const [ux, uy] = along(place, block.base, block.toward), [x, y] = this.put(place, block.at);

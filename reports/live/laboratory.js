@@ -99,8 +99,10 @@ const laboratory = {
     const { worst, rows, dead } = motion, name = data.coordinates[worst.place], angle = data.units[name] === "rad";
     const none = worst.value < ROUND_OFF, size = none ? 0 : worst.value;
     const error = angle ? `${shown((size * 180) / Math.PI, 3)}°` : `${shown(size * 1000, 3)} ${data.words.mm}`;
-    tell("lab-error", error, String(worst.value));
-    const place = Number.isFinite(worst.value) ? say("where", { name: label(name), row: worst.row }) : "";
+    // Where the links do not close there is no error.
+    const known = Number.isFinite(worst.value);
+    tell("lab-error", known ? error : "–", known ? String(worst.value) : "");
+    const place = known ? say("where", { name: label(name), row: worst.row }) : "";
     const where = none ? data.words.round_off : place;
     if (where !== this.where) symbolic(byId("lab-where"), (this.where = where));
     tell("lab-evaluations", String(rows.evaluations), String(rows.evaluations));

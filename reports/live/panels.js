@@ -1,6 +1,6 @@
 // Small graphs of what is tried: every column over time, the true motion as a line, the rows as dots.
 // Enters: `motion`.  Leaves: `panels`; each bears the box of its axes, so that the cursor finds it.
-const WIDE = 300, HIGH = 120, LEFT = 58, RIGHT = 292, TOP = 20, BOTTOM = 100;
+const WIDE = 300, HIGH = 134, LEFT = 58, RIGHT = 292, TOP = 20, BOTTOM = 100;
 // Some round numbers from low to high.
 const ticks = (low, high, most) => {
   const raw = (high - low) / most, power = 10 ** Math.floor(Math.log10(raw));
@@ -46,6 +46,8 @@ const panels = {
         svg("text", { x, y: BOTTOM + 15, "text-anchor": anchor }, axes).textContent = value ? text : "0";
       }
       svg("path", { d: path }, axes);
+      const time = svg("text", { x: RIGHT, y: HIGH - 4, "text-anchor": "end", class: "live-title" }, panel);
+      symbolic(time, `${label("t")}, ${data.unit_words.t}`);
       const scale = svg("g", {}, axes);
       const clip = svg("svg", { x: 0, y: TOP - 3, width: WIDE, height: BOTTOM - TOP + 6, viewBox: `0 ${TOP - 3} ${WIDE} ${BOTTOM - TOP + 6}` }, panel);
       const line = svg("path", { class: "live-true" }, clip), rows = svg("path", { class: "live-table" }, clip);
