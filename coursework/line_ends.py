@@ -29,7 +29,7 @@ _TOGETHER = tuple(
         rf"{_BEGIN}{_SIGN}{{1,24}}[{_GAP}][=≈<>≤≥](?!{_SIGN})",  # of a longer one, the sign and what stands before it
         rf"{_NUMBER}[{_GAP}]{_UNIT}(?!\w)[.,;:)]*",
         rf"{_BEGIN}{_OF_QUOTIENT}+/{_OF_QUOTIENT}+(?!{_SIGN})",
-        rf"{_BEGIN}(?:\w{{1,14}}:[{_GAP}](?!\{{scheme)|{_ROW}[{_GAP}]){_NUMBER}",
+        rf"(?<![^\W{HAN}])(?:[^\W{HAN}]{{1,14}}:[{_GAP}](?!\{{scheme)|{_ROW}[{_GAP}]){_NUMBER}",
         rf"(?:sin|cos|tan|tg)[{_GAP}]{_SIGN}{{1,12}}(?!{_SIGN})",
         rf"{_BEGIN}[−-]?\d+[{_GAP}][α-ωϕ]{_SIGN}{{0,6}}(?!{_SIGN})",
     )

@@ -1,0 +1,43 @@
+"""What stays on one line of the screen: found in every language, never longer than a line, and nothing of the text lost."""
+
+from __future__ import annotations
+
+import pytest
+
+from coursework.line_ends import KEPT, LONGEST, line_groups, marked
+
+
+def kept(sentence: str) -> list[str]:
+    return [piece.split(KEPT[1])[0] for piece in marked(sentence).split(KEPT[0])[1:]]
+
+
+@pytest.mark.parametrize(
+    ("sentence", "together"),
+    [
+        ("an error of 70 % (row 20)", ["70 %", "row 20"]),
+        ("h = 0.02 s, steps: 24", ["h = 0.02 s,", "steps: 24"]),
+        ("with h = {h} s in row {row}", ["h = {h} s", "row {row}"]),
+        ("the speed V/ω₀ and −2 φ1", ["V/ω₀", "−2 φ1"]),
+        ("ошибка 21 % в строке 4, 2,5 рад/с", ["21 %", "строке 4,", "2,5 рад/с"]),
+        ("步长 h = 0.02 s，误差 21 %", ["h = 0.02 s", "21 %"]),
+        ("In 24 steps and 3 seconds, as said: well", []),
+    ],
+)
+def test_what_belongs_together(sentence: str, together: list[str]) -> None:
+    assert kept(sentence) == together
+
+
+def test_what_is_longer_than_a_line_may_break() -> None:
+    short, long = (f"{'a' * size}/{'b' * (LONGEST // 2)}" for size in (LONGEST // 2 - 1, LONGEST // 2))
+    assert kept(short) == [short]
+    assert kept(long) == []
+
+
+def test_runs_lose_nothing_and_a_symbol_stays_with_its_quotient() -> None:
+    runs = [{"t": "where V/"}, {"v": "ω", "s": "0"}, {"t": " is 5 m", "lang": ""}, {"t": " long"}]
+    groups = line_groups(runs)
+    texts = [(group.kept, "".join(run.get(key, "") for run in group.runs for key in "tvs")) for group in groups]
+    assert texts == [(False, "where "), (True, "V/ω0"), (False, " is "), (True, "5 m"), (False, " long")]
+    assert [run for group in groups for run in group.runs if "lang" in run] == [
+        {"t": " is ", "lang": ""}, {"t": "5 m", "lang": ""}
+    ]  # fmt: skip
