@@ -6,7 +6,7 @@ Enters: a folder, or None.  Leaves: a block in which they stand in.  Raises `Inp
 from __future__ import annotations
 
 from contextlib import AbstractContextManager
-from pathlib import Path
+from pathlib import Path, PurePath
 
 from coursework.data import REPORTS, folder
 from coursework.errors import Fault, InputError
@@ -30,10 +30,11 @@ def _look_at(own: Path) -> None:
     found = [path.relative_to(own).as_posix() for path in pieces_in(own)]
     place = folder(REPORTS)
     known = [path.relative_to(place).as_posix() for path in pieces_in(place)]
-    if not set(found) & set(known):
+    used = [name for name in found if name in known or PurePath(name).match("words.*.toml")]  # words: of another language too
+    if not used:
         advice = next((hint for name in found if (hint := closest(name, known))), "")
         raise InputError([Fault(say("fault.C062", advice=advice, known=tuple(sorted(known))), str(own))])
-    if large := [name for name in found if (own / name).stat().st_size > MOST_BYTES]:
+    if large := [name for name in used if (own / name).stat().st_size > MOST_BYTES]:
         raise InputError([Fault(say("fault.C063", most=MOST_BYTES // 2**20), str(own / large[0]))])
-    if faults := [fault for name in found if name in known and (fault := unreadable(own / name))]:
+    if faults := [fault for name in used if (fault := unreadable(own / name))]:
         raise InputError(faults)
