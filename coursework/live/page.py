@@ -101,7 +101,7 @@ def _said(run: Run, drawn: Drawn, phrases: Phrases, label: Callable[[str], str],
 
 def _asked(data: dict[str, Any], script: str) -> dict[str, Any]:
     """Return the data without the words that the script never names: those stand in the page itself."""
-    named = {*re.findall(r"\w+", script)}
+    named = {*re.findall(r'(?<=["]|[.])\w+\b', script)}
     words = {key: text for key, text in data["words"].items() if key in named or key.startswith(_PUT_TOGETHER)}
     return data | {"words": words}
 

@@ -57,6 +57,13 @@ const words = {
     if (this.chosen === drawing.WIDE) return;
     this.chosen = drawing.WIDE;
     const taken = data.shown_points.map((name) => drawing.put(place, name)).map(([x, y]) => [x - 4, y - 4, x + 4, y + 4]);
+    // Nor over the ground of a hinge, nor over a block.
+    const keep = (name, half, gx = 0, gy = 0) => {
+      const [x, y] = drawing.put(place, name), [cx, cy] = [x + gx * half, y - gy * half];
+      taken.push([cx - half, cy - half, cx + half, cy + half]);
+    };
+    for (const { at, ground } of data.hinges) keep(at, 11, ...ground);
+    for (const block of data.blocks) keep(block.at, 11);
     const choice = (boxes, lines = []) => {
       const over = ([left, top, right, bottom]) =>
         taken.reduce((sum, [l, t, r, b]) => sum + Math.max(0, Math.min(right, r) - Math.max(left, l)) * Math.max(0, Math.min(bottom, b) - Math.max(top, t)), 0);
