@@ -17,12 +17,11 @@ Rectangle = tuple[float, float, float, float]
 _STILL = 1e-300  # stands for a step of 0, so that a line along an axis needs no case of its own
 
 
-def common(low: Array, high: Array, others: Sequence[Rectangle]) -> Array:
-    """Return the area (n, m) that rectangles share with others (left, top, right, bottom), 0 where they are apart."""
+def shared(low: Array, high: Array, others: Sequence[Rectangle]) -> Array:
+    """Return the sides (n, m, 2) of what rectangles share with others (left, top, right, bottom), below 0 where apart."""
     boxes = np.array(others).reshape(-1, 4)
-    sides = np.minimum(high[:, None], boxes[:, 2:]) - np.maximum(low[:, None], boxes[:, :2])
-    areas: Array = np.multiply.reduce(np.maximum(sides, 0.0), axis=2)
-    return areas
+    sides: Array = np.minimum(high[:, None], boxes[:, 2:]) - np.maximum(low[:, None], boxes[:, :2])
+    return sides
 
 
 def through(begin: Array, step: Array, boxes: Sequence[Rectangle]) -> Array:
@@ -63,7 +62,7 @@ class Lines:
         """Return in how many segments (n,) each rectangle has a part, and how long those parts are together."""
         near = self.near(low, high)
         part = near.parts(low, high)
-        return np.count_nonzero(part, axis=1), part @ near.length
+        return (part > 0).sum(axis=1), part @ near.length
 
     def near(self, low: Array, high: Array) -> Lines:
         """Return the segments that come near any of the rectangles."""

@@ -12,11 +12,12 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from coursework.drawing.cover import Array, Lines, Rectangle, Segment, common, through
+from coursework.drawing.cover import Array, Lines, Rectangle, Segment, shared, through
 
 Place = tuple[complex, complex, float]  # beside this point, rather in this direction, at this distance
 DIRECTIONS = 16  # in which a place is looked for
 RINGS = (0.0, 1.0, 2.0, 3.2, 4.5, 6.0, 8.0, 12.0, 17.0, 23.0, 30.0, 40.0)  # mm farther out; the last only where words would meet
+LOOKS = (1, 1, 1, 2, 2, 2, 3, 3, 4, 4, 4, 4)  # in which look a ring is looked at, all its places together
 FARTHER = 0.5  # mm of lines that a word rather covers than standing 1 mm farther off
 TURNED = 0.6  # the same for a quarter turn away from the direction it should have
 NEXT = 0.6  # the same for each place after the first
@@ -33,7 +34,7 @@ LOST = 5.0  # mm: farther from a line or a point a word seems to belong to nothi
 LEADER, LEADER_CROSSES = 4.0, (15.0, 100.0, 3.0)  # mm of lines for such a line, and for each heavy line, word, symbol it crosses
 STEP_OFF = 0.6  # mm: it is looked at from beside the line it leads to
 ALONG = (0.35, 0.6, 0.85)  # parts of its way at which it must not lie on a heavy line
-CHEAPEST = 8  # places looked at together
+CHEAPEST = 24  # places looked at together
 TOUCH = 1.2  # mm: a place so near a point or a line is beside that; farther off it is beside a rim or a block
 
 
@@ -80,19 +81,21 @@ class Taken:
         low, high = middles - half, middles + half
         edge = np.array(room)
         beyond = np.maximum(edge[:2] - low, 0.0) + np.maximum(high - edge[2:], 0.0)
-        symbols, words = common(low, high, self.boxes), common(low, high, self.words)
-        gap = np.array([GAP, 0.0])
-        beside = common(low - gap, high + gap, self.words)
+        symbols, words = shared(low, high, self.boxes), shared(low, high, self.words)
+        areas = np.multiply.reduce(np.maximum(symbols, 0.0), axis=2)
+        level = words[..., 1] > 0
+        over, beside = level & (words[..., 0] > 0), level & (words[..., 0] > -GAP)
         crossed, length = self.lines("segments").within(low, high)
         heavy, _ = self.lines("heavy").within(low - CLEAR, high + CLEAR)
         cost: Array = BEYOND * beyond.sum(axis=1) + length + CROSSED * crossed + HEAVY * heavy
-        cost += SYMBOL[0] * symbols.sum(axis=1) + SYMBOL[1] * np.count_nonzero(symbols, axis=1)
-        cost += WORD_ON_WORD * np.count_nonzero(words, axis=1) + SIDE_BY_SIDE * np.count_nonzero(beside, axis=1)
+        cost += SYMBOL[0] * areas.sum(axis=1) + SYMBOL[1] * (areas > 0).sum(axis=1)
+        cost += WORD_ON_WORD * over.sum(axis=1) + SIDE_BY_SIDE * beside.sum(axis=1)
         return cost
 
     def stand(self, width: float, height: float, places: Sequence[Place], owner: Owner, room: Rectangle) -> Stand:
         """Return where a word of a width and height (mm) stands best."""
-        own, rivals = Lines(owner.own), Lines(owner.rivals)
+        claimed, owned = Lines([*owner.own, *owner.rivals]), len(owner.own)
+        own = Lines(owner.own) if owner.breaks else None
         half = np.array([width / 2, height / 2])
         turns = math.tau * np.arange(DIRECTIONS) / DIRECTIONS
         toward = np.array([np.angle(away) if away else -math.pi / 4 for _, away, _ in places])
@@ -101,29 +104,32 @@ class Taken:
         near, gaps = (np.array([place[k] for place in places])[:, None] for k in (0, 2))
         fixed = TURNED * (1 - np.cos(turns)) + NEXT * np.arange(len(places))[:, None]
         best, found = math.inf, Stand(places[0][0], places[0], None)
-        first = np.arange(near.size * DIRECTIONS) < DIRECTIONS
-        # The first place by itself: where it is good, the others need no look.
-        for ring, group in ((ring, group) for ring in RINGS for group in (first, ~first)):
-            least = FARTHER * ring + fixed.ravel()
-            kept = np.flatnonzero(group & (least < best))
+        rings = np.array(RINGS)[:, None, None]
+        leasts = (FARTHER * rings + fixed).ravel()
+        # Each rectangle touches the circle of radius `gap + ring` about its point.
+        ats = (near + units * (gaps + rings + reach)).ravel()
+        begins = np.broadcast_to(near + units * np.maximum(gaps - TOUCH, 0.0), (len(RINGS), *units.shape)).ravel()
+        group = np.repeat(LOOKS, units.size)
+        group[:DIRECTIONS] = 0  # the first place by itself: where it is good, the others need no look
+        for look in range(LOOKS[-1] + 1):
+            kept = np.flatnonzero((group == look) & (leasts < best))
             if not kept.size:
                 continue
-            # Each rectangle touches the circle of radius `gap + ring` about its point.
-            at = (near + units * (gaps + ring + reach)).ravel()[kept]
+            least, at = leasts[kept], ats[kept]
             middles = np.column_stack([at.real, at.imag])
             low, high = middles - half, middles + half
-            cost = least[kept] + self.covered(middles, width, height, room)
-            if owner.breaks:
+            cost = least + self.covered(middles, width, height, room)
+            if own is not None:
                 crossed, length = own.within(low - MARGIN, high + MARGIN)
                 cost -= length + CROSSED * crossed
-            feet = (near + units * np.maximum(gaps - TOUCH, 0.0)).ravel()[kept]
+            feet = begins[kept]
             # What a reader could mistake only adds to the cost: it is looked at where the rest is cheap.
             order = np.argsort(np.round(cost, 6), kind="stable")
             for some in (order[k : k + CHEAPEST] for k in range(0, len(order), CHEAPEST)):
                 if cost[some[0]] >= best - 1e-9:
                     break
-                mine = own.apart(low[some], high[some]).min(axis=1)
-                theirs = rivals.apart(low[some], high[some]).min(axis=1, initial=math.inf)
+                far = claimed.apart(low[some], high[some])
+                mine, theirs = far[:, :owned].min(axis=1), far[:, owned:].min(axis=1, initial=math.inf)
                 mistaken = theirs < mine + CLEARLY
                 led = mistaken | (mine > owner.lost)
                 whole = cost[some] + owner.mistaken * mistaken
@@ -134,7 +140,7 @@ class Taken:
                 if whole[k] < best - 1e-9:
                     best, chosen = float(whole[k]), int(some[k])
                     leader = complex(feet[chosen]) if led[k] else None
-                    found = Stand(complex(at[chosen]), places[int(kept[chosen]) // DIRECTIONS], leader)
+                    found = Stand(complex(at[chosen]), places[int(kept[chosen]) % units.size // DIRECTIONS], leader)
         return found
 
     def _in_the_way(self, feet: Array, middles: Array) -> Array:
@@ -145,9 +151,10 @@ class Taken:
         step = middles - begin
         price: Array = LEADER_CROSSES[0] * self.lines("heavy").crossed(begin, step)
         if self.heavy:
-            for part in ALONG:
-                at = feet + part * way
-                price = price + LEADER_CROSSES[0] * (self.lines("heavy").apart(at, at).min(axis=1) < STEP_OFF)
+            at = (feet + np.array(ALONG)[:, None, None] * way).reshape(-1, 2)
+            off = self.lines("heavy").feet(at) - at[:, None]
+            lies = np.hypot(off[..., 0], off[..., 1]).min(axis=1) < STEP_OFF
+            price = price + LEADER_CROSSES[0] * np.count_nonzero(lies.reshape(len(ALONG), -1), axis=0)
         for boxes, worth in ((self.words, LEADER_CROSSES[1]), (self.boxes, LEADER_CROSSES[2])):
             price = price + worth * through(begin, step, boxes)
         return price

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from coursework.drawing.cover import Lines, common, through
+from coursework.drawing.cover import Lines, shared, through
 
 BOX = np.array([[1.0, 2.0]]), np.array([[4.0, 6.0]])
 
@@ -41,10 +41,10 @@ def test_many_lines_and_rectangles_against_sampling():
         assert abs(crossed[place] - np.count_nonzero(part)) <= 1  # a line may touch a corner between two samples
 
 
-def test_shared_areas_by_hand():
-    others = [(0.0, 0.0, 2.0, 3.0), (4.0, 2.0, 5.0, 6.0), (2.0, 3.0, 3.0, 4.0)]
-    assert common(*BOX, others).tolist() == [[1.0, 0.0, 1.0]]
-    assert common(*BOX, []).shape == (1, 0)
+def test_shared_sides_by_hand():
+    others = [(0.0, 0.0, 2.0, 3.0), (4.0, 2.0, 5.0, 6.0), (2.0, 3.0, 3.0, 4.0), (9.0, 3.0, 10.0, 4.0)]
+    assert shared(*BOX, others).tolist() == [[[1.0, 1.0], [0.0, 4.0], [1.0, 1.0], [-5.0, 1.0]]]
+    assert shared(*BOX, []).shape == (1, 0, 2)
 
 
 def test_distances_of_a_rectangle_from_lines_by_hand() -> None:
