@@ -18,7 +18,8 @@ from typing import Any
 from coursework.data import folder
 
 _TEXT = re.compile(r"""("(?:[^"\\]|\\.)*"|`[^`]*`)""")
-_NEEDLESS = re.compile(r"(?<=[;{,(\[])\n|\n(?=[})\]])")  # ends of lines that end no statement
+# Ends of lines that end no statement, and what ends the last statement of a block; a loop of ours has a body.
+_NEEDLESS = re.compile(r";?\n(?=})|(?<=[;{,(\[])\n|\n(?=[)\]])")
 _BESIDE = re.compile(r" ?([-=+*/<>?:,;{}()\[\]&|!]+) ?")
 
 

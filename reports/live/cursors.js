@@ -12,8 +12,7 @@ const cursors = {
       const [left, top, right, bottom] = home.dataset.box.split(" ").map(Number);
       const [from, to] = home.dataset.time.split(" ").map(Number);
       const [, , wide, high] = home.getAttribute("viewBox").split(" ").map(Number);
-      const line = document.createElement("i");
-      line.className = "live-cursor";
+      const line = element("i", { className: "live-cursor" });
       Object.assign(line.style, { left: `${(100 * left) / wide}%`, top: `${(100 * top) / high}%`, height: `${(100 * (bottom - top)) / high}%` });
       home.parentElement.classList.add("live-graph");
       home.parentElement.append(line);

@@ -8,12 +8,7 @@ const ROUND_OFF = 1e-10;
 const laboratory = {
   turn: 0,
   prepare() {
-    const option = (list, value, text) => {
-      const made = document.createElement("option");
-      made.value = value;
-      made.textContent = text;
-      list.append(made);
-    };
+    const option = (list, value, textContent) => list.append(element("option", { value, textContent }));
     for (const name of Object.keys(data.schemes)) option(byId("lab-scheme"), name, data.words["scheme_" + name]);
     byId("lab-scheme").value = tried.scheme;
     for (const name of names) option(byId("lab-datum-name"), name, label(name));

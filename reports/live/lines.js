@@ -5,16 +5,13 @@ const NEW_CELL = 5, HEIGHT = 22, SPELLED = 60;
 const lines = {
   columns: ["t", ...data.shown], made: [], groups: [], count: 0, lit: null, inSight: 15, top: 0,
   prepare() {
-    const row = document.createElement("tr");
+    const row = element("tr");
     row.setAttribute("role", "row");
     for (const name of this.columns) {
-      const cell = document.createElement("th");
-      cell.scope = "col";
+      const cell = element("th", { scope: "col" });
       cell.setAttribute("role", "columnheader");
       symbolic(cell, label(name));
-      const unit = document.createElement("small");
-      unit.textContent = data.unit_words[name];
-      cell.append(document.createElement("br"), unit);
+      cell.append(element("br"), element("small", { textContent: data.unit_words[name] }));
       row.append(cell);
     }
     byId("lab-head").replaceChildren(row);
@@ -27,10 +24,10 @@ const lines = {
     const see = ({ isIntersecting, intersectionRect }) => (this.inSight = isIntersecting ? Math.ceil(intersectionRect.height / HEIGHT) : 0);
     new IntersectionObserver((entries) => entries.forEach(see), { threshold }).observe(this.box);
     this.few = Math.ceil(SPELLED / this.columns.length);
-    this.blank = document.createElement("tr");
+    this.blank = element("tr");
     this.blank.setAttribute("role", "row");
     for (const name of this.columns) {
-      const cell = this.blank.appendChild(document.createElement("td"));
+      const cell = this.blank.appendChild(element("td"));
       cell.setAttribute("role", "cell");
       cell.setAttribute("data-column", name);
       cell.append(" ");

@@ -69,7 +69,7 @@ const keep = (rows, at, row) => {
 // What may take long is a generator: now and then it yields how many evaluations it has made since the last time.
 const BREATH = 256;
 const drain = (job) => {
-  while (!job.next().done);
+  while (!job.next().done) {}
 };
 
 // The rows of a scheme with a step h (s) from `start`.

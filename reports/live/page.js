@@ -2,6 +2,7 @@
 // Enters: `data`.  Leaves: functions; text enters the page by textContent alone.
 const live = document.getElementById("live");
 const byId = (id) => document.getElementById(id);
+const element = (name, given) => Object.assign(document.createElement(name), given);
 const svg = (name, attributes, into) => {
   const made = document.createElementNS("http://www.w3.org/2000/svg", name);
   for (const key in attributes) made.setAttribute(key, attributes[key]);
@@ -33,32 +34,30 @@ const decimalsOf = (step) => {
 };
 const say = (key, values) => data.words[key].replace(/\{(\w+)\}/g, (_, gap) => values[gap]);
 const label = (name) => data.labels[name] ?? name;
-// A sentence in pieces: every second one stands between the marks of what no line may break.
-const pieces = (text) =>
-  text.split(/[\ue003\ue004]/).map((piece, k) => {
-    if (k % 2 === 0) return piece;
-    const kept = document.createElement("span");
-    kept.className = "typed";
-    kept.textContent = piece;
-    return kept;
+// Write a sentence.  Every second piece of it stands between the marks of what no line may break; the places of pieces stay,
+// empty where a sentence has fewer, so that sentences told again and again make nothing.
+const write = (place, text) => {
+  const parts = text.split(/[\ue003\ue004]/), { childNodes } = place;
+  while (childNodes.length < parts.length) place.append(childNodes.length % 2 ? element("span", { className: "typed" }) : new Text());
+  childNodes.forEach((piece, k) => {
+    const part = parts[k] ?? "";
+    if (piece.textContent !== part) piece.textContent = part;
   });
+};
 // A symbol with its subscript lowered: "φ_c", "V_Mx".
 const symbolic = (place, text) => {
   const [head, low, rest] = text.split(/_([^\s,]+)/);
-  place.replaceChildren(...pieces(head));
+  place.replaceChildren();
+  write(place, head);
   if (!low) return;
-  const drawn = place instanceof SVGElement;
-  const below = drawn ? svg("tspan", { dy: 4, "font-size": "75%" }) : document.createElement("sub");
-  below.textContent = low;
-  place.append(below);
-  if (!rest) return;
-  if (drawn) svg("tspan", { dy: -4 }, place).textContent = rest;
-  else place.append(...pieces(rest));
+  const add = (name, attributes) =>
+    place instanceof SVGElement ? svg("tspan", attributes, place) : place.appendChild(element(name));
+  add("sub", { dy: 4, "font-size": "75%" }).textContent = low;
+  if (rest) write(add("span", { dy: -4 }), rest);
 };
 const tell = (id, text, value) => {
   const place = byId(id);
-  if (place.told !== text) place.replaceChildren(...pieces(text));
-  place.told = text;
+  write(place, text);
   if (value !== undefined) place.dataset.value = value;
 };
 const f1 = (value) => Math.round(10 * value) / 10;

@@ -26,7 +26,7 @@ const panels = {
   prepare() {
     this.x = (t) => f1(LEFT + ((RIGHT - LEFT) * t) / data.end);
     this.all = data.shown.map((name) => {
-      const home = document.createElement("div");
+      const home = element("div");
       home.dataset.panel = name;
       byId("live-panels").append(home);
       const panel = svg("svg", { viewBox: `0 0 ${WIDE} ${HIGH}`, role: "img" }, home);
