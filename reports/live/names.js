@@ -79,7 +79,7 @@ const words = {
     });
     this.besides = data.shown_points.map((name) => {
       const [x, y] = drawing.put(place, name), wide = 9 * label(name).replace("_", "").length + 2;
-      const besides = [[9, -8], [9, 19], [-8 - wide, -8], [-8 - wide, 19], [16, 5], [-15 - wide, 5]];
+      const besides = [[9, -8], [9, 19], [-8 - wide, -8], [-8 - wide, 19], [16, 5], [-15 - wide, 5], [-wide / 2, -15], [-wide / 2, 28]];
       return besides[choice(besides.map(([dx, dy]) => [x + dx, y + dy - 13, x + dx + wide, y + dy + 4]), this.about(place, others, name))];
     });
   },
