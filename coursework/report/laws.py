@@ -5,6 +5,8 @@ Enters: a `PageContext` and `Law` records.  Leaves: displayed equations, sentenc
 
 from __future__ import annotations
 
+import re
+
 from coursework.formula.tree import Formula
 from coursework.page_text import clean
 from coursework.report import equations
@@ -13,6 +15,8 @@ from coursework.report.page_context import PageContext
 from coursework.report.parts import Display, Equations, Paragraph, Part
 from coursework.report.text_runs import runs
 from coursework.variant.record import Law
+
+_TIME = re.compile("t(?= =)")  # the letter of "from t = 0.3 s", a symbol among words
 
 
 def laws_shown(context: PageContext, laws: tuple[Law, ...]) -> list[Part]:
@@ -29,7 +33,8 @@ def _law(context: PageContext, law: Law) -> Display:
     lines, texts = [], []
     for start, formula in law.pieces:
         when = context.words("drive.pieces", time=context.quantity(start, "s"))
-        lines.append(f'{equations.math(formula, context.rates)} quad "{when}"')
+        in_words = _TIME.sub('"t"', when)
+        lines.append(f'{equations.math(formula, context.rates)} quad "{in_words}"')
         texts.append(f"{equations.text(formula, context.rates)} {when}")
     return Display(f"{symbol.typst} = cases({', '.join(lines)})", f"{symbol.text} = {'; '.join(texts)}")
 
@@ -39,8 +44,8 @@ def _tabulated(context: PageContext, law: Law) -> str:
     known, unit = f"drive.method.{law.method}", context.run.variant.unit_of(law.of)
     return say(
         "drive.table",
-        symbol=context.symbol(law.name).text,
-        of=context.symbol(law.of).text,
+        symbol=context.lettering(law.name),
+        of=context.lettering(law.of),
         count=len(law.table),
         first=context.quantity(law.table[0][0], unit),
         last=context.quantity(law.table[-1][0], unit),

@@ -23,9 +23,9 @@ def solution(context: PageContext) -> list[Part]:
     """Each block in the order of solving: a formula, Cramer's rule, or a sentence; where it has none; then the scheme's step."""
     reduction = context.run.reduction
     parts: list[Part] = []
-    for name in context.run.partials:
-        law, by = context.run.partials[name]
-        symbols = {"symbol": context.symbol_list([name]), "law": context.symbol_list([law]), "by": context.symbol_list([by])}
+    for law, by in context.run.partials.values():
+        above, below = context.lettering(law), context.lettering(by)
+        symbols = {"symbol": f"∂{above}/∂{below}", "law": above, "by": below}
         parts.append(Paragraph(context.say("derivation.partial", **symbols)))
     found: set[str] = set()
     worked = cramer(context.run.scene.equations, reduction, [bool(formulas) for formulas in context.run.solutions])

@@ -123,7 +123,10 @@ def with_letters(text: str, names: Iterable[str]) -> str:
     units, others = ("".join(sorted(letters & set(_ALSO_UNITS))), "".join(sorted(letters - set(_ALSO_UNITS))))
     either = [f"[{others}]"] if others else []
     either += [rf"(?<!\d[ \u00a0])[{units}]"] if units else []
-    before, behind = rf"(?<!{_WORD})(?<![.'’/–\ue000-])(?<!--step )", rf"(?![^\W{_RAISED_DIGITS}])(?![\u2009\u202f]|[('’–-]\S)"
+    before, behind = (
+        rf"(?<!{_WORD})(?<![.'’–\ue000-])(?<!/(?![A-Z]))(?<!--step )",
+        rf"(?![^\W{_RAISED_DIGITS}])(?![\u2009\u202f]|[('’–-]\S)",
+    )
     behind += r"(?!(?<=[A-Z])\. ?[A-Z])"  # V. R. Pasika
     return re.sub(f"{before}({'|'.join(either)}){behind}", rf"{ITALIC[0]}\1{ITALIC[1]}", text)
 
