@@ -16,7 +16,7 @@ from coursework.quantities import PLOTS
 from coursework.report.numbers import Numbers, unit_text, with_unit
 from coursework.report.parts import Runs
 from coursework.report.symbols import Symbol, symbol
-from coursework.report.text_runs import ITALIC, derivative, printed, runs, with_letters, with_pairs
+from coursework.report.text_runs import ITALIC, derivative, printed, runs, with_letters, with_pairs, with_points
 from coursework.report.words import Words
 from coursework.run import Run
 from coursework.sentences import ENGLISH, Sentence
@@ -128,6 +128,7 @@ class PageContext:
         laws = [law.name for law in (*variant.drive, *variant.functions)]
         points = {name for name, _ in self.run.scene.mechanism.points}
         letters = {"t", *variant.columns, *(given.name for given in variant.given), *laws} - points
+        text = with_points(text, points)
         return runs(
             with_pairs(with_letters(text, letters), variant.columns) if data else text,
             (*variant.columns, *(given.name for given in variant.given), *laws, "pi"),

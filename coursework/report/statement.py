@@ -184,7 +184,7 @@ def _data(context: PageContext) -> Table:
 
 def _between(context: PageContext, measured: str, how: str) -> Runs:
     """Return how a start is known, behind what the coordinate measures."""
-    return runs(context.words("given.between", ends=context.told(measured), how=how) if measured else how)
+    return context.lettered(context.words("given.between", ends=context.told(measured), how=how) if measured else how)
 
 
 def _first(context: PageContext, name: str, unit: str) -> str:

@@ -22,14 +22,14 @@ _WORD = rf"[^\W{HAN}]"  # a letter, digit or _; words of other letters end where
 _LETTER = rf"[^\W\d_{HAN}]"
 _RUN = re.compile(
     rf"(?<!{_WORD})(?P<letter>{_LETTER}\u0307?)(?:_(?P<low>[^\W_{HAN}]{{1,4}})(?!{_WORD})|(?P<digits>[₀-₉]+))"
-    rf"|\ue000(?P<own>.)\ue001"
+    rf"|\ue000(?P<own>.)(?P<index>[^\ue001]*)\ue001"
     rf"|(?P<greek>(?<!{_LETTER})[α-ωϕ]\u0307?(?!{_LETTER}))"
     rf"|(?P<raised>(?<=[\d\w)])[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
     rf"|(?P<typed>(?<!{_WORD})(?<!-)--[a-z]+(?:-[a-z]+)*(?: (?:h/)?\d[A-Za-z0-9./-]*(?<!\.))?)"
     rf"|(?P<unit>(?<=\u00a0){_LETTER}+/{_LETTER}+[²]?(?!{_WORD}))"
     rf"|\ue003(?P<kept>[^\ue004]*)\ue004"
 )
-# Around a letter of our own words; `clean` removes both from other text, as it does `KEPT`.
+# Around a letter of our own words, or a letter and its index; `clean` removes both from other text, as it does `KEPT`.
 ITALIC = ("\ue000", "\ue001")
 _RAISED = re.compile("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]")
 _NAMELIKE = re.compile(r"\d|(?<=.)[A-Z]")  # w3, VMx: no word of a sentence looks like that
@@ -48,6 +48,8 @@ _WORDS = re.compile(
 _ALSO_UNITS = "ms"
 _RAISED_DIGITS = "²³⁴"
 _COMPONENT = re.compile(rf"(?<!{_WORD})(?<!\.)[A-Z]\d?\.[va]?[xy](?!{_WORD})")  # A.x, B2.vy
+_POINT = re.compile(r"[A-Z](?:\d+|[ij])?")  # A, P1, Ki
+_POINTS = re.compile(rf"(?<!{_WORD})(?<!\.)(?:{_POINT.pattern})+(?!{_WORD})")
 _PLAIN_DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "01234567890123456789−")
 
 
@@ -69,7 +71,7 @@ def runs(text: str, names: Iterable[str] = ()) -> list[Run]:
         elif kept := match["typed"] or match["unit"] or match["kept"]:
             found.append({"c": kept})
         else:
-            low = (match["low"] or match["digits"] or "").translate(_PLAIN_DIGITS)
+            low = (match["low"] or match["digits"] or match["index"] or "").translate(_PLAIN_DIGITS)
             found.append({"v": match["letter"] or match["own"] or match["greek"], "s": low})
         end = match.end()
     if end < len(text):
@@ -110,6 +112,21 @@ def with_pairs(text: str, names: Iterable[str]) -> str:
     if not pairs:
         return text
     return re.sub(rf"(?<!{_WORD})(?<![.–-])({'|'.join(sorted(pairs))})(?!{_WORD}|[(–-])", lambda it: symbol(it[1]).text, text)
+
+
+def with_points(text: str, names: Iterable[str]) -> str:
+    """Return a sentence in which the index of a point is set lower, as in a drawing: "D5" says D₅, and "XP1" X and P₁."""
+    points = set(names)
+
+    def lettered(row: re.Match[str]) -> str:
+        found = _POINT.findall(row[0])
+        return (
+            "".join(f"{ITALIC[0]}{name}{ITALIC[1]}" if name[1:] else name for name in found)
+            if points.issuperset(found)
+            else row[0]
+        )
+
+    return _POINTS.sub(lettered, text)
 
 
 def with_letters(text: str, names: Iterable[str]) -> str:

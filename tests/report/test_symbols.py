@@ -6,7 +6,7 @@ import pytest
 
 from coursework.page_text import LONGEST, clean
 from coursework.report.symbols import symbol
-from coursework.report.text_runs import derivative, printed, runs, with_letters, with_pairs
+from coursework.report.text_runs import derivative, printed, runs, with_letters, with_pairs, with_points
 
 
 @pytest.mark.parametrize(
@@ -49,6 +49,15 @@ def test_sentences_are_split_into_runs() -> None:
 def test_sentences_of_the_tool_are_printed_properly() -> None:
     assert printed("1.07e-05 rad, -0.5 m, 2*cos(x)") == "1.07·10⁻⁵ rad, −0.5 m, 2·cos(x)"
     assert printed("C.y drifts; B1.vx too; see v1.0, file A.txt") == "y_C drifts; v_B1x too; see v1.0, file A.txt"
+
+
+def test_points_of_a_sentence_are_lettered_as_in_a_drawing() -> None:
+    points = ("A", "B", "X", "P1", "P3", "D5", "Ki")
+    told = runs(with_points("AB, XP1, P1P3 and AKi; A, D5", points))
+    assert [run.get("t", "") for run in told] == ["AB, X", "", ", ", "", "", " and A", "", "; A, ", ""]
+    assert [run["v"] + run["s"] for run in told if "v" in run] == ["P1", "P1", "P3", "Ki", "D5"]
+    for other in ("P2", "AP2", "Kj", "G3x", "V_P1", "row 5"):
+        assert with_points(other, points) == other
 
 
 def test_letters_of_the_data_are_symbols_in_a_sentence_and_units_and_words_are_not() -> None:
