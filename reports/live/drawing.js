@@ -89,6 +89,7 @@ const drawing = {
   // Rails, fixed circles and hinges, hatched where they are held.
   ground() {
     let lines = "", thin = "";
+    this.rails = [];
     const hatch = (x1, y1, x2, y2, leanX, leanY) => {
       const count = Math.max(2, Math.round(Math.hypot(x2 - x1, y2 - y1) / 8));
       for (let i = 0; i < count; i++) {
@@ -105,12 +106,12 @@ const drawing = {
         low = Math.min(low, s - 25);
         high = Math.max(high, s + 25);
       }
-      const ends = [x0 + low * ux, y0 - low * uy, x0 + high * ux, y0 - high * uy];
       // A wheel rolls on the line itself, a block slides beside it.
-      const side = -rail.side, gap = rail.rolls || !rail.rider ? 0 : 7;
-      const ox = uy * gap * side, oy = ux * gap * side;
-      lines += `M${f1(ends[0] + ox)} ${f1(ends[1] + oy)}L${f1(ends[2] + ox)} ${f1(ends[3] + oy)}`;
-      hatch(ends[0] + ox, ends[1] + oy, ends[2] + ox, ends[3] + oy, (uy * side - ux * 0.7) * 6, (ux * side + uy * 0.7) * 6);
+      const side = -rail.side, gap = rail.rolls || !rail.rider ? 0 : 7 * side, x = x0 + uy * gap, y = y0 + ux * gap;
+      const line = [x + low * ux, y - low * uy, x + high * ux, y - high * uy];
+      lines += `M${line.map(f1)}`;
+      hatch(...line, (uy * side - ux * 0.7) * 6, (ux * side + uy * 0.7) * 6);
+      this.rails.push(line);
     }
     for (const track of data.tracks) {
       const [x, y] = this.put(this.first, track.centre), [rx, ry] = this.put(this.first, track.rim);

@@ -51,7 +51,7 @@ const words = {
       );
     });
   },
-  // Choose for each word, in the first position, the side on which it lies over no other word, no joint and few links: once,
+  // Choose for each word, in the first position, the side on which it lies over no other word, no joint and few links and rails: once,
   // so that no word leaps when something is tried.
   choose(place, others) {
     if (this.chosen === drawing.WIDE) return;
@@ -80,7 +80,7 @@ const words = {
     this.besides = data.shown_points.map((name) => {
       const [x, y] = drawing.put(place, name), wide = 9 * label(name).replace("_", "").length + 2;
       const besides = [[9, -8], [9, 19], [-8 - wide, -8], [-8 - wide, 19], [16, 5], [-15 - wide, 5], [-wide / 2, -15], [-wide / 2, 28]];
-      return besides[choice(besides.map(([dx, dy]) => [x + dx, y + dy - 13, x + dx + wide, y + dy + 4]), this.about(place, others, name))];
+      return besides[choice(besides.map(([dx, dy]) => [x + dx, y + dy - 13, x + dx + wide, y + dy + 4]), [...drawing.rails, ...this.about(place, others, name)])];
     });
   },
   place(place) {
