@@ -49,7 +49,7 @@ _ALSO_UNITS = "ms"
 _RAISED_DIGITS = "²³⁴"
 _COMPONENT = re.compile(rf"(?<!{_WORD})(?<!\.)[A-Z]\d?\.[va]?[xy](?!{_WORD})")  # A.x, B2.vy
 _POINT = re.compile(r"[A-Z](?:\d+|[ij])?")  # A, P1, Ki
-_POINTS = re.compile(rf"(?<!{_WORD})(?<!\.)(?:{_POINT.pattern})+(?!{_WORD})")
+_POINTS = re.compile(rf"(?<!{_WORD})(?<![.–\ue003])(?:{_POINT.pattern})+(?!{_WORD})")
 _PLAIN_DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "01234567890123456789−")
 
 

@@ -58,6 +58,8 @@ def test_points_of_a_sentence_are_lettered_as_in_a_drawing() -> None:
     assert [run["v"] + run["s"] for run in told if "v" in run] == ["P1", "P1", "P3", "Ki", "D5"]
     for other in ("P2", "AP2", "Kj", "G3x", "V_P1", "row 5"):
         assert with_points(other, points) == other
+    assert runs(with_points(printed("along A-P1-B"), points)) == [{"t": "along "}, {"c": "A–P1–B"}]
+    assert runs(with_points(printed("along P1-B"), points)) == [{"t": "along "}, {"c": "P1–B"}]
 
 
 def test_letters_of_the_data_are_symbols_in_a_sentence_and_units_and_words_are_not() -> None:
