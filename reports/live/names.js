@@ -75,7 +75,7 @@ const words = {
       if (!link.points.length) return 1;
       const half = 4 * link.name.length + 5, sides = [1, -1];
       const boxes = sides.map((side) => this.ofLink(link, place, side)).map(([x, y]) => [x - half, y - 11, x + half, y + 2]);
-      return sides[choice(boxes, link.points.length === 1 ? this.about(place, others, link.points[0]) : [])];
+      return sides[choice(boxes, this.about(place, link.points[1] ? [] : others, link.points[0]))];
     });
     this.besides = data.shown_points.map((name) => {
       const [x, y] = drawing.put(place, name), wide = 9 * label(name).replace("_", "").length + 2;
