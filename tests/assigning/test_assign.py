@@ -41,7 +41,8 @@ def plain(text):
 
 
 def page_of(path):
-    return plain(path.read_text(encoding="utf-8"))
+    """Return a page without the marks of what stays on one line."""
+    return re.sub(r'<span class="typed">(.*?)</span>', r"\1", plain(path.read_text(encoding="utf-8")))
 
 
 def files(out):

@@ -37,7 +37,7 @@ def exchanged_units(text: str, variant: Variant) -> Iterator[Slip]:
         if header := re.match(r"\[+(\w+)", line):
             section = header[1]
         pattern = {
-            "given": r'(\w+)\s*=\s*"([-+\d.e]+) ([^"]+)"',
+            "given": r'(\w+)\s*=\s*(?:\{ value = )?"([-+\d.e]+) ([^"]+)"',
             "coordinates": r'(\w+)\s*=\s*\{\s*start\s*=\s*"([-+\d.e]+) ([^"]+)"',
         }
         found = re.match(pattern[section], line) if section in pattern else None
@@ -50,7 +50,7 @@ def exchanged_units(text: str, variant: Variant) -> Iterator[Slip]:
 def names_left_out(text: str) -> Iterator[Slip]:
     """Yield the file with one name left out of a product of a constraint, one at a time; plain ratios stay."""
     lines = text.split("\n")
-    ratios = {found[1] for line in lines if (found := re.match(r'(\w+)\s*=\s*"?[-\d.]+"?\s*(?:#|$)', line))}
+    ratios = {found[1] for line in lines if (found := re.match(r'(\w+)\s*=\s*(?:\{ value = )?"?[-\d.]+"?\s*(?:[#,]|$)', line))}
     for number, line in enumerate(lines, start=1):
         found = re.match(r'(equation|closure)\s*=\s*"([^"]*)"', line)
         if not found:
