@@ -19,8 +19,8 @@ from coursework.drawing.placing import BEYOND, MARGIN, Owner, Place, Taken
 
 FONT = "'DejaVu Sans', Verdana, 'Segoe UI', sans-serif"
 LETTER = 3.2  # mm, 9 pt
-AXIS_LETTER = 2.85  # mm, 8 pt: as small as print gets
-SIZES = (LETTER, 2.3, 2.7)  # mm: of a word, of what is set lower, of what follows
+SMALL_LETTER = 3.0  # mm, 8.5 pt, and 11 px where the screen shows the drawing at its size: as small as a word gets
+SIZES = (LETTER, 2.3, SMALL_LETTER)  # mm: of a word, of what is set lower, of what follows
 BROAD = frozenset("MWmwωΩΨΦφψЖШЩЮФМжшщюфмы%@…—=+−<>")
 NARROW = frozenset(" \u00a0.,:;/|!'()[]ijl")
 HEAVIER = 1.1  # times as wide as it else is: a bold word
@@ -143,7 +143,7 @@ class Sheet:
         pen = 'stroke="black" stroke-width="0.2"'
         for way, name, shift in ((complex(length), "x", 0.5 + 0.9j), (-length * 1j, "y", 1.0 + 1.2j)):
             self.arrow(at, at + way, pen, head=1.6)
-            self.text(at + way + shift, (name, "", ""), ITALIC, AXIS_LETTER)
+            self.text(at + way + shift, (name, "", ""), ITALIC)
         self.words.append((corner.real, corner.imag, corner.real + wide, corner.imag + high))
 
     def hatch(self, a: complex, b: complex, away: complex) -> None:

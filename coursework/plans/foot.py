@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from coursework.drawing.sheet import AXIS_LETTER, ITALIC, Sheet
+from coursework.drawing.sheet import ITALIC, SMALL_LETTER, Sheet
 from coursework.sentences import say
 
 FOOT = 17.0  # mm for the bar and the scales
@@ -25,10 +25,10 @@ def draw_foot(sheet: Sheet, lines: Sequence[str], written: Callable[[str], str])
     for k in range(11):
         tick = 2.4 if k % 5 == 0 else 1.4
         sheet.line(complex(left + 10 * k, base), complex(left + 10 * k, base - tick), THIN)
-    sheet.text(complex(left, base - 4.2), (written(say("drawing.bar", length=f"{BAR:g}")), "", ""), size=2.9)
+    sheet.text(complex(left, base - 4.2), (written(say("drawing.bar", length=f"{BAR:g}")), "", ""), size=SMALL_LETTER)
     for k, line in enumerate(lines):
-        sheet.text(complex(left + BAR + 7, sheet.height - FOOT + 4.6 + 4.2 * k), (written(line), "", ""), size=2.9)
+        sheet.text(complex(left + BAR + 7, sheet.height - FOOT + 4.6 + 4.2 * k), (written(line), "", ""), size=SMALL_LETTER)
     at = complex(sheet.width - 12, sheet.height - 4.5)
     for way, name, shift in ((8 + 0j, "x", 0.6 + 0.8j), (-8j, "y", -2.6 + 0.5j)):
         sheet.arrow(at, at + way, 'stroke="black" stroke-width="0.2"', head=1.6)
-        sheet.text(at + way + shift, (name, "", ""), look=ITALIC, size=AXIS_LETTER)
+        sheet.text(at + way + shift, (name, "", ""), look=ITALIC)

@@ -13,7 +13,7 @@ from coursework.drawing.board import COLUMN, EDGE, SPEEDS, around
 from coursework.drawing.naming import PARTS, lies_on
 from coursework.drawing.placing import Owner
 from coursework.drawing.record import Drawing
-from coursework.drawing.sheet import AXIS_LETTER, ITALIC, Sheet, Word
+from coursework.drawing.sheet import ITALIC, SMALL_LETTER, Sheet, Word
 from coursework.drawing.sheet import width as width_of
 from coursework.drawing.symbols import decimal, name_word, short
 from coursework.plans.foot import FOOT, draw_foot
@@ -137,7 +137,7 @@ class _Inset:
             times *= 10
         left, top, right, bottom = around([(0j, 7.0), *(((times * vector).conjugate(), 7.0) for *_, vector in small)])
         lines = told(times).split("\n")
-        width = max(INSET, right - left, *(AXIS_LETTER * width_of(line) + 3 for line in lines))
+        width = max(INSET, right - left, *(SMALL_LETTER * width_of(line) + 3 for line in lines))
         return cls(small, times, lines, width, bottom - top + HEAD, complex((width - right - left) / 2, HEAD - top))
 
     def draw(self, sheet: Sheet, corner: complex) -> None:
@@ -147,7 +147,7 @@ class _Inset:
         sheet.path(around_it, 'fill="none" stroke="black" stroke-width="0.2"', closed=True)
         sheet.words.append((corner.real, corner.imag, right, corner.imag + HEAD))
         for k, line in enumerate(self.lines):
-            sheet.text(corner + complex(1.5, 3.6 + 3.4 * k), (line, "", ""), size=AXIS_LETTER)
+            sheet.text(corner + complex(1.5, 3.6 + 3.4 * k), (line, "", ""), size=SMALL_LETTER)
         pole = corner + self.origin
         sheet.circle(pole, 0.6, 'fill="white" stroke="black" stroke-width="0.3"')
         tips: list[tuple[complex, str]] = []

@@ -19,7 +19,7 @@ from coursework.report.numbers import Numbers
 from coursework.report.symbols import Symbol
 
 FACE = "'DejaVu Sans', Verdana, 'Segoe UI', sans-serif"
-LETTERS = 2.9  # mm: 8 points on paper, 12 pixels on a phone
+LETTERS = 2.92  # mm: 8.3 points on paper, 11 pixels where a screen shows a graph at its size
 LEFT, RIGHT, TOP, BOTTOM = 13.5, 3.0, 6.0, 7.0  # mm around the field; longer words at the ticks take more at the left
 DIGIT = 0.68  # of the height of letters: the widest digit or sign
 TICK, APART = 0.9, 0.6  # mm: a tick, and between it and its words

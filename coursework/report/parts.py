@@ -11,6 +11,7 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass, field, replace
 from typing import Any
 
+from coursework.report.readable import least_width
 from coursework.report.text_runs import Run
 
 Runs = list[Run]
@@ -136,7 +137,8 @@ class Beside:
 class Figure:
     """A drawing: SVG, its size in mm, the words for those who cannot see it, a caption; `exact` = true to scale.
 
-    `id` is that of the element on the page; `landscape`: wider than the column, so that paper is turned for it.
+    `id` is that of the element on the page; `landscape`: wider than the column, so that paper is turned for it; `least` is
+    the width (mm) below which a screen does not show it, so that its words can be read.
     """
 
     svg: str
@@ -148,7 +150,11 @@ class Figure:
     label: str = ""
     id: str = ""
     landscape: bool = False
+    least: float = field(init=False)
     kind: str = field(default="figure", init=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "least", least_width(self.svg, self.width))
 
 
 @dataclass(frozen=True, slots=True)

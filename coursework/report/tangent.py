@@ -17,7 +17,7 @@ from coursework.report.graph_paper import EXACT_PEN, SCHEME_INK, Field, axes, fi
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Figure
 
-SIZE = (110.0, 40.0)  # mm; the screen of a phone shows it whole
+SIZE = (96.0, 40.0)  # mm; the screen of a phone shows it whole
 LETTER = 1.9  # mm, the mean width of a letter
 BESIDE = 0.35  # of a step, shown before it and, at least, behind it
 FINE = 32  # points of the curve a step

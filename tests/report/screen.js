@@ -29,8 +29,12 @@ function layout() {
     const words = [...svg.querySelectorAll("text")].map((text) => [text, text.getBoundingClientRect()]).filter(([, box]) => box.width);
     for (const [text, box] of words) {
       const scale = Math.hypot(text.getScreenCTM().a, text.getScreenCTM().b);
-      const pixels = parseFloat(getComputedStyle(text).fontSize) * scale;
-      if (pixels < 9) found.push(`${pixels.toFixed(1)} px: ${name(svg)} "${text.textContent}"`);
+      // Words have 11 px, what is set lower 70 % of that.
+      for (const part of [text, ...text.querySelectorAll("tspan")]) {
+        const pixels = parseFloat(getComputedStyle(part).fontSize) * scale;
+        const least = part.hasAttribute("dy") && part !== text ? 7.7 : 11;
+        if (part.textContent.trim() && pixels < least - 0.05) found.push(`${pixels.toFixed(1)} px: ${name(svg)} "${part.textContent}"`);
+      }
       const out = Math.max(sheet.left - box.left, box.right - sheet.right, sheet.top - box.top, box.bottom - sheet.bottom);
       if (out > 1) found.push(`cut off by ${out.toFixed(1)} px: ${name(svg)} "${text.textContent}"`);
     }
