@@ -14,7 +14,7 @@ from coursework.drawing.tracing import read_outline
 from coursework.mechanism import build
 from tests.drawing import measured
 from tests.drawing.test_mechanism import drawing_of
-from tests.plans.test_graph_check import svg_of
+from tests.plans.checked import svg_of
 
 FARTHEST = 8.0  # mm from its line to a word that nothing leads to it
 SENSE = 6.0  # mm before a word with the arrow of a rotation
