@@ -24,7 +24,7 @@ from coursework.sentences import PLURALS, Phrases, Sentence, joined, load_phrase
 from coursework.variant.reader import parse_variant
 from tests.report import words_missing
 from tests.report.real import text_of
-from tests.report.test_model import keys
+from tests.report.test_sentences_of_a_page import keys
 
 ROOT = Path(__file__).parents[2]
 # Sections of the words file that the rooms below the report speak by keys that stand in their source.

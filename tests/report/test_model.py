@@ -3,19 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
-from dataclasses import replace
 from types import ModuleType
 from typing import Any
 
 import pytest
 
 import coursework
-from coursework.checks.result import Finding
-from coursework.errors import InputError
-from coursework.report import build_model, notebook_html
-from coursework.report.words import Words, load_words
-from coursework.sentences import load_phrases
+from coursework.report import build_model
 
 PAPER = ["results", "graphs", "control", "graph_check"]
 
@@ -64,84 +58,6 @@ def test_the_model_holds_strings_and_no_numbers(real: ModuleType) -> None:
             assert isinstance(thing, str | bool) or key in allowed, (key, thing)
 
     walk(build_model(real.full()).plain(), "")
-
-
-def test_the_title_block_has_a_line_for_what_is_not_given(real: ModuleType) -> None:
-    run = replace(real.full(), teacher="B. B. Ponomarev")
-    block = real.parts(run, "statement")[0]
-    told = {word: real.text_of(value) for word, value in block["items"]}
-    assert told == {
-        "Institution": "", "Student": "Olena Kovalchuk", "Group": "MT-21", "Teacher": "B. B. Ponomarev", "Mark": "",
-        "Signature": "",
-    }  # fmt: skip
-
-
-def test_the_answer_stands_on_the_first_page(real: ModuleType) -> None:
-    beside = next(part for part in real.parts(real.full(), "statement") if part["kind"] == "beside")
-    told = " ".join(real.text_of(item) for item in beside["right"]["items"]).replace("\u00a0", " ")
-    assert "Row 4, t = 0.06 s: ω1 = 0.21984 rad/s, ω2 = 0.11362 rad/s, ω3 = 4.3916 rad/s, ω4 = −7.9410 rad/s." in told
-    assert "φ1 −0.0828 rad, φ2 −0.0369 rad, φ3 0.0468 rad" in told
-    assert "Largest error of explicit Euler: 0.152 rad (8.7°) in φ3, row 19." in told
-    data = [[real.text_of(cell) for cell in row] for row in beside["left"]["rows"]]
-    assert data[0] == ["r1", "DA", "0.953\u00a0m"]
-    assert data[-1] == ["φ3", "at t = 0", "2.87\u00a0rad"]
-
-
-def test_what_a_datum_means_is_said_by_the_file(real: ModuleType) -> None:
-    variant = real.changed({'"0.457 m" ': '{ value = "0.457 m", means = "BC; BM = 2r3, CP = r3/2" } '})
-    run = coursework.solve(variant, quantities=["table"])
-    assert run.motion.t.tolist() == real.full().motion.t.tolist()
-    beside = next(part for part in real.parts(run, "statement") if part["kind"] == "beside")
-    assert real.text_of(beside["left"]["rows"][2]) == "r3 BC; BM = 2r3, CP = r3/2 0.457\u00a0m"
-    assert variant.with_data(given={"r3": 0.5}).given[2].means == "BC; BM = 2r3, CP = r3/2"
-
-
-def test_lengths_of_the_frame_and_of_a_slide_are_said_by_their_ends(real: ModuleType) -> None:
-    def data(name: str) -> dict[str, str]:
-        beside = next(part for part in real.parts(coursework.solve(name), "statement") if part["kind"] == "beside")
-        return {real.text_of(row[0]): real.text_of(row[1]) for row in beside["left"]["rows"]}
-
-    assert data("whitworth") | {"d": "AD", "s2": "DB, at t = 0, computed", "φ1": "at t = 0"} == data("whitworth")
-    assert data("v107")["s"] == "OM, at t = 0"
-    assert data("v108")["xO"] == "abscissa of O"
-
-
-def test_a_datum_called_like_an_article_is_a_symbol_in_formulas_and_a_word_elsewhere(real: ModuleType) -> None:
-    def letters(name: str) -> str:
-        run = coursework.solve(name)
-        parts = [*real.parts(run, "statement"), *real.parts(run, "solution")]
-        texts = [
-            each
-            for part in parts
-            for each in (part.get("text"), *(one.get("after") for one in part.get("items") or [] if isinstance(one, dict)))
-        ]
-        return " ".join("".join(f"<{r['v']}>" if "v" in r else r.get("t", "") for r in text) for text in texts if text)
-
-    told = letters("v102")
-    assert "<Δ> = <a> sin <φ> + <c> cos <φ>" in told and "D is a fixed pivot" in told
-    assert "/(2 <a>) = 0.525 m" in letters("peaucellier") and "C runs on a circle" in letters("peaucellier")
-
-
-def test_a_gear_on_a_pivot_does_not_roll_along(real: ModuleType) -> None:
-    def told(name: str) -> str:
-        run = coursework.solve(name)
-        return " ".join(real.text_of(part["text"]) for part in real.parts(run, "statement") if part["kind"] == "paragraph")
-
-    assert "Wheel 4 turns about O and does not slip at Q." in told("v112")
-    assert "Wheel 4 with centre C rolls at P without slipping." in told("v101")
-    assert "Wheel 4 with centre C rolls at P on the fixed circle about O without slipping." in told("v108")
-
-
-def test_a_computed_datum_is_shown_as_far_as_it_can_be_measured(real: ModuleType) -> None:
-    beside = next(part for part in real.parts(coursework.solve("v108"), "statement") if part["kind"] == "beside")
-    shown = {real.text_of(row[0]): real.text_of(row[2]) for row in beside["left"]["rows"]}
-    assert (shown["xO"], shown["yO"], shown["R0"]) == ("1.65234\u00a0m", "−1.7018\u00a0m", "0.574\u00a0m")
-
-
-def test_the_nodes_of_a_tabulated_law_have_their_unit(real: ModuleType) -> None:
-    shown = real.parts(coursework.solve("variable-crank-table", quantities=["table"]), "statement")
-    told = " ".join(real.text_of(part["text"]) for part in shown if part["kind"] == "paragraph")
-    assert "51 nodes from 1.33902\u00a0rad to 2.21168\u00a0rad" in told
 
 
 def test_a_bend_too_small_to_be_seen_has_no_picture(real: ModuleType) -> None:
@@ -291,101 +207,6 @@ def test_a_stop_is_told_once_with_rows_counted_as_the_table_counts_them(real: Mo
     assert whole.count(told["Cause"]) == 1
 
 
-def keys(table: Mapping[str, Any], path: str = "") -> set[str]:
-    """Return the keys of all sentences in a words file."""
-    inner = (keys(v, f"{path}{k}.") if isinstance(v, dict) else {f"{path}{k}"} for k, v in table.items())
-    return set().union(*inner)
-
-
-def judged(real: ModuleType, verdicts: tuple[str, ...], codes: tuple[str, ...] = ("UNKNOWN",)) -> Any:
-    """Return variant 31 with a finding of each verdict for each code."""
-    findings = tuple(Finding(verdict, "Told.", 1.5, code=code) for code in codes for verdict in verdicts)  # type: ignore[arg-type]
-    return Judged(real.full(), findings)
-
-
-class Judged:
-    """A run with other findings."""
-
-    def __init__(self, run: Any, findings: Any) -> None:
-        self.run, self.checks = run, findings
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self.run, name)
-
-
-def unusual(real: ModuleType) -> list[Any]:
-    """Return runs that between them make the report say everything it can say."""
-    solve = coursework.solve
-    codes = tuple(check.code for check in real.full().checks)
-    verdicts = ("PASS", "COARSE", "FAIL", "SKIP", "ERROR")
-    extras = ["table", "plots", "checks", "accelerations", "points", "analogs", "invariants"]
-    dated = solve("31", date="D", student="S", group="G", quantities=real.EVERYTHING)
-    return [
-        dated, real.full(), real.stopped(), judged(real, verdicts, codes),
-        judged(real, verdicts), judged(real, ("PASS",)), judged(real, ("PASS", "PASS")), solve("v107"),
-        solve("v108"), solve("v104"), solve("v112", quantities=["table"]),
-        solve("31", project=1), solve("31", project=2), solve("31", gain=5.0), solve("31", scheme="rk4"),
-        solve("31", scheme="exact"),
-        solve("31", step=0.48 / 999, quantities=["table", "plots"]), solve("31", end=0.02, quantities=["table"]),
-        solve("example-2", quantities=extras), solve("variable-crank-table"), solve("variable-crank"), solve("robot-arm"),
-        solve("andrews", quantities=["table"]), solve("31", quantities=["checks"]), solve("oscillating-cylinder"),
-        solve("jansen", quantities=["table"]), solve("cardan", quantities=["table", "checks"]),
-        solve("epicyclic", quantities=["table"]), solve("engine-start", quantities=["checks"]),
-        solve("31", quantities=["trajectories", "hodographs", "plans", "points"]),
-        real.timed(), *real.oddities(),
-    ]  # fmt: skip
-
-
-def test_every_word_of_a_page_can_be_said(real: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
-    """No key is missing for whatever can be asked, and no sentence is translated for nothing."""
-    said: set[str] = set()
-    speak = Words.__call__
-
-    def recorded(self: Words, key: str, **values: object) -> str:
-        said.add(key)
-        return speak(self, key, **values)
-
-    monkeypatch.setattr(Words, "__call__", recorded)
-    for run in unusual(real):
-        build_model(run, stamp="0123456789abcdef")
-        notebook_html(run)
-    everything = keys(load_phrases().entries)
-    assert sorted(said - everything) == []
-    unsaid = sorted(key for key in everything - said if key.partition(".")[0] in PAGE and key not in BELOW)
-    assert not unsaid, unsaid
-
-
-# Said by the rooms that draw, or by their tests: a caption, a file without a frame, a formula too long to print.
-BELOW = {
-    "graph.alt", "graph.caption", "graph.blank", "graph.close", "graph.fastest", "graph.frame", "derivation.long.one",
-    "derivation.long.other",
-}  # fmt: skip
-# What the page itself says; all else is said by the rooms below it: tests/report/test_language.py.
-PAGE = {
-    "decimal", "or", "title", "statement", "result", "count", "section", "given", "drive", "constraints", "derivation",
-    "table", "first_last", "why", "tangent", "control", "graphs", "stop", "checks", "graph", "accuracy", "method",
-    "label",
-}  # fmt: skip
-
-
-def test_an_unknown_language_is_refused_with_the_known_ones() -> None:
-    with pytest.raises(InputError, match=r'no words for the language "xx" .* There is: en'):
-        load_words("xx")
-
-
-def test_what_counts_is_said_in_the_form_of_its_number(real: ModuleType) -> None:
-    cardan = coursework.solve("cardan", quantities=("table", "checks"))
-    sections = ("equations", "results", "control", "checks")
-    told = " ".join(real.text_of(real.parts(cardan, section)) for section in sections).replace("\u00a0", " ")
-    assert "1 equation" in told
-    assert "1 equations" not in told
-    assert "ψ2 made −1 whole turn, taken off" in told
-    assert "1 of φ1; −1 of ψ2" in told
-    assert "position equations confirm the signs of (1). Nothing here checks the signs of (2)." in told
-    assert "differs most" not in told, "nothing differs"
-    assert load_words("ru").count("unit.equations", 3) == "уравнения"
-
-
 def test_a_last_row_that_is_elsewhere_fast_does_not_repeat_the_first(real: ModuleType) -> None:
     """engine-start ends where it began, with the crank five times as fast."""
     box = real.parts(coursework.solve("engine-start", quantities=("table", "checks")), "statement")
@@ -400,12 +221,6 @@ def test_tables_beside_the_results_are_thinned_sooner_and_show_no_round_off(real
     assert {len(table["rows"]) for table in tables} == {31}
     assert len(next(part for part in real.parts(run, "results") if "rows" in part)["rows"]) == 61
     assert "10⁻" not in real.text_of(tables), "v_Sy is nought: the slider keeps its height"
-
-
-@pytest.mark.parametrize(("name", "rider"), [("example-5", "D"), ("example-6", "D5"), ("prp", "C"), ("example-2", "C")])
-def test_the_slider_moves_on_its_guide_and_not_the_point_the_guide_leads_through(real: ModuleType, name: str, rider: str) -> None:
-    run = coursework.solve(name, quantities=("table",))
-    assert f"{rider} moves in a straight guide." in real.text_of(real.parts(run, "statement"))
 
 
 def test_a_check_that_finds_nothing_off_lists_no_noughts(real: ModuleType) -> None:

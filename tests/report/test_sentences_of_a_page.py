@@ -1,0 +1,111 @@
+"""Every sentence of the words files can be said, and what counts takes the form of its number."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import ModuleType
+from typing import Any
+
+import pytest
+
+import coursework
+from coursework.checks.result import Finding
+from coursework.errors import InputError
+from coursework.report import build_model, notebook_html
+from coursework.report.words import Words, load_words
+from coursework.sentences import load_phrases
+
+
+def keys(table: Mapping[str, Any], path: str = "") -> set[str]:
+    """Return the keys of all sentences in a words file."""
+    inner = (keys(v, f"{path}{k}.") if isinstance(v, dict) else {f"{path}{k}"} for k, v in table.items())
+    return set().union(*inner)
+
+
+def judged(real: ModuleType, verdicts: tuple[str, ...], codes: tuple[str, ...] = ("UNKNOWN",)) -> Any:
+    """Return variant 31 with a finding of each verdict for each code."""
+    findings = tuple(Finding(verdict, "Told.", 1.5, code=code) for code in codes for verdict in verdicts)  # type: ignore[arg-type]
+    return Judged(real.full(), findings)
+
+
+class Judged:
+    """A run with other findings."""
+
+    def __init__(self, run: Any, findings: Any) -> None:
+        self.run, self.checks = run, findings
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.run, name)
+
+
+def unusual(real: ModuleType) -> list[Any]:
+    """Return runs that between them make the report say everything it can say."""
+    solve = coursework.solve
+    codes = tuple(check.code for check in real.full().checks)
+    verdicts = ("PASS", "COARSE", "FAIL", "SKIP", "ERROR")
+    extras = ["table", "plots", "checks", "accelerations", "points", "analogs", "invariants"]
+    dated = solve("31", date="D", student="S", group="G", quantities=real.EVERYTHING)
+    return [
+        dated, real.full(), real.stopped(), judged(real, verdicts, codes),
+        judged(real, verdicts), judged(real, ("PASS",)), judged(real, ("PASS", "PASS")), solve("v107"),
+        solve("v108"), solve("v104"), solve("v112", quantities=["table"]),
+        solve("31", project=1), solve("31", project=2), solve("31", gain=5.0), solve("31", scheme="rk4"),
+        solve("31", scheme="exact"),
+        solve("31", step=0.48 / 999, quantities=["table", "plots"]), solve("31", end=0.02, quantities=["table"]),
+        solve("example-2", quantities=extras), solve("variable-crank-table"), solve("variable-crank"), solve("robot-arm"),
+        solve("andrews", quantities=["table"]), solve("31", quantities=["checks"]), solve("oscillating-cylinder"),
+        solve("jansen", quantities=["table"]), solve("cardan", quantities=["table", "checks"]),
+        solve("epicyclic", quantities=["table"]), solve("engine-start", quantities=["checks"]),
+        solve("31", quantities=["trajectories", "hodographs", "plans", "points"]),
+        real.timed(), *real.oddities(),
+    ]  # fmt: skip
+
+
+def test_every_word_of_a_page_can_be_said(real: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
+    """No key is missing for whatever can be asked, and no sentence is translated for nothing."""
+    said: set[str] = set()
+    speak = Words.__call__
+
+    def recorded(self: Words, key: str, **values: object) -> str:
+        said.add(key)
+        return speak(self, key, **values)
+
+    monkeypatch.setattr(Words, "__call__", recorded)
+    for run in unusual(real):
+        build_model(run, stamp="0123456789abcdef")
+        notebook_html(run)
+    everything = keys(load_phrases().entries)
+    assert sorted(said - everything) == []
+    unsaid = sorted(key for key in everything - said if key.partition(".")[0] in PAGE and key not in BELOW)
+    assert not unsaid, unsaid
+
+
+# Said by the rooms that draw, or by their tests: a caption, a file without a frame, a formula too long to print.
+BELOW = {
+    "graph.alt", "graph.caption", "graph.blank", "graph.close", "graph.fastest", "graph.frame", "derivation.long.one",
+    "derivation.long.other",
+}  # fmt: skip
+# What the page itself says; all else is said by the rooms below it: tests/report/test_language.py.
+PAGE = {
+    "decimal", "or", "title", "statement", "result", "count", "section", "given", "drive", "constraints", "derivation",
+    "table", "first_last", "why", "tangent", "control", "graphs", "stop", "checks", "graph", "accuracy", "method",
+    "label",
+}  # fmt: skip
+
+
+def test_an_unknown_language_is_refused_with_the_known_ones() -> None:
+    with pytest.raises(InputError, match=r'no words for the language "xx" .* There is: en'):
+        load_words("xx")
+
+
+def test_what_counts_is_said_in_the_form_of_its_number(real: ModuleType) -> None:
+    cardan = coursework.solve("cardan", quantities=("table", "checks"))
+    sections = ("equations", "results", "control", "checks")
+    told = " ".join(real.text_of(real.parts(cardan, section)) for section in sections).replace("\u00a0", " ")
+    assert "1 equation" in told
+    assert "1 equations" not in told
+    assert "ψ2 made −1 whole turn, taken off" in told
+    assert "1 of φ1; −1 of ψ2" in told
+    assert "position equations confirm the signs of (1). Nothing here checks the signs of (2)." in told
+    assert "differs most" not in told, "nothing differs"
+    assert load_words("ru").count("unit.equations", 3) == "уравнения"

@@ -1,0 +1,94 @@
+"""The first page: title block, data with their meanings, the answer."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from types import ModuleType
+
+import pytest
+
+import coursework
+
+
+def test_the_title_block_has_a_line_for_what_is_not_given(real: ModuleType) -> None:
+    run = replace(real.full(), teacher="B. B. Ponomarev")
+    block = real.parts(run, "statement")[0]
+    told = {word: real.text_of(value) for word, value in block["items"]}
+    assert told == {
+        "Institution": "", "Student": "Olena Kovalchuk", "Group": "MT-21", "Teacher": "B. B. Ponomarev", "Mark": "",
+        "Signature": "",
+    }  # fmt: skip
+
+
+def test_the_answer_stands_on_the_first_page(real: ModuleType) -> None:
+    beside = next(part for part in real.parts(real.full(), "statement") if part["kind"] == "beside")
+    told = " ".join(real.text_of(item) for item in beside["right"]["items"]).replace("\u00a0", " ")
+    assert "Row 4, t = 0.06 s: ω1 = 0.21984 rad/s, ω2 = 0.11362 rad/s, ω3 = 4.3916 rad/s, ω4 = −7.9410 rad/s." in told
+    assert "φ1 −0.0828 rad, φ2 −0.0369 rad, φ3 0.0468 rad" in told
+    assert "Largest error of explicit Euler: 0.152 rad (8.7°) in φ3, row 19." in told
+    data = [[real.text_of(cell) for cell in row] for row in beside["left"]["rows"]]
+    assert data[0] == ["r1", "DA", "0.953\u00a0m"]
+    assert data[-1] == ["φ3", "at t = 0", "2.87\u00a0rad"]
+
+
+def test_what_a_datum_means_is_said_by_the_file(real: ModuleType) -> None:
+    variant = real.changed({'"0.457 m" ': '{ value = "0.457 m", means = "BC; BM = 2r3, CP = r3/2" } '})
+    run = coursework.solve(variant, quantities=["table"])
+    assert run.motion.t.tolist() == real.full().motion.t.tolist()
+    beside = next(part for part in real.parts(run, "statement") if part["kind"] == "beside")
+    assert real.text_of(beside["left"]["rows"][2]) == "r3 BC; BM = 2r3, CP = r3/2 0.457\u00a0m"
+    assert variant.with_data(given={"r3": 0.5}).given[2].means == "BC; BM = 2r3, CP = r3/2"
+
+
+def test_lengths_of_the_frame_and_of_a_slide_are_said_by_their_ends(real: ModuleType) -> None:
+    def data(name: str) -> dict[str, str]:
+        beside = next(part for part in real.parts(coursework.solve(name), "statement") if part["kind"] == "beside")
+        return {real.text_of(row[0]): real.text_of(row[1]) for row in beside["left"]["rows"]}
+
+    assert data("whitworth") | {"d": "AD", "s2": "DB, at t = 0, computed", "φ1": "at t = 0"} == data("whitworth")
+    assert data("v107")["s"] == "OM, at t = 0"
+    assert data("v108")["xO"] == "abscissa of O"
+
+
+def test_a_datum_called_like_an_article_is_a_symbol_in_formulas_and_a_word_elsewhere(real: ModuleType) -> None:
+    def letters(name: str) -> str:
+        run = coursework.solve(name)
+        parts = [*real.parts(run, "statement"), *real.parts(run, "solution")]
+        texts = [
+            each
+            for part in parts
+            for each in (part.get("text"), *(one.get("after") for one in part.get("items") or [] if isinstance(one, dict)))
+        ]
+        return " ".join("".join(f"<{r['v']}>" if "v" in r else r.get("t", "") for r in text) for text in texts if text)
+
+    told = letters("v102")
+    assert "<Δ> = <a> sin <φ> + <c> cos <φ>" in told and "D is a fixed pivot" in told
+    assert "/(2 <a>) = 0.525 m" in letters("peaucellier") and "C runs on a circle" in letters("peaucellier")
+
+
+def test_a_gear_on_a_pivot_does_not_roll_along(real: ModuleType) -> None:
+    def told(name: str) -> str:
+        run = coursework.solve(name)
+        return " ".join(real.text_of(part["text"]) for part in real.parts(run, "statement") if part["kind"] == "paragraph")
+
+    assert "Wheel 4 turns about O and does not slip at Q." in told("v112")
+    assert "Wheel 4 with centre C rolls at P without slipping." in told("v101")
+    assert "Wheel 4 with centre C rolls at P on the fixed circle about O without slipping." in told("v108")
+
+
+def test_a_computed_datum_is_shown_as_far_as_it_can_be_measured(real: ModuleType) -> None:
+    beside = next(part for part in real.parts(coursework.solve("v108"), "statement") if part["kind"] == "beside")
+    shown = {real.text_of(row[0]): real.text_of(row[2]) for row in beside["left"]["rows"]}
+    assert (shown["xO"], shown["yO"], shown["R0"]) == ("1.65234\u00a0m", "−1.7018\u00a0m", "0.574\u00a0m")
+
+
+def test_the_nodes_of_a_tabulated_law_have_their_unit(real: ModuleType) -> None:
+    shown = real.parts(coursework.solve("variable-crank-table", quantities=["table"]), "statement")
+    told = " ".join(real.text_of(part["text"]) for part in shown if part["kind"] == "paragraph")
+    assert "51 nodes from 1.33902\u00a0rad to 2.21168\u00a0rad" in told
+
+
+@pytest.mark.parametrize(("name", "rider"), [("example-5", "D"), ("example-6", "D5"), ("prp", "C"), ("example-2", "C")])
+def test_the_slider_moves_on_its_guide_and_not_the_point_the_guide_leads_through(real: ModuleType, name: str, rider: str) -> None:
+    run = coursework.solve(name, quantities=("table",))
+    assert f"{rider} moves in a straight guide." in real.text_of(real.parts(run, "statement"))
