@@ -9,14 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from coursework.drawing.lengths import lengths
-from coursework.formula.tree import Formula, terms
+from coursework.formula.tree import terms
 from coursework.mechanism import Mechanism
 from coursework.page_text import clean
+from coursework.report.drive_meanings import drive_meanings
 from coursework.report.text_runs import LONGEST_NAME
 from coursework.sentences import say
 from coursework.variant.record import Variant
-
-_WAVES = {"sin", "cos"}
 
 
 def meanings(mechanism: Mechanism) -> dict[str, str]:
@@ -29,7 +28,7 @@ def meanings(mechanism: Mechanism) -> dict[str, str]:
     variant = mechanism.variant
     ends = ends_kept(mechanism, [given.name for given in variant.given])
     uses: dict[str, str] = {}
-    for name, use in (*_placed(mechanism), *_guided(variant), *_turned(mechanism), *_driving(variant)):
+    for name, use in (*_placed(mechanism), *_guided(variant), *_turned(mechanism), *drive_meanings(variant)):
         uses.setdefault(name, use)
     return {
         given.name: clean(given.means, LONGEST_NAME) or clean(ends[given.name]) or uses.get(given.name, "")
@@ -98,31 +97,3 @@ def _turned(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
         for name in angles:
             if len(turning) == 1 and name not in moving:
                 yield name, say("datum.turned", name=turning[0], ends=clean(parts[0].name + point))
-
-
-def _driving(variant: Variant) -> Iterator[tuple[str, str]]:
-    """Yield the constants of the drive: a speed, the frequency, the phase and the amplitude of its sines."""
-    for law in variant.drive:
-        if law.formula is not None and law.formula.op == "name":
-            yield law.formula.name, say("datum.speed", name=law.name)
-    formulas = [(law.name, formula) for law in variant.drive for formula in law.formulas]
-    waves = [node for _, formula in formulas for node in formula.walk() if node.op == "call" and node.name in _WAVES]
-    for part in (part for wave in waves for part in terms(wave.args[0])):
-        factors = [factor.name for factor in _factors(part) if factor.op == "name"]
-        if "t" in factors:
-            yield from ((name, say("datum.frequency")) for name in factors if name != "t")
-        elif part.op == "name":
-            yield part.name, say("datum.phase")
-    for law_name, part in ((law_name, part) for law_name, formula in formulas for part in terms(formula)):
-        product = list(_factors(part))
-        swings = [factor in waves or (factor.op == "^" and factor.args[0] in waves) for factor in product]
-        if len(product) == 2 and any(swings):
-            yield from ((factor.name, say("datum.amplitude", name=law_name)) for factor in product if factor.op == "name")
-
-
-def _factors(tree: Formula) -> Iterator[Formula]:
-    if tree.op == "*":
-        for part in tree.args:
-            yield from _factors(part)
-    else:
-        yield tree

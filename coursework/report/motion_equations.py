@@ -27,10 +27,14 @@ PI = Formula("name", name="pi")
 
 
 def equations(context: PageContext) -> list[Part]:
-    """The way of the guide where the file shows points; the equations as they are written or follow from a contour."""
+    """The way of the guide where the file shows points; the equations as they are written or follow from a contour.
+
+    A chain of groups alone takes its contours instead of paths between points.
+    """
     written = [one for one in context.run.equations if not one.derived]
     parts: list[Part] = []
-    found = derive(context.run.scene.mechanism, _configurations(context)) if written else None
+    chain = context.variant.groups and not written
+    found = None if chain else derive(context.run.scene.mechanism, _configurations(context))
     intro = "constraints.intro"
     if found is not None:
         reductions = _reductions(context, found.projections)
@@ -41,8 +45,8 @@ def equations(context: PageContext) -> list[Part]:
     if written:
         parts.append(Paragraph(context.say(intro)))
         parts.append(Equations([_shown(context, one) for one in written], compact=found is not None))
-        parts += _rank(context, found) if found else []
-    parts += _contours(context)
+    parts += _rank(context, found) if found else []
+    parts += _contours(context, first=not parts)
     notes = [Bullets([context.rich(note) for note in context.run.reduction.notes])] if context.run.reduction.notes else []
     return [*parts, *notes]
 
@@ -210,8 +214,11 @@ def _sum(one: Combination) -> str:
     return f"({clean(one.name, 40)}) = {first}{rest}"
 
 
-def _contours(context: PageContext) -> list[Part]:
-    """Return for each closed contour its vector equation, its projections, their derivatives; then what else is derived."""
+def _contours(context: PageContext, first: bool) -> list[Part]:
+    """Return for each closed contour its vector equation, its projections, their derivatives; then what else is derived.
+
+    `first`: nothing stands above.
+    """
     derived = [one for one in context.run.equations if one.derived]
     if not derived:
         return []
@@ -231,7 +238,8 @@ def _contours(context: PageContext) -> list[Part]:
             Equations([replace(_shown(context, one), before=[]) for one in both]),
         ]  # fmt: skip
     if rest:
-        parts.append(Paragraph(context.say("constraints.kept")))
+        alone = first and len(rest) == len(derived)
+        parts.append(Paragraph(context.say("constraints.differentiated" if alone else "constraints.kept")))
         parts.append(Equations([_shown(context, one) for one in rest.values()]))
     return parts
 

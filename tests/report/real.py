@@ -79,8 +79,29 @@ def is_runs(thing: Any) -> bool:
     return bool(thing) and all(isinstance(x, dict) and set(x) <= {"t", "v", "s", "p", "c", "lang"} for x in thing)
 
 
+HELD = """format = 1
+[given]
+r1 = "0.4 m"
+r2 = "1.2 m"
+[drive]
+w1 = "3 rad/s"
+[coordinates]
+phi1 = { start = "1 rad", rate = "w1" }
+phi2 = { start = "-0.28 rad", rate = "w2" }
+[time]
+step = "0.1 s"
+end = "1 s"
+[points]
+A = "(0, 0)"
+B = "A + r1 @ phi1"
+C = "B + r2 @ phi2"
+[closure]
+holds = ["C.y - 0.1*C.x"]
+"""
+
+
 def oddities() -> list[Run]:
-    """Return runs of files with rare marks: pieces, remarks, starts that follow, a redundant equation, nothing driven."""
+    """Return runs of files with rare marks: pieces, remarks, starts that follow, an equation too many, nothing written."""
     remarked = changed({'"4.35 rad"': "10.6331853072", '"1.63 rad"': "1.63"})
     twice = 'equation = "VMx - r3*w4 + 2*r3*w3*cos(phi3) - 4*r3*w3*sin(phi3) = 0"'
     redundant = parse_variant(f'{V31}\n[[constraint]]\nname = "twice"\nbecause = ""\n{twice}\n')
@@ -100,7 +121,7 @@ def oddities() -> list[Run]:
     closed = parse_variant(arm[: arm.index("[[constraint]]")] + arm[arm.index("[points]") :])
     ring = (ROOT / "variants" / "epicyclic.toml").read_text(encoding="utf-8")
     unjudged = parse_variant(ring[: ring.index("[closure]")])
-    texts = (unjudged, closed, remarked, redundant, moved, fold, still, three, smooth, guides, dead)
+    texts = (unjudged, closed, parse_variant(HELD), remarked, redundant, moved, fold, still, three, smooth, guides, dead)
     bare = [coursework.solve(one, quantities=["table"]) for one in texts]
     parts = {"31": "phi3", "example-1": "theta2", "v107": "accuracy"}
     return [*bare, *(coursework.solve(name, quantities=[quantity]) for name, quantity in parts.items())]

@@ -5,6 +5,7 @@ import pytest
 import coursework
 from coursework.catalogue import names
 from coursework.report.data_meanings import coordinate_meanings, meanings
+from coursework.report.drive_meanings import drive_meanings
 
 SAID = {
     "v101": {"r1": "DA", "V1": "amplitude of VMy", "p": "angular frequency of the drive", "alpha": "phase of the drive",
@@ -41,3 +42,32 @@ def test_no_datum_of_the_catalogue_is_without_a_meaning():
     found = {name: meanings(coursework.solve(name, quantities=["table"]).scene.mechanism) for name in names()}
     bare = [(name, key) for name, told in found.items() for key, meaning in told.items() if not meaning]
     assert bare == []
+
+
+@pytest.mark.parametrize(
+    ("law", "told"),
+    [
+        ({"VMx": "V1*sin(2*pi*p*t)", "VMy": "0"}, {"V1": "amplitude of VMx", "p": "frequency of the drive"}),
+        ({"VMx": "0", "VMy": "V1*cos(2*pi*t/T)"}, {"V1": "amplitude of VMy", "T": "period of the drive"}),
+        (
+            {"VMx": "V1*sin(p*t + alpha)*cos(beta)", "VMy": "V1*sin(p*t + alpha)*sin(beta)"},
+            {
+                "V1": "amplitude of VM",
+                "p": "angular frequency of the drive",
+                "alpha": "phase of the drive",
+                "beta": "direction of VM",
+            },
+        ),
+        ({"VMx": "V1*cos(beta)", "VMy": "V1*sin(beta)"}, {"V1": "constant VM", "beta": "direction of VM"}),
+        ({"VMx": "V1*sin(beta)", "VMy": "V1*cos(beta)"}, {}),  # beta may be anything here
+    ],
+)
+def test_a_sine_without_time_is_no_wave(law: dict[str, str], told: dict[str, str]) -> None:
+    drive = "\n".join(f'{name} = "{formula}"' for name, formula in law.items())
+    text = (
+        'format = 1\n[given]\nV1 = "1 m/s"\np = "2 1/s"\nalpha = "1 rad"\nbeta = "1 rad"\nr = "1 m"\nT = "2 s"\n'
+        f'[drive]\n{drive}\n[coordinates]\nphi = {{ start = "0 rad", rate = "w" }}\n'
+        '[time]\nstep = "0.1 s"\nend = "1 s"\n[[constraint]]\nname = "1"\nequation = "r*w*cos(phi) = VMx"\n'
+    )
+    variant = coursework.parse_variant(text)
+    assert dict(drive_meanings(variant)) == told
