@@ -33,12 +33,16 @@ from coursework.sentences import say
 
 @dataclass(frozen=True, slots=True)
 class Check:
-    """`code` is stable; `needs` are met, or the first that is not says what is skipped; `judge` then finds a verdict."""
+    """`code` is stable; `needs` are met, or the first that is not says what is skipped; `judge` then finds a verdict.
+
+    `is_least`: its limit is the least that passes, not the most.
+    """
 
     code: str
     group: Group
     judge: Callable[[Evidence], Finding]
     needs: tuple[Need, ...] = (ROW,)
+    is_least: bool = False
 
 
 CHECKS: tuple[Check, ...] = (
@@ -46,8 +50,8 @@ CHECKS: tuple[Check, ...] = (
     Check("START", "computation", beginning.start),
     Check("INITIAL", "computation", equations.initial, (ROW, WHOLE)),
     Check("RESIDUAL", "computation", equations.every_row, (ROW, WHOLE)),
-    Check("CONDITION", "computation", conditioning.condition, (ROW, WHOLE)),
-    Check("AGREEMENT", "computation", equations.agreement, ()),
+    Check("CONDITION", "computation", conditioning.condition, (ROW, WHOLE), is_least=True),
+    Check("AGREEMENT", "computation", equations.agreement, (), is_least=True),
     Check("QUOTE", "computation", quotes.quote),
     Check("TABLE-DIGITS", "computation", digits.table_digits),
     Check("ACCURACY", "motion", closeness.accuracy, (ROW, EXACT)),
@@ -55,8 +59,8 @@ CHECKS: tuple[Check, ...] = (
     Check("PERIOD-VELOCITY", "motion", period.velocity, (ROW, EXACT)),
     Check("PERIOD-ASSEMBLY", "motion", period.assembly),
     Check("CONTINUITY", "motion", continuity.continuity, (ROW, EXACT)),
-    Check("SINUSOID", "motion", sinusoid.sinusoid, (ROW, EXACT)),
-    Check("STEP", "motion", rows.enough),
+    Check("SINUSOID", "motion", sinusoid.sinusoid, (ROW, EXACT), is_least=True),
+    Check("STEP", "motion", rows.enough, is_least=True),
     Check("PEAK", "motion", conditioning.peak),
     Check("DRIFT", "motion", drift.drift, (ROW, CLOSURE, WHOLE)),
     Check("DRIFT-PER-PERIOD", "motion", long_run.per_period, (ROW, EXACT)),
@@ -83,4 +87,4 @@ def _judged(check: Check, evidence: Evidence) -> Finding:
         found = check.judge(evidence) if lacking is None else skipped(say(lacking.otherwise))
     except Exception as error:
         found = Finding("ERROR", say("check.error", kind=type(error).__name__, error=str(error)))
-    return replace(found, code=check.code, group=check.group)
+    return replace(found, code=check.code, group=check.group, is_least=check.is_least)

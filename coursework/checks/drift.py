@@ -35,19 +35,20 @@ def drift(evidence: Evidence) -> Finding:
     shares = np.abs(residual) / np.where(angles, 1.0, shortest)
     row, equation = (int(i) for i in np.unravel_index(int(np.argmax(shares)), shares.shape))
     value, name = float(shares[row, equation]), closure.names[equation]
+    called = [position.told for position in evidence.equations.positions]
     unit = "rad" if angles[equation] else "m"
     lines = tuple(
         (evidence.say("check.largest", name=name), float(size), "rad" if angle else "m")
-        for name, size, angle in zip(closure.names, np.max(np.abs(residual), axis=0), angles, strict=True)
+        for name, size, angle in zip(called, np.max(np.abs(residual), axis=0), angles, strict=True)
     )
     size = float(abs(residual[row, equation]))
     if (jump := evidence.once("opened", lambda: _jump(evidence, closure, np.where(angles, 1.0, shortest)))) is not None:
         at, which = jump
-        sentence = evidence.say("check.DRIFT.jump", name=closure.names[which], row=at, next=at + 1, time=float(motion.t[at]))
+        sentence = evidence.say("check.DRIFT.jump", name=called[which], row=at, next=at + 1, time=float(motion.t[at]))
         return Finding(
             "FAIL", sentence, value, LIMIT, evidence.say("unit.of_the_scale"), closure.names[which], at + 1, rows=lines
         )
-    found = {"name": name, "row": row + 1, "size": size, "unit": unit, "share": percent(value), "shortest": shortest}
+    found = {"name": called[equation], "row": row + 1, "size": size, "unit": unit, "share": percent(value), "shortest": shortest}
     verdict: Verdict = "PASS" if value <= LIMIT else "COARSE" if float(np.max(shares[0])) <= LIMIT else "FAIL"
     if value < ROUND_OFF:
         sentence = evidence.say("check.DRIFT.same")

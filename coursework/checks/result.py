@@ -30,7 +30,8 @@ class Finding:
     `column` and `row` (from 1) are where the largest number stands; `first` and `last` the rows a period compares (SI);
     `step` (s) is one with which every claim about the motion holds, `option` how the command line is told.  `rows` are
     further lines, (label, value, unit) each.  `cured`: whether a finer step can turn COARSE into PASS.  `headline`: what the
-    summary says of it before all else.  `code` and `group` are those of the check.
+    summary says of it before all else.  `code`, `group` and `is_least` (the limit is the least that
+    passes, else the most) are those of the check.
     """
 
     verdict: Verdict
@@ -49,6 +50,7 @@ class Finding:
     headline: str = ""
     code: str = ""
     group: Group = "computation"
+    is_least: bool = False
 
     @property
     def title(self) -> str:

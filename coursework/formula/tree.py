@@ -10,7 +10,7 @@ import cmath
 import math
 import operator
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any
 
@@ -106,6 +106,24 @@ def constant(tree: Formula) -> Fraction | None:
     if tree.op == "/":
         return first / second if second else None
     return {"+": first + second, "-": first - second, "*": first * second}[tree.op]
+
+
+def on_axes(tree: Formula) -> Formula:
+    """Return a scalar formula with each part of a sum as a sum of parts: (E - A - r @ phi).x as E.x - A.x - r*cos(phi)."""
+    if tree.op == "part":
+        return _component(tree.args[0], tree)
+    return replace(tree, args=tuple(on_axes(arg) for arg in tree.args))
+
+
+def _component(vector: Formula, part: Formula) -> Formula:
+    if vector.op in {"+", "-", "neg"}:
+        return replace(vector, args=tuple(_component(arg, part) for arg in vector.args))
+    if vector.op == "pair":
+        return on_axes(vector.args["xy".index(part.name)])
+    if vector.op == "@":
+        length, angle = vector.args
+        return Formula("*", (length, Formula("call", (angle,), "cos" if part.name == "x" else "sin")))
+    return replace(part, args=(vector,))
 
 
 _LEVELS = {"+": 1, "-": 1, "neg": 2, "*": 3, "/": 3, "@": 3, "^": 5}

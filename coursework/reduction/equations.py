@@ -15,7 +15,7 @@ import sympy as sp
 
 from coursework.codegen.tabulated import TableLaw
 from coursework.errors import Fault, InputError
-from coursework.formula.tree import Formula, FormulaFault, evaluate, spelled
+from coursework.formula.tree import Formula, FormulaFault, evaluate, on_axes, spelled
 from coursework.mechanism import Mechanism
 from coursework.reduction.symbolic import TIME, Symbols, placed, symbol
 from coursework.reduction.tidy import Order, as_sum
@@ -24,6 +24,7 @@ from coursework.variant.record import Constraint, Variant
 
 Fact = TypeVar("Fact")
 Linear = tuple[dict[str, sp.Expr], sp.Expr]
+_LONGEST_WRITTEN = 60  # characters of an expression that stands within a sentence
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -45,12 +46,21 @@ class VelocityEquation:
 
 @dataclass(frozen=True, slots=True)
 class Position:
-    """A position equation `expression = value kept` in `unit` (m or rad); `target`: "zero", "start", or the drive it follows."""
+    """A position equation `expression = value kept` in `unit` (m or rad); `target`: "zero", "start", or the drive it follows.
+
+    `written` is the expression of one that has no name but its number, "" for any other.
+    """
 
     name: str
     expression: sp.Expr
     target: str
     unit: str = "m"
+    written: str = ""
+
+    @property
+    def told(self) -> str:
+        """Return what a sentence calls it: E.x - A.x - r*cos(phi) where nothing shorter is known to the reader."""
+        return self.written or self.name
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -128,7 +138,9 @@ def _closure_positions(variant: Variant, symbols: Symbols) -> tuple[Position, ..
         plain = formula.op == "part" and formula.args[0].op == "name"
         name = f"{formula.args[0].name}.{formula.name}" if plain else say("place.hold", index=index)
         with placed(variant, f"closure.holds.{index}", variant.line_of("closure", "holds", index - 1)):
-            kept.append(Position(name, symbols.scalar(formula), "start", _unit(formula, variant)))
+            expression, unit = symbols.scalar(formula), _unit(formula, variant)
+            written = "" if plain else spelled(on_axes(formula))
+            kept.append(Position(name, expression, "start", unit, written if len(written) <= _LONGEST_WRITTEN else ""))
     return tuple(kept)
 
 

@@ -5,10 +5,12 @@ Enters: a `PageContext`.  Leaves: the summary, and one part for each group of ch
 
 from __future__ import annotations
 
+import numpy as np
+
 from coursework.checks.evidence import NO_ERROR
 from coursework.checks.result import GROUPS, OF_POWER, VERDICTS, Finding, floored
 from coursework.page_text import clean
-from coursework.report.numbers import ROUND_OFF
+from coursework.report.numbers import ROUND_OFF, TIGHT
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Cell, Checks, Judged, Paragraph, Part, Runs
 from coursework.report.tables import thinned
@@ -65,11 +67,15 @@ def _judged(context: PageContext, check: Finding) -> Judged:
         title=context.rich(check.title),
         sentence=context.rich(check.sentence),
         value=numeral(context.with_unit(numbers.limit(value) if is_count else numbers.scalar(value), behind(value))),
-        limit=numeral(context.with_unit(numbers.limit(check.limit), behind(check.limit))),
+        limit=numeral(_bound(check, context.with_unit(numbers.limit(check.limit), behind(check.limit)))),
         unit="" if is_short or check.value is None else context.unit(unit),
         heads=heads,
         lines=lines,
     )
+
+
+def _bound(check: Finding, limit: str) -> str:
+    return limit if check.limit is None else f"{'≥' if check.is_least else '≤'}{TIGHT}{limit}"
 
 
 def _lines(context: PageContext, check: Finding) -> tuple[list[str], list[list[Cell]]]:
@@ -79,7 +85,11 @@ def _lines(context: PageContext, check: Finding) -> tuple[list[str], list[list[C
     rows = list(dict.fromkeys(head for head, _ in parts))
     least = NO_ERROR if check.verdict == "PASS" and check.value == 0 else NOTHING_AT_ALL
     noise = max(ROUND_OFF * max((abs(row[1]) for row in check.rows), default=0.0), least)
-    values = {pair: numeral(context.numbers.scalar(_seen(row, noise))) for pair, row in zip(parts, check.rows, strict=True)}
+    motion = context.run.motion
+    sizes = {head: float(np.max(np.abs(motion.column(head)))) for head in rows if head in motion.names}
+    values: dict[tuple[str, str], Cell] = {}
+    for pair, row in zip(parts, check.rows, strict=True):
+        values[pair] = numeral(context.numbers.scalar(_seen(row, max(noise, ROUND_OFF * sizes.get(pair[0], 0.0)))))
     units = {head: {row[2] for (own, _), row in zip(parts, check.rows, strict=True) if own == head} for head in rows}
     complete = len(columns) > 1 and all(columns) and len(values) == len(check.rows) == len(columns) * len(rows)
     if complete and all(len(found) == 1 for found in units.values()):
@@ -90,7 +100,7 @@ def _lines(context: PageContext, check: Finding) -> tuple[list[str], list[list[C
             table.append([label, *(values[head, tail] for tail in columns)])
         return ["", *(clean(column) for column in columns)], table
     kept = [check.rows[index] for index in thinned(len(check.rows), most=MOST_LINES)]
-    return [], [[_label(context, row[0]), _amount(context, row)] for row in kept]
+    return [], [[_label(context, row[0]), _amount(context, row, noise)] for row in kept]
 
 
 def counted(value: float, unit: str) -> float:
@@ -128,5 +138,6 @@ def _label(context: PageContext, label: str) -> Runs:
     return context.symbol_runs([label]) if known else context.rich(label)
 
 
-def _amount(context: PageContext, row: tuple[str, float, str]) -> Cell:
-    return numeral(context.with_unit(context.numbers.scalar(counted(row[1], row[2])), context.told(row[2])))
+def _amount(context: PageContext, row: tuple[str, float, str], noise: float) -> Cell:
+    amount = counted(_seen(row, noise), row[2])
+    return numeral(context.with_unit(context.numbers.scalar(amount), context.told(row[2])))

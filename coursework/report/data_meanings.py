@@ -86,8 +86,9 @@ def _guided(variant: Variant) -> Iterator[tuple[str, str]]:
 
 
 def _turned(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
-    """Yield the angles between a bar and the coordinate it turns with: E = D + r5 @ (phi3 + gamma)."""
+    """Yield the angles of a bar from the one whose coordinate it turns with: E = D + r5 @ (phi3 + gamma), C = D + r3 @ phi3."""
     moving = {coordinate.name for coordinate in mechanism.variant.coordinates}
+    bars = dict(_bars(mechanism))
     for point, formula in mechanism.points:
         parts = [*terms(formula)]
         if [part.op for part in parts] != ["name", "@"]:
@@ -96,4 +97,16 @@ def _turned(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
         turning = [name for name in angles if name in moving]
         for name in angles:
             if len(turning) == 1 and name not in moving:
-                yield name, say("datum.turned", name=turning[0], ends=clean(parts[0].name + point))
+                bar = clean(bars.get(turning[0], ""))
+                yield name, say("datum.turned", name=bar or turning[0], ends=clean(parts[0].name + point))
+
+
+def _bars(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
+    """Yield the coordinates that are the angle of a bar, with its ends in the direction in which the angle is measured."""
+    sides = list(mechanism.points)
+    for group in mechanism.variant.groups:
+        sides += [(group.meets, side) for side in group.kind.closure(group)[0] if group.meets]
+    for point, formula in sides:
+        parts = [*terms(formula)]
+        if formula.op == "+" and [part.op for part in parts] == ["name", "@"] and parts[1].args[1].op == "name":
+            yield parts[1].args[1].name, parts[0].name + point

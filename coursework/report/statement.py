@@ -12,7 +12,7 @@ from coursework.checks.summary import summary
 from coursework.formula.tree import Formula
 from coursework.mechanism import Mechanism
 from coursework.page_text import clean
-from coursework.quantities import CHECKS, GRAPH_CHECK, TABLE
+from coursework.quantities import CHECKS, TABLE
 from coursework.report.closeness import largest_errors, splits, unreturned
 from coursework.report.data_meanings import coordinate_meanings, meanings
 from coursework.report.figures import drawn
@@ -20,6 +20,7 @@ from coursework.report.laws import laws_shown
 from coursework.report.numbers import NOTHING, TIGHT, first_of
 from coursework.report.page_context import STOP_DIGITS, PageContext
 from coursework.report.parts import Beside, Cell, Column, Paragraph, Part, Result, Runs, Table, TitleBlock
+from coursework.report.sought import sought
 from coursework.report.text_runs import LONGEST_NAME, runs
 from coursework.variant.record import Variant
 
@@ -28,7 +29,6 @@ USUAL_ROW = 4  # the row that is compared where a file names none
 SHOWN_DIGITS = 5
 MEASURED = 8  # digits of a datum; one with more has been computed
 _DECIMAL = re.compile(r"-?\d+\.\d+")
-PERIOD = "T"  # what a period is called, unless a datum has the name
 GAP = "\ue002"  # stands in a sentence where a text of the file goes; no text has it
 
 
@@ -86,7 +86,7 @@ def _task(context: PageContext) -> list[Part]:
         parts.append(Paragraph(context.say("drive.none")))
     if variant.functions:
         parts += [Paragraph(context.say("drive.functions")), *laws_shown(context, variant.functions)]
-    return [*parts, Paragraph(context.lettered(say.sentences([*_held(context), *_sought(context)])))]
+    return [*parts, Paragraph(context.lettered(say.sentences([*_held(context), *sought(context)])))]
 
 
 def _source(context: PageContext) -> Runs:
@@ -140,21 +140,6 @@ def _rider(mechanism: Mechanism, through: Formula) -> str:
         return through.name
     held = (group.meets for group in variant.groups for guide in group.guides if guide.through == through)
     return next((name for name in held if name), "")
-
-
-def _sought(context: PageContext) -> list[str]:
-    run, say = context.run, context.words
-    end, step = context.quantity(run.end, "s"), context.quantity(run.step, "s")
-    told = [say("statement.find", unknowns=context.symbol_list(run.variant.sought), end=end, step=step)]
-    time = run.variant.time
-    if time.period is not None:
-        key = "statement.period_plain" if PERIOD in run.variant.values else "statement.period"
-        told.append(say(key, period=context.quantity(time.period, "s")))
-    told.append(say("statement.method", scheme=context.told(run.scheme_title)))
-    if time.check_row is not None and run.asks(GRAPH_CHECK):
-        when = context.quantity((time.check_row - 1) * time.step, "s")
-        told.append(say("statement.check_row", row=time.check_row, time=when))
-    return told
 
 
 def _data(context: PageContext) -> Table:

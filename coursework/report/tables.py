@@ -76,7 +76,10 @@ def motion_parts(context: PageContext) -> list[Part]:
     run, say = context.run, context.words
     names = run.motion.names
     units = [run.variant.unit_of(name) for name in names]
-    caption = say("table.caption", scheme=context.told(run.scheme_title), step=context.quantity(run.step, "s"))
+    step = context.quantity(run.step, "s")
+    is_exact = run.tableau is None
+    scheme = context.told(run.scheme_title)
+    caption = say("table.caption_exact", step=step) if is_exact else say("table.caption", scheme=scheme, step=step)
     notes = []
     check_row = run.variant.time.check_row
     if check_row is not None and check_row <= len(run.motion.t):

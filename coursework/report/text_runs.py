@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterable
 
 from coursework.line_ends import HAN, KEPT
-from coursework.report.numbers import superscript
+from coursework.report.numbers import THIN, superscript
 from coursework.report.symbols import GREEK, is_named_after, symbol
 
 LONGEST_NAME = 200  # characters of a name or title
@@ -37,9 +37,10 @@ _TIMES = re.compile(r"(?<=[\w)])\*(?=[\w(])")
 _CHAIN = re.compile(rf"(?<!{_WORD})(?<![–-])[A-Z]\d?(?:-[A-Z]\d?)+(?!{_WORD})(?![–-])")  # M-B-C
 _EXPONENT = re.compile(r"(?<=[\w)])\^(\d+)(?!\w)")  # m/s^2, l^2
 _ROOT = re.compile(rf"(?<!{_WORD})sqrt\(")
-_MINUS = re.compile(rf"(?<=[\d)⁻⁰¹²³⁴⁵⁶⁷⁸⁹]) - (?=[\w(])|(?<=\w) - (?=[\d(])|(?<=(?<!{_WORD})\w) - (?=\w(?!{_WORD}))")
+_OF_ONE_NAME = re.compile(r"\b(sin|cos|tan)\((\w+)\)")  # cos(phi2): cos φ₂
+_MINUS = re.compile(rf"(?<=[\d)⁻⁰¹²³⁴⁵⁶⁷⁸⁹]) - (?=[\w(])|(?<=\w) - (?=\w+·|[\d(])|(?<=(?<!{_WORD})\w) - (?=\w(?!{_WORD}))")
 _POWER = re.compile(rf"(?<!{_WORD})(?<!\.)(\d+(?:\.\d+)?)[eE]([+-]?\d+)(?!{_WORD})")
-_NEGATIVE = re.compile(rf"(?<!{_WORD})(?<![.)])-(?=\d)")
+_NEGATIVE = re.compile(rf"(?<!{_WORD})(?<![.)])-(?=\d)|(?<=\()-(?=\w)")
 _ARTICLES = "aAI"  # one letter each, and words of a sentence
 _OF_A_FORMULA = r"(?:(?<!\(.)(?=\))|(?= ?[=+·/²³]| − | (?:sin|cos|tan)\b))"  # no article has that behind it; (a) is a number
 _WORDS = re.compile(
@@ -86,6 +87,7 @@ def printed(text: str) -> str:
     """
     text = _POWER.sub(lambda match: f"{'' if match[1] == '1' else f'{match[1]}·'}10{superscript(str(int(match[2])))}", text)
     text = _EXPONENT.sub(lambda match: superscript(match[1]), _ROOT.sub("√(", text))
+    text = _OF_ONE_NAME.sub(f"\\1{THIN}\\2", text)
     text = _NEGATIVE.sub("−", _MINUS.sub(" − ", _TIMES.sub("·", text)))
     text = _CHAIN.sub(lambda match: unbroken(match[0].replace("-", "–")), text)
     return _COMPONENT.sub(lambda match: symbol(match[0]).text, text)

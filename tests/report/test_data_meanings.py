@@ -11,7 +11,7 @@ SAID = {
     "v101": {"r1": "DA", "V1": "amplitude of VMy", "p": "angular frequency of the drive", "alpha": "phase of the drive",
              "beta": "direction of the guide through P"},
     "v108": {"R0": "radius of the fixed circle about O", "xO": "abscissa of O", "yO": "ordinate of O"},
-    "watt": {"gamma": "angle between phi3 and DE", "r4": "AD", "yG": "ordinate of G", "w0": "constant w1"},
+    "watt": {"gamma": "angle from DC to DE", "r4": "AD", "yG": "ordinate of G", "w0": "constant w1"},
     "oscillating-cylinder": {"e": "distance of the guide from D", "d": "AD"},
     "prp": {"ri": "distance of the guide from Ki", "w0": "angular frequency of the drive", "swing": "amplitude of the arm"},
     "robot-arm": {"T": "time for one side"},

@@ -1,0 +1,63 @@
+"""What is looked for is told with what it is, what drifts by the student's own letters, a limit by which side of it passes."""
+
+from types import ModuleType
+
+import pytest
+
+import coursework
+from coursework.formula.reader import parse
+from coursework.formula.tree import on_axes, spelled
+
+
+def statement(real: ModuleType, variant: object) -> str:
+    run = coursework.solve(variant, quantities=("table", "checks"))
+    return str(real.text_of(real.parts(run, "statement"))).replace("\u00a0", " ").replace("\u202f", "")
+
+
+@pytest.mark.parametrize(
+    ("name", "told"),
+    [
+        ("oscillating-cylinder", "ω3 and u = ds/dt from"),
+        ("v112", "ω4 and u = VCx from"),  # the rack runs on its rail
+        ("v110", "uC = VCx and uA = VA from"),  # the guide of A is inclined
+        ("cardan", "ω2 and u = VEx from"),  # no guide: the pin of the wheel runs on a diameter
+        ("v101", "ω1, ω2, ω3 and ω4 from"),  # an angular velocity stands beside its link
+    ],
+)
+def test_a_linear_velocity_is_told_with_what_moves_so(real: ModuleType, name: str, told: str) -> None:
+    assert told in statement(real, name)
+
+
+def test_a_velocity_has_no_name_that_a_datum_has(real: ModuleType) -> None:
+    text = coursework.load("v112").path.read_text(encoding="utf-8").replace("[given]\n", '[given]\nVCx = "1 m/s"\n')
+    assert "ω4 and u = VC from" in statement(real, coursework.parse_variant(text))
+
+
+@pytest.mark.parametrize(
+    ("written", "told"),
+    [
+        ("(E - A - r2 @ phi2).x", "E.x - A.x - r2*cos(phi2)"),
+        ("(E - (a, b) - r2 @ phi2).y", "E.y - b - r2*sin(phi2)"),
+        ("(R0 - R)*phi1 + R*psi2", "(R0 - R)*phi1 + R*psi2"),
+        ("2*(C - 3*A).y", "2*(C.y - (3*A).y)"),
+    ],
+)
+def test_a_part_of_a_sum_is_a_sum_of_parts(written: str, told: str) -> None:
+    assert spelled(on_axes(parse(written, vectors=True))) == told
+
+
+def test_what_drifts_is_told_as_the_student_writes_it(real: ModuleType) -> None:
+    run = coursework.solve("v112", quantities=("table", "checks"))
+    finding = next(check for check in run.checks if check.code == "DRIFT")
+    assert finding.sentence.startswith("E.y - A.y - r2*sin(phi2) is ")
+    shown = real.text_of(real.parts(run, "checks"))
+    assert "xE − xA − r2·cos\u202fφ2: largest" in shown
+    assert "hold 1" not in shown
+
+
+def test_a_limit_says_which_side_of_it_passes(real: ModuleType) -> None:
+    items = {one["code"]: one for part in real.parts(real.full(), "checks") for one in part.get("items", [])}
+    least = {code for code, one in items.items() if real.text_of([one["limit"]]).startswith("≥")}
+    most = {code for code, one in items.items() if real.text_of([one["limit"]]).startswith("≤")}
+    assert least == {"CONDITION", "AGREEMENT", "SINUSOID", "STEP"}
+    assert most == {"INITIAL", "RESIDUAL", "ACCURACY", "PERIOD-POSITION", "PERIOD-VELOCITY", "CONTINUITY", "PEAK", "DRIFT"}
