@@ -6,6 +6,8 @@ Used by `drawing/tracing.py`, `drawing/naming.py`, `drawing/dimensions.py` and `
 
 from __future__ import annotations
 
+from string import ascii_uppercase
+
 from coursework.formula.tree import Formula, terms
 from coursework.mechanism import Mechanism
 
@@ -16,6 +18,16 @@ def arm_base(formula: Formula, coordinate: str) -> str:
     if len(parts) != 2 or parts[0].op != "name" or parts[1].op != "@":
         return ""
     return parts[0].name if coordinate in parts[1].args[1].names() and coordinate not in parts[1].args[0].names() else ""
+
+
+def unnamed_joints(mechanism: Mechanism) -> dict[str, tuple[Formula, Formula]]:
+    """Return both sides of each "B + r2 @ phi2 = D + r3 @ phi3" whose joint no point is, under the next letter that is free."""
+    variant, points = mechanism.variant, dict(mechanism.points)
+    taken = {*points, *variant.values, *(coordinate.name for coordinate in variant.coordinates)}
+    free = (letter for letter in ascii_uppercase if letter not in taken)
+    sides = [(one.left, one.right) for one in mechanism.constraints if one.is_closure]
+    arms = [both for both in sides if all([part.op for part in terms(side)] == ["name", "@"] for side in both)]
+    return dict(zip(free, (both for both in arms if not {*both} & {*points.values()}), strict=False))
 
 
 def lengths(mechanism: Mechanism) -> dict[frozenset[str], Formula]:
@@ -29,6 +41,8 @@ def lengths(mechanism: Mechanism) -> dict[frozenset[str], Formula]:
         met = Formula("name", name=group.meets or "")
         minus += [Formula("-", (met, side)) for side in group.kind.closure(group)[0] if group.meets]
     minus += [Formula("-", (c.left, c.right)) for c in mechanism.constraints if c.is_closure]
+    for joint, sides in unnamed_joints(mechanism).items():
+        minus += [Formula("-", (Formula("name", name=joint), side)) for side in sides]
     minus += [hold.args[0] for hold in variant.holds if hold.op == "part"]
     found: dict[frozenset[str], Formula] = {}
     for formula in minus:

@@ -11,9 +11,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from coursework.drawing.lengths import arm_base
+from coursework.drawing.lengths import arm_base, unnamed_joints
 from coursework.drawing.outline import Bar, Block, Outline, Rail, Slot, Track, Wheel
-from coursework.formula.tree import Formula, number
+from coursework.formula.tree import Formula, number, terms
 from coursework.joints import FRAME, Linkage, chain_of_groups, link_names
 from coursework.mechanism import Mechanism
 from coursework.variant.record import Variant
@@ -44,8 +44,9 @@ class _Pencil:
 
     def __init__(self, mechanism: Mechanism) -> None:
         self.variant: Variant = mechanism.variant
-        self.points = dict(mechanism.points)
-        self.named = {formula: name for name, formula in reversed(mechanism.points)}
+        self.points = dict(mechanism.points) | {joint: sides[0] for joint, sides in unnamed_joints(mechanism).items()}
+        self.closures = [(one.left, one.right) for one in mechanism.constraints if one.is_closure]
+        self.named = {formula: name for name, formula in reversed(self.points.items())}
         self.bars: list[Bar] = []
         self.slots: list[Slot] = []
         self.blocks: list[Block] = []
@@ -128,11 +129,7 @@ class _Pencil:
         for coordinate in self.variant.coordinates:
             if coordinate.rate in self.drawn_rates or coordinate.name in grouped or coordinate.unit != "rad":
                 continue
-            corners: list[str] = []
-            for name, formula in self.points.items():
-                base = arm_base(formula, coordinate.name)
-                if base and name not in contacts and not name.startswith("~"):
-                    corners += [base, name]
+            corners = [end for base, tip in self.arms_of(coordinate.name) if tip not in contacts for end in (base, tip)]
             if corners:
                 number_of = re.search(r"\d+$", coordinate.rate)
                 taken = {bar.link for bar in self.bars}
@@ -140,6 +137,19 @@ class _Pencil:
                 self.bars.append(Bar(called, tuple(dict.fromkeys(corners)), coordinate.rate))
                 if not self.moves(corners[0]):
                     self.hinges.append(corners[0])
+
+    def arms_of(self, coordinate: str) -> list[tuple[str, str]]:
+        """Return the ends of what turns with a coordinate: A = D + r1 @ phi1, A + r2 @ phi2 = E, (E - A - r2 @ phi2).x held."""
+        named = [(name, formula) for name, formula in self.points.items() if not name.startswith("~")]
+        found = [(base, name) for name, formula in named if (base := arm_base(formula, coordinate))]
+        for left, right in self.closures:
+            bases = [base for side in (left, right) if (base := arm_base(side, coordinate))]
+            found += [(base, self.name_of(right if right.op == "name" else left)) for base in bases]
+        for hold in self.variant.holds:
+            parts = [*terms(hold.args[0])] if hold.op == "part" else []
+            if len(parts) == 3 and parts[0].op == "name" and (base := arm_base(Formula("+", (parts[1], parts[2])), coordinate)):
+                found.append((base, parts[0].name))
+        return found
 
     def outline(self) -> Outline:
         """Return what was collected; contacts of racks and wheels keep the order of the file."""

@@ -86,8 +86,9 @@ def draw_hodographs(mechanism: Mechanism, equations: VelocityEquations, period: 
         return ()
     smooth, marked = _velocities(equations, period), _velocities(equations, rows)
     contacts = {wheel.contact for wheel in outline.wheels}
-    fastest = max((float(np.max(np.abs(v))) for name, v in smooth.items() if name in outline.names), default=0.0)
-    shown = [name for name in outline.names if name not in contacts and float(np.max(np.abs(smooth[name]))) > AT_REST * fastest]
+    peaks = {name: float(np.max(np.abs(smooth[name]))) for name in outline.names if name in smooth}
+    fastest = max(peaks.values(), default=0.0)
+    shown = [name for name, peak in peaks.items() if name not in contacts and peak > AT_REST * fastest]
     return tuple(_hodograph(name, smooth[name], marked[name], rows.t) for name in shown)
 
 

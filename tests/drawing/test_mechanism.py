@@ -8,7 +8,7 @@ from functools import cache
 
 import pytest
 
-from coursework import load, solve
+from coursework import load, parse_variant, solve
 from coursework.catalogue import names
 from coursework.drawing.lengths import lengths
 from coursework.drawing.outline import Outline
@@ -147,3 +147,46 @@ def test_a_circle_too_small_for_the_scale_is_drawn_without_hatching() -> None:
     assert sheet.segments == before
     sheet.hatch(10 + 10j, 30 + 10j, 1j)
     assert len(sheet.segments) > len(before)
+
+
+CLOSED = """format = 1
+[given]
+r1 = "0.4 m"
+r2 = "1.2 m"
+r3 = "0.8 m"
+d = "1.0 m"
+[drive]
+w1 = "10 rad/s"
+[coordinates]
+phi1 = { start = "0.5 rad", rate = "w1" }
+phi2 = { start = "0.397481135893743 rad", rate = "w2" }
+phi3 = { start = "0.962037461727003 rad", rate = "w3" }
+[time]
+step = "0.01 s"
+end = "0.6 s"
+[points]
+A = "(0, 0)"
+D = "(d, 0)"
+B = "A + r1 @ phi1"
+"""
+
+
+@pytest.mark.parametrize(
+    ("closure", "joint"),
+    [
+        ('[[constraint]]\nname = "1"\nclosure = "B + r2 @ phi2 = D + r3 @ phi3"\n', "C"),
+        ('C = "B + r2 @ phi2"\n[[constraint]]\nname = "1"\nclosure = "C = D + r3 @ phi3"\n', "C"),
+        ('F = "B + r2 @ phi2"\n[[constraint]]\nname = "1"\nclosure = "D + r3 @ phi3 = F"\n', "F"),
+        ('C = "B + r2 @ phi2"\n[closure]\nholds = ["(C - D - r3 @ phi3).x", "(C - D - r3 @ phi3).y"]\n', "C"),
+    ],
+)
+def test_bars_of_a_position_equation_are_links(closure: str, joint: str) -> None:
+    """However the loop is written it is one four-bar; a joint that no point is takes the next letter."""
+    run = solve(parse_variant(CLOSED + closure), quantities=["table", "trajectories", "hodographs", "plans"])
+    outline, drawing = read_outline(run.scene.mechanism), run.mechanism()
+    assert outline is not None and drawing is not None
+    assert [(bar.link, bar.corners) for bar in outline.bars] == [("1", ("A", "B")), ("2", ("B", joint)), ("3", ("D", joint))]
+    assert outline.hinges == ("A", "D")
+    assert {joint, "r₂", "r₃"} <= {word.text for word in measured.words(drawing.svg)}
+    assert measured.overlaps(drawing.svg) == []
+    assert all(run.figures().values())
