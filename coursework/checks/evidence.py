@@ -36,6 +36,8 @@ NO_ERROR = 1e-10
 STILL = 1e-9
 # Products of doubles smaller than this have no longer sixteen digits: nothing can be told from what they leave.
 NO_DIGITS = float(np.finfo(float).tiny / np.finfo(float).eps)
+# Parts of the largest size that round-off takes from one as large.
+ALIKE = 1e-9
 # The part of a column's scale by which a table may be off: nobody sees it in a graph.
 LIMIT = 0.05
 
@@ -210,7 +212,11 @@ def turns(differences: Array) -> Array:
 
 
 def worst(shares: Array) -> tuple[int, int]:
-    """Return row and column (from 0) of the largest size in (n, k); a number that is none is the largest of all."""
-    # Of numbers that are none `argmax` takes the first, before any other.
-    row, column = divmod(int(np.argmax(np.abs(shares))), shares.shape[1])
-    return row, column
+    """Return row and column (from 0) of the largest size in (n, k); a number that is none is the largest of all.
+
+    Of those alike but for round-off the first column is named, and its first row: so do all places of a page.
+    """
+    sizes = np.where(np.isfinite(shares), np.abs(shares), np.inf)
+    alike = sizes >= (1 - ALIKE) * np.max(sizes)
+    column = int(np.argmax(alike.any(axis=0)))
+    return int(np.argmax(alike[:, column])), column

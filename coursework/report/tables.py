@@ -16,6 +16,7 @@ from coursework.quantities import GRAPH_CHECK
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Cell, Column, Paragraph, Part, Table
 from coursework.report.text_runs import numeral, runs
+from coursework.report.words import with_own_letters
 
 MOST_ROWS = 400  # rows printed; a longer table is thinned, table.csv holds it whole
 MOST_BESIDE = 40  # the same of a table that stands beside the table of results: accelerations, points, analogs
@@ -92,7 +93,8 @@ def motion_parts(context: PageContext) -> list[Part]:
 
 def extra_parts(context: PageContext, extra: ExtraTable) -> list[Part]:
     """Return the table of a further quantity; with row and time where it has a line for every row."""
-    caption, note = context.told(extra.title).rstrip(".。") + context.words("table.stop"), context.told(extra.note)
+    caption, note = (with_own_letters(context.told(text)) for text in (extra.title, extra.note))
+    caption = caption.rstrip(".。") + context.words("table.stop")
     whole = Grid(extra.names, extra.units, extra.rows, extra.sizes)
     if extra.names[0] == "t":
         return _by_row(context, whole.part(1), whole.rows[:, 0], caption, note, MOST_BESIDE)

@@ -25,7 +25,7 @@ class Words:
 
     def __call__(self, key: str, **values: object) -> str:
         """Return a sentence, such as `words("table.thinned", step="5", …)`.  Raises `KeyError` for an unknown key."""
-        text = _OWN_LETTER.sub(rf"{ITALIC[0]}\1{ITALIC[1]}", self.phrases.template(key))
+        text = with_own_letters(self.phrases.template(key))
         return self.phrases.filled(key, text, values) if values else text
 
     def has(self, key: str) -> bool:
@@ -52,6 +52,11 @@ class Words:
     def numbers(self) -> Numbers:
         """Return the writer of numbers of this language."""
         return Numbers(self("decimal"), self.phrases.entries.get("units", {}))
+
+
+def with_own_letters(text: str) -> str:
+    """Return a sentence of the words file in which *h* is marked as a letter to be set italic."""
+    return _OWN_LETTER.sub(rf"{ITALIC[0]}\1{ITALIC[1]}", text)
 
 
 def load_words(language: str = ENGLISH) -> Words:

@@ -4,12 +4,14 @@ import json
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 
 import coursework
 from coursework.checks import check as records
 from coursework.checks.check import CHECKS, Check, check_motion
+from coursework.checks.evidence import ALIKE, worst
 from coursework.checks.needs import Need
 from coursework.checks.result import GROUPS, VERDICTS, Finding, floored
 from coursework.checks.summary import summary
@@ -147,3 +149,13 @@ def test_equations_that_nothing_confirms_are_called_so(names, told):
 def test_the_summary(name):
     findings, expected = SUMMARIES[name]
     assert summary(findings) == expected
+
+
+def test_of_two_bars_that_stay_parallel_every_place_names_the_first():
+    """Links 3 and 7 of Peaucellier's rhombus err alike but for round-off, which must not choose the name."""
+    sizes = np.array([[0.1, 0.2 * (1 - 0.5 * ALIKE), 0.2], [0.2 * (1 - 2 * ALIKE), 0.0, 0.2]])
+    assert worst(sizes) == (0, 1)
+    assert worst(np.where(sizes == 0.0, np.nan, sizes)) == (1, 1)
+    lesson = coursework.solve("peaucellier", quantities=("table", "checks")).lesson
+    assert lesson is not None
+    assert (lesson.column, lesson.row) == ("phi3", 34)

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from types import ModuleType
+
 import pytest
 
+import coursework
 from coursework.page_text import LONGEST, clean
 from coursework.report.symbols import symbol
 from coursework.report.text_runs import derivative, printed, runs, with_letters, with_pairs, with_points
@@ -99,3 +102,9 @@ def test_long_words_get_places_to_break_and_long_texts_an_end() -> None:
     assert word.replace("\u200b", "") == "W" * 300
     assert len(clean("x y " * 5000)) <= LONGEST
     assert clean("Internationalisierung") == "Internationalisierung"
+
+
+def test_letters_of_the_table_of_invariants_are_symbols(real: ModuleType) -> None:
+    [table] = [part for part in real.parts(coursework.solve("variable-crank"), "invariants") if "rows" in part]
+    letters = {run["v"] for runs in (table["caption"], table["note"]) for run in runs if "v" in run}
+    assert letters == {"s", "S", "Φ", "k", "φ", "a", "b", "c"}
