@@ -83,6 +83,19 @@ def number(value: Fraction | int) -> Formula:
     return Formula("/", (number(value.numerator), number(value.denominator)))
 
 
+def part_of_pi(part: Fraction) -> Formula:
+    """Return pi, 3*pi/2 … for a part of pi that is not negative.
+
+    >>> spelled(part_of_pi(Fraction(3, 2)))
+    '3*pi/2'
+    """
+    if part == 0:
+        return number(0)
+    pi = Formula("name", name="pi")
+    above = pi if part.numerator == 1 else Formula("*", (number(part.numerator), pi))
+    return above if part.denominator == 1 else Formula("/", (above, number(part.denominator)))
+
+
 def terms(formula: Formula) -> Iterator[Formula]:
     """Yield the terms of a sum, whatever their signs."""
     if formula.op in {"+", "-", "neg"}:

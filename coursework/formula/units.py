@@ -93,6 +93,14 @@ class Quantity:
     si: str
     text: str
 
+    @property
+    def quarters(self) -> Fraction | None:
+        """Return how many right angles an angle in degrees is, where they are whole; None for all else."""
+        if self.si != "rad" or UNITS[self.unit][0] == 1:
+            return None
+        right = Fraction(self.text.replace("−", "-")) / 90
+        return right if right.denominator == 1 else None
+
 
 def read(text: str | int | float, wanted: str = "") -> Quantity:
     """Read "value unit" or a bare number.

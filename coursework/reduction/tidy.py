@@ -227,8 +227,8 @@ def _addition(
 
 
 def _fraction(factor: Fraction, atoms: Atoms, up: tuple[Term, ...], down: tuple[Term, ...], order: Order) -> Formula:
-    if factor == 0:
-        return number(0)
+    if factor == 0 or not (atoms or up or down):
+        return number(factor)
     above = {atom: power for atom, power in atoms.items() if power > 0}
     below = {atom: -power for atom, power in atoms.items() if power < 0}
     top = _factors(abs(factor.numerator), above, up, order)

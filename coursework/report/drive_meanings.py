@@ -24,8 +24,9 @@ def drive_meanings(variant: Variant) -> Iterator[tuple[str, str]]:
     """
     formulas = [(law.name, formula) for law in variant.drive for formula in law.formulas]
     for law, formula in formulas:
-        if formula.op == "name":
-            yield formula.name, say("datum.speed", name=law)
+        turned = formula.args[0] if formula.op == "neg" else formula
+        if turned.op == "name":
+            yield turned.name, say("datum.speed", name=law)
     for _, formula in formulas:
         for wave in _waves(formula):
             if _swings(wave):

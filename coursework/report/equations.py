@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, replace
 from enum import IntEnum
+from math import degrees, isclose, radians
 
 from coursework.formula.tree import Formula
 from coursework.report.numbers import MINUS, TIMES, superscript
@@ -42,6 +43,7 @@ class Piece:
 _TYPST_NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "log": "ln", "atan2": 'op("atan2")'}
 _TEXT_NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "log": "ln", "sqrt": "√"}
 _RAISED_FUNCTIONS = {"sin", "cos", "tan"}
+_READ_FROM_DEGREES = 12  # digits at least: nobody writes an angle in radians so long
 _EXPONENTIAL = re.compile(r"(.*)[eE]\+?(-?\d+)")
 
 
@@ -87,6 +89,8 @@ class Setter:
 
     def _number(self, digits: str) -> Piece:
         digits = digits if digits.strip("0.") else "0"
+        if turned := _degrees(digits):
+            return Piece(f"{turned} degree" if self.typst else f"{turned}°", Level.ATOM, opens="number", closes="number")
         if match := _EXPONENTIAL.fullmatch(digits):
             minus = "-" if self.typst else MINUS
             ten = f"10^({match[2].replace('-', minus)})" if self.typst else f"10{superscript(match[2])}"
@@ -218,3 +222,12 @@ def text_equation(left: Formula, right: Formula, rates: frozenset[str] = frozens
     """Return "left = right" as plain text; `in_sentence`: bare letters are marked, so that none is taken for a word."""
     setter = Setter(typst=False, rates=rates, in_sentence=in_sentence)
     return f"{setter.set(left).source} = {setter.set(right).source}"
+
+
+def _degrees(digits: str) -> str:
+    """Return "15" for 0.2617993877991494: an angle that a file gave in degrees; "" for every other number."""
+    if len(digits.strip("0.")) < _READ_FROM_DEGREES:
+        return ""
+    value = float(digits)
+    written = round(degrees(value), 2)
+    return f"{written:g}" if written and isclose(radians(written), value, rel_tol=1e-14) else ""

@@ -14,7 +14,7 @@ from coursework.derivation.contours import Contour, contours_of
 from coursework.derivation.derive import Combination, Derivation, Numbered, derive
 from coursework.derivation.paths import Path, Term
 from coursework.derivation.segments import ZERO, Angle
-from coursework.formula.tree import Formula, number
+from coursework.formula.tree import Formula, number, part_of_pi
 from coursework.page_text import clean
 from coursework.reduction.solution import ShownEquation
 from coursework.report import equations as setting
@@ -22,8 +22,6 @@ from coursework.report.display import display
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Bullets, Display, Equations, Paragraph, Part
 from coursework.report.text_runs import runs, unbroken
-
-PI = Formula("name", name="pi")
 
 
 def equations(context: PageContext) -> list[Part]:
@@ -128,17 +126,10 @@ def _term(term: Term) -> Formula:
 
 def _angle(angle: Angle) -> Formula:
     """Return an angle as it is drawn, nothing reduced: phi3 + 3 pi/2."""
-    offset = _part_of_pi(angle.offset)
+    offset = part_of_pi(angle.offset)
     if angle.base is None:
         return offset
     return angle.base if angle.offset == 0 else Formula("+", (angle.base, offset))
-
-
-def _part_of_pi(part: Fraction) -> Formula:
-    if part == 0:
-        return ZERO
-    above = PI if part.numerator == 1 else Formula("*", (number(part.numerator), PI))
-    return above if part.denominator == 1 else Formula("/", (above, number(part.denominator)))
 
 
 def _reductions(context: PageContext, found: Sequence[Numbered]) -> list[Part]:
@@ -162,11 +153,11 @@ def _reduction(function: str, offset: Fraction, has_base: bool) -> Display:
     quarters = _QUARTERS[offset]
     phi = Formula("name", name="phi")
     if not has_base:
-        return display(Formula("call", (_part_of_pi(offset),), function), number(_NUMBERS[function][quarters]))
+        return display(Formula("call", (part_of_pi(offset),), function), number(_NUMBERS[function][quarters]))
     value = _VALUES[function][quarters]
     reduced = Formula("call", (phi,), value.lstrip("-"))
     right = Formula("neg", (reduced,)) if value.startswith("-") else reduced
-    return display(Formula("call", (Formula("+", (phi, _part_of_pi(offset))),), function), right)
+    return display(Formula("call", (Formula("+", (phi, part_of_pi(offset))),), function), right)
 
 
 def _rank(context: PageContext, found: Derivation) -> list[Part]:

@@ -52,16 +52,17 @@ def _rate_of_length(context: PageContext, name: str) -> str:
 
 
 def _velocity_of_point(context: PageContext, name: str) -> str:
-    """Return V_Sx where the exact motion moves a point along x with this velocity, V_A along an inclined guide."""
+    """Return V_Sx where the rows move a point along x with this velocity, V_A along an inclined guide."""
     run, known = context.run, set(context.run.variant.names)
-    exact, equations = run.exact, run.scene.equations
+    motion, equations = run.motion, run.scene.equations
     guided = [through.name for through, _ in run.variant.frame.rails if through.op == "name"]
     points = list(dict.fromkeys([*guided, *equations.symbols.vectors]))
-    if name not in exact.velocity_names or not len(exact.t):
+    whole = {*run.variant.sought} <= {*motion.velocity_names} and len(motion.coordinate_names) == len(run.variant.coordinates)
+    if not whole or not len(motion.t) or not points:
         return ""
     wanted = [part for point in points for part in equations.symbols.vectors[point]]
-    velocities = jets(equations, wanted, 1)[1](exact.t, exact.coordinates, exact.velocities, None)
-    own = exact.column(name)
+    velocities = jets(equations, wanted, 1)[1](motion.t, motion.coordinates, motion.velocities, None)
+    own = motion.column(name)
     most = SAME * float(np.max(np.abs(own)))
     for point, (x, y) in zip(points, velocities.T.reshape(len(points), 2, -1), strict=True):
         for label, size, across in ((f"V{point}x", x, y), (f"V{point}y", y, x), (f"V{point}", np.hypot(x, y), 0 * x)):

@@ -13,7 +13,7 @@ from typing import Literal
 
 from coursework.errors import Fault
 from coursework.formula import reader, units
-from coursework.formula.tree import Formula, FormulaFault, evaluate
+from coursework.formula.tree import Formula, FormulaFault, evaluate, part_of_pi
 from coursework.sentences import Sentence, closest, say
 from coursework.variant.names import Names
 from coursework.variant.source import Source
@@ -117,7 +117,8 @@ class Parts:
         read = self.quantity(path, value, wanted)
         if wanted and read.si and units.KINDS[read.si][0] != units.KINDS[wanted][0]:
             self.say(path, units.unlike(wanted, value))
-        size = Formula("number", name=repr(abs(read.value)), si=read.si)
+        quarters = read.quarters
+        size = Formula("number", name=repr(abs(read.value)), si=read.si) if quarters is None else part_of_pi(abs(quarters) / 2)
         return size if read.value >= 0 else Formula("neg", (size,))
 
     def equation(self, path: Path, text: str, *, closure: bool) -> tuple[Formula, Formula]:

@@ -115,6 +115,9 @@ def test_every_letter_of_a_formula_stands_where_typst_sets_it_and_none_has_a_shi
         ("x^(1/2)", "x^(1 / 2)", "x^(1 slash 2)"),
         ("asin(a)+atan(b)", "arcsin a + arctan b", "arcsin a + arctan b"),
         ("1e-3*x", "10⁻³ x", "10^(-3) x"),
+        ("cos(phi5 - 0.2617993877991494)", "cos(φ₅ − 15°)", "cos(φ_5 - 15 degree)"),
+        ("cos(phi5 - 0.58119464091)", "cos(φ₅ − 0.58119464091)", "cos(φ_5 - 0.58119464091)"),  # 33.3°, but too few digits
+        ("cos(phi5 - 0.5811946409142)", "cos(φ₅ − 0.5811946409142)", "cos(φ_5 - 0.5811946409142)"),  # 2e-14 beside 33.3°
     ],
 )
 def test_equations_look_like_the_textbook(formula: str, text: str, typst: str) -> None:

@@ -28,6 +28,13 @@ def test_a_linear_velocity_is_told_with_what_moves_so(real: ModuleType, name: st
     assert told in statement(real, name)
 
 
+@pytest.mark.parametrize(("asked", "told"), [("u", "and u from"), ("table", "and u = VCy from")])
+def test_what_is_not_asked_for_is_not_computed_to_tell_it(real: ModuleType, asked: str, told: str) -> None:
+    run = coursework.solve("v102", quantities=(asked,))
+    assert told in str(real.text_of(real.parts(run, "statement"))).replace("\u00a0", " ")
+    assert "exact" not in run.scene.ledger.calls
+
+
 def test_a_velocity_has_no_name_that_a_datum_has(real: ModuleType) -> None:
     text = coursework.load("v112").path.read_text(encoding="utf-8").replace("[given]\n", '[given]\nVCx = "1 m/s"\n')
     assert "ω4 and u = VC from" in statement(real, coursework.parse_variant(text))
