@@ -19,6 +19,7 @@ from coursework.formula.tree import spelled
 from coursework.mechanism import build
 from coursework.run import Run
 from tests.drawing import measured
+from tests.hard.scenes import scene
 
 
 @cache
@@ -149,26 +150,13 @@ def test_a_circle_too_small_for_the_scale_is_drawn_without_hatching() -> None:
     assert len(sheet.segments) > len(before)
 
 
-CLOSED = """format = 1
-[given]
-r1 = "0.4 m"
-r2 = "1.2 m"
-r3 = "0.8 m"
-d = "1.0 m"
-[drive]
-w1 = "10 rad/s"
-[coordinates]
-phi1 = { start = "0.5 rad", rate = "w1" }
-phi2 = { start = "0.397481135893743 rad", rate = "w2" }
-phi3 = { start = "0.962037461727003 rad", rate = "w3" }
-[time]
-step = "0.01 s"
-end = "0.6 s"
-[points]
-A = "(0, 0)"
-D = "(d, 0)"
-B = "A + r1 @ phi1"
-"""
+CLOSED = scene(
+    'phi1 = { start = "0.5 rad", rate = "w1" }\nphi2 = { start = "0.397481135893743 rad", rate = "w2" }\n'
+    'phi3 = { start = "0.962037461727003 rad", rate = "w3" }',
+    given='r1 = "0.4 m"\nr2 = "1.2 m"\nr3 = "0.8 m"\nd = "1 m"',
+    drive='w1 = "10 rad/s"',
+    more='[points]\nA = "(0, 0)"\nD = "(d, 0)"\nB = "A + r1 @ phi1"\n',
+)
 
 
 @pytest.mark.parametrize(

@@ -79,25 +79,12 @@ def is_runs(thing: Any) -> bool:
     return bool(thing) and all(isinstance(x, dict) and set(x) <= {"t", "v", "s", "p", "c", "lang"} for x in thing)
 
 
-HELD = """format = 1
-[given]
-r1 = "0.4 m"
-r2 = "1.2 m"
-[drive]
-w1 = "3 rad/s"
-[coordinates]
-phi1 = { start = "1 rad", rate = "w1" }
-phi2 = { start = "-0.28 rad", rate = "w2" }
-[time]
-step = "0.1 s"
-end = "1 s"
-[points]
-A = "(0, 0)"
-B = "A + r1 @ phi1"
-C = "B + r2 @ phi2"
-[closure]
-holds = ["C.y - 0.1*C.x"]
-"""
+HELD = scene(
+    'phi1 = { start = "1 rad", rate = "w1" }\nphi2 = { start = "-0.28 rad", rate = "w2" }',
+    given='r1 = "0.4 m"\nr2 = "1.2 m"',
+    drive='w1 = "3 rad/s"',
+    more='[points]\nA = "(0, 0)"\nB = "A + r1 @ phi1"\nC = "B + r2 @ phi2"\n[closure]\nholds = ["C.y - 0.1*C.x"]\n',
+)
 
 
 def oddities() -> list[Run]:
