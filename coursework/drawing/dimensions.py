@@ -17,6 +17,7 @@ import numpy as np
 from coursework.drawing.cover import Segment
 from coursework.drawing.lengths import lengths
 from coursework.drawing.naming import beside, lies_on
+from coursework.drawing.offsets import offsets
 from coursework.drawing.painter import Painter
 from coursework.drawing.placing import Owner
 from coursework.drawing.sheet import ITALIC, Word
@@ -25,8 +26,11 @@ from coursework.formula.tree import Formula
 from coursework.mechanism import Mechanism
 
 PEN = 'stroke="black" stroke-width="0.15"'
-SHORTEST = 4.0  # mm: a shorter length is not seen
+SHORTEST = 0.8  # mm: a shorter length is not seen
+TIGHT = 4.5  # mm: the arrows of a shorter dimension stand outside and point at each other
+OUTSIDE = 5.0  # mm: so long are they then
 LEVELS = (0.0, 5.0, 7.0, 9.5, 12.0, 15.0, 19.0)  # mm beside its points
+CLEAR = 5.0  # mm beyond all points: there a dimension crosses no link
 AWAY = 0.5  # mm of lines that a dimension rather covers than standing 1 mm farther off
 SAMPLE = 1.5  # mm between the places at which a line is looked at
 PAST, OFF = 1.0, 1.8  # mm: an extension line ends that much past the arrow, and begins that far from its point
@@ -72,7 +76,7 @@ def room_for_dimensions(painter: Painter, mechanism: Mechanism) -> Iterator[tupl
 
 
 def _dimensions(painter: Painter, mechanism: Mechanism, shown: Sequence[str]) -> Iterator[Dimension]:
-    """Yield what is to be dimensioned: lengths made of the given data between points that are drawn, places of fixed points."""
+    """Yield what is to be dimensioned: given lengths between points that are drawn, places of fixed points, offsets of guides."""
     given = {datum.name for datum in mechanism.variant.given}
     drawn = {frozenset(ends) for bar in painter.outline.bars for ends in itertools.pairwise(bar.corners)}
     drawn |= {frozenset((wheel.centre, wheel.contact)) for wheel in painter.outline.wheels}
@@ -84,6 +88,10 @@ def _dimensions(painter: Painter, mechanism: Mechanism, shown: Sequence[str]) ->
         way = painter.at[end] - painter.at[begin]
         if abs(way) > SHORTEST:
             yield Dimension(word, begin, end, way / abs(way))
+    for offset in offsets(painter, mechanism):
+        far = abs(_dot(offset.across, painter.at[offset.rider] - painter.at[offset.point]))
+        if offset.stub is None and {offset.point, offset.rider} <= {*shown} and far > SHORTEST:
+            yield Dimension(length_word(offset.length), offset.point, offset.rider, offset.across)
     origin = next((name for name, formula in mechanism.points if name in shown and _numbers(formula, (0, 0))), "")
     said = set()
     for name, formula in mechanism.points:
@@ -104,6 +112,8 @@ def _place(painter: Painter, one: Dimension) -> Segment | None:
     across = 1j * one.along
     heights = (_dot(across, a), _dot(across, b))
     levels = dict.fromkeys(level for off in LEVELS for level in (max(heights) + off, min(heights) - off))
+    everything = [_dot(across, painter.at[name]) for name in painter.names]
+    levels |= dict.fromkeys((max(everything) + CLEAR, min(everything) - CLEAR))
     best, chosen = math.inf, None
     for level in levels:
         ends = tuple(end + (level - height) * across for end, height in zip((a, b), heights, strict=True))
@@ -114,7 +124,8 @@ def _place(painter: Painter, one: Dimension) -> Segment | None:
         ]
         straight = abs(ends[0] - a) + abs(ends[1] - b) < 1e-9
         trimmed = one.along * (AT_POINT if straight else 0.0) * (1 if _dot(one.along, b - a) > 0 else -1)
-        whole = [(ends[0] + trimmed, ends[1] - trimmed), *lines]
+        outer = _ends(*ends)
+        whole = [(outer[0] + trimmed, outer[1] - trimmed), *lines]
         looked = [at for begin, end in whole for at in _samples(begin, end)]
         squares = np.array([(at.real, at.imag) for at in looked])
         cost = float(painter.sheet.taken.covered(squares, 0.6, 0.6, painter.sheet.field).sum())
@@ -128,11 +139,21 @@ def _place(painter: Painter, one: Dimension) -> Segment | None:
         painter.sheet.line(*line, PEN)
     along = (end - begin) / abs(end - begin)
     gap = 1.25 if abs(begin - a) + abs(end - b) < 1e-9 else 0.0
-    middle = (begin + end) / 2
+    tails = _ends(begin, end)
+    is_tight = tails != (begin, end)
     data = f' data-dimension="{"".join(one.word)}"'
-    painter.sheet.arrow(middle, begin + gap * along, PEN, data, head=HEAD)
-    painter.sheet.arrow(middle, end - gap * along, PEN, data, head=HEAD)
-    return begin, end
+    for tail, tip, inwards in zip(tails, (begin, end), (along, -along), strict=True):
+        painter.sheet.arrow(
+            tail if is_tight else (begin + end) / 2, tip + gap * (-inwards if is_tight else inwards), PEN, data, head=HEAD
+        )
+    return tails
+
+
+def _ends(begin: complex, end: complex) -> Segment:
+    """Return the ends of a dimension line; of a tight one those of its arrows outside."""
+    way = end - begin
+    outer = OUTSIDE * way / abs(way)
+    return (begin, end) if abs(way) > TIGHT else (begin - outer, end + outer)
 
 
 def _extension(painter: Painter, foot: tuple[str, complex], end: complex) -> Segment | None:

@@ -9,19 +9,22 @@ from __future__ import annotations
 import cmath
 import itertools
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from coursework.drawing.cover import Segment
 from coursework.drawing.lengths import lengths
+from coursework.drawing.offsets import offsets
 from coursework.drawing.outline import Bar
 from coursework.drawing.painter import Painter
 from coursework.drawing.placing import Owner, Place
 from coursework.drawing.sheet import BOLD, ITALIC
-from coursework.drawing.symbols import length_text, name_word, short
+from coursework.drawing.symbols import length_word, name_word, short
+from coursework.formula.tree import Formula, terms
 from coursework.mechanism import Mechanism
 
 PARTS = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)  # of a line: where the word of it may stand, the middle first
 SHORT = 2.5  # mm: a shorter line bears no name
+SAME = 1e-9  # of a length: two that agree within that are the same
 NEAR_HINGE = (0.15, 0.3, 0.45)  # of a crank
 SPOKES = 32  # a wheel's name may stand within its rim
 
@@ -56,7 +59,7 @@ def link_lines(painter: Painter, bar: Bar) -> list[Segment]:
 def link_owner(painter: Painter, bar: Bar) -> Owner:
     """Return what the name of a link belongs to: its lines, the disc of its wheel; all other links and arrows are its rivals."""
     own = link_lines(painter, bar)
-    rivals = [line for line in painter.sheet.heavy if not any(lies_on(line, mine) for mine in own)]
+    rivals = [line for line in painter.sheet.heavy if not any(lies_on(line, mine) for mine in own)] + painter.grounds
     for wheel in painter.outline.wheels:
         centre, radius = painter.at[wheel.centre], abs(painter.at[wheel.contact] - painter.at[wheel.centre])
         rim = [centre + cmath.rect(radius, math.tau * k / SPOKES) for k in range(SPOKES + 1)]
@@ -110,19 +113,39 @@ def part_lengths(painter: Painter, mechanism: Mechanism, near: Sequence[Segment]
     known = lengths(mechanism)
     drawn = [(bar.corners[k], bar.corners[k + 1]) for bar in painter.outline.bars for k in range(len(bar.corners) - 1)]
     drawn += [(wheel.centre, wheel.contact) for wheel in painter.outline.wheels]
-    named = [(known.get(frozenset(ends)), painter.at[ends[0]], painter.at[ends[1]]) for ends in dict.fromkeys(drawn)]
+    free = _unsaid(mechanism, known)
+    named = [
+        (known.get(frozenset(ends)) or _measured(painter, ends, free), painter.at[ends[0]], painter.at[ends[1]])
+        for ends in dict.fromkeys(drawn)
+    ]
+    named += [(offset.length, *offset.stub) for offset in offsets(painter, mechanism) if offset.stub]
     for track, (_, radius) in zip(painter.outline.tracks, mechanism.variant.frame.circles, strict=True):
         wheel = painter.wheel_on(track)
         # Along a link between the two centres it would read as a length of that link.
         if wheel and not any({track.centre, wheel.centre} <= {*bar.corners} for bar in painter.outline.bars):
             named.append((radius, painter.at[track.centre], painter.at[wheel.contact]))
     for place, (length, a, b) in enumerate(named):
-        text = length_text(length) if length is not None else ""
-        if text and abs(b - a) > SHORT:
+        word = length_word(length) if length is not None else ("", "", "")
+        if word[0] and abs(b - a) > SHORT:
             thin = [(begin, end) for _, begin, end in (*named[:place], *named[place + 1 :])]
             rivals = [line for line in (*thin, *painter.sheet.heavy, *near, *painter.grounds) if not lies_on(line, (a, b))]
             owner = Owner([(a, b)], rivals, breaks=(a, b) not in painter.sheet.heavy)
-            painter.sheet.label((text, "", ""), beside(painter, (a, b), 1.0, towards=-1), ITALIC, owner=owner)
+            painter.sheet.label(word, beside(painter, (a, b), 1.0, towards=-1), ITALIC, owner=owner)
+
+
+def _unsaid(mechanism: Mechanism, known: Mapping[frozenset[str], Formula]) -> dict[str, float]:
+    """Return the given lengths (m) that are no length between two points yet, nor where a point lies."""
+    said = {length.name for length in known.values()} | {
+        part.name for _, formula in mechanism.points if formula.op == "pair" for arg in formula.args for part in terms(arg)
+    }
+    return {datum.name: datum.value for datum in mechanism.variant.given if datum.si == "m" and datum.name not in said}
+
+
+def _measured(painter: Painter, ends: tuple[str, str], free: Mapping[str, float]) -> Formula | None:
+    """Return the one datum as long as a part whose length the file leaves to be computed: the third side of a triangle."""
+    size = abs(painter.place[ends[1]] - painter.place[ends[0]])
+    alike = [name for name, value in free.items() if abs(value - size) <= SAME * size]
+    return Formula("name", name=alike[0]) if len(alike) == 1 else None
 
 
 def lies_on(line: Segment, other: Segment) -> bool:

@@ -1,7 +1,7 @@
 """A mechanism on a sheet, from what lies behind to what stands in front: rails, hinges, links, blocks, joints.
 
 Enters: an `Outline`, its `Poses` and where points of the plane lie on the sheet.  Leaves: items on the `Sheet`.
-Used by `drawing/figures.py`, `drawing/naming.py`, `drawing/dimensions.py` and `plans/drawing.py`.
+Used by `drawing/figures.py`, `drawing/naming.py`, `drawing/dimensions.py`, `drawing/offsets.py` and `plans/drawing.py`.
 SVG elements say what they are: data-link, data-sleeve, data-rail.
 """
 
@@ -42,7 +42,7 @@ class Painter:
         self.at = {name: put(z) for name, z in self.place.items()}
         self.names = outline.shown
         self.middle = middle_of(self.at[name] for name in self.names)
-        self.grounds: list[tuple[complex, complex]] = []  # the rails as they are drawn
+        self.grounds: list[tuple[complex, complex]] = []  # rails and hinges as they are drawn
 
     def extent(self) -> Iterator[tuple[complex, float]]:
         """Yield what takes room: places on the sheet (mm, y down) with the room around each."""
@@ -101,7 +101,7 @@ class Painter:
         """Draw a rail, hatched on the side where nothing is."""
         a, b = self.rail_line(rail)
         along = (b - a) / abs(b - a)
-        side = -1j * along * rail_side(self.outline, self.place, rail)
+        side = -1j * along * rail_side(self.outline, self.poses.pose(0), rail)
         if rail.rider and not rail.rolls:
             a, b = a + side * BLOCK[1], b + side * BLOCK[1]
         if part := inside(a, b, self.sheet.field):
@@ -139,6 +139,7 @@ class Painter:
         self.sheet.path([at, foot + 2.9 * side, foot - 2.9 * side], RING, closed=True)
         self.sheet.line(foot - 4.6 * side, foot + 4.6 * side, FRAME)
         self.sheet.hatch(foot - 4.6 * side, foot + 4.6 * side, down)
+        self.grounds.append((foot - 4.6 * side, foot + 4.6 * side))
         self.sheet.boxes.append(_around(at + 3.5 * down, 4.0))
 
     def ground(self, name: str) -> complex:

@@ -1,0 +1,114 @@
+"""Every length given between things drawn stands on the drawing: beside a part, on a dimension line as long as the scale says."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from coursework import load, solve
+from coursework.catalogue import names
+from coursework.drawing.dimensions import HEAD, TIGHT
+from coursework.drawing.figures import draw_start
+from coursework.drawing.ground import rail_side
+from coursework.drawing.painter import Painter
+from coursework.drawing.poses import read_poses
+from coursework.drawing.sheet import Sheet
+from coursework.drawing.tracing import read_outline
+from coursework.report.symbols import symbol
+from tests.drawing import measured
+
+# What lies at no point drawn, or changes with the motion: an origin, a drive's radius, the law of a crank's length.
+ABSENT = {
+    "andrews": {"rr", "xa", "ya", "xb", "yb"},
+    "v110": {"xK", "yK"},
+    "v112": {"xC0"},
+    "variable-crank-exact": {"l1"},
+}
+_LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
+
+
+def scale_of(caption: str) -> float:
+    found = re.search(r"scale (\d[\d.]*):(\d+(?:\.\d+)?)", caption)
+    assert found is not None
+    return 1000 * float(found[1]) / float(found[2])
+
+
+def ends_of(svg: str, word: str) -> tuple[complex, complex]:
+    """Return the tips of both arrows of a dimension."""
+    first, second = (line for line in measured.lines(svg, "data-dimension") if line.says["data-dimension"] == word)
+    tips = [line.b + HEAD * (line.b - line.a) / abs(line.b - line.a) for line in (first, second)]
+    return tips[0], tips[1]
+
+
+@pytest.mark.parametrize("name", names())
+def test_every_given_length_is_written_on_the_drawing(name: str) -> None:
+    run = solve(name, quantities=["table"])
+    drawing = run.mechanism()
+    assert drawing is not None
+    written = " ".join(word.text.translate(_LOWERED) for word in measured.words(drawing.svg))
+    missing = {
+        datum.name
+        for datum in run.variant.given
+        if datum.si == "m"
+        and symbol(datum.name).text.translate(_LOWERED).replace("_", "") not in re.split(r"[^\w]|(?<=\d)(?=\D)", written)
+    }
+    assert missing == ABSENT.get(name, set())
+
+
+@pytest.mark.parametrize(
+    ("name", "word", "metres"), [("engine-start", "e", 0.01), ("v112", "xD", 0.0986648), ("jansen", "l", 0.0078)]
+)
+def test_a_short_dimension_has_its_arrows_outside_and_is_true_to_scale(name: str, word: str, metres: float) -> None:
+    drawing = solve(name, quantities=["table"]).mechanism()
+    assert drawing is not None
+    first, second = ends_of(drawing.svg, word)
+    assert abs(second - first) == pytest.approx(metres * scale_of(drawing.caption), abs=0.02)
+    tails = [line.a for line in measured.lines(drawing.svg, "data-dimension") if line.says["data-dimension"] == word]
+    is_outside = abs(tails[1] - tails[0]) > abs(second - first)
+    assert is_outside == (abs(second - first) <= TIGHT)
+
+
+@pytest.mark.parametrize(("name", "word"), [("oscillating-cylinder", "e"), ("prp", "ri")])
+def test_an_offset_that_a_link_has_stands_beside_that_part(name: str, word: str) -> None:
+    svg = solve(name, quantities=["table"]).mechanism().svg  # type: ignore[union-attr]
+    slots = [line for line in measured.lines(svg, "data-link") if "data-slot" in line.says]
+    stub = min(slots, key=lambda line: abs(line.b - line.a))
+    [label] = [one for one in measured.words(svg) if one.text == word]
+    assert measured.beside(label, stub) < 5 or measured.led(svg, label, [stub])
+
+
+def test_a_datum_by_chance_as_long_as_a_part_is_not_taken_for_it() -> None:
+    """The third side of the triangle P1, Y, P3 is e; two data of its length, or one a part in a million longer, are none."""
+    variant = load("jansen")
+
+    def written(**values: float) -> set[str]:
+        changed = tuple(replace(datum, value=values.get(datum.name, datum.value)) for datum in variant.given)
+        run = solve(replace(variant, given=changed), quantities=["table"])
+        drawing = draw_start(run.scene.mechanism, run.scene.equations, run.motion, run.scene.start)
+        assert drawing is not None
+        return {word.text for word in measured.words(drawing.svg)}
+
+    assert {"e", "h"} <= written()
+    assert "e" not in written(h=0.0558)
+
+
+def test_the_ground_of_a_guide_lies_on_one_side_in_every_row() -> None:
+    run = solve("v110", quantities=["table"])
+    outline = read_outline(run.scene.mechanism)
+    assert outline is not None
+    poses = read_poses(outline, run.scene.equations)(np.array(run.motion.t), run.motion.coordinates)
+    sides = [{rail_side(outline, poses.pose(row), rail) for row in range(len(run.motion.t))} for rail in outline.rails]
+    assert any(len(side) == 2 for side in sides), "the mean of the points goes over the line of the guide"
+
+    def grounds(row: int) -> list[tuple[complex, complex]]:
+        painter = Painter(
+            Sheet(200.0, 200.0, (0.0, 0.0, 200.0, 200.0)), outline, poses, row, lambda z: 100 + 100j + 50 * z.conjugate(), 50.0
+        )
+        painter.fixed()
+        return painter.grounds
+
+    assert len(grounds(0)) == 2
+    assert all(grounds(row) == grounds(0) for row in range(1, len(run.motion.t)))
