@@ -15,14 +15,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from coursework.drawing.cover import Segment
-from coursework.drawing.lengths import lengths
+from coursework.drawing.lengths import is_origin, lengths
 from coursework.drawing.naming import beside, lies_on
 from coursework.drawing.offsets import offsets
 from coursework.drawing.painter import Painter
 from coursework.drawing.placing import Owner
 from coursework.drawing.sheet import ITALIC, Word
 from coursework.drawing.symbols import length_word
-from coursework.formula.tree import Formula
 from coursework.mechanism import Mechanism
 
 PEN = 'stroke="black" stroke-width="0.15"'
@@ -92,7 +91,7 @@ def _dimensions(painter: Painter, mechanism: Mechanism, shown: Sequence[str]) ->
         far = abs(_dot(offset.across, painter.at[offset.rider] - painter.at[offset.point]))
         if offset.stub is None and {offset.point, offset.rider} <= {*shown} and far > SHORTEST:
             yield Dimension(length_word(offset.length), offset.point, offset.rider, offset.across)
-    origin = next((name for name, formula in mechanism.points if name in shown and _numbers(formula, (0, 0))), "")
+    origin = next((name for name, formula in mechanism.points if name in shown and is_origin(formula)), "")
     said = set()
     for name, formula in mechanism.points:
         if not origin or name not in shown or formula.op != "pair":
@@ -170,12 +169,6 @@ def _extension(painter: Painter, foot: tuple[str, complex], end: complex) -> Seg
 def _samples(begin: complex, end: complex) -> Iterator[complex]:
     count = max(2, math.ceil(abs(end - begin) / SAMPLE))
     yield from (begin + (k + 0.5) / count * (end - begin) for k in range(count))
-
-
-def _numbers(formula: Formula, values: tuple[float, float]) -> bool:
-    return formula.op == "pair" and all(
-        part.op == "number" and part.value == value for part, value in zip(formula.args, values, strict=True)
-    )
 
 
 def _dot(a: complex, b: complex) -> float:

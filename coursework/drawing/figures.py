@@ -13,6 +13,7 @@ import numpy as np
 
 from coursework.drawing.board import Board, fit
 from coursework.drawing.dimensions import dimension_names, draw_dimensions, room_for_dimensions
+from coursework.drawing.lengths import is_origin
 from coursework.drawing.naming import link_names, link_owner, part_lengths, point_names, rate_places
 from coursework.drawing.outline import Outline
 from coursework.drawing.painter import DOT, Painter
@@ -123,10 +124,16 @@ def driven_way(poses: Poses, name: str, row: int) -> complex:
 
 
 def _marks(painter: Painter, sheet: Sheet, mechanism: Mechanism) -> list[str]:
-    """Draw the fixed points from which places on the guides of the frame are counted where nothing else does; return them."""
+    """Draw the fixed points from which places are counted where nothing else does; return them.
+
+    They are those of the guides of the frame, and the origin where hinges are given from there.
+    """
     points = dict(mechanism.points)
     riders = [through.name for through, _ in mechanism.variant.frame.rails if through.name in points]
     bases = [part.name for name in riders for part in terms(points[name]) if part.op == "name"]
+    given = {datum.name for datum in mechanism.variant.given}
+    if any(given.issuperset(points[name].names()) for name in painter.outline.hinges if name in points and points[name].names()):
+        bases += [name for name, formula in points.items() if is_origin(formula)]
     drawn = []
     for name in dict.fromkeys((*riders, *bases)):
         at = painter.at.get(name)

@@ -51,7 +51,7 @@ def lengths(mechanism: Mechanism) -> dict[frozenset[str], Formula]:
         said = [length for part in parts if part.op != "name" and (length := _length(part)) is not None]
         if len(parts) == 3 and len(ends) == 2 and len(said) == 1:
             found.setdefault(ends, said[0])
-    origin = next((name for name, formula in mechanism.points if formula.op == "pair" and _is_origin(formula)), "")
+    origin = next((name for name, formula in mechanism.points if is_origin(formula)), "")
     for name, formula in mechanism.points:
         length = _length(formula) if origin and formula.op == "pair" else None
         if length is not None:
@@ -66,8 +66,9 @@ def stretching(mechanism: Mechanism) -> frozenset[frozenset[str]]:
     return frozenset(ends for ends, length in lengths(mechanism).items() if changing & set(length.names()))
 
 
-def _is_origin(pair: Formula) -> bool:
-    return all(arg.op == "number" and arg.value == 0 for arg in pair.args)
+def is_origin(formula: Formula) -> bool:
+    """Return whether a point is written as (0, 0)."""
+    return formula.op == "pair" and all(arg.op == "number" and arg.value == 0 for arg in formula.args)
 
 
 def _length(part: Formula) -> Formula | None:

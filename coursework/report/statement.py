@@ -9,7 +9,7 @@ import re
 from dataclasses import replace
 
 from coursework.checks.summary import summary
-from coursework.formula.tree import Formula
+from coursework.formula.tree import Formula, constant, terms
 from coursework.mechanism import Mechanism
 from coursework.page_text import clean
 from coursework.quantities import CHECKS, TABLE
@@ -118,6 +118,9 @@ def _held(context: PageContext) -> list[str]:
     guided = [clean(name) for name in dict.fromkeys(riders) if name and name not in contacts]
     if guided:
         told.append(say.count("statement.guided", len(guided), points=say.listing(guided)))
+    for rider, (through, angle) in zip(riders, variant.frame.rails, strict=True):
+        if rider in guided and (point := _leads_through(context.run.scene.mechanism, rider, through, angle)):
+            told.append(say("statement.leads_through", rider=clean(rider), point=clean(point)))
     return told
 
 
@@ -130,16 +133,31 @@ def _rolled_on(variant: Variant, contact: str) -> str:
 
 def _rider(mechanism: Mechanism, through: Formula) -> str:
     """Return the point that moves on a guide: the one it leads through, or what a group has on it; "" where there is none."""
+    if through.op == "name" and _moves(mechanism, through.name):
+        return through.name
+    held = (group.meets for group in mechanism.variant.groups for guide in group.guides if guide.through == through)
+    return next((name for name in held if name), "")
+
+
+def _moves(mechanism: Mechanism, name: str) -> bool:
+    """Return whether a name stands for something that changes, or is built from such a thing."""
     variant, points = mechanism.variant, dict(mechanism.points)
     changing = {*variant.columns, *(law.name for law in (*variant.drive, *variant.functions)), "t"}
+    return name in changing or (name in points and any(_moves(mechanism, part) for part in points[name].names()))
 
-    def moves(name: str) -> bool:
-        return name in changing or (name in points and any(map(moves, points[name].names())))
 
-    if through.op == "name" and moves(through.name):
-        return through.name
-    held = (group.meets for group in variant.groups for guide in group.guides if guide.through == through)
-    return next((name for name in held if name), "")
+def _leads_through(mechanism: Mechanism, rider: str, through: Formula, angle: Formula) -> str:
+    """Return the fixed point on the line of a guide that the file places its rider from, "" where there is none.
+
+    It is named by the guide itself, unless that is moved aside, or by the rider: A = K + s @ beta on a guide along beta.
+    """
+    variant, points = mechanism.variant, dict(mechanism.points)
+    if through.op == "name" and through.name != rider:
+        guides = [guide for group in variant.groups for guide in group.guides if guide.through == through]
+        return "" if any(constant(guide.offset) != 0 for guide in guides) else through.name
+    parts = [*terms(points[rider])] if rider in points else []
+    is_along = [part.op for part in parts] == ["name", "@"] and parts[1].args[1] == angle
+    return parts[0].name if is_along and not _moves(mechanism, parts[0].name) else ""
 
 
 def _data(context: PageContext) -> Table:

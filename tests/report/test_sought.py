@@ -41,6 +41,16 @@ def test_a_velocity_has_no_name_that_a_datum_has(real: ModuleType) -> None:
 
 
 @pytest.mark.parametrize(
+    ("name", "rider", "point"),
+    [("example-5", "D", "K"), ("v110", "A", "K"), ("prp", "C", ""), ("v110", "C", ""), ("engine-start", "C", "")],
+)
+def test_the_point_that_a_guide_leads_through_is_told(real: ModuleType, name: str, rider: str, point: str) -> None:
+    """K is drawn and dimensioned; the guide of prp is moved aside, the others are given by their rider alone."""
+    told = f"The guide of {rider} leads through"
+    assert (f"{told} {point}." in statement(real, name)) if point else (told not in statement(real, name))
+
+
+@pytest.mark.parametrize(
     ("written", "told"),
     [
         ("(E - A - r2 @ phi2).x", "E.x - A.x - r2*cos(phi2)"),
