@@ -56,6 +56,7 @@ def unusual(real: ModuleType) -> list[Any]:
         solve("andrews", quantities=["table"]), solve("31", quantities=["checks"]), solve("oscillating-cylinder"),
         solve("jansen", quantities=["table"]), solve("cardan", quantities=["table", "checks"]),
         solve("epicyclic", quantities=["table"]), solve("engine-start", quantities=["checks"]),
+        solve("v110", quantities=["table"]),
         solve("31", quantities=["trajectories", "hodographs", "plans", "points"]),
         real.timed(), *real.oddities(),
     ]  # fmt: skip
