@@ -1,7 +1,7 @@
 """Rectangles on a sheet -> what each of them would cover, and how far it is from lines; many rectangles at once.
 
 Enters: rectangles as corners low and high (n, 2), and what is drawn, all in mm.  Leaves: arrays.
-Used by `drawing/placing.py`, which asks a thousand times a drawing.
+Used by `drawing/placing.py`, which asks a thousand times a drawing, and by `live/spots.py`.
 """
 
 from __future__ import annotations
@@ -14,20 +14,34 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Segment = tuple[complex, complex]
 Rectangle = tuple[float, float, float, float]
-_STILL = 1e-300  # stands for a step of 0, so that a line along an axis needs no case of its own
+STILL = 1e-300  # stands for a step of 0, so that a line along an axis needs no case of its own
 
 
-def shared(low: Array, high: Array, others: Sequence[Rectangle]) -> Array:
-    """Return the sides (n, m, 2) of what rectangles share with others (left, top, right, bottom), below 0 where apart."""
-    boxes = np.array(others).reshape(-1, 4)
-    sides: Array = np.minimum(high[:, None], boxes[:, 2:]) - np.maximum(low[:, None], boxes[:, :2])
+def shared(low: Array, high: Array, others: Sequence[Rectangle] | Array) -> Array:
+    """Return the sides (..., n, m, 2) of what rectangles (..., n, 2) share with others, below 0 where they are apart.
+
+    The others are (left, top, right, bottom), (..., m, 4); what stands before are rows of a motion.
+    """
+    boxes = np.asarray(others).reshape(*low.shape[:-2], -1, 4)[..., None, :, :]
+    sides: Array = np.minimum(high[..., None, :], boxes[..., 2:]) - np.maximum(low[..., None, :], boxes[..., :2])
     return sides
+
+
+def clipped(low: Array, high: Array, begin: Array, step: Array) -> Array:
+    """Return the part (..., n, m), 0 to 1, of each line from `begin` by `step` (..., m, 2) in each rectangle (..., n, 2)."""
+    with np.errstate(over="ignore"):
+        first = (low[..., None, :] - begin[..., None, :, :]) / step[..., None, :, :]
+        second = (high[..., None, :] - begin[..., None, :, :]) / step[..., None, :, :]
+    enters, leaves = np.minimum(first, second), np.maximum(first, second)
+    begins = np.maximum(np.maximum(enters[..., 0], enters[..., 1]), 0.0)
+    found: Array = np.maximum(np.minimum(np.minimum(leaves[..., 0], leaves[..., 1]), 1.0) - begins, 0.0)
+    return found
 
 
 def through(begin: Array, step: Array, boxes: Sequence[Rectangle]) -> Array:
     """Return how many rectangles (left, top, right, bottom) each way from `begin` (n, 2) by `step` (n, 2) goes through."""
     corners = np.array(boxes).reshape(-1, 4)
-    moved = np.where(step == 0, _STILL, step)[:, None]
+    moved = np.where(step == 0, STILL, step)[:, None]
     with np.errstate(over="ignore"):
         first, second = (corners[:, :2] - begin[:, None]) / moved, (corners[:, 2:] - begin[:, None]) / moved
     enters = np.maximum(np.minimum(first, second).max(axis=2), 0.0)
@@ -46,17 +60,11 @@ class Lines:
         self.end = ends[:, 1]
         self.low, self.high = ends.min(axis=1), ends.max(axis=1)
         self.length = np.hypot(*self.step.T)
-        self.step[self.step == 0] = _STILL
+        self.step[self.step == 0] = STILL
 
     def parts(self, low: Array, high: Array) -> Array:
         """Return the part (n, m), 0 to 1, of each segment that lies in each rectangle."""
-        with np.errstate(over="ignore"):
-            first = (low[:, None] - self.begin) / self.step
-            second = (high[:, None] - self.begin) / self.step
-        enters = np.maximum(np.minimum(first, second).max(axis=2), 0.0)
-        leaves = np.minimum(np.maximum(first, second).min(axis=2), 1.0)
-        found: Array = np.maximum(leaves - enters, 0.0)
-        return found
+        return clipped(low, high, self.begin, self.step)
 
     def within(self, low: Array, high: Array) -> tuple[Array, Array]:
         """Return in how many segments (n,) each rectangle has a part, and how long those parts are together."""
@@ -75,7 +83,7 @@ class Lines:
 
     def feet(self, points: Array) -> Array:
         """Return the point (n, m, 2) of each segment that is nearest to each point (n, 2)."""
-        square = np.maximum(self.length**2, _STILL)
+        square = np.maximum(self.length**2, STILL)
         off = (points[:, None] - self.begin) * self.step
         way = np.minimum(np.maximum((off[..., 0] + off[..., 1]) / square, 0.0), 1.0)
         feet: Array = self.begin + way[..., None] * self.step

@@ -6,6 +6,7 @@ Used by `page.py`.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,8 +14,9 @@ import numpy as np
 
 from coursework.drawing.ground import Places, hinge_ground, inward, racks, rail_side
 from coursework.drawing.outline import Outline
-from coursework.drawing.poses import read_poses
+from coursework.drawing.poses import all_rows, read_poses
 from coursework.drawing.tracing import read_outline
+from coursework.live.spots import spots_of
 from coursework.scene import Scene
 
 
@@ -26,19 +28,36 @@ class Drawn:
     places: tuple[Any, ...]
 
 
-def drawn_of(scene: Scene) -> Drawn:
-    """Return what is drawn; nothing where a file places no points."""
+def drawn_of(scene: Scene, label: Callable[[str], str]) -> Drawn:
+    """Return what is drawn, nothing where a file places no points; `label` writes the name of a point."""
     outline = read_outline(scene.mechanism)
-    if outline is None:
-        kinds = ("points", "links", "slots", "blocks", "rails", "wheels", "tracks", "hinges", "racks", "shown_points", "rings")
+    if outline is None or not outline.shown:
+        kinds = (
+            "points",
+            "links",
+            "slots",
+            "blocks",
+            "rails",
+            "wheels",
+            "tracks",
+            "hinges",
+            "racks",
+            "shown_points",
+            "rings",
+            "spots",
+        )
         return Drawn({kind: [] for kind in kinds}, ())
     symbols = scene.equations.symbols
     vectors = [symbols.vectors.get(name) or symbols.vector(formula) for name, formula in outline.points]
     kept = outline.plain()
     data = {kind: kept[kind] for kind in ("points", "slots", "blocks", "wheels")}
     data["links"] = [{"name": bar.link, "points": list(bar.corners), "rate": bar.rate} for bar in outline.bars]
-    start = read_poses(outline, scene.equations)(np.zeros(1), np.array([scene.start])).pose(0)
-    data |= _ground(outline, kept, start)
+    read = read_poses(outline, scene.equations)
+    start = read(np.zeros(1), np.array([scene.start]))
+    data |= _ground(outline, kept, start.pose(0))
+    motions = (each for each in (scene.exact, scene.lesson or scene.motion) if len(each.t) and all_rows(scene.equations, each))
+    poses = [read(each.t, each.coordinates) for each in motions] or [start]
+    data["spots"] = spots_of(outline, poses, [label(name) for name in outline.shown])
     data |= {"shown_points": list(outline.shown), "rings": _rings(outline)}
     return Drawn(data, tuple(component for vector in vectors for component in vector))
 

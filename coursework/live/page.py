@@ -61,7 +61,7 @@ def live_part(run: Run, phrases: Phrases, label: Callable[[str], str], unit: Cal
     """
     if not len(run.motion.t):
         return None
-    drawn = drawn_of(run.scene)
+    drawn = drawn_of(run.scene, label)
     said = _said(run, drawn, phrases, label, unit)
     if len(run.motion.t) <= MOST_ROWS:
         functions = live_functions(run.scene, drawn.places)

@@ -48,11 +48,7 @@ const drawing = {
     this.slots = data.slots.map((slot) => this.reach(slot));
     this.racks = data.racks.map((rack) => this.reach(rack));
     this.ground();
-    const key = `${motion.drawn} ${this.WIDE} ${box}`;
-    const { rows } = this.right;
-    if (key !== this.key) words.choose(this.first, [1, 2, 3].map((k) => rows[Math.floor((k * rows.length) / 4)]));
     this.drawn = motion.drawn;
-    this.key = key;
     additions.renew();
   },
   // Where everything is in a hundred rows of a motion at most, from the start to a time (s), and the box around it (m).
@@ -89,7 +85,6 @@ const drawing = {
   // Rails, fixed circles and hinges, hatched where they are held.
   ground() {
     let lines = "", thin = "";
-    this.rails = [];
     const hatch = (x1, y1, x2, y2, leanX, leanY) => {
       const count = Math.max(2, Math.round(Math.hypot(x2 - x1, y2 - y1) / 8));
       for (let i = 0; i < count; i++) {
@@ -111,7 +106,6 @@ const drawing = {
       const line = [x + low * ux, y - low * uy, x + high * ux, y - high * uy];
       lines += `M${line.map(f1)}`;
       hatch(...line, (uy * side - ux * 0.7) * 6, (ux * side + uy * 0.7) * 6);
-      this.rails.push(line);
     }
     for (const track of data.tracks) {
       const [x, y] = this.put(this.first, track.centre), [rx, ry] = this.put(this.first, track.rim);

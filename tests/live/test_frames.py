@@ -23,13 +23,14 @@ def written(found):
 def test_twenty_thousand_rows_are_written_out_a_few_times_only(run, monkeypatch):
     dumps, real = [], json.dumps
     monkeypatch.setattr(frames.json, "dumps", lambda *given, **how: dumps.append(1) or real(*given, **how))
-    found = frames.frames_of(run, drawn_of(run.scene), ROOM)["frames"]
+    found = frames.frames_of(run, drawn_of(run.scene, str), ROOM)["frames"]
     assert len(dumps) <= 25
     assert written(found) <= ROOM
 
 
 def test_a_little_more_room_shows_rows_closer_together(run):
     strides = [
-        round(frames.frames_of(run, drawn_of(run.scene), room)["frames"]["step"] / run.step) for room in (ROOM, ROOM * 51 // 50)
+        round(frames.frames_of(run, drawn_of(run.scene, str), room)["frames"]["step"] / run.step)
+        for room in (ROOM, ROOM * 51 // 50)
     ]
     assert strides[1] < strides[0]

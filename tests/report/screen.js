@@ -1,5 +1,6 @@
 // What a person or a screen reader would complain about on the page that is open; each function returns sentences.
-// Enters: a document.  Leaves: `judge` with `layout()`, `lines()`, `access()`, `contrast()`, `focus()`.
+// Enters: a document.  Leaves: `judge` with `layout()`, `lines()`, `access()`, `contrast()`, `focus()`;
+// `moving()` counts instead: words of the moving part that stand on something, in its first position and in seven later ones.
 const shown = (element) => element.checkVisibility() && element.getBoundingClientRect().width > 0;
 const name = (element) => {
   const home = element.closest("[id]");
@@ -178,4 +179,35 @@ function focus() {
   return found;
 }
 
-window.judge = { layout, lines, access, contrast, focus };
+// The letters of a word without their accents and tails; a link, rim, rail or joint is looked at every 1.5 units.
+function letters(text) {
+  const { x, width } = text.getBBox(), base = Number(text.getAttribute("y")) + Number(text.getAttribute("dy"));
+  return [x + 1, base - 0.68 * parseFloat(getComputedStyle(text).fontSize), x + width - 1, base];
+}
+function inked(path) {
+  const long = path.getTotalLength(), count = Math.ceil(long / 1.5);
+  return Array.from({ length: count && count + 1 }, (_, k) => path.getPointAtLength((k * long) / count));
+}
+function standing(field) {
+  const words = [...field.querySelectorAll(".live-words > text")].filter((text) => text.textContent), boxes = words.map(letters);
+  const ink = [...field.querySelectorAll(":is(.live-body, .live-ground, .live-pins) path:not(.live-hatch)")].flatMap(inked);
+  const met = (own, [left, top, right, bottom] = own) =>
+    ink.some(({ x, y }) => x > left && x < right && y > top && y < bottom) ||
+    boxes.some((box) => box !== own && Math.min(right, box[2]) > Math.max(left, box[0]) && Math.min(bottom, box[3]) > Math.max(top, box[1]));
+  return { words: words.length, on: words.filter((_, k) => met(boxes[k])).map((text) => text.textContent) };
+}
+async function moving() {
+  const scrub = document.querySelector("#scrub"), field = document.querySelector("#live-field");
+  const found = { start: [], later: 0, looked: 0 };
+  await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+  for (let k = 0; k < 8; k++) {
+    scrub.value = (scrub.max * k) / 8;
+    scrub.dispatchEvent(new Event("input", { bubbles: true }));
+    const { words, on } = standing(field);
+    if (k) found.looked += words, (found.later += on.length);
+    else found.start = on;
+  }
+  return found;
+}
+
+window.judge = { layout, lines, access, contrast, focus, standing, moving };

@@ -20,6 +20,8 @@ pytestmark = pytest.mark.browser
 HERE = Path(__file__).parent
 PHONE, SCREEN = {"width": 390, "height": 844}, {"width": 1400, "height": 900}
 TRANSLATED = (("31", "ru"), ("31", "uk"), ("31", "zh"), ("v107", "ru"), ("example-3", "zh"), ("epicyclic", "uk"))
+# The points of Cardan's circles run through both rims on straight lines, three of them on one.
+ON_RIMS = {"cardan": 1 / 2}
 FAULTY = """<!DOCTYPE html><html lang=""><head><style>
 .low { color: #777; background: #fff; } .high { color: #767676; background: #fff; } .wide { width: 500px; }
 .box { width: 100px; overflow-x: auto; } a:focus-visible { outline: none; }
@@ -66,6 +68,29 @@ def faults(page: Any) -> list[str]:
 def test_a_page_is_read_on_every_screen(variant: str, language: str, page: Any, tmp_path: Path) -> None:
     assert shown(variant, language, tmp_path, page) == []
     assert faults(page) == []
+    page.set_viewport_size(SCREEN)
+    words = page.evaluate("document.querySelector('#live') && judge.moving()")
+    if words:
+        assert words["start"] == []
+        assert words["later"] <= words["looked"] * ON_RIMS.get(variant, 1 / 4)
+
+
+def test_the_judge_sees_a_word_of_the_moving_part_on_a_line_or_a_word(page: Any, tmp_path: Path) -> None:
+    """An upright line 1 px beside the letters, then 1 px within; then a second word."""
+    path = tmp_path / "words.html"
+    drawn = '<svg id="f" viewBox="0 0 99 99" width="99"><g class="live-body"><path/></g><g class="live-words">{0}{0}</g></svg>'
+    path.write_text(drawn.format('<text x="20" y="40" dy="5" font-size="20">H</text>'), encoding="utf-8")
+    page.goto(path.as_uri())
+    page.evaluate("f.querySelector('text').setAttribute('x', 60)")
+
+    def on(way: str) -> list[str]:
+        return list(page.evaluate("(d) => { f.querySelector('path').setAttribute('d', d); return judge.standing(f).on; }", way))
+
+    right = page.evaluate("f.querySelector('text').getBBox().x + f.querySelector('text').getBBox().width - 1")
+    assert on(f"M{right + 1} 20V60") == []
+    assert on(f"M{right - 1} 20V60") == ["H"]
+    page.evaluate("f.querySelector('text').setAttribute('x', 22)")
+    assert on("M0 0H1") == ["H", "H"]
 
 
 def test_a_formula_breaks_where_a_person_breaks_it(page: Any, tmp_path: Path) -> None:
