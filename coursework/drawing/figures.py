@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from coursework.drawing.angles import angle_names, draw_angles, segments_of
 from coursework.drawing.board import Board, fit
 from coursework.drawing.dimensions import dimension_names, draw_dimensions, room_for_dimensions
 from coursework.drawing.lengths import is_origin
@@ -87,12 +88,14 @@ def _mechanism(mechanism: Mechanism, outline: Outline, poses: Poses, row: int) -
         sheet.arrow(at, tip, VELOCITY, f' data-driven="{short(name)}"', heavy=True)
     marks = _marks(painter, sheet, mechanism)
     dimensions = draw_dimensions(painter, mechanism, marks)
+    arcs = draw_angles(painter, mechanism)
     point_names(painter)
     for name, (at, tip) in shafts.items():
         sheet.label(("V", lowered_name(name), ""), [(tip, tip - at, 1.0)], ITALIC, owner=Owner([(at, tip)]))
     link_names(painter)
-    part_lengths(painter, mechanism, [line for _, line in dimensions])
+    part_lengths(painter, mechanism, [*(line for _, line in dimensions), *segments_of(arcs)])
     dimension_names(painter, dimensions)
+    angle_names(painter, arcs)
     for bar in outline.bars:
         for rate, hinge in outline.cranks:
             if bar.rate == rate and hinge in bar.corners:

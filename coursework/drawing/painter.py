@@ -43,6 +43,7 @@ class Painter:
         self.names = outline.shown
         self.middle = middle_of(self.at[name] for name in self.names)
         self.grounds: list[tuple[complex, complex]] = []  # rails and hinges as they are drawn
+        self.rails: dict[Rail, tuple[complex, complex]] = {}  # the rails among them
 
     def extent(self) -> Iterator[tuple[complex, float]]:
         """Yield what takes room: places on the sheet (mm, y down) with the room around each."""
@@ -108,6 +109,7 @@ class Painter:
             self.sheet.line(*part, FRAME, ' data-rail=""')
             self.sheet.hatch(*part, side)
             self.grounds.append(part)
+            self.rails[rail] = part
 
     def track(self, track: Track) -> None:
         """Draw the part of a fixed circle near its wheel, hatched inside the solid, with the radius that leads there."""

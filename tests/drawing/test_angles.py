@@ -1,0 +1,77 @@
+"""Given angles stand on the drawing: as an arc that turns by the datum, the right way, from what the file measures it from."""
+
+from __future__ import annotations
+
+import cmath
+import itertools
+import math
+import re
+from xml.etree import ElementTree
+
+import pytest
+
+from coursework import load, parse_variant, solve
+from tests.drawing import measured
+
+
+def svg_of(name: str, **changes: str) -> str:
+    text = load(name).path.read_text(encoding="utf-8")  # type: ignore[union-attr]
+    for old, new in changes.items():
+        assert old in text
+        text = text.replace(old, new)
+    drawing = solve(parse_variant(text), quantities=["table"]).mechanism()
+    assert drawing is not None
+    return drawing.svg
+
+
+def arc_of(svg: str, letter: str) -> list[complex]:
+    [path] = [node for node in ElementTree.fromstring(svg).iter() if node.get("data-angle") == letter]
+    return [complex(float(x), float(y)) for x, y in re.findall(r"(-?[\d.]+) (-?[\d.]+)", path.get("d", ""))]
+
+
+def turned(points: list[complex]) -> float:
+    """Return by how much the tangent of an arc turns (rad), counter-clockwise as seen; half a piece is lost at each end."""
+    ways = [(b - a).conjugate() for a, b in itertools.pairwise(points)]
+    total = sum(cmath.phase(b / a) for a, b in itertools.pairwise(ways))
+    return total * len(ways) / (len(ways) - 1)
+
+
+@pytest.mark.parametrize(
+    ("name", "letter", "degrees"),
+    [
+        ("v101", "β", 45.0), ("v110", "β", 45.0),
+        ("prp", "γ", 20.0),
+        ("stephenson", "γ", 10.0), ("watt", "γ", -90.0),
+    ],
+)  # fmt: skip
+def test_an_arc_turns_by_its_datum_and_has_its_letter(name: str, letter: str, degrees: float) -> None:
+    svg = svg_of(name)
+    arc = arc_of(svg, letter)
+    assert math.degrees(turned(arc)) == pytest.approx(degrees, abs=1.0)
+    [word] = [one for one in measured.words(svg) if one.text == letter]
+    assert min(measured.apart(word, at) for at in arc) < 5
+
+
+def test_a_bend_begins_at_the_part_that_the_coordinate_turns() -> None:
+    """gamma of Watt's bell crank is measured at D from DC: both ends of the arc lie on the link."""
+    svg = svg_of("watt")
+    arc = arc_of(svg, "γ")
+    sides = {
+        line.says["data-from"] + line.says["data-to"]: line
+        for line in measured.lines(svg, "data-link")
+        if "data-from" in line.says
+    }
+    for end, side in ((arc[0], sides["CD"]), (arc[-1], sides["DE"])):
+        way = (side.b - side.a) / abs(side.b - side.a)
+        assert abs(((end - side.a) * way.conjugate()).imag) < 0.02
+
+
+@pytest.mark.parametrize(("value", "is_drawn"), [("1.8 deg", True), ("1.6 deg", False)])
+def test_an_angle_too_small_to_be_seen_has_no_arc(value: str, is_drawn: bool) -> None:
+    svg = svg_of("stephenson", **{'gamma = "10 deg"': f'gamma = "{value}"'})
+    assert ("data-angle" in svg) == is_drawn
+
+
+def test_an_angle_that_is_no_direction_is_not_drawn() -> None:
+    """alpha of variant 31 is the phase of its drive."""
+    assert "data-angle" not in svg_of("31")
