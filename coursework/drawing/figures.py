@@ -93,8 +93,8 @@ def _mechanism(mechanism: Mechanism, outline: Outline, poses: Poses, row: int) -
     for name, (at, tip) in shafts.items():
         sheet.label(("V", lowered_name(name), ""), [(tip, tip - at, 1.0)], ITALIC, owner=Owner([(at, tip)]))
     link_names(painter)
-    part_lengths(painter, mechanism, [*(line for _, line in dimensions), *segments_of(arcs)])
     dimension_names(painter, dimensions)
+    part_lengths(painter, mechanism, [*(line for _, line in dimensions), *segments_of(arcs)])
     angle_names(painter, arcs)
     for bar in outline.bars:
         for rate, hinge in outline.cranks:

@@ -28,6 +28,7 @@ WORD_ON_WORD = 200.0  # the same for another word
 CROSSED = 4.0  # the same for every line that goes through it
 SYMBOL = (3.0, 6.0)  # the same for a mm² of a symbol, and for every symbol
 GAP, SIDE_BY_SIDE = 2.2, 20.0  # mm: words nearer on one line read as one; mm of lines that a word rather covers
+LEADING = 0.8  # mm: so do words nearer above each other
 BEYOND = 30.0  # mm of lines for each mm beyond the field
 CLEARLY = 1.0  # mm: a word is that much nearer to its own than to what it might be mistaken for
 LOST = 5.0  # mm: farther from a line or a point a word seems to belong to nothing
@@ -85,11 +86,12 @@ class Taken:
         areas = np.multiply.reduce(np.maximum(symbols, 0.0), axis=2)
         level = words[..., 1] > 0
         over, beside = level & (words[..., 0] > 0), level & (words[..., 0] > -GAP)
+        stacked = (words[..., 0] > 0) & (words[..., 1] > -LEADING) & ~level
         crossed, length = self.lines("segments").within(low, high)
         heavy, _ = self.lines("heavy").within(low - CLEAR, high + CLEAR)
         cost: Array = BEYOND * beyond.sum(axis=1) + length + CROSSED * crossed + HEAVY * heavy
         cost += SYMBOL[0] * areas.sum(axis=1) + SYMBOL[1] * (areas > 0).sum(axis=1)
-        cost += WORD_ON_WORD * over.sum(axis=1) + SIDE_BY_SIDE * beside.sum(axis=1)
+        cost += WORD_ON_WORD * over.sum(axis=1) + SIDE_BY_SIDE * (beside | stacked).sum(axis=1)
         return cost
 
     def stand(self, width: float, height: float, places: Sequence[Place], owner: Owner, room: Rectangle) -> Stand:
