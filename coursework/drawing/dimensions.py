@@ -36,6 +36,7 @@ PAST, OFF = 1.0, 1.8  # mm: an extension line ends that much past the arrow, and
 BELOW = 7.0  # mm: the ground of a hinge ends there
 HEAD = 1.8  # mm
 AT_POINT = 2.5  # mm: a dimension line straight between its points is not looked at there
+ORIGIN = "0"  # what the origin is called where the file gives it no name; no point has it
 SEVERAL = 13.5  # mm around a hinge from which more than one dimension is counted
 
 
@@ -91,10 +92,10 @@ def _dimensions(painter: Painter, mechanism: Mechanism, shown: Sequence[str]) ->
         far = abs(_dot(offset.across, painter.at[offset.rider] - painter.at[offset.point]))
         if offset.stub is None and {offset.point, offset.rider} <= {*shown} and far > SHORTEST:
             yield Dimension(length_word(offset.length), offset.point, offset.rider, offset.across)
-    origin = next((name for name, formula in mechanism.points if name in shown and is_origin(formula)), "")
+    origin = next((name for name, formula in mechanism.points if name in shown and is_origin(formula)), ORIGIN)
     said = set()
     for name, formula in mechanism.points:
-        if not origin or name not in shown or formula.op != "pair":
+        if origin not in shown or name not in shown or formula.op != "pair":
             continue
         parts = [part.args[0] if part.op == "neg" else part for part in formula.args]
         if all(part.op == "name" and part.name in given for part in parts):

@@ -13,7 +13,7 @@ import numpy as np
 
 from coursework.drawing.angles import angle_names, draw_angles, segments_of
 from coursework.drawing.board import Board, fit
-from coursework.drawing.dimensions import dimension_names, draw_dimensions, room_for_dimensions
+from coursework.drawing.dimensions import ORIGIN, dimension_names, draw_dimensions, room_for_dimensions
 from coursework.drawing.lengths import is_origin
 from coursework.drawing.naming import link_names, link_owner, part_lengths, point_names, rate_places
 from coursework.drawing.outline import Outline
@@ -24,7 +24,7 @@ from coursework.drawing.record import Drawing
 from coursework.drawing.sheet import ITALIC, Sheet, inside
 from coursework.drawing.symbols import lowered_name, name_word, rate_word, short
 from coursework.drawing.tracing import read_outline
-from coursework.formula.tree import terms
+from coursework.formula.tree import Formula, terms
 from coursework.integration.motion import Motion, Stop
 from coursework.mechanism import Mechanism
 from coursework.reduction.equations import VelocityEquations
@@ -153,7 +153,22 @@ def _marks(painter: Painter, sheet: Sheet, mechanism: Mechanism) -> list[str]:
                 if not _between(ends, at):
                     sheet.line(at, foot, AXIS)
         drawn.append(name)
+    placed = {*drawn, *painter.outline.hinges} & points.keys()
+    if any(points[name].op == "pair" and given.issuperset(names) for name in placed if (names := points[name].names())):
+        drawn += _origin(painter, sheet, points)
     return drawn
+
+
+def _origin(painter: Painter, sheet: Sheet, points: Mapping[str, Formula]) -> list[str]:
+    """Mark the origin where the file gives it no name but counts from there; return what it is called."""
+    at = painter.put(0j)
+    if any(map(is_origin, points.values())) or inside(at - 1, at + 1, sheet.field) != (at - 1, at + 1):
+        return []
+    painter.at[ORIGIN] = at
+    if all(abs(at - painter.at[name]) > 1 for name in painter.names):
+        sheet.circle(at, 0.7, DOT)
+    sheet.label((ORIGIN, "", ""), [(at, painter.middle - at, 1.2)], owner=Owner([(at, at)]))
+    return [ORIGIN]
 
 
 def _between(ends: tuple[complex, complex], at: complex) -> bool:

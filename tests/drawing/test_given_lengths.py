@@ -23,7 +23,6 @@ from tests.drawing import measured
 # What lies at no point drawn, or changes with the motion: an origin, a drive's radius, the law of a crank's length.
 ABSENT = {
     "andrews": {"rr"},
-    "v110": {"xK", "yK"},
     "v112": {"xC0"},
     "variable-crank-exact": {"l1"},
 }
@@ -112,3 +111,13 @@ def test_the_ground_of_a_guide_lies_on_one_side_in_every_row() -> None:
 
     assert len(grounds(0)) == 2
     assert all(grounds(row) == grounds(0) for row in range(1, len(run.motion.t)))
+
+
+def test_an_origin_without_a_name_is_marked_where_data_count_from_it() -> None:
+    """K of v110 is at (xK, yK); in v112 the origin is O, in variant 31 nothing counts from it."""
+    svg = solve("v110", quantities=["table"]).mechanism().svg  # type: ignore[union-attr]
+    [mark] = [word for word in measured.words(svg) if word.text == "0"]
+    tips = ends_of(svg, "xK")
+    assert min(abs(tip.real - (mark.box[0] + mark.box[2]) / 2) for tip in tips) < 5
+    for name in ("v112", "31"):
+        assert all(word.text != "0" for word in measured.words(solve(name, quantities=["table"]).mechanism().svg))  # type: ignore[union-attr]
