@@ -23,7 +23,8 @@ from coursework.integration.integrate import march
 from coursework.integration.motion import Motion
 from coursework.run import Run
 from coursework.variant.reader import parse_variant
-from tests.hard.families import Case, Margin, random_case
+from tests.hard.case import Case, Margin
+from tests.hard.families import random_case
 
 OPEN = 1e-9  # of the largest length: how far the loops of an exact table may be open
 LOCATED = 1e-6  # s of the run's own end: how far a stop may lie from the reach of the links

@@ -1,0 +1,68 @@
+"""What nobody asked for is not even imported: asked of a fresh interpreter."""
+
+import json
+import subprocess
+import sys
+
+import pytest
+
+LOOK = """
+import json, sys
+{code}
+print(json.dumps(sorted(sys.modules)))
+"""
+COMMAND = """
+from coursework.cli import main
+import contextlib, io
+with contextlib.redirect_stdout(io.StringIO()):
+    try:
+        main({arguments!r})
+    except SystemExit as end:
+        assert not end.code, end.code
+"""
+HEAVY = {"numpy", "sympy", "pydantic", "pandas", "scipy", "matplotlib", "jinja2", "typst"}
+PAGES = {"pandas", "scipy", "matplotlib", "jinja2", "typst", "coursework.report"}
+EXTRA = {"coursework.kinematics.accelerations", "coursework.kinematics.points", "coursework.plans.graph_check",
+         "coursework.checks.check", "coursework.accuracy.study"}  # fmt: skip
+
+
+def imported(code, folder):
+    done = subprocess.run([sys.executable, "-c", LOOK.format(code=code)], capture_output=True, text=True, cwd=folder, check=False)
+    assert done.returncode == 0, done.stderr
+    return set(json.loads(done.stdout.splitlines()[-1]))
+
+
+def command(*arguments):
+    return COMMAND.format(arguments=list(arguments))
+
+
+@pytest.mark.parametrize(
+    ("code", "absent"),
+    [
+        ("import coursework", HEAVY | {"click"}),
+        (command("--help"), HEAVY),
+        (command("run", "--help"), HEAVY),
+        (command("variants"), HEAVY),
+        (command("run", "31", "--quantities", "table", "--format", "csv"), PAGES | EXTRA),
+        (command("run", "31", "--quantities", "phi3", "--format", "csv"), PAGES | EXTRA),
+        (command("run", "31", "--quantities", "table,checks", "--format", "csv"), PAGES | EXTRA - {"coursework.checks.check"}),
+        (
+            command("run", "31", "--quantities", "accelerations", "--format", "csv"),
+            PAGES | EXTRA - {"coursework.kinematics.accelerations"},
+        ),
+        (command("run", "31", "--quantities", "table,plots", "--format", "html"), {"pandas", "scipy", *EXTRA}),
+        (command("check", "31"), PAGES | EXTRA),
+        (command("run", "31", "--plan"), PAGES | EXTRA),
+    ],
+    ids=["import", "help", "run help", "variants", "table", "one angle", "checks", "accelerations", "html", "check", "plan"],
+)
+def test_what_is_not_imported(code, absent, tmp_path):
+    found = imported(code, tmp_path)
+    assert "coursework" in found
+    assert found & absent == set()
+
+
+def test_the_look_at_imports_sees_them(tmp_path):
+    assert {"numpy", "sympy", "pandas"} <= imported(
+        "import coursework\ncoursework.solve('31', quantities=['table']).table", tmp_path
+    )
