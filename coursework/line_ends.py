@@ -18,23 +18,32 @@ _SIGN = rf"[^\s\u200b{HAN}]"  # what a piece between two spaces is made of
 _OF_QUOTIENT = r"[\w.,;·()|²³√−-]"
 _BEGIN = rf"(?<!{_SIGN})"
 _GAP = " \u00a0\u2009\u202f"
-_NUMBER = r"(?:[−-]?\d[\d.,]*|\{\w+\})"  # or the gap of a sentence that a script fills
+_NUMBER = r"(?:[−-]?\d[\d.,]*(?:·10[−-]?\d+)?|\{\w+\})"  # or the gap of a sentence that a script fills
 _NAMED = r"rad|deg|rpm|min|mm|cm|ms|µs|m|s|рад|град|мин|хв|мм|см|мкс|мс|м|с"
 _UNIT = rf"(?:(?:{_NAMED})(?:/(?:{_NAMED})[²2]?)?|1/(?:s|с)|%)"
-_ROW = r"(?:[Rr]ows?|[Сс]трок\w?|[Рр]яд\w{0,3})"
+_ROW = r"(?:[Rr]ows?|[Ll]ink|[Ss]leeve|[Ww]heel|[Сс]трок\w?|[Рр]яд\w{0,3}|[Зз]вен\w{0,2}|[Лл]анк\w{0,3}|[Кк]олес\w{0,2})"
+_RELATION, _JOINED = "[=≈<>≤≥]", "[+−·×]"
+_FUNCTION = "(?:sin|cos|tan|tg)"
+_TERM = rf"(?:{_SIGN}{{0,8}}\([^()]{{1,20}}\)(?!{_SIGN})|{_SIGN}{{1,18}})"
+_PRODUCT = rf"(?:{_FUNCTION}[{_GAP}])?{_TERM}(?:[{_GAP}](?={_FUNCTION})(?:{_FUNCTION}[{_GAP}])?{_TERM})*"
+_SUM = rf"{_PRODUCT}(?:[{_GAP}]{_JOINED}[{_GAP}]{_PRODUCT})*"
+_WHOLE = rf"(?![{_GAP}]{_RELATION}[{_GAP}])"  # a chain of equalities in part would break at one sign and not at another
 _TOGETHER = tuple(
     re.compile(pattern)
     for pattern in (
-        rf"{_BEGIN}{_SIGN}{{1,18}}(?:[{_GAP}][=≈<>≤≥][{_GAP}]{_SIGN}{{1,18}}(?!{_SIGN}))+(?:[{_GAP}]{_UNIT}(?!\w))?",
-        rf"{_BEGIN}{_SIGN}{{1,24}}[{_GAP}][=≈<>≤≥](?!{_SIGN})",  # of a longer one, the sign and what stands before it
+        rf"(?<!{_RELATION}[{_GAP}]){_BEGIN}{_SUM}(?:[{_GAP}]{_RELATION}[{_GAP}]{_SUM}(?!{_SIGN}))+(?:[{_GAP}]{_UNIT}(?!\w))?{_WHOLE}",
+        rf"{_BEGIN}{_SIGN}{{1,24}}[{_GAP}]{_RELATION}(?!{_SIGN})",  # of a longer one, the sign and what stands before it
+        rf"{_BEGIN}{_PRODUCT}(?:[{_GAP}]{_JOINED}[{_GAP}]{_PRODUCT})+(?!{_SIGN})(?:[{_GAP}]{_UNIT}(?!\w))?",
+        rf"{_BEGIN}{_JOINED}[{_GAP}]{_PRODUCT}(?!{_SIGN})",  # of a longer sum, the sign and what stands behind it
+        r"(?<![\w-])\w{2,12}(?:-\w{1,12}){1,2}(?![\w-])(?:[ \u00a0]\d(?:\(\d\))?(?!\w|\.\d))?",  # Runge-Kutta 4
         rf"{_NUMBER}[{_GAP}]{_UNIT}(?!\w)[.,;:)]*",
         rf"{_BEGIN}{_OF_QUOTIENT}+/{_OF_QUOTIENT}+(?!{_SIGN})",
         rf"(?<![^\W{HAN}])(?:[^\W{HAN}]{{1,14}}:[{_GAP}](?!\{{scheme)|{_ROW}[{_GAP}]){_NUMBER}",
-        rf"(?:sin|cos|tan|tg)[{_GAP}]{_SIGN}{{1,12}}(?!{_SIGN})",
+        rf"{_FUNCTION}[{_GAP}]{_SIGN}{{1,12}}(?!{_SIGN})",
         rf"{_BEGIN}[−-]?\d+[{_GAP}][α-ωϕ]{_SIGN}{{0,6}}(?!{_SIGN})",
     )
 )
-_WORTH_A_LOOK = re.compile(r"[=≈<>≤≥/%{]|\d|cos|sin|tan|tg")
+_WORTH_A_LOOK = re.compile(r"[=≈<>≤≥+−·×/%{]|\d|\w-\w|cos|sin|tan|tg")
 
 
 class Group(NamedTuple):

@@ -20,6 +20,13 @@ def kept(sentence: str) -> list[str]:
         ("the speed V/ω₀ and −2 φ1", ["V/ω₀", "−2 φ1"]),
         ("ошибка 21 % в строке 4, 2,5 рад/с", ["21 %", "строке 4,", "2,5 рад/с"]),
         ("步长 h = 0.02 s，误差 21 %", ["h = 0.02 s", "21 %"]),
+        ("(14) = (12) + (16); (15) = (11) + (18)", ["(14) = (12) + (16);", "(15) = (11) + (18)"]),
+        ("row i + 1 belongs to t = i · h with", ["i + 1", "t = i · h"]),
+        ("within round-off by Runge-Kutta 4.", ["round-off", "Runge-Kutta 4"]),
+        ("a = b = c", ["a = b = c"]),
+        ("speed_of_the_block = twice_its_part = 4", ["speed_of_the_block =", "twice_its_part ="]),
+        ("F = D + (62.5, 70) mm, at 4.9·10−4 m", ["F = D + (62.5, 70) mm", "4.9·10−4 m"]),
+        ("Δ = −r sin(φ2 − φ3) is zero", ["Δ = −r sin(φ2 − φ3)"]),
         ("In 24 steps and 3 seconds, as said: well", []),
     ],
 )

@@ -22,7 +22,7 @@ _NOTHING = re.compile(r"<g [^>]*/>|</svg>")
 _SHIFTED = re.compile(r'transform="translate\((\S+) (\S+)\)" d="M 0 0([^"A-Z]*)"')
 _DEFINITIONS = re.compile(r"<defs[^>]*>.*?</defs>", re.DOTALL)
 _OPENING = re.compile(r'<svg[^>]*?viewBox="([^"]+)"[^>]*?width="([\d.]+)pt"[^>]*?height="([\d.]+)pt"[^>]*>')
-NARROW = 260  # pt: what the screen of a phone shows without being moved
+NARROW = 200  # pt: what the screen of the smallest phone, 320 px, shows without being moved
 MOST_CACHED = 2000  # equations kept; a batch over many variants starts anew beyond
 
 

@@ -168,7 +168,10 @@ class Panel:
 
 @dataclass(frozen=True, slots=True)
 class Panels:
-    """Small graphs of one size (mm), two beside each other, under one `legend` of (SVG, words) and above one caption."""
+    """Small graphs of one size (mm), two beside each other, under one `legend` of (SVG, words) and above one caption.
+
+    `least` is the width (mm) that each has on a screen, so that its words can be read, before two stand beside each other.
+    """
 
     id: str
     width: float
@@ -177,7 +180,11 @@ class Panels:
     items: list[Panel]
     caption: Runs
     label: str = ""
+    least: float = field(init=False)
     kind: str = field(default="panels", init=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "least", max(least_width(item.svg, self.width) for item in self.items))
 
 
 @dataclass(frozen=True, slots=True)

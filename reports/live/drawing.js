@@ -31,8 +31,9 @@ const drawing = {
   // Choose the window so that both motions fit, and draw what stands still.
   refit() {
     if (!data.points.length) return;
-    // On a small screen the drawing has fewer units, so that its letters keep their size.
-    this.WIDE = matchMedia("(max-width: 599px)").matches ? 380 : 640;
+    // Where there is little room the drawing has fewer units, so that its letters keep their size.
+    const fits = (width) => matchMedia(width).matches;
+    this.WIDE = fits("(max-width: 359px)") ? 350 : fits("(max-width: 599px), (min-width: 721px) and (max-width: 1199px)") ? 380 : 640;
     // The true motion is looked through once, also while step and scheme are moved.
     if (!this.right || this.drawn !== motion.drawn) this.right = this.extent(true, motion.dead ?? data.end, data.step);
     const ghost = this.extent(false, motion.duration, motion.h);

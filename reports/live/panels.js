@@ -35,7 +35,7 @@ const panels = {
       panel.dataset.time = `0 ${data.end}`;
       const told = [label(name), data.unit_words[name]].filter(Boolean).join(", ");
       panel.setAttribute("aria-label", told);
-      const title = svg("text", { x: LEFT + 4, y: 12, class: "live-title" }, panel);
+      const title = svg("text", { x: LEFT + 4, y: 14, class: "live-title" }, panel);
       symbolic(title, told);
       const axes = svg("g", { class: "live-axes" }, panel);
       let path = `M${LEFT} ${TOP}V${BOTTOM}H${RIGHT}`;

@@ -80,7 +80,7 @@ const watch = {
     }
     svg("path", { d: path, class: "live-axes" }, field);
     const title = (text, x, y, anchor) => (svg("text", { x, y, "text-anchor": anchor, class: "live-title" }, field).textContent = text);
-    title(say("error_axis", { unit: data.unit_words[data.coordinates[motion.worst.place]] }), left + 6, 12, "start");
+    title(say("error_axis", { unit: data.unit_words[data.coordinates[motion.worst.place]] }), left + 6, 14, "start");
     title(data.words.time_axis, right, bottom + 34, "end");
     this.tries.forEach((one, i) => {
       const now = i === this.tries.length - 1;

@@ -53,9 +53,9 @@ function layout() {
   return found;
 }
 
-// No line ends in a number with its unit, beside "=", in a quotient or behind a label of a number.
+// No line ends in a number with its unit, in a short equality or sum, a quotient, a word with a hyphen or behind a label of a number.
 const UNITS = "(?:rad|m|mm|s|ms|рад|м|мм|с)(?:/(?:rad|s|рад|с))?[²2]?|%";
-const TOGETHER = new RegExp(`(?<=\\d)\\s(?=(?:${UNITS})(?![\\p{L}\\d]))|(?<=[\\p{L}\\d)²])\\s(?==\\s)|(?<=\\p{L}/)(?=\\p{L})|(?<=\\b\\p{L}{1,14}:)\\s(?=[−\\d])|(?<=\\b[Rr]ow)\\s(?=\\d)`, "gu");
+const TOGETHER = new RegExp(`(?<=\\d)\\s(?=(?:${UNITS})(?![\\p{L}\\d]))|(?<=[\\p{L}\\d)²])\\s(?==\\s)|(?<=\\p{L}/)(?=\\p{L})|(?<=\\b\\p{L}{1,14}:)\\s(?=[−\\d])|(?<=\\b[Rr]ow)\\s(?=\\d)|(?<=\\s[+−·])\\s(?=[\\p{L}\\d(])|(?<=(?<![\\p{L}-])\\p{L}{2,12}-)(?=\\p{L}{2,12}(?![\\p{L}-]))|(?<=(?<![\\S])\\S{1,6}\\s=)\\s(?=[^\\s=]{1,6}(?:[.,]?$|[.,]?\\s(?![=+−·])))`, "gu");
 function lines() {
   const found = [];
   const inline = (element) => getComputedStyle(element).display === "inline";
