@@ -18,7 +18,7 @@ from coursework.report import build_model, render_html
 pytestmark = pytest.mark.browser
 
 HERE = Path(__file__).parent
-PHONE, SCREEN = {"width": 390, "height": 844}, {"width": 1400, "height": 900}
+PHONE, BETWEEN, SCREEN = {"width": 390, "height": 844}, {"width": 640, "height": 900}, {"width": 1400, "height": 900}
 TRANSLATED = (("31", "ru"), ("31", "uk"), ("31", "zh"), ("v107", "ru"), ("example-3", "zh"), ("epicyclic", "uk"))
 # The points of Cardan's circles run through both rims on straight lines, three of them on one.
 ON_RIMS = {"cardan": 1 / 2}
@@ -68,7 +68,9 @@ def faults(page: Any) -> list[str]:
 def test_a_page_is_read_on_every_screen(variant: str, language: str, page: Any, tmp_path: Path) -> None:
     assert shown(variant, language, tmp_path, page) == []
     assert faults(page) == []
-    page.set_viewport_size(SCREEN)
+    for size in (BETWEEN, SCREEN):
+        page.set_viewport_size(size)
+        assert page.evaluate("judge.layout()") == []
     words = page.evaluate("document.querySelector('#live') && judge.moving()")
     if words:
         assert words["start"] == []
