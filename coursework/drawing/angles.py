@@ -71,13 +71,18 @@ def angle_names(painter: Painter, arcs: Sequence[Arc]) -> None:
 
 
 def _slopes(painter: Painter, mechanism: Mechanism) -> Iterator[Angle]:
-    """Yield the slopes of fixed guides, from the direction that the rest of their formula says."""
+    """Yield the slopes of guides, fixed or of a link, from the direction that the rest of their formula says."""
     points = dict(painter.outline.points)
     for rail, (a, b) in painter.rails.items():
         toward = points[rail.toward]
         if toward.op == "+" and toward.args[1].op == "@":
             along = (b - a) / abs(b - a)
             yield from _angle(mechanism, toward.args[1].args[1], (a, a + 0.35 * (b - a)), along)
+    for slot in painter.outline.slots:
+        toward = points[slot.toward]
+        if toward.op == "+" and toward.args[1].op == "@":
+            way = painter.at[slot.toward] - painter.at[slot.base]
+            yield from _angle(mechanism, toward.args[1].args[1], (painter.at[slot.at],), way / abs(way))
 
 
 def _bends(painter: Painter, mechanism: Mechanism) -> Iterator[Angle]:
@@ -124,26 +129,29 @@ def _place(painter: Painter, angle: Angle) -> Arc | None:
         for radius in RADII:
             count = max(2, math.ceil(abs(angle.turn) / PIECE))
             points = tuple(at + radius * angle.begin * cmath.exp(1j * angle.turn * k / count) for k in range(count + 1))
-            line = None if _is_shown(painter, at, angle.begin) else (at, at + (radius + PAST) * angle.begin)
-            if not all(inside(p - 0.01, p + 0.01, sheet.field) for p in (*points, *(line or ()))):
+            sides = [way for way in (angle.begin, angle.begin * cmath.exp(1j * angle.turn)) if not _is_shown(painter, at, way)]
+            lines = [(at, at + (radius + PAST) * way) for way in sides]
+            ends = [line[1] for line in lines]
+            if not all(inside(p - 0.01, p + 0.01, sheet.field) for p in (*points, *ends)):
                 continue
-            looked = [*points[2:-2], *([(line[0] + line[1]) / 2, line[1]] if line else [])]
+            looked = [*points[2:-2], *ends, *((at + end) / 2 for end in ends)]
             squares = np.array([(p.real, p.imag) for p in looked]).reshape(-1, 2)
             cost = float(sheet.taken.covered(squares, 0.4, 0.4, sheet.field).sum()) / max(len(looked), 1) + FARTHER * radius
             if cost < best - 1e-9:
-                best, chosen = cost, (at, points, line)
+                best, chosen = cost, (at, points, lines)
     if chosen is None:
         return None
-    at, points, line = chosen
-    if line is not None:
+    at, points, lines = chosen
+    for line in lines:
         sheet.line(*line, LINE)
     sheet.path(list(points), f'{PEN} data-angle="{"".join(name_word(angle.name))}"')
     return Arc(angle.name, points, points[len(points) // 2] - at)
 
 
 def _is_shown(painter: Painter, at: complex, direction: complex) -> bool:
-    """Return whether a link that begins at a place goes in a direction."""
+    """Return whether a link that begins at a place, or a fixed guide there, goes in a direction."""
     ways = [end - at for line in painter.sheet.heavy for end in line if at in line and end != at]
+    ways += [b - at for a, b in painter.rails.values() if abs(at - a) + abs(b - at) < abs(b - a) + 0.01]
     return any(abs(cmath.phase(way / direction)) < ALONG for way in ways)
 
 

@@ -40,7 +40,7 @@ def turned(points: list[complex]) -> float:
     ("name", "letter", "degrees"),
     [
         ("v101", "β", 45.0), ("v110", "β", 45.0),
-        ("prp", "γ", 20.0),
+        ("prp", "γ", math.degrees(0.35)), ("prp", "δ", -math.degrees(0.9)),
         ("stephenson", "γ", 10.0), ("watt", "γ", -90.0),
     ],
 )  # fmt: skip
