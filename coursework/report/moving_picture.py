@@ -15,7 +15,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.data import folder
 from coursework.drawing.outline import Outline
@@ -24,6 +23,7 @@ from coursework.drawing.tracing import read_outline
 from coursework.errors import InputError
 from coursework.integration.motion import Motion
 from coursework.report.graph_paper import SCHEME_INK
+from coursework.report.moving_shape import Shape, draw_ground
 from coursework.report.numbers import unit_text
 from coursework.report.symbols import Symbol, symbol
 from coursework.run import Run
@@ -33,10 +33,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.lines import Line2D
 
-Complex = NDArray[np.complex128]
 SIZE, DPI = (7.2, 3.7), 100  # inches, and dots an inch
 MOST_FRAMES, PER_SECOND = 100, 12
-BLOCK, ROUND = 0.03, np.exp(1j * np.linspace(0, 2 * np.pi, 49))  # of the drawing's size; a circle
 ORANGE = "#d55e00"  # stays apart from the blue of the table for colour-blind readers
 SETTINGS: Any = {
     "font.family": ["DejaVu Sans", "Noto Sans CJK SC"], "font.size": 8.5, "text.usetex": False, "mathtext.fontset": "dejavusans",
@@ -101,7 +99,8 @@ def moving_picture(run: Run, exact: Motion, phrases: Phrases) -> bytes:
         field, graph = figure.add_axes((0.01, 0.02, 0.6, 0.9)), figure.add_axes((0.7, 0.15, 0.28, 0.62))
         size = _window(field, outline, poses)
         cursor = _graph(graph, run, table, exact)
-        shapes = [_Shape(field, outline, each, size=size) for each in poses]
+        draw_ground(field, outline, poses, size)
+        shapes = [Shape(field, outline, each, size) for each in poses]
         scheme = phrases.written(title_of(run.tableau)) if run.tableau else table.scheme
         figure.text(0.64, 0.93, told("truth"))
         figure.text(0.64, 0.88, told("ghost", scheme=scheme, h=f"{table.step:g}"), color=SCHEME_INK)
@@ -123,10 +122,13 @@ def moving_picture(run: Run, exact: Motion, phrases: Phrases) -> bytes:
 def _window(field: Axes, outline: Outline, poses: tuple[Poses, Poses]) -> float:
     """Set the window so that both motions fit, and return its size (m)."""
     shown = [places for each in poses for name, places in each.at.items() if not name.startswith("~")]
+    circles = [(wheel.centre, wheel.contact) for wheel in outline.wheels] + [
+        (track.centre, track.rim) for track in outline.tracks
+    ]
     for each in poses:
-        for wheel in outline.wheels:
-            radius = np.abs(each.at[wheel.contact] - each.at[wheel.centre])
-            shown += [each.at[wheel.centre] + radius * (1 + 1j), each.at[wheel.centre] - radius * (1 + 1j)]
+        for centre, rim in circles:
+            radius = np.abs(each.at[rim] - each.at[centre])
+            shown += [each.at[centre] + radius * (1 + 1j), each.at[centre] - radius * (1 + 1j)]
     every = np.concatenate(shown)
     size = float(max(np.ptp(every.real), np.ptp(every.imag))) or 1.0
     field.set_xlim(every.real.min() - 0.12 * size, every.real.max() + 0.12 * size)
@@ -148,45 +150,3 @@ def _graph(axes: Axes, run: Run, table: Motion, exact: Motion) -> Line2D:
     axes.set_xlabel(f"t, {unit_text(run.variant.unit_of('t'))}", fontsize=8)
     axes.tick_params(labelsize=7)
     return axes.axvline(0.0, color=ORANGE, linewidth=1.0)
-
-
-class _Shape:
-    """The lines of one mechanism, moved from frame to frame."""
-
-    def __init__(self, field: Axes, outline: Outline, poses: Poses, size: float) -> None:
-        self.field, self.outline, self.poses, self.size = field, outline, poses, size
-        self.lines: list[Line2D] = []
-        for rail in outline.rails:
-            start, along, low, high = poses.travel(rail)
-            ends = start + along * np.array([low - 0.08 * size, high + 0.08 * size])
-            field.plot(ends.real, ends.imag, color="#999999", linewidth=1.0, zorder=0)
-        for name in outline.hinges:
-            at = poses.at[name][0] - 0.035j * size
-            field.plot([at.real], [at.imag], marker="^", color="#777777", markersize=9, zorder=0)
-        for track in outline.tracks:
-            rim = poses.at[track.centre][0] + ROUND * (poses.at[track.rim][0] - poses.at[track.centre][0])
-            field.plot(rim.real, rim.imag, color="#999999", linewidth=1.0, zorder=0)
-
-    def show(self, frame: int, *, dashed: bool) -> None:
-        """Show one frame."""
-        style: dict[str, Any] = {"color": "black", "linewidth": 2.2, "zorder": 3}
-        if dashed:
-            style = {"color": SCHEME_INK, "linewidth": 1.3, "linestyle": (0, (4, 3)), "zorder": 2}
-        for place, points in enumerate(self._lines(frame)):
-            if place == len(self.lines):
-                self.lines.append(self.field.plot([], [], **style)[0])
-            self.lines[place].set_data(points.real, points.imag)
-
-    def _lines(self, frame: int) -> Iterator[Complex]:
-        poses, pose = self.poses, self.poses.pose(frame)
-        for bar in self.outline.bars:
-            yield np.array([pose[name] for name in bar.corners])
-        for slot in self.outline.slots:
-            beside, low, high = poses.line(slot)
-            along = poses.along(slot.base, slot.toward)[frame]
-            yield pose[slot.at] + along * (1j * beside + np.array([min(low, 0.0), max(high, 0.0)]))
-        for block in self.outline.blocks:
-            along = poses.along(block.base, block.toward)[frame] * BLOCK * self.size
-            yield pose[block.at] + along * np.array([1 + 0.6j, -1 + 0.6j, -1 - 0.6j, 1 - 0.6j, 1 + 0.6j])
-        for wheel in self.outline.wheels:
-            yield pose[wheel.centre] + ROUND * abs(pose[wheel.contact] - pose[wheel.centre])

@@ -3,12 +3,17 @@
 import io
 from pathlib import Path
 
+import numpy as np
 import pytest
+from matplotlib.figure import Figure
 from PIL import Image
 
 import coursework
+from coursework.drawing.poses import read_poses
+from coursework.drawing.tracing import read_outline
 from coursework.errors import InputError
 from coursework.report.moving_picture import label_text, moving_picture
+from coursework.report.moving_shape import Shape, draw_ground
 from coursework.report.symbols import symbol
 from coursework.sentences import load_phrases
 
@@ -32,6 +37,43 @@ def test_every_frame_is_another_and_the_bytes_are_the_same():
     assert len({*frames}) == 7
     assert picture() == first
     assert picture(scheme="rk4") != first
+
+
+@pytest.fixture(scope="module")
+def rack_and_pinion():
+    """The lines of variant v112 as pairs of coordinates (m), what stands still before what moves, and its places in row 1."""
+    run = coursework.solve("v112", quantities=("table",))
+    outline = read_outline(run.scene.mechanism)
+    poses = read_poses(outline, run.scene.equations)(run.exact.t, run.exact.coordinates)
+    field = Figure().add_subplot()
+    draw_ground(field, outline, (poses, poses), 1.0)
+    still = [line.get_xydata() for line in field.lines]
+    Shape(field, outline, poses, 1.0).show(0, dashed=False)
+    return still, [line.get_xydata() for line in field.lines[len(still) :]], poses.pose(0)
+
+
+@pytest.mark.parametrize(("hinge", "side"), [("D", 1), ("O", -1)])
+def test_a_pivot_stands_on_the_side_of_its_ground(rack_and_pinion, hinge, side):
+    """The drawing of the assignment hangs D from above, for its link goes down, and stands O on the ground."""
+    still, _, places = rack_and_pinion
+    x, y = places[hinge].real, places[hinge].imag
+    triangles = [line for line in still if len(line) == 4 and np.allclose(line[[0, -1]], (x, y))]
+    assert len(triangles) == 1
+    assert np.all(side * (triangles[0][1:3, 1] - y) > 0)
+
+
+def test_a_rack_reaches_its_gear_from_its_slider_and_a_rail_is_hatched_below(rack_and_pinion):
+    still, moving, places = rack_and_pinion
+    slider, gear = places["C"], places["O"]
+    rail = next(line for line in still if len(line) == 2 and np.ptp(line[:, 1]) == 0 and np.ptp(line[:, 0]) > 0.1)
+    assert rail[0, 1] < slider.imag
+    strokes = [line for line in still if len(line) == 2 and line[0, 1] == rail[0, 1] and np.ptp(line[:, 1]) > 0]
+    assert len(strokes) > 5
+    assert all(line[1, 1] < line[0, 1] for line in strokes)
+    racks = [line for line in moving if len(line) == 5 and line[:, 0].max() > gear.real > slider.real >= line[:, 0].min()]
+    assert len(racks) == 1
+    assert racks[0][:, 1].max() == pytest.approx(slider.imag)
+    assert racks[0][:, 1].min() < slider.imag
 
 
 def test_a_file_without_points_has_nothing_to_show(tmp_path):
