@@ -20,7 +20,7 @@ from coursework.drawing.painter import Painter
 from coursework.drawing.placing import Owner
 from coursework.drawing.sheet import ITALIC, inside
 from coursework.drawing.symbols import name_word
-from coursework.formula.tree import Formula, constant
+from coursework.formula.tree import Formula, constant, terms
 from coursework.mechanism import Mechanism
 
 PEN = 'fill="none" stroke="black" stroke-width="0.15"'
@@ -80,7 +80,7 @@ def _slopes(painter: Painter, mechanism: Mechanism) -> Iterator[Angle]:
             yield from _angle(mechanism, toward.args[1].args[1], (a, a + 0.35 * (b - a)), along)
     for slot in painter.outline.slots:
         toward = points[slot.toward]
-        if toward.op == "+" and toward.args[1].op == "@":
+        if slot.toward.startswith("~"):  # made for the direction; a corner of a link says nothing of a slope
             way = painter.at[slot.toward] - painter.at[slot.base]
             yield from _angle(mechanism, toward.args[1].args[1], (painter.at[slot.at],), way / abs(way))
 
@@ -92,7 +92,8 @@ def _bends(painter: Painter, mechanism: Mechanism) -> Iterator[Angle]:
         base = next((base for coordinate in turning if (base := arm_base(formula, coordinate))), "")
         if base in painter.names and name in painter.names and painter.at[name] != painter.at[base]:
             way = painter.at[name] - painter.at[base]
-            yield from _angle(mechanism, formula.args[1].args[1], (painter.at[base],), way / abs(way))
+            _, arm = terms(formula)
+            yield from _angle(mechanism, arm.args[1], (painter.at[base],), way / abs(way))
 
 
 def _angle(mechanism: Mechanism, formula: Formula, at: tuple[complex, ...], along: complex) -> Iterator[Angle]:

@@ -14,6 +14,7 @@ from coursework.drawing.painter import Painter
 from coursework.formula.tree import Formula
 from coursework.mechanism import Mechanism
 
+NOWHERE = 1e-9  # mm: between two points that near to each other there is no direction
 SAME = 1e-6  # of the way to its block: an offset measured and given agree within that
 
 
@@ -46,7 +47,7 @@ def _beside(painter: Painter, length: Formula, size: float, point: str, rider: s
     way = painter.at[rider] - painter.at[point]
     for block in painter.outline.blocks:
         along = painter.at[block.toward] - painter.at[block.base]
-        across = 1j * along / abs(along)
+        across = 1j * along / max(abs(along), NOWHERE)
         if block.at == rider and abs(abs((across.conjugate() * way).real) - size) <= SAME * abs(way):
             yield Offset(length, point, rider, across, _stub(painter, point, rider))
             return

@@ -66,6 +66,12 @@ def test_a_bend_begins_at_the_part_that_the_coordinate_turns() -> None:
         assert abs(((end - side.a) * way.conjugate()).imag) < 0.02
 
 
+@pytest.mark.parametrize("written", ["D + -(-r5 @ (phi3 + gamma))", "D - (-r5) @ (gamma + phi3)"])
+def test_a_bend_may_be_written_with_any_signs(written: str) -> None:
+    svg = svg_of("watt", **{"D + r5 @ (phi3 + gamma)": written})
+    assert math.degrees(turned(arc_of(svg, "γ"))) == pytest.approx(-90.0, abs=1.0)
+
+
 @pytest.mark.parametrize(("value", "is_drawn"), [("1.8 deg", True), ("1.6 deg", False)])
 def test_an_angle_too_small_to_be_seen_has_no_arc(value: str, is_drawn: bool) -> None:
     svg = svg_of("stephenson", **{'gamma = "10 deg"': f'gamma = "{value}"'})
