@@ -29,6 +29,7 @@ RADII = (7.0, 9.0, 11.0, 13.5)  # mm, the first the best
 FARTHER = 1.0  # mm of lines that an arc rather covers than having a radius 1 mm larger
 PAST = 1.5  # mm: the line from which an angle is measured ends that far behind its arc
 PIECE = 0.05  # rad of an arc that is drawn straight
+CHORDS = 6  # so many does an arc count for where words are placed
 ALONG = 0.02  # rad: a link that near to a direction shows it
 SMALLEST = 0.03  # rad: a smaller angle is not seen
 
@@ -45,7 +46,7 @@ class Angle:
 
 @dataclass(frozen=True, slots=True)
 class Arc:
-    """The arc of a datum, as drawn."""
+    """The arc of a datum, through a few of its points; `out` is the direction away from where it turns."""
 
     name: str
     points: tuple[complex, ...]
@@ -145,8 +146,10 @@ def _place(painter: Painter, angle: Angle) -> Arc | None:
     at, points, lines = chosen
     for line in lines:
         sheet.line(*line, LINE)
-    sheet.path(list(points), f'{PEN} data-angle="{"".join(name_word(angle.name))}"')
-    return Arc(angle.name, points, points[len(points) // 2] - at)
+    sheet.path(list(points), f'{PEN} data-angle="{"".join(name_word(angle.name))}"', blocks=False)
+    few = points[:: max(1, len(points) // CHORDS)]
+    sheet.segments += itertools.pairwise(few)
+    return Arc(angle.name, few, few[len(few) // 2] - at)
 
 
 def _is_shown(painter: Painter, at: complex, direction: complex) -> bool:

@@ -69,10 +69,10 @@ def dimension_names(painter: Painter, drawn: list[tuple[Word, Segment]]) -> None
         painter.sheet.label(word, places, ITALIC, owner=Owner([line], rivals))
 
 
-def room_for_dimensions(painter: Painter, mechanism: Mechanism) -> Iterator[tuple[complex, float]]:
-    """Yield the points between which there are dimensions in more than one direction, with the room around that they need."""
+def crowded_hinges(painter: Painter, mechanism: Mechanism) -> list[str]:
+    """Return the hinges from which there is more than one dimension; around them they need `SEVERAL` mm."""
     counts = Counter(name for one in _dimensions(painter, mechanism, painter.names) for name in (one.begin, one.end))
-    yield from ((painter.at[name], SEVERAL) for name, count in counts.items() if count > 1 and name in painter.outline.hinges)
+    return [name for name, count in counts.items() if count > 1 and name in painter.outline.hinges]
 
 
 def _dimensions(painter: Painter, mechanism: Mechanism, shown: Sequence[str]) -> Iterator[Dimension]:
@@ -114,8 +114,11 @@ def _place(painter: Painter, one: Dimension) -> Segment | None:
     levels = dict.fromkeys(level for off in LEVELS for level in (max(heights) + off, min(heights) - off))
     everything = [_dot(across, painter.at[name]) for name in painter.names]
     levels |= dict.fromkeys((max(everything) + CLEAR, min(everything) - CLEAR))
+    away = {level: AWAY * sum(abs(level - height) for height in heights) for level in levels}
     best, chosen = math.inf, None
-    for level in levels:
+    for level in sorted(levels, key=lambda level: round(away[level], 6)):
+        if away[level] >= best:
+            break
         ends = tuple(end + (level - height) * across for end, height in zip((a, b), heights, strict=True))
         lines = [
             line
@@ -129,7 +132,7 @@ def _place(painter: Painter, one: Dimension) -> Segment | None:
         looked = [at for begin, end in whole for at in _samples(begin, end)]
         squares = np.array([(at.real, at.imag) for at in looked])
         cost = float(painter.sheet.taken.covered(squares, 0.6, 0.6, painter.sheet.field).sum())
-        cost += AWAY * sum(abs(level - height) for height in heights)
+        cost += away[level]
         if cost < best - 1e-6:
             best, chosen = cost, (ends, lines)
     if chosen is None:

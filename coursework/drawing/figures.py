@@ -13,7 +13,7 @@ import numpy as np
 
 from coursework.drawing.angles import angle_names, draw_angles, segments_of
 from coursework.drawing.board import Board, fit
-from coursework.drawing.dimensions import ORIGIN, dimension_names, draw_dimensions, room_for_dimensions
+from coursework.drawing.dimensions import ORIGIN, SEVERAL, crowded_hinges, dimension_names, draw_dimensions
 from coursework.drawing.lengths import is_origin
 from coursework.drawing.naming import link_names, link_owner, part_lengths, point_names, rate_places
 from coursework.drawing.outline import Outline
@@ -73,10 +73,13 @@ def _mechanism(mechanism: Mechanism, outline: Outline, poses: Poses, row: int) -
     """Return one row with names, lengths and what drives it."""
     arrows = {name: way for name in outline.driven if (way := driven_way(poses, name, row))}
 
+    empty = Sheet(1.0, 1.0, (0.0, 0.0, 1.0, 1.0))
+    true_size = Painter(empty, outline, poses, row, lambda z: (z * 1000).conjugate(), 1000.0)
+    crowded = crowded_hinges(true_size, mechanism)
+
     def needed(mm: float) -> Iterator[tuple[complex, float]]:
         yield from room(outline, poses, [row], arrows, mm)
-        painter = Painter(Sheet(1.0, 1.0, (0.0, 0.0, 1.0, 1.0)), outline, poses, row, lambda z: (z * mm).conjugate(), mm)
-        yield from room_for_dimensions(painter, mechanism)
+        yield from (((true_size.place[name] * mm).conjugate(), SEVERAL) for name in crowded)
 
     board = fit(needed, HIGHEST)
     sheet = board.sheet()
