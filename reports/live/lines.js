@@ -68,7 +68,7 @@ const lines = {
       if (made) this.made.push(this.make(i));
       const { line, cells, values } = this.made[i];
       if (i === this.count) {
-        line.classList.add("live-later");
+        line.ariaBusy = "true";
         this.body.appendChild(line);
         this.count++;
       }
@@ -82,7 +82,7 @@ const lines = {
   spell(from) {
     for (let i = from; i < Math.min(from + this.few, this.count); i++) {
       const { line, texts, said } = this.made[i];
-      line.classList.remove("live-later");
+      line.ariaBusy = null;
       this.value.forEach((value, c) => {
         const text = fixed(value(i), this.decimals[c]);
         if (said[c] !== text) texts[c].data = said[c] = text;

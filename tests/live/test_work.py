@@ -192,7 +192,7 @@ def test_a_move_draws_few_pieces_for_each_paint_those_in_sight_first(written: An
         cells = page.eval_on_selector_all("#lab-table tbody td", read)
         assert len(cells) == rows * columns
         assert all(abs(float(text.replace("−", "-")) - value) <= 1e-3 * max(1.0, abs(value)) for text, value in cells)
-    assert page.locator(".live-later").count() == 0
+    assert page.locator("[aria-busy]").count() == 0
 
 
 def test_while_a_slider_is_dragged_every_graph_and_the_table_have_their_turn(written: Any, opened: Any) -> None:
