@@ -78,3 +78,11 @@ def test_a_limit_says_which_side_of_it_passes(real: ModuleType) -> None:
     most = {code for code, one in items.items() if real.text_of([one["limit"]]).startswith("≤")}
     assert least == {"CONDITION", "AGREEMENT", "SINUSOID", "STEP"}
     assert most == {"INITIAL", "RESIDUAL", "ACCURACY", "PERIOD-POSITION", "PERIOD-VELOCITY", "CONTINUITY", "PEAK", "DRIFT"}
+
+
+def test_what_passes_is_not_set_beside_a_limit_it_does_not_reach(real: ModuleType) -> None:
+    """Nothing in v101 can judge its equation 2: three of four are confirmed, and that is no fault."""
+    run = coursework.solve("v101", quantities=("table", "checks"))
+    items = {one["code"]: one for part in real.parts(run, "checks") for one in part.get("items", [])}
+    assert real.text_of([items["AGREEMENT"]["value"]]) == "3\xa0equations"
+    assert real.text_of([items["AGREEMENT"]["limit"]]) == "–"
