@@ -23,7 +23,8 @@ def initial(evidence: Evidence) -> Finding:
     value = float(relative[0, place])
     unit = say("unit.relative")
     if value <= LIMIT:
-        told = joined([say("check.INITIAL.pass", count=len(names), name=names[place]), _arithmetic(evidence)])
+        key = "pass" if value else "exact"
+        told = joined([say(f"check.INITIAL.{key}", count=len(names), name=names[place]), _arithmetic(evidence)])
         return Finding("PASS", told, value, LIMIT, unit, names[place], 1)
     return Finding("FAIL", say("check.INITIAL.fail", name=names[place]), value, LIMIT, unit, names[place], 1)
 

@@ -56,9 +56,8 @@ def _judged(context: PageContext, check: Finding) -> Judged:
     value = check.value if check.value is None else counted(check.value, check.unit)
     is_count = value is not None and value >= 1 and value.is_integer()
     heads, lines = _lines(context, check)
-    if check.verdict == "PASS" and value == 0 and not heads:
-        lines = []  # where nothing is off, a list of noughts says nothing more
-
+    if check.verdict == "PASS" and value == 0:
+        heads, lines = [], []  # where nothing is off, noughts say nothing more
     if check.verdict == "PASS" and check.is_least and (value or 0.0) < (check.limit or 0.0):
         # AGREEMENT counts equations: those that nothing in the file can judge are no fault, so their whole is no limit.
         check = replace(check, limit=None)
