@@ -21,6 +21,7 @@ MM = 72 / 25.4
 HEAD, FOOT = 18 * MM, 15 * MM  # above and below stand the running line and the number of the page
 PAGES, APPENDIX = 5, 3  # of variant 31
 LEAST_FULL = 1 / 3
+WORD = re.compile(r"[^\W\d_\U0001D400-\U0001D7FF]{3,}")
 BEFORE, AFTER = 4, 3  # rows of a table at the end and at the beginning of a page
 
 
@@ -51,6 +52,32 @@ def test_variant_31_takes_five_pages_and_three_of_appendix(language: str) -> Non
         turned = [sheet.number + 1 for sheet in document if sheet.rect.width > sheet.rect.height]
         assert turned == [PAGES]
     assert min(filled(made)[:-1]) >= LEAST_FULL
+    assert crossed(made) == []
+
+
+def crossed(made: bytes) -> list[tuple[str, str]]:
+    """Return the words of a document that lie on each other; signs of formulas, one above the other, are left out."""
+    found = []
+    with pymupdf.open(stream=made, filetype="pdf") as document:
+        for sheet in document:
+            words = sorted(word for word in sheet.get_text("words") if WORD.fullmatch(word[4]))
+            for place, (_, top, right, bottom, text, *_) in enumerate(words):
+                beside = (other for other in words[place + 1 :] if other[0] < right - 1)
+                found += [
+                    (text, other[4]) for other in beside if min(bottom, other[3]) - max(top, other[1]) > 0.6 * (bottom - top)
+                ]
+    return found
+
+
+def test_words_that_lie_on_each_other_are_seen() -> None:
+    with pymupdf.open() as document:
+        sheet = document.new_page()
+        sheet.insert_text((100, 100), "largest error")
+        for right, below in ((0, 14), (90, 0), (10, 0)):
+            made = document.tobytes()
+            assert crossed(made) == []
+            sheet.insert_text((100 + right, 100 + below), "last")
+        assert crossed(document.tobytes()) == [("largest", "last")]
 
 
 @pytest.mark.parametrize("name", ["v107", "jansen", "example-3", "example-1", "homework", "stopped"])
