@@ -14,7 +14,8 @@ from typing import NamedTuple
 LONGEST = 30  # characters that stay together: a line of a telephone holds 40
 KEPT = ("\ue003", "\ue004")  # around what no line may break; text of others is cleaned of both
 HAN = "\u2e80-\u9fff\uff00-\uffef"  # signs of Chinese: no spaces between them, and a line may break at any of them
-_SIGN = rf"[^\s\u200b{HAN}]"  # what a piece between two spaces is made of
+_APART = "\u200b"  # stands for each of them while pieces are looked for: patterns without their ranges are made sooner
+_SIGN = rf"[^\s{_APART}]"  # what a piece between two spaces is made of
 _OF_QUOTIENT = r"[\w.,;·()|²³√−-]"
 _BEGIN = rf"(?<!{_SIGN})"
 _GAP = " \u00a0\u2009\u202f"
@@ -38,11 +39,12 @@ _TOGETHER = tuple(
         r"(?<![\w-])\w{2,12}(?:-\w{1,12}){1,2}(?![\w-])(?:[ \u00a0]\d(?:\(\d\))?(?!\w|\.\d))?",  # Runge-Kutta 4
         rf"{_NUMBER}[{_GAP}]{_UNIT}(?!\w)[.,;:)]*",
         rf"{_BEGIN}{_OF_QUOTIENT}+/{_OF_QUOTIENT}+(?!{_SIGN})",
-        rf"(?<![^\W{HAN}])(?:[^\W{HAN}]{{1,14}}:[{_GAP}](?!\{{scheme)|{_ROW}[{_GAP}]){_NUMBER}",
+        rf"(?<!\w)(?:\w{{1,14}}:[{_GAP}](?!\{{scheme)|{_ROW}[{_GAP}]){_NUMBER}",
         rf"{_FUNCTION}[{_GAP}]{_SIGN}{{1,12}}(?!{_SIGN})",
         rf"{_BEGIN}[−-]?\d+[{_GAP}][α-ωϕ]{_SIGN}{{0,6}}(?!{_SIGN})",
     )
 )
+_CHINESE = re.compile(f"[{HAN}]")
 _WORTH_A_LOOK = re.compile(r"[=≈<>≤≥+−·×/%{]|\d|\w-\w|cos|sin|tan|tg")
 
 
@@ -99,6 +101,7 @@ def _together(text: str) -> list[tuple[int, int]]:
     """Return the places that no line may break, in order; none over another, none longer than `LONGEST`."""
     if not _WORTH_A_LOOK.search(text):
         return []
+    text = _CHINESE.sub(_APART, text)
     kept: list[tuple[int, int]] = []
     for begin, end in sorted(match.span() for pattern in _TOGETHER for match in pattern.finditer(text)):
         first, last = kept[-1] if kept else (0, 0)
