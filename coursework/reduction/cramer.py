@@ -14,7 +14,7 @@ from coursework.formula.tree import Formula, number
 from coursework.reduction.blocks import Block, Reduction
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import expanded, symbol
-from coursework.reduction.tidy import Order, as_formula, as_sum
+from coursework.reduction.tidy import Order, as_sum, product, quotient
 
 Rows = tuple[tuple[Formula, Formula], tuple[Formula, Formula]]
 
@@ -75,15 +75,19 @@ def _of_two(block: Block, before: dict[str, sp.Expr], order: Order) -> Cramer:
     shorter = bool(known) and sum(_size(side, order) for side in put) < sum(_size(side, order) for side in plain)
     first, second = put if shorter else plain
     numerators = (first * d - b * second, a * second - c * first)
-    determinant = as_formula(a * d - b * c, order)
+    determinant = _factored(a * d - b * c, order)
     return Cramer(
         (block.unknowns[0], block.unknowns[1]),
         ((_side(a, order), _side(b, order)), (_side(c, order), _side(d, order))),
         (_side(first, order), _side(second, order)),
         determinant,
-        (as_formula(numerators[0], order), as_formula(numerators[1], order)),
+        (_factored(numerators[0], order), _factored(numerators[1], order)),
         tuple(known) if shorter else (),
     )
+
+
+def _factored(expression: sp.Expr, order: Order) -> Formula:
+    return quotient(expression, product(sp.S.One, order), order)
 
 
 def _side(expression: sp.Expr, order: Order) -> Formula:

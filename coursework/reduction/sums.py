@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
+from itertools import combinations_with_replacement
 
 import sympy as sp
 
@@ -53,11 +54,8 @@ def _product(formula: Formula, data: frozenset[str]) -> Term | None:
     first, second = (_product(part, data) for part in formula.args)
     if first is None or second is None:
         return None
-    side = 1 if formula.op == "*" else -1
-    powers = dict(first[1])
-    for name, power in second[1]:
-        powers[name] = powers.get(name, 0) + side * power
-    return first[0] * second[0] ** side, tuple((name, power) for name, power in powers.items() if power)
+    by = second if formula.op == "*" else (1 / second[0], tuple((name, -power) for name, power in second[1]))
+    return _times(first, by)
 
 
 def _expression(part: Term) -> sp.Expr:
@@ -74,17 +72,36 @@ def gathered(terms: list[Term], sums: dict[sp.Expr, Sum]) -> list[Term]:
     [(Fraction(1, 1), ((x, 1), (a + b, 1)))]
     """
     for expr, parts in sums.items():
-        place = 0
-        while place < len(terms):
-            group = _group(terms, place, parts)
-            if group is None:
-                place += 1
-                continue
-            places, (factor, rest) = group
-            terms = [term for k, term in enumerate(terms) if k not in places]
-            terms.insert(min(places), (factor, (*rest, (expr, 1))))
-            place = min(places) + 1
+        for power, multiplied_out in ((2, _squared(parts)), (1, parts)):
+            terms = _each_gathered(terms, (expr, power), multiplied_out)
     return terms
+
+
+def _each_gathered(terms: list[Term], factor: tuple[sp.Expr, int], parts: Sum) -> list[Term]:
+    place = 0
+    while place < len(terms):
+        group = _group(terms, place, parts)
+        if group is None:
+            place += 1
+            continue
+        places, by = group
+        terms = [term for k, term in enumerate(terms) if k not in places]
+        terms.insert(min(places), _times(by, (Fraction(1), (factor,))))
+        place = min(places) + 1
+    return terms
+
+
+def _squared(parts: Sum) -> Sum:
+    """Return what the square of a sum is multiplied out to."""
+    pairs = combinations_with_replacement(parts, 2)
+    return tuple(_times(first, second if first is second else (2 * second[0], second[1])) for first, second in pairs)
+
+
+def _times(first: Term, second: Term) -> Term:
+    powers = dict(first[1])
+    for atom, power in second[1]:
+        powers[atom] = powers.get(atom, 0) + power
+    return first[0] * second[0], tuple((atom, power) for atom, power in powers.items() if power)
 
 
 def _group(terms: list[Term], place: int, parts: Sum) -> tuple[list[int], Term] | None:

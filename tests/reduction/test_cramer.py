@@ -1,17 +1,20 @@
 """Cramer's rule and its compact forms as functions: at random points what is shown and what is computed solve the equations."""
 
 import json
+from fractions import Fraction
 from importlib import import_module
 from pathlib import Path
 
 import numpy as np
 import pytest
+import sympy as sp
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 import coursework
 from coursework.formula.tree import evaluate, spelled
 from coursework.reduction.cramer import cramer
+from coursework.reduction.sums import gathered
 from coursework.reduction.system import compile_system
 from coursework.variant.reader import parse_variant
 
@@ -214,3 +217,29 @@ def test_a_length_that_is_a_part_of_a_datum_less_stays_one_length():
     shown = {one.name: spelled(one.left) for one in coursework.solve("pantograph", quantities=["table"]).equations}
     assert shown["3x"].count("(L1 - L1/k)") == shown["3y"].count("(L1 - L1/k)") == 2
     assert shown["3x"].count("L1") == 4
+
+
+def test_the_square_of_such_a_length_is_one_factor_too():
+    """w2 of the pantograph stands in rows that both have L1 - L1/k as a factor: Cramer's rule multiplies it by itself."""
+    run = coursework.solve("pantograph", quantities=["table"])
+    working = cramer(run.scene.equations, run.scene.reduction, [True] * 2)[1]
+    assert spelled(working.determinant) == "-(L1 - L1/k)*L2*sin(phi2 - phi4)/k"
+    assert spelled(working.numerators[0]).startswith("(L1 - L1/k)*((L1 - L1/k)*w1*sin(phi1 - phi4)")
+    values = {given.name: given.value for given in run.variant.given} | {"w1": 1.3, "w3": -0.4}
+    values |= {"phi1": 2.3, "phi2": 0.7, "phi3": 0.5, "phi4": 2.1}
+    (a, b), (c, d) = ([evaluate(one, values) for one in row] for row in working.coefficients)
+    first, second = (evaluate(side, values) for side in working.right_sides)
+    assert evaluate(working.determinant, values) == pytest.approx(a * d - b * c)
+    assert evaluate(working.numerators[0], values) == pytest.approx(first * d - b * second)
+
+
+@pytest.mark.parametrize("powers", [(2, 0), (2, 1), (3, 0), (0, 1), (1, 2)])
+def test_what_is_gathered_is_worth_what_was_multiplied_out(powers):
+    a, b, x, y = sp.symbols("a b x y")
+    whole = sum((a - b) ** power * name for power, name in zip(powers, (x, y), strict=True))
+    terms = [(Fraction(int(number)), tuple(rest.as_powers_dict().items()))
+             for number, rest in (term.as_coeff_Mul() for term in sp.Add.make_args(sp.expand(whole)))]  # fmt: skip
+    shorter = gathered(terms, {a - b: ((Fraction(1), ((a, 1),)), (Fraction(-1), ((b, 1),)))})
+    told = sum(sp.Integer(number) * sp.prod(atom**power for atom, power in atoms) for number, atoms in shorter)
+    assert sp.expand(told - whole) == 0
+    assert len(shorter) < len(terms)
