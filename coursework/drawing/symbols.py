@@ -26,9 +26,20 @@ def short(name: str) -> str:
 
 
 def name_word(name: str) -> tuple[str, str, str]:
-    """Return the name of a point or datum as a word with what is set lower: "P1" is P with 1, "Ki" K with i, "xF" x with F."""
-    found = _INDEXED.fullmatch(name)
-    return (found[1], next(part for part in found.groups()[1:] if part), "") if found else (short(greek(name)), "", "")
+    """Return the name of a point or datum as a word with what is set lower: "P1" is P with 1, "Ki" K with i, "xF" x with F.
+
+    What stands under a point, "P1'", has a prime behind all of it.
+    """
+    plain, prime = _without_prime(name)
+    found = _INDEXED.fullmatch(plain)
+    return (
+        (found[1], next(part for part in found.groups()[1:] if part), prime) if found else (short(greek(plain)) + prime, "", "")
+    )
+
+
+def _without_prime(name: str) -> tuple[str, str]:
+    plain = name.rstrip("'")
+    return plain, "′" * (len(name) - len(plain))
 
 
 def lettered(text: str) -> str:
@@ -43,8 +54,9 @@ def rate_word(name: str) -> tuple[str, str, str]:
 
 
 def lowered_name(name: str) -> str:
-    """Return the name of a point as it stands below a letter: "P1" is P₁."""
-    return short(lettered(name)) if _INDEXED.fullmatch(name) else short(name)
+    """Return the name of a point as it stands below a letter: "P1" is P₁; "P1'", the point under it, P₁′."""
+    plain, prime = _without_prime(name)
+    return (short(lettered(plain)) if _INDEXED.fullmatch(plain) else short(plain)) + prime
 
 
 def length_text(length: Formula) -> str:

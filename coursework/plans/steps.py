@@ -44,7 +44,7 @@ def _line(line: Line, point: str, plan: str, size: dict[tuple[str, str, str], fl
     if line.kind == "rail":
         return say("plans.line.rail")
     if line.kind == "slot":
-        return say("plans.line.slot", link=line.link, base=image(line.base) + ("'" if line.base == point else ""))
+        return say("plans.line.slot", link=line.link, base=image(f"{line.base}'" if line.base == point else line.base))
     if line.kind == "wheel":
         return say("plans.line.wheel", contact=lowered_name(line.base), point=lowered_name(point))
     start = line.base if ("relative", line.base, point) in size else POLE

@@ -20,6 +20,7 @@ from coursework.output.tables import run_tables
 from coursework.report import build_model
 from coursework.report.parts import Paragraph
 from coursework.run import Run
+from coursework.variant.reader import parse_variant
 from tests.drawing import measured
 
 # Closed forms to 40 digits, velocities and accelerations confirmed by five-point differences; see the file's own `rule`.
@@ -208,6 +209,15 @@ def test_letters_of_points_in_the_steps_are_set_as_in_a_formula(name: str) -> No
     assert {point[0] for point in points} | {point[0].lower() for point in points} >= set_so - {"V", "a"} > {"p", "P"}
     assert " mm" in upright
     assert not re.search(r"\b[A-Z][A-Z]\b|\bp\d|\b[b-eg-z] lies", upright), upright
+
+
+def test_the_point_under_one_with_an_index_has_its_prime_behind_the_index() -> None:
+    text = (Path(__file__).parents[2] / "variants" / "oscillating-cylinder.toml").read_text(encoding="utf-8")
+    run = solve(parse_variant(text.replace('"B"', '"B1"')), quantities=["plans"])
+    ((*drawings,),) = run.figures().values()
+    velocity = next(drawing for drawing in drawings if drawing.id == "velocity-plan")
+    assert velocity.steps[1].startswith("b₁′ is the image of the point of the link under B₁")
+    assert any(word.text == "b1′" for word in measured.words(velocity.svg))
 
 
 def test_a_file_without_points_is_told_so() -> None:
