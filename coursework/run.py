@@ -259,7 +259,7 @@ class Run:
         plan = make_plan(
             all_needs(type(self.scene)), [*(quantity.name for quantity in quantities_for(self.asked).values()), *more]
         )
-        return replace(plan, needed_by={**plan.needed_by, **dict.fromkeys(more, "the pages")})
+        return replace(plan, needed_by={**plan.needed_by, **dict.fromkeys(more, say("plan.pages"))})
 
     def blocks_evaluated(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
         """Return the blocks of velocities that each row needs, and those that nothing asked for needs, by their unknowns."""

@@ -21,7 +21,8 @@ if TYPE_CHECKING:
     from coursework.schemes import Scheme
 
 ENGLISH = "en"
-# Name of a rule -> the form beside a whole number; of what the words file does not have, the form "other" serves.
+# Name of a rule -> the form beside a whole number; "other" serves for a number that is not whole and for what the words file
+# does not have.
 PLURALS: dict[str, Callable[[int], str]] = {
     "one-other": lambda n: "one" if n == 1 else "other",
     "one-few-many": lambda n: (
@@ -31,6 +32,11 @@ PLURALS: dict[str, Callable[[int], str]] = {
 }
 _ROUND = ":r}"  # a format of our own, see `_Number`
 _UNIT = re.compile("[A-Za-zµ]+")  # rad and s of "rad/s²"
+# A space of our own beside a gap: Chinese sets one beside Latin letters and figures, none between its own signs or beside its
+# full stops and parentheses; which of them a gap brings is known when it is filled.
+_SPACE = "\ue00f"
+_WIDE, _STOPS = "\u3000-\u303f\u3400-\u9fff\uff00-\uff65", "、。，；：！？（）"
+_NO_SPACE = re.compile(f"(?<=[{_WIDE}]){_SPACE}(?=[{_WIDE}])|(?<=[{_STOPS}]){_SPACE}|{_SPACE}(?=[{_STOPS}])")
 FORMS = frozenset({"one", "few", "many", "other"})
 
 
@@ -69,13 +75,13 @@ class Phrases:
         return isinstance(found, str) or (isinstance(found, dict) and not FORMS.isdisjoint(found))
 
     def beside(self, key: str, number: object) -> str:
-        """Return the key of the form of a sentence that stands beside a whole number, the key itself where it has no forms."""
+        """Return the key of the form of a sentence that stands beside a number, the key itself where it has no forms."""
         forms = self._found(key)
         if forms is None and self.language != ENGLISH:
             return load_phrases().beside(key, number)
-        if not isinstance(forms, dict) or not isinstance(number, int):
+        if not isinstance(forms, dict) or not isinstance(number, (int, float)):
             return key
-        form = PLURALS[self.template("plural")](abs(number))
+        form = PLURALS[self.template("plural")](abs(int(number))) if number == int(number) else "other"
         return f"{key}.{form if form in forms else 'other'}"
 
     def template(self, key: str) -> str:
@@ -92,8 +98,10 @@ class Phrases:
 
     def filled(self, key: str, template: str, values: Mapping[str, object]) -> str:
         """Return a template with its gaps filled.  Raises `InputError` for a gap that the program does not know."""
+        if self.language != ENGLISH:
+            template = template.replace(" {", f"{_SPACE}{{").replace("} ", f"}}{_SPACE}")
         try:
-            return template.format(**values)
+            return _closed_up(template.format(**values))
         except (KeyError, IndexError, ValueError, AttributeError) as error:
             known = ", ".join(f"{{{name}}}" for name in values) or "–"
             raise InputError(say("fault.L001", language=self.language, key=key, error=str(error), known=known)) from error
@@ -134,7 +142,8 @@ class Phrases:
     def listing(self, parts: Sequence[str]) -> str:
         """Return "a, b and c"."""
         *first, last = parts or [""]
-        return f" {self.template('and')} ".join([self.template("join.comma").join(first), last] if first else [last])
+        between = f"{_SPACE}{self.template('and')}{_SPACE}"
+        return _closed_up(between.join([self.template("join.comma").join(first), last] if first else [last]))
 
     def unit(self, unit: str) -> str:
         """Return a unit such as "rad/s" as this language writes it; one that the words file does not have part by part."""
@@ -233,7 +242,7 @@ def listing(words: Iterable[str]) -> Sentence:
 def either(words: Sequence[str]) -> str:
     """Return "a, b or c"."""
     *first, last = words
-    return say("join.either", first=", ".join(first), last=last) if first else last
+    return say("join.either", first=joined(first, "join.comma"), last=last) if first else last
 
 
 def title_of(scheme: Scheme) -> Sentence:
@@ -250,6 +259,15 @@ def say_count(key: str, number: int, /, **values: object) -> Sentence:
 def joined(parts: Iterable[str], between: str = "join.sentences") -> Sentence:
     """Return findings one behind the other; `between` is the key of what stands between them.  Empty ones are left out."""
     return say(between, parts=tuple(part for part in parts if part))
+
+
+def unfolded(text: str) -> str:
+    """Return a text without the ends of lines that would become spaces where Chinese sets none."""
+    return _NO_SPACE.sub("", text.replace("\n", _SPACE)).replace(_SPACE, "\n")
+
+
+def _closed_up(text: str) -> str:
+    return _NO_SPACE.sub("", text).replace(_SPACE, " ") if _SPACE in text else text
 
 
 def _plain(value: object) -> Any:

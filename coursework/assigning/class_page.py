@@ -34,14 +34,14 @@ def class_page(handouts: Sequence[Handout], assignment: Assignment, seed: str, w
         drawn=centre.drawn, feasible=centre.feasible, mean=statistics.fmean(draws) if draws else 0.0, most=max(draws, default=0),
     )  # fmt: skip
     return filled("assigned.html.j2", words=words, language=words.phrases.language, summary=summary,
-        refused=words("assigned.refused", reasons=", ".join(refused)) if refused else "",
+        refused=words("assigned.refused", reasons=words("assign.refused.join").join(refused)) if refused else "",
         difficulty=[_measure(name, accepted, assignment, words) for name in MEASURES] if accepted else [],
         data=[_datum(one, accepted, assignment, words) for one in ranges if one.count > 1] if accepted else [],
         axis={"width": WIDTH, "left": LEFT, "right": RIGHT, "mark": MARK, "foot": HEIGHT - BASE},
         columns=[_column(one, accepted, assignment, words) for one in ranges],
         measures=[(words(f"assigned.{name}"), MEASURES[name]) for name in MEASURES],
         students=[_student(handout, words) for handout in handouts],
-        same=[", ".join(group) for group in _equal(accepted)],
+        same=[words("join.comma").join(group) for group in _equal(accepted)],
     )  # fmt: skip
 
 

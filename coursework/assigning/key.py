@@ -17,6 +17,7 @@ from coursework.page_text import clean, filled
 from coursework.report.numbers import unit_text, with_unit
 from coursework.report.words import Words
 from coursework.scene import Scene
+from coursework.variant.texts import in_language
 
 
 def key_csv(handout: Handout) -> str:
@@ -46,7 +47,7 @@ def key_html(handout: Handout, equations: tuple[Sequence[Equation], Sequence[Equ
         "labels": {key: lettered(variant, words(f"key.{key}")) for key in ("data", "start", "equations", "solved", "table")},
         "kind": words("key.kind"),
         "heads": [words("sheet.student"), words("sheet.id")],
-        "title": clean(variant.title, LONGEST),
+        "title": clean(in_language(variant, words.phrases.language).title, LONGEST),
         "name": clean(handout.student.name, LONGEST),
         "id": clean(handout.student.id, LONGEST),
         "data": data_rows(handout, words),

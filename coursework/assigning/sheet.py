@@ -16,6 +16,7 @@ from coursework.report.formulas import Drawn, draw
 from coursework.report.numbers import with_unit
 from coursework.report.pdf import pdf_of
 from coursework.report.words import Words
+from coursework.variant.texts import in_language
 
 LONGEST = 200
 SOLVED = 2  # decimals of a start that the geometry gives, beyond those that the table needs
@@ -28,8 +29,9 @@ def sheet(handout: Handout, words: Words, deadline: str = "") -> Plain:
     return {
         "language": words.phrases.language,
         "labels": {"start": lettered(variant, words("sheet.start"))} | {key: words(f"sheet.{key}") for key in
-                   ("kind", "student", "id", "deadline", "data", "drive", "do", "hand_in", "digits")},
-        "title": clean(variant.title, LONGEST),
+                   ("kind", "student", "id", "deadline", "data", "drive", "do", "hand_in")},
+        "lead": words("sheet.digits") + words("join.sentences"),
+        "title": clean(in_language(variant, words.phrases.language).title, LONGEST),
         "name": clean(handout.student.name, LONGEST),
         "id": clean(handout.student.id, LONGEST),
         "deadline": clean(deadline, LONGEST),
@@ -99,7 +101,7 @@ def start_rows(handout: Handout, words: Words) -> list[list[object]]:
 def _tasks(handout: Handout, words: Words) -> list[str]:
     variant, time, numbers = handout.variant, handout.variant.time, words.numbers
     sought = words.listing([symbol_text(variant, name) for name in variant.sought])
-    columns = ", ".join(symbol_text(variant, name) for name in variant.columns)
+    columns = words("join.comma").join(symbol_text(variant, name) for name in variant.columns)
     step, end = (time_text(variant, key, words) for key in ("step", "end"))
     tasks = [
         words("sheet.task.equations" if variant.constraints else "sheet.task.groups", sought=sought),

@@ -42,5 +42,5 @@ def start(evidence: Evidence) -> Finding:
     if closed is not None:
         names = [c.name for c in evidence.variant.coordinates]
         listed = [say("check.START.value", name=name, value=q) for name, q in zip(names, closed.tolist(), strict=True)]
-        sentence = say("check.START.nearest", value=value, start=joined(listed, "join.comma"))
+        sentence = say("check.START.nearest", value=value, start=joined(listed, "join.numbers"))
     return Finding("FAIL", sentence, value, limit, "m", name, 1)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.checks.evidence import Evidence
-from coursework.checks.result import Finding, skipped
+from coursework.checks.result import Finding, floored, skipped
 from coursework.formula.tree import Formula
 from coursework.integration.integrate import WIDEST_STEP
 from coursework.reduction.equations import VelocityEquations
@@ -50,9 +50,10 @@ def condition(evidence: Evidence) -> Finding:
     digits = float(np.clip(DIGITS - np.log10(numbers[worst]), 0.0, DIGITS)) if np.isfinite(numbers[worst]) else 0.0
     largest_number, first_number = float(numbers[worst]), float(numbers[0])
     when = float(motion.t[worst])
-    sentence = say("check.CONDITION.found", digits=digits, row=worst + 1, time=when, number=largest_number)
+    told = floored(digits, 1)  # never more than there are: what is told as 6.0 passes, what fails is told as 5.9
+    sentence = say("check.CONDITION.found", digits=told, row=worst + 1, time=when, number=largest_number)
     rows = (say("check.CONDITION.worst"), largest_number, ""), (say("check.CONDITION.first"), first_number, "")
-    unit = say("unit.digits")
+    unit = say("unit.digits", number=digits)
     if digits >= FEWEST:
         return Finding("PASS", sentence, digits, FEWEST, unit, None, worst + 1, rows=rows)
     return Finding("FAIL", joined([sentence, say("check.CONDITION.close")]), digits, FEWEST, unit, None, worst + 1, rows=rows)

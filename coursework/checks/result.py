@@ -15,8 +15,9 @@ from coursework.sentences import Sentence, load_phrases, say
 Group = Literal["computation", "motion"]
 GROUPS: tuple[Group, ...] = ("computation", "motion")
 Verdict = Literal["PASS", "COARSE", "FAIL", "SKIP", "ERROR"]
-# The unit of a part of a whole: what carries less than 1 never rounds up to it.
-OF_POWER = "unit.of_power"
+# Units of what is never told as more than there is, a part of a whole and digits left of sixteen, and their decimals.
+OF_POWER, DIGITS_LEFT = "unit.of_power", "unit.digits"
+_DECIMALS = {OF_POWER: 4, DIGITS_LEFT: 1}
 # The status a command ends with is that of the worst verdict.
 VERDICTS: tuple[Verdict, ...] = ("PASS", "COARSE", "FAIL", "SKIP", "ERROR")
 
@@ -68,6 +69,12 @@ def floored(share: float, decimals: int = 4) -> float:
     """Return a part of a whole to so many decimals, never more than it is: 0.99987 -> 0.9998."""
     scale = 10.0**decimals
     return math.floor(share * scale) / scale
+
+
+def never_more(value: float, unit: str, decimals: int = 4) -> float:
+    """Return an amount to at most so many decimals where it is a part of a whole or digits that are left, another as it is."""
+    own = _DECIMALS.get(unit.key) if isinstance(unit, Sentence) else None
+    return value if own is None else floored(value, min(own, decimals))
 
 
 def percent(share: float) -> Sentence:

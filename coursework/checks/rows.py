@@ -28,7 +28,7 @@ def enough(evidence: Evidence) -> Finding:
     Exact rows have no error from a break between them, so they are judged by the rows a period and a turn alone.
     """
     step, variant = evidence.motion.step, evidence.variant
-    listed = joined([evidence.say("check.STEP.time", time=time) for time in breaks(variant)], "join.comma")
+    listed = joined([evidence.say("check.STEP.time", time=time) for time in breaks(variant)], "join.numbers")
     missed = off_row(evidence, step)
     is_exact = evidence.motion.scheme == EXACT
     if missed and not is_exact:
@@ -50,7 +50,7 @@ def enough(evidence: Evidence) -> Finding:
     most = float(2 * np.pi / ROWS_A_PERIOD / speeds[name])
     key = f"check.STEP.turn.{verdict}" if name else f"check.STEP.{verdict}"
     sentence = joined([evidence.say(key, name=name, frequency=speeds[name], rows=rows, step=most), *between])
-    unit = evidence.say("unit.rows")
+    unit = evidence.say("unit.rows", number=rows)
     return Finding("PASS" if verdict == "pass" else "COARSE", sentence, rows, float(ROWS_A_PERIOD), unit, name or None)
 
 

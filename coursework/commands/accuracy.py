@@ -16,7 +16,7 @@ from coursework.accuracy.problem import Problem
 from coursework.accuracy.record import AccuracyStudy
 from coursework.accuracy.study import make_study, time_of
 from coursework.api import load, solve
-from coursework.commands.screen import in_language, tell
+from coursework.commands.screen import in_language, tell, title_of
 from coursework.errors import InputError
 from coursework.file_set import working_folder
 from coursework.output.formats import chosen
@@ -40,7 +40,7 @@ def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...] | Non
     results.compute(pages=True)
     with working_folder(folder) as hidden:
         written = write_set(results, wanted, folder, hidden)
-    tell(say("screen.error_against_cost", title=run.variant.title, name=run.variant.name))
+    tell(say("screen.error_against_cost", title=title_of(run.variant), name=run.variant.name))
     for sentence in (*study.sentences, *study.left_out):
         tell(say("screen.note", sentence=sentence))
     for name, order in study.orders.items():

@@ -12,6 +12,7 @@ import click
 from coursework.api import load
 from coursework.assigning.assign import Wishes, assign
 from coursework.assigning.variants import Assignment, load_ranges, read_file
+from coursework.commands.screen import in_language, tell
 from coursework.errors import InputError
 from coursework.grading.platforms.roster import read_roster
 from coursework.report.words import load_words
@@ -29,9 +30,9 @@ def assign_class(
     chosen = load(template)
     assignment = Assignment(chosen, load_ranges(ranges or template, chosen), seed)
     centre, count = assignment.acceptance.centre, len(listed.students)
-    click.echo(say("assign.pilot", feasible=centre.feasible, drawn=centre.drawn))
-    with click.progressbar(length=2 * count, label=say("assign.progress"), width=30) as bar:
+    tell(say("assign.pilot", feasible=centre.feasible, drawn=centre.drawn))
+    with click.progressbar(length=2 * count, label=in_language(say("assign.progress")), width=30) as bar:
         written = assign(listed, assignment, out, Wishes(seed, deadline, pdf), words, bar.update, bar.update)
         bar.finish()
-    click.echo(say("assign.written", count=count, out=str(out), written=tuple(written)))
+    tell(say("assign.written", count=count, out=str(out), written=tuple(written)))
     return 0

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from coursework.api import load, solve
 from coursework.commands.run import tell_remarks
-from coursework.commands.screen import tell
+from coursework.commands.screen import tell, title_of
 from coursework.formula.tree import spelled
 from coursework.run import Run
 from coursework.sentences import say, say_count
@@ -17,7 +17,7 @@ def check_variant(variant: str) -> int:
     """Return 0 where the whole motion is possible, 1 where it stops."""
     run = solve(load(variant))
     chosen = run.variant
-    tell(f"{chosen.title}  ({chosen.name}, {chosen.path})")
+    tell(f"{title_of(chosen)}  ({chosen.name}, {chosen.path})")
     tell_remarks(run)
     scene = run.scene
     equations, reduction = scene.equations, scene.reduction
@@ -52,7 +52,7 @@ def check_variant(variant: str) -> int:
     if stop is None:
         tell(say("screen.possible", end=chosen.time.end))
         return 0
-    tell(say("screen.not_possible", kind=stop.kind, sentence=stop.sentence))
+    tell(say("screen.not_possible", kind=stop.name, sentence=stop.sentence))
     if scene.phases:
         tell(scene.phases)
     return 1

@@ -35,7 +35,7 @@ def precheck_files(files: tuple[Path, ...], variant: str | None) -> int:
     grid = grid_of(key.variant, {name: tuple(key.table[:, place].tolist()) for place, name in enumerate(key.names)})
     contents = understand(collect_files(files), Expected(grid, key.variant))
     for entry in contents.files:
-        tell(say("screen.file", name=entry.name, kind=entry.kind, bytes=entry.bytes))
+        tell(say("screen.file", name=entry.name, kind=say(f"screen.kind.{entry.kind}"), bytes=entry.bytes))
     fine = _tell_table(key, contents)
     fine &= _tell_equations(contents)
     for found in contents.notes:

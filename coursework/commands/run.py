@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any
 
 from coursework.api import load, solve
-from coursework.checks.result import GROUPS, OF_POWER, floored
-from coursework.commands.screen import in_language, tell
+from coursework.checks.result import GROUPS, never_more
+from coursework.commands.screen import in_language, tell, title_of
 from coursework.errors import InputError
 from coursework.file_set import files_of, working_folder
 from coursework.output.formats import FORMATS, PAGES, Format, chosen
@@ -48,7 +48,8 @@ def run_variant(
     run = make_run(read, step=h, end=end, scheme=scheme, **options)
     if plan:
         on_pages = ("solutions",) if any(PAGES in each.serves for each in wanted) else ()
-        tell("\n".join(run.plan_with(*on_pages).lines()))
+        for line in run.plan_with(*on_pages).lines():
+            tell(line)
         used, left = run.blocks_evaluated()
         title = run.scheme_title
         tell(
@@ -89,7 +90,7 @@ def _stepping(variant: Variant, scheme: str | None) -> str:
 def tell_stop(run: Run, consequence: Sentence) -> int:
     """Say why a motion stops and what therefore cannot be had; return the exit status of a stopped motion."""
     assert run.stop is not None
-    tell(say("screen.stopped_so", kind=run.stop.kind, consequence=consequence, sentence=run.stop.sentence))
+    tell(say("screen.stopped_so", kind=run.stop.name, consequence=consequence, sentence=run.stop.sentence))
     return 1
 
 
@@ -184,7 +185,7 @@ def tell_run(run: Run, folder: Path, written: list[str]) -> None:
     motion = run.motion
     if run.summary:
         tell(run.summary)
-    tell(f"{run.variant.title}  ({run.variant.name})")
+    tell(f"{title_of(run.variant)}  ({run.variant.name})")
     if run.variant.set_values:
         tell(say("run.set", listed=tuple(f"{name} = {value}" for name, value in run.variant.set_values.items())))
     tell(say("screen.scheme_step_rows", scheme=run.scheme_title, step=motion.step, count=len(motion.t)))
@@ -201,10 +202,10 @@ def tell_run(run: Run, folder: Path, written: list[str]) -> None:
                 for value, size in zip(motion.rows[row].tolist(), sizes, strict=True)
             ]
             pairs = zip(motion.names, shown, strict=True)
-            values = joined([say("screen.named", name=name, value=value) for name, value in pairs], "join.comma")
+            values = joined([say("screen.named", name=name, value=value) for name, value in pairs], "join.numbers")
             tell(say(key, time=float(motion.t[row]), values=values))
     if run.stop is not None:
-        tell(say("screen.stopped_by", kind=run.stop.kind, sentence=run.stop.sentence))
+        tell(say("screen.stopped_by", kind=run.stop.name, sentence=run.stop.sentence))
         if run.scene.phases:
             tell(run.scene.phases)
     tell_remarks(run)
@@ -220,12 +221,11 @@ def tell_checks(run: Run) -> None:
         for check in (check for check in run.checks if check.group == group):
             parts = [f"  {in_language(say(f'checks.mark.{check.verdict}'))} {check.verdict:<6} {check.code:<16}"]
             if check.value is not None:
-                is_part = isinstance(check.unit, Sentence) and check.unit.key == OF_POWER
-                bare = {"value": floored(check.value, 3) if is_part else check.value}
+                bare = {"value": never_more(check.value, check.unit, 3)}  # three digits are shown
                 parts.append(say("screen.value_unit", **bare, unit=check.unit) if check.unit else say("screen.value", **bare))
             if check.limit is not None:
                 parts.append(say("screen.limit", limit=check.limit))
-            parts += [f", {check.column}"] if check.column else []
+            parts += [say("screen.column", column=check.column)] if check.column else []
             parts += [say("screen.row", row=check.row)] if check.row else []
             tell(joined(parts, "join.nothing"))
     for check in run.checks:

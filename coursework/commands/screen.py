@@ -7,11 +7,15 @@ Used by the other commands and `cli.py`.
 from __future__ import annotations
 
 from contextvars import ContextVar
+from typing import TYPE_CHECKING
 
 import click
 
 from coursework.errors import CourseworkError, Fault
 from coursework.sentences import ENGLISH, load_phrases
+
+if TYPE_CHECKING:
+    from coursework.variant.record import Variant
 
 _SPOKEN: ContextVar[str] = ContextVar("language", default=ENGLISH)
 
@@ -26,6 +30,12 @@ def speak(language: str) -> None:
 def in_language(text: str) -> str:
     """Return a sentence in the language of the command; any other text as it is."""
     return load_phrases(_SPOKEN.get()).written(text)
+
+
+def title_of(variant: Variant) -> str:
+    """Return what a variant is called in the language of the command, or as its author wrote it."""
+    texts = variant.texts.get(_SPOKEN.get())
+    return (texts and texts.title) or variant.title
 
 
 def tell(text: str, *, err: bool = False) -> None:

@@ -126,7 +126,7 @@ class RunTask:
         write_set(results, formats, self.out / item.folder, unfinished)
         checks = run.checks if run.asks(CHECKS) else ()
         written = load_phrases(self.language).written
-        stop = "" if run.stop is None else written(say("screen.stopped", kind=run.stop.kind, time=run.stop.time))
+        stop = "" if run.stop is None else written(say("screen.stopped", kind=run.stop.name, time=run.stop.time))
         wrong = {"FAIL", "ERROR", *(["COARSE"] if strict else [])}
         failed = "; ".join(f"{check.code}: {written(check.sentence)}" for check in checks if check.verdict in wrong)
         page = results.model.plain() if self.combined else None

@@ -122,10 +122,16 @@ def constant(tree: Formula) -> Fraction | None:
 
 
 def on_axes(tree: Formula) -> Formula:
-    """Return a scalar formula with each part of a sum as a sum of parts: (E - A - r @ phi).x as E.x - A.x - r*cos(phi)."""
+    """Return a scalar formula with each part of a sum as a sum of parts: (E - A - r @ phi).x as E.x - A.x - r*cos(phi).
+
+    A minus before the first factor stands before the product: -C.x*sin(beta), not (-C.x)*sin(beta).
+    """
     if tree.op == "part":
         return _component(tree.args[0], tree)
-    return replace(tree, args=tuple(on_axes(arg) for arg in tree.args))
+    args = tuple(on_axes(arg) for arg in tree.args)
+    if tree.op in {"*", "/"} and args[0].op == "neg":
+        return Formula("neg", (replace(tree, args=(args[0].args[0], args[1])),))
+    return replace(tree, args=args)
 
 
 def _component(vector: Formula, part: Formula) -> Formula:

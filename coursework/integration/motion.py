@@ -12,7 +12,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.sentences import joined
+from coursework.sentences import Sentence, joined, say
 
 Array = NDArray[np.float64]
 # A row this part of its own time before an event stands at the event: its velocities are no numbers any more.
@@ -42,6 +42,11 @@ class Stop:
     cause: str
     meaning: str
     branches: tuple[dict[str, float], ...] = ()
+
+    @property
+    def name(self) -> Sentence:
+        """Return what such a stop is called."""
+        return say(f"event.kind.{self.kind}")
 
     @property
     def sentence(self) -> str:

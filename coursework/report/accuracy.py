@@ -110,7 +110,7 @@ def _table(context: PageContext, study: AccuracyStudy) -> Table:
         rows.append(cells)
     notes = [context.words("accuracy.own_mark", mark=MARK)] if strong else []
     if study.orders:
-        orders = context.words("join.comma").join(
+        orders = context.words("join.numbers").join(
             context.words("accuracy.order", method=context.told(name, LONGEST_NAME), order=_order_text(context, study, name))
             for name in study.orders
         )

@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from coursework.checks.evidence import NO_ERROR
-from coursework.checks.result import GROUPS, OF_POWER, VERDICTS, Finding, floored
+from coursework.checks.result import DIGITS_LEFT, GROUPS, VERDICTS, Finding, never_more
 from coursework.page_text import clean
 from coursework.report.numbers import ROUND_OFF, TIGHT
 from coursework.report.page_context import PageContext
@@ -20,6 +20,7 @@ from coursework.report.text_runs import numeral
 from coursework.sentences import Sentence
 
 NOTHING_AT_ALL = 1e-18  # SI: smaller than any round-off of a mechanism
+BESIDE_A_LIMIT = 1e-9  # of its limit: what passes with so little is round-off of lengths that close
 NEARLY_WHOLE = 5e-5  # of an amount: less than four digits show
 OF_THE_SCALE = "unit.of_the_scale"
 MOST_LINES = 30  # further lines of one check; more are thinned
@@ -54,7 +55,10 @@ def _judged(context: PageContext, check: Finding) -> Judged:
     unit = context.told(check.unit)
     is_short = len(unit) <= SHORT_UNIT
     value = check.value if check.value is None else counted(check.value, check.unit)
-    is_count = value is not None and value >= 1 and value.is_integer()
+    is_left = isinstance(check.unit, Sentence) and check.unit.key == DIGITS_LEFT  # 15.4 of sixteen: never 15.40
+    if value and check.verdict == "PASS" and not check.is_least and abs(value) < BESIDE_A_LIMIT * (check.limit or 0.0):
+        value = 0.0
+    is_count = value is not None and value >= 1 and (value.is_integer() or is_left)
     heads, lines = _lines(context, check)
     if check.verdict == "PASS" and value == 0:
         heads, lines = [], []  # where nothing is off, noughts say nothing more
@@ -109,16 +113,15 @@ def _lines(context: PageContext, check: Finding) -> tuple[list[str], list[list[C
 
 
 def counted(value: float, unit: str) -> float:
-    """Return an amount as it is told: a part of a whole never larger than it is, of a scale 0 where it is round-off; whole
-    where it is that but for the last digit shown and its unit is a word: 24 rows, not 23.9999.
+    """Return an amount as it is told: a part of a whole and digits that are left never more than there are, of a scale 0
+    where it is round-off; whole where it is that but for the last digit shown and its unit is a word: 24 rows, not 23.9999.
     """
-    key = unit.key if isinstance(unit, Sentence) else ""
-    if key == OF_POWER:
-        return floored(value)
-    if key == OF_THE_SCALE and abs(value) < ROUND_OFF:
+    if not isinstance(unit, Sentence):
+        return value
+    if unit.key == OF_THE_SCALE and abs(value) < ROUND_OFF:
         return 0.0
-    is_whole = isinstance(unit, Sentence) and abs(value - round(value)) < NEARLY_WHOLE * abs(value)
-    return float(round(value)) if is_whole else value
+    least = never_more(value, unit)
+    return float(round(value)) if least == value and abs(value - round(value)) < NEARLY_WHOLE * abs(value) else least
 
 
 def _seen(row: tuple[str, float, str], noise: float) -> float:

@@ -59,6 +59,8 @@ def _number(context: PageContext, finding: Finding) -> Cell:
         return context.with_unit(numbers.plain(100 * value), "%")
     if key in SHARES:
         return context.with_unit(numbers.scalar(100 * value, DIGITS), "%")
+    if key == ROWS:
+        value = float(f"{value:.{DIGITS}g}")  # the word behind the number is that of the number shown
     is_count = key == ROWS or (value.is_integer() and abs(value) >= 1)
     shown = numbers.plain(value, DIGITS) if is_count else numbers.scalar(value, DIGITS)
     return numeral(context.with_unit(shown, context.unit_beside(value, finding.unit)))

@@ -33,7 +33,7 @@ def dead_point(context: PageContext) -> list[Part]:
         facts.append((say("stop.phases"), context.rich(context.run.phases)))
     kept = say("stop.kept", row=len(context.run.motion.t))
     kind = context.event(stop.kind)
-    lead = say("stop.lead", kind=kind[:1].upper() + kind[1:], time=time)
+    lead = say("stop.lead", kind=kind[:1].upper() + kind[1:], time=time) + say("join.sentences")
     drawing = context.run.at_stop()
     figure = [drawn(context, drawing)] if drawing is not None else []
     return [Paragraph(runs(kept), "callout", lead), Facts(facts), *figure]
@@ -41,4 +41,5 @@ def dead_point(context: PageContext) -> list[Part]:
 
 def _values(context: PageContext, values: Mapping[str, float]) -> str:
     unit_of = context.run.variant.unit_of
-    return ", ".join(f"{context.symbol(name).text} = {context.quantity(value, unit_of(name))}" for name, value in values.items())
+    listed = [f"{context.symbol(name).text} = {context.quantity(value, unit_of(name))}" for name, value in values.items()]
+    return context.words("join.comma").join(listed)

@@ -39,7 +39,8 @@ def first_step(context: PageContext) -> list[Part]:
     if len(run.motion.t) > 1 and not run.settings.project and not run.settings.gain:
         numbers = [_numbers(context, name, rate_of[name]) for name in names]
         units = dict.fromkeys(context.unit(c.unit) for c in run.variant.coordinates if c.name in names)
-        parts += [Paragraph(context.say("derivation.first_step", units=", ".join(units))), Equations(numbers, flow=True)]
+        listed = context.words("join.comma").join(units)
+        parts += [Paragraph(context.say("derivation.first_step", units=listed)), Equations(numbers, flow=True)]
     return parts
 
 

@@ -49,5 +49,6 @@ def _lesson(context: PageContext) -> list[str]:
 
 
 def _versions(context: PageContext) -> list[Part]:
-    versions = ", ".join(f"{clean(name)} {clean(version)}" for name, version in context.run.versions.items())
+    named = (f"{clean(name)} {clean(version)}" for name, version in context.run.versions.items())
+    versions = context.words("join.comma").join(named)
     return [Paragraph(runs(context.words("method.versions", versions=versions)), "note")] if versions else []

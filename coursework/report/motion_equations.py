@@ -77,7 +77,7 @@ def _derived_from_points(context: PageContext, found: Derivation) -> list[Part]:
     nought = [f"{known.point}{axis}" for known in found.graph.known for axis in "xy" if known.part(axis) == ZERO]
     zero = [context.symbol(f"V{clean(name)}") for name in nought]
     line = [Display(f"{one.typst} = 0", f"{one.text} = 0") for one in zero]
-    ways = ", ".join(unbroken("–".join(clean(point) for point in path.points)) for path in found.paths)
+    ways = say("join.comma").join(unbroken("–".join(clean(point) for point in path.points)) for path in found.paths)
     nought_first: list[Part] = [Paragraph(context.say("constraints.joints")), Equations(line, flow=True)] if zero else []
     return [
         *nought_first,

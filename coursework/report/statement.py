@@ -29,6 +29,7 @@ USUAL_ROW = 4  # the row that is compared where a file names none
 SHOWN_DIGITS = 5
 MEASURED = 8  # digits of a datum; one with more has been computed
 _DECIMAL = re.compile(r"-?\d+\.\d+")
+_QUANTITY = re.compile(r"([+-]?\d*\.?\d+(?:[eE][+-]?\d+)?) ([\w/^]+)")
 GAP = "\ue002"  # stands in a sentence where a text of the file goes; no text has it
 
 
@@ -56,7 +57,7 @@ def _set(context: PageContext) -> list[Part]:
     values = context.run.variant.set_values
     if not values:
         return []
-    pairs = [f"{name} = {_written(context, text)}" for name, text in values.items()]
+    pairs = [f"{name} = {_set_value(context, text)}" for name, text in values.items()]
     return [Paragraph(context.lettered(context.words("given.set", listed=context.words.listing(pairs))))]
 
 
@@ -203,6 +204,13 @@ def _given(context: PageContext, text: str, unit: str) -> str:
     return context.with_unit(context.numbers.plain(float(text)) if computed else _written(context, text), unit)
 
 
+def _set_value(context: PageContext, text: str) -> str:
+    """Return a value as it was set, its unit in the language of the page; a law of the drive has no unit behind it."""
+    if found := _QUANTITY.fullmatch(text):
+        return context.with_unit(_written(context, found[1]), found[2])
+    return _written(context, text)
+
+
 def _written(context: PageContext, text: str) -> str:
     return clean(text, LONGEST_NAME).replace("-", "−").replace(".", context.numbers.mark)
 
@@ -233,7 +241,7 @@ def _checked(context: PageContext) -> str:
     motion, variant = context.run.motion, context.run.variant
     row = min(variant.time.check_row or USUAL_ROW, len(motion.t))
     sought = [name for name in motion.velocity_names if name not in variant.known_rates] or motion.velocity_names
-    values = ", ".join(
+    values = context.words("join.comma").join(
         f"{context.lettering(name)}{TIGHT}={TIGHT}"
         + context.with_unit(context.numbers.scalar(float(motion.column(name)[row - 1]), SHOWN_DIGITS), variant.unit_of(name))
         for name in sought
@@ -252,7 +260,7 @@ def _misses(context: PageContext) -> list[Runs]:
         for split in [split for split in moved if split.name not in _driven(context)] or moved
     ]
     if gaps:
-        told.append(runs(say("result.misses", gaps=", ".join(gaps))))
+        told.append(runs(say("result.misses", gaps=say("join.comma").join(gaps))))
     elif any(split.name in coordinates for split in splits(context)):
         told.append(runs(say("result.repeats_positions" if left else "result.repeats")))
     if errors := largest_errors(context):

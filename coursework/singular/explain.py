@@ -101,7 +101,7 @@ def _branches(branches: tuple[dict[str, float], ...]) -> str:
 
 
 def _velocities(branch: Mapping[str, float]) -> Sentence:
-    return joined([say("event.velocity", name=name, value=_tidied(value)) for name, value in branch.items()], "join.comma")
+    return joined([say("event.velocity", name=name, value=_tidied(value)) for name, value in branch.items()], "join.numbers")
 
 
 def _tidied(value: float) -> float:

@@ -20,7 +20,7 @@ from coursework.formula.alphabet import spell
 from coursework.formula.tree import Formula
 from coursework.formula.units import is_quantity, measured
 from coursework.schemes import scheme_names
-from coursework.sentences import closest, say
+from coursework.sentences import closest, say, unfolded
 from coursework.variant import schema
 from coursework.variant.at_start import faults_at_start
 from coursework.variant.bodies import read_frame, read_group, read_link
@@ -125,7 +125,7 @@ def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | No
         coordinates, unknowns, functions, time, constraints, groups, points,
         tuple(read_link(key, entry, list(file.links), parts) for key, entry in file.links.items()), read_frame(file.frame, parts),
         _driven(file.closure.driven, parts), holds,
-        tuple(file.ask.quantities), tuple(file.remarks),
+        tuple(file.ask.quantities), tuple(map(unfolded, file.remarks)),
         tuple(_quote(i, entry, columns, time, parts) for i, entry in enumerate(file.quote)), (), _lines(parts.source),
         texts={language: _texts(said, parts) for language, said in file.text.items()},
     )  # fmt: skip
@@ -133,7 +133,7 @@ def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | No
 
 def _texts(said: schema.Texts, parts: Parts) -> Texts:
     means = {parts.names.canonical(name): text for name, text in said.means.items()}
-    return Texts(said.title, said.source, said.teaches, tuple(said.remarks), said.because, means)
+    return Texts(said.title, said.source, said.teaches, tuple(map(unfolded, said.remarks)), said.because, means)
 
 
 def _driven(name: str | None, parts: Parts) -> str | None:

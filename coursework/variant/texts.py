@@ -1,7 +1,7 @@
 """What a file says about its variant in other languages than the author's: [text.ru], [text.uk] …
 
 Enters: the checked file.  Leaves: `Texts`, and a variant that speaks one of them.
-Used by `reader.py`, `record.py` and `report/page_context.py`.
+Used by `assigning/`, `reader.py`, `record.py` and `report/page_context.py`.
 """
 
 from __future__ import annotations

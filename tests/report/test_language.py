@@ -20,8 +20,9 @@ from coursework.own_pieces import own_pieces
 from coursework.report import build_model, render_html, words
 from coursework.report.parts import Paragraph
 from coursework.run import Run
-from coursework.sentences import PLURALS, Phrases, Sentence, joined, load_phrases, say, say_count
+from coursework.sentences import PLURALS, Phrases, Sentence, joined, load_phrases, say, say_count, unfolded
 from coursework.variant.reader import parse_variant
+from coursework.variant.set_values import with_set
 from tests.report import words_missing
 from tests.report.real import text_of
 from tests.report.test_sentences_of_a_page import keys
@@ -121,6 +122,18 @@ def test_a_finding_is_english_text_for_whoever_just_prints_it() -> None:
         assert SHOUTED.written(copied) == SHOUTED.written(both)
 
 
+def test_chinese_sets_a_space_beside_latin_letters_only() -> None:
+    """What a gap brings decides; the spaces inside it, of a name or a path, are the user's own."""
+    chinese = load_phrases("zh")
+    line = say("determinant.one_line", first=say("determinant.link", name="1"), second=say("determinant.links"))
+    assert chinese.written(line) == "构件 1 与各构件位于一条直线上（拉直或重叠）"
+    assert chinese.written(say("determinant.vertical", link="AB")) == "AB 竖直"
+    assert chinese.listing(["中点法", "（甲）", "四阶龙格-库塔法"]) == "中点法、（甲）和四阶龙格-库塔法"
+    assert chinese.listing(["x", "y", "z"]) == "x、y 和 z"
+    assert "我的 作业/31" in chinese.written(say("screen.written_to", out="我的 作业/31", files="report.html"))
+    assert unfolded("到达死点，\n那里 V_M\n本应为零\n。") == "到达死点，那里 V_M\n本应为零。"
+
+
 def test_a_key_that_does_not_exist_is_a_fault() -> None:
     with pytest.raises(KeyError, match=r"no sentence check\.NOTHING"):
         say("check.NOTHING")
@@ -194,6 +207,14 @@ def test_words_beside_a_number_follow_the_language(rule: str, numbers: dict[str,
         assert [other.written(say_count("count.rows", number)) for number in listed] == [f"{number} {form}" for number in listed]
 
 
+@pytest.mark.parametrize(("language", "beside_part"), [("en", "rows"), ("ru", "строки"), ("uk", "рядка"), ("zh", "行")])
+def test_words_beside_a_part_of_one_have_a_form_of_their_own(language: str, beside_part: str) -> None:
+    """Source: Unicode CLDR, "other" of ru and uk is the form of fractions; the genitive singular in both."""
+    words = load_phrases(language)
+    assert words.written(say("unit.rows", number=24.02)) == beside_part
+    assert words.written(say("unit.rows", number=24.0)) == words.written(say("unit.rows", number=24))
+
+
 @pytest.mark.parametrize("name", ["31", "epicyclic", "andrews"])
 def test_numbers_have_the_decimal_sign_of_the_page_and_chinese_has_no_spaces(name: str, reading: ModuleType) -> None:
     run = coursework.solve(name)
@@ -209,3 +230,23 @@ def test_numbers_have_the_decimal_sign_of_the_page_and_chinese_has_no_spaces(nam
     assert sum("。" in one for one in told) > 5
     assert [one for one in told if re.search("[\u4e00-\u9fff][。，；：] |\u200b", one)] == []
     assert any("、" in one for one in told)
+
+
+@pytest.mark.parametrize(
+    ("language", "told"),
+    [("ru", "= 0,02 рад, r1 = 910 мм и VMy = 2 * sin(p * t)."), ("uk", "= 0,02 рад, r1 = 910 мм і VMy = 2 * sin(p * t).")],
+)
+def test_what_was_set_has_the_units_of_the_language(language: str, told: str) -> None:
+    run = coursework.solve(
+        with_set(coursework.load("31"), ["alpha=0.02rad", "r1=910mm", "VMy=2 * sin(p * t)"]), quantities=["table"]
+    )
+    page = " ".join(said(run, language)).replace("\N{NO-BREAK SPACE}", " ")
+    assert told in page
+
+
+@pytest.mark.parametrize(("language", "between"), [("ru", "; "), ("uk", "; "), ("en", ", ")])
+def test_numbers_with_a_decimal_comma_are_listed_with_semicolons(language: str, between: str) -> None:
+    values = [say("screen.named", name=name, value=value) for name, value in (("phi1", 1.63), ("w1", -1.5))]
+    decimal = load_phrases(language).template("decimal")
+    listed = load_phrases(language).written(joined(values, "join.numbers"))
+    assert listed == f"phi1 1{decimal}63{between}w1 -1{decimal}5"

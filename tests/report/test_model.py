@@ -200,7 +200,7 @@ def test_wide_tables_are_split_and_points_stay_whole(real: ModuleType) -> None:
 
 def test_a_stop_is_told_once_with_rows_counted_as_the_table_counts_them(real: ModuleType) -> None:
     callout, facts = real.parts(real.stopped(), "dead_point")[:2]
-    assert callout["lead"] == "Dead point at t = 0.11688925\u00a0s"
+    assert callout["lead"] == "Dead point at t = 0.11688925\u00a0s. "
     assert "up to row 6" in real.text_of(callout["text"])
     told = {name: real.text_of(value) for name, value in facts["items"]}
     assert told["Place in the table"] == "between row 6 and row 7 of the table"

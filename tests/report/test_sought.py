@@ -57,6 +57,8 @@ def test_the_point_that_a_guide_leads_through_is_told(real: ModuleType, name: st
         ("(E - (a, b) - r2 @ phi2).y", "E.y - b - r2*sin(phi2)"),
         ("(R0 - R)*phi1 + R*psi2", "(R0 - R)*phi1 + R*psi2"),
         ("2*(C - 3*A).y", "2*(C.y - (3*A).y)"),
+        ("-C.x*sin(b) + C.y*cos(b)", "-C.x*sin(b) + C.y*cos(b)"),
+        ("C.y - (-A).x/2", "C.y - -A.x/2"),
     ],
 )
 def test_a_part_of_a_sum_is_a_sum_of_parts(written: str, told: str) -> None:
@@ -70,19 +72,3 @@ def test_what_drifts_is_told_as_the_student_writes_it(real: ModuleType) -> None:
     shown = real.text_of(real.parts(run, "checks"))
     assert "xE − xA − r2·cos\u202fφ2: largest" in shown
     assert "hold 1" not in shown
-
-
-def test_a_limit_says_which_side_of_it_passes(real: ModuleType) -> None:
-    items = {one["code"]: one for part in real.parts(real.full(), "checks") for one in part.get("items", [])}
-    least = {code for code, one in items.items() if real.text_of([one["limit"]]).startswith("≥")}
-    most = {code for code, one in items.items() if real.text_of([one["limit"]]).startswith("≤")}
-    assert least == {"CONDITION", "AGREEMENT", "SINUSOID", "STEP"}
-    assert most == {"INITIAL", "RESIDUAL", "ACCURACY", "PERIOD-POSITION", "PERIOD-VELOCITY", "CONTINUITY", "PEAK", "DRIFT"}
-
-
-def test_what_passes_is_not_set_beside_a_limit_it_does_not_reach(real: ModuleType) -> None:
-    """Nothing in v101 can judge its equation 2: three of four are confirmed, and that is no fault."""
-    run = coursework.solve("v101", quantities=("table", "checks"))
-    items = {one["code"]: one for part in real.parts(run, "checks") for one in part.get("items", [])}
-    assert real.text_of([items["AGREEMENT"]["value"]]) == "3\xa0equations"
-    assert real.text_of([items["AGREEMENT"]["limit"]]) == "–"

@@ -68,7 +68,8 @@ def complaints(language: str) -> Iterator[str]:
             yield f"{key} = {sentence!r}"
         elif (gaps(own[key]) ^ gaps(sentence)) - ({"number"} if key.rpartition(".")[0] in plural else set()):
             yield f"{key}: gaps {sorted(gaps(own[key]))}, in English {sorted(gaps(sentence))}"
-    for key in own:
+    parts = {f"{base}.other" for base in plural}  # the form beside a number that is not whole
+    for key in sorted(own.keys() - parts):
         if key not in wanted and not key.startswith(UNLISTED):
             yield f"{key}: not in English"
 

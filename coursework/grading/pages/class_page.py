@@ -13,7 +13,7 @@ from coursework.grading.pages.bars import bars
 from coursework.grading.pages.class_facts import PARTS, ClassFacts
 from coursework.grading.pages.feedback import misconception_sentence, shown_points
 from coursework.page_text import clean, filled
-from coursework.sentences import Phrases, Sentence, say
+from coursework.sentences import Phrases, Sentence, joined, say
 
 TENTHS = 10  # parts of the distribution
 MOST_LISTED = 200
@@ -99,7 +99,7 @@ def _called(facts: ClassFacts) -> dict[str, str]:
 
 def _same(files: Sequence[str], ids: Sequence[str], called: Mapping[str, str]) -> Sentence:
     """Return who shares files; of one that much of the class has only how many."""
-    named = ", ".join(clean(name, 80) for name in sorted(set(files)))
+    named = joined([clean(name, 80) for name in sorted(set(files))], "join.comma")
     if len(ids) > max(FEW, GIVEN * len(called)):
         return say("class.same_given", files=named, number=len(ids))
     return say("class.same", files=named, who=_listed([called[who] for who in ids]))
@@ -114,6 +114,6 @@ def _tenths(facts: ClassFacts, words: Phrases) -> list[tuple[str, int]]:
     return [(f"{edges[part]}–{edges[part + 1]}", counts[part]) for part in range(TENTHS)]
 
 
-def _listed(names: Sequence[str]) -> str:
-    shown = ", ".join(clean(name, 80) for name in names[:30])
-    return f"{shown} …" if len(names) > 30 else shown
+def _listed(names: Sequence[str]) -> Sentence:
+    more = ["…"] if len(names) > 30 else []
+    return joined([*(clean(name, 80) for name in names[:30]), *more], "join.comma")

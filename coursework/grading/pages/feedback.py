@@ -16,7 +16,7 @@ from coursework.grading.marking.cells import CARRIED, GIVEN, KEY, MISSING, WRONG
 from coursework.grading.marking.grade import Grade, TableMarks
 from coursework.grading.pages.curves import panel
 from coursework.page_text import clean, filled
-from coursework.sentences import Phrases, Sentence, load_phrases, say
+from coursework.sentences import Phrases, Sentence, joined, load_phrases, say
 from coursework.variant.texts import in_language
 
 # Longer tables show their first rows and those with wrong cells: the page stays one that a person reads.
@@ -193,7 +193,7 @@ def _equations(grade: Grade, words: Phrases) -> dict[str, Any] | None:
             }
         )  # fmt: skip
     marks = grade.equations
-    dependent = say("feedback.dependent", lines=", ".join(map(str, marks.dependent))) if marks.dependent else ""
+    dependent = say("feedback.dependent", lines=joined(map(str, marks.dependent), "join.comma")) if marks.dependent else ""
     count = say("feedback.independent", independent=marks.independent, needed=marks.needed)
     return {"items": items, "count": count, "dependent": dependent}
 
