@@ -75,7 +75,7 @@ class TableLaw:
         return self._functions[order]
 
     def _made(self, order: int) -> Callable[[Any], Any]:
-        listed: list[tuple[float, ...]] = []
+        met: dict[int, tuple[float, ...]] = {}  # of the intervals asked for so far, the highest coefficient first
 
         def law(argument: Any) -> Any:
             place = (argument - self.first) / self.step
@@ -87,11 +87,11 @@ class TableLaw:
                 return reduce(lambda total, part: total * (place - inside) + part, coefficients[::-1])
             if not -_SLACK <= place <= self.intervals + _SLACK:
                 raise self._outside(float(argument))
-            if not listed:
-                listed.extend(map(tuple, self.pieces[order][:, ::-1].tolist()))
             interval = min(max(int(place), 0), self.intervals - 1)
+            if interval not in met:
+                met[interval] = tuple(self.pieces[order][interval, ::-1].tolist())
             u, total = place - interval, 0.0
-            for part in listed[interval]:
+            for part in met[interval]:
                 total = total * u + part
             return total
 

@@ -5,11 +5,13 @@ Enters: the name of the table.  Leaves: rows of (argument, value).  Used by `rea
 
 from __future__ import annotations
 
-import itertools
 import math
 import re
 from collections.abc import Mapping
 from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
 
 from coursework.errors import Fault
 from coursework.sentences import Sentence, say
@@ -21,7 +23,9 @@ _FEWEST_NODES = 5  # the five-point formulas need five
 # A node off its even place by a part of the step falsifies the slopes about it by the same part.  Nodes as a program computed
 # them lie within the first, and those of a print whose arguments have digits enough within the second.
 _EXACT, _ROUNDED = 1e-6, 1e-3
-_NUMBER = re.compile(r"\s*[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s*", re.ASCII)
+# Blanks and quotes once taken are not given back, so that a long line of them is read once.
+_QUOTED = r"""\s*+"*+\s*+([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*+"*+\s*+"""
+_CELL, _LINE = re.compile(_QUOTED), re.compile(f"{_QUOTED},{_QUOTED}")
 Rows = tuple[tuple[float, float], ...]
 
 
@@ -86,50 +90,53 @@ def _require_size(name: str, size: int) -> None:
 def _rows(name: str, text: str) -> Rows:
     """Return (argument, value) of each line; a first line of words is the header."""
     rows: list[tuple[float, float]] = []
+    printed: list[str] = []
     lines: list[int] = []
-    units: list[float] = []
     for number, line in enumerate(text.splitlines(), start=1):
-        cells = [cell.strip().strip('"') for cell in line.split(",")]
-        if not line.strip(" ,\t") or (number == 1 and not any(map(_NUMBER.fullmatch, cells))):
-            continue
-        if len(cells) != 2 or not all(map(_NUMBER.fullmatch, cells)):
+        found = _LINE.fullmatch(line)
+        if found is None:
+            if not line.strip(" ,\t") or (number == 1 and not any(map(_CELL.fullmatch, line.split(",")))):
+                continue
             raise TableFault(say("fault.V099", name=name, number=number))
-        rows.append((float(cells[0]), float(cells[1])))
-        lines.append(number)
-        units.append(_last_place(cells[0]))
-        if not all(map(math.isfinite, rows[-1])):
+        argument, value = float(found[1]), float(found[2])
+        if not (math.isfinite(argument) and math.isfinite(value)):
             raise TableFault(say("fault.V100", name=name, number=number))
+        rows.append((argument, value))
+        printed.append(found[1])
+        lines.append(number)
     if len(rows) > MOST_NODES:
         raise TableFault(say("fault.V094", name=name, count=len(rows), most_nodes=MOST_NODES))
     if len(rows) < _FEWEST_NODES:
         raise TableFault(say("fault.V095", name=name, fewest_nodes=_FEWEST_NODES, count=len(rows)))
-    steps = [later[0] - earlier[0] for earlier, later in itertools.pairwise(rows)]
-    place = steps.index(min(steps)) + 1
-    if min(steps) <= 0:
+    arguments = np.array([row[0] for row in rows])
+    steps = np.diff(arguments)
+    place = int(steps.argmin()) + 1
+    if steps[place - 1] <= 0:
         later, earlier = rows[place][0], rows[place - 1][0]
         raise TableFault(say("fault.V096", name=name, lines=lines[place], later=later, earlier=earlier))
-    _refuse_uneven(name, [row[0] for row in rows], units, lines)
+    if _is_uneven(arguments, printed):
+        usual = float(np.sort(steps)[len(steps) // 2])
+        odd = int(np.abs(steps - usual).argmax())
+        raise TableFault(say("fault.V137", name=name, lines=lines[odd + 1], steps=float(steps[odd]), usual=usual))
     return tuple(rows)
+
+
+def _is_uneven(arguments: NDArray[np.float64], printed: list[str]) -> bool:
+    """Return whether a node is off its even place by more than its printed digits explain.
+
+    An argument is rounded by half the place of its own last digit, and its even place by half of the first one's and the
+    last one's.
+    """
+    even = (arguments[-1] - arguments[0]) / (len(arguments) - 1)
+    off = np.abs(arguments - arguments[0] - np.arange(len(arguments)) * even)
+    if np.all(off <= _EXACT * even):
+        return False
+    units = np.array([_last_place(number) for number in printed])
+    rounded = (units + max(units[0], units[-1])) / 2 * (1 + _EXACT)
+    return bool(np.any(off > np.maximum(_EXACT * even, np.minimum(rounded, _ROUNDED * even))))
 
 
 def _last_place(number: str) -> float:
     """Return the place of the last digit of a printed number: 0.01 of "1.25", 100 of "3e2"."""
     digits, _, exponent = number.lower().partition("e")
     return math.pow(10.0, max(-300.0, min(float(exponent or 0) - len(digits.partition(".")[2]), 300.0)))
-
-
-def _refuse_uneven(name: str, arguments: list[float], units: list[float], lines: list[int]) -> None:
-    """Raise `TableFault` for a node that is off its even place by more than its printed digits explain.
-
-    `units` are the places of the last printed digits: an argument is rounded by half of its own, and its even place by
-    half of the first one's and the last one's.
-    """
-    first, even = arguments[0], (arguments[-1] - arguments[0]) / (len(arguments) - 1)
-    ends = max(units[0], units[-1])
-    for place, (argument, unit) in enumerate(zip(arguments, units, strict=True)):
-        rounded = (unit + ends) / 2 * (1 + _EXACT)
-        if abs(argument - first - place * even) > max(_EXACT * even, min(rounded, _ROUNDED * even)):
-            steps = [later - earlier for earlier, later in itertools.pairwise(arguments)]
-            usual = sorted(steps)[len(steps) // 2]
-            odd = max(range(len(steps)), key=lambda place: abs(steps[place] - usual))
-            raise TableFault(say("fault.V137", name=name, lines=lines[odd + 1], steps=steps[odd], usual=usual))
