@@ -37,6 +37,7 @@ _TOGETHER = tuple(
         rf"{_BEGIN}{_PRODUCT}(?:[{_GAP}]{_JOINED}[{_GAP}]{_PRODUCT})+(?!{_SIGN})(?:[{_GAP}]{_UNIT}(?!\w))?",
         rf"{_BEGIN}{_JOINED}[{_GAP}]{_PRODUCT}(?!{_SIGN})",  # of a longer sum, the sign and what stands behind it
         r"(?<![\w-])\w{2,12}(?:-\w{1,12}){1,2}(?![\w-])(?:[ \u00a0]\d(?:\(\d\))?(?!\w|\.\d))?",  # Runge-Kutta 4
+        rf"{_APART}-{_APART}",  # the same in Chinese, where a line may break at any other place of the name
         rf"{_NUMBER}[{_GAP}]{_UNIT}(?!\w)[.,;:)]*",
         rf"{_BEGIN}{_OF_QUOTIENT}+/{_OF_QUOTIENT}+(?!{_SIGN})",
         rf"(?<!\w)(?:\w{{1,14}}:[{_GAP}](?!\{{scheme)|{_ROW}[{_GAP}]){_NUMBER}",

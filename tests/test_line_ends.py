@@ -23,6 +23,7 @@ def kept(sentence: str) -> list[str]:
         ("(14) = (12) + (16); (15) = (11) + (18)", ["(14) = (12) + (16);", "(15) = (11) + (18)"]),
         ("row i + 1 belongs to t = i · h with", ["i + 1", "t = i · h"]),
         ("within round-off by Runge-Kutta 4.", ["round-off", "Runge-Kutta 4"]),
+        ("为四阶龙格-库塔法 24 步的 2.8 倍", ["格-库"]),
         ("a = b = c", ["a = b = c"]),
         ("speed_of_the_block = twice_its_part = 4", ["speed_of_the_block =", "twice_its_part ="]),
         ("F = D + (62.5, 70) mm, at 4.9·10−4 m", ["F = D + (62.5, 70) mm", "4.9·10−4 m"]),

@@ -75,11 +75,15 @@ def _size(value: float, unit: str) -> Sentence:
 
 
 def _round(value: float) -> str:
-    """Return a number with two digits, thousands apart."""
+    """Return a number with two digits, thousands a narrow space apart at which no line ends."""
     if not math.isfinite(value) or value <= 0:
         return say("amount.many")
     digits = max(0, math.floor(math.log10(value)) - 1)
-    return f"{round(value / 10**digits) * 10**digits:,.0f}".replace(",", " ") if value >= 10 else say("amount.bare", value=value)
+    return (
+        f"{round(value / 10**digits) * 10**digits:,.0f}".replace(",", "\u202f")
+        if value >= 10
+        else say("amount.bare", value=value)
+    )
 
 
 def _time(row: StudyRow) -> dict[str, object]:

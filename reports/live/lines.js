@@ -15,7 +15,7 @@ const lines = {
       row.append(cell);
     }
     byId("lab-head").replaceChildren(row);
-    byId("lab-table").style.setProperty("--columns", this.columns.length);
+    byId("lab-table").closest(".live-below").style.setProperty("--columns", this.columns.length);
     this.body = byId("lab-table").tBodies[0];
     this.box = this.body.closest(".live-scroll");
     this.box.addEventListener("scroll", () => (this.top = this.box.scrollTop), { passive: true });

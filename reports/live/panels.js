@@ -1,6 +1,6 @@
 // Small graphs of what is tried: every column over time, the true motion as a line, the rows as dots.
 // Enters: `motion`.  Leaves: `panels`; each bears the box of its axes, so that the cursor finds it.
-const WIDE = 300, HIGH = 134, LEFT = 58, RIGHT = 292, TOP = 20, BOTTOM = 100;
+const WIDE = 300, HIGH = 143, LEFT = 58, RIGHT = 292, TOP = 23, BOTTOM = 103;
 // Some round numbers from low to high.
 const ticks = (low, high, most) => {
   const raw = (high - low) / most, power = 10 ** Math.floor(Math.log10(raw));
@@ -35,7 +35,7 @@ const panels = {
       panel.dataset.time = `0 ${data.end}`;
       const told = [label(name), data.unit_words[name]].filter(Boolean).join(", ");
       panel.setAttribute("aria-label", told);
-      const title = svg("text", { x: LEFT + 4, y: 14, class: "live-title" }, panel);
+      const title = svg("text", { x: LEFT + 4, y: 17, class: "live-title" }, panel);
       symbolic(title, told);
       const axes = svg("g", { class: "live-axes" }, panel);
       let path = `M${LEFT} ${TOP}V${BOTTOM}H${RIGHT}`;
@@ -46,7 +46,7 @@ const panels = {
         svg("text", { x, y: BOTTOM + 15, "text-anchor": anchor }, axes).textContent = value ? text : "0";
       }
       svg("path", { d: path }, axes);
-      const time = svg("text", { x: RIGHT, y: HIGH - 4, "text-anchor": "end", class: "live-title" }, panel);
+      const time = svg("text", { x: RIGHT, y: HIGH - 5, "text-anchor": "end", class: "live-title" }, panel);
       symbolic(time, `${label("t")}, ${data.unit_words.t}`);
       const scale = svg("g", {}, axes);
       const clip = svg("svg", { x: 0, y: TOP - 3, width: WIDE, height: BOTTOM - TOP + 6, viewBox: `0 ${TOP - 3} ${WIDE} ${BOTTOM - TOP + 6}` }, panel);

@@ -60,7 +60,7 @@ const watch = {
   },
   duration: (ms) => (ms < 1 ? `${plain(ms * 1000, 3)} ${data.words.us}` : `${plain(ms, 3)} ${data.words.ms}`),
   draw() {
-    const field = byId("lab-diagram"), left = 62, right = 330, top = 16, bottom = 170;
+    const field = byId("lab-diagram"), left = 62, right = 330, top = 20, bottom = 174;
     const powers = (values) => {
       const low = Math.floor(Math.log10(Math.min(...values)) - 0.05), high = Math.ceil(Math.log10(Math.max(...values)) + 0.05);
       return [low, high];
@@ -80,7 +80,7 @@ const watch = {
     }
     svg("path", { d: path, class: "live-axes" }, field);
     const title = (text, x, y, anchor) => (svg("text", { x, y, "text-anchor": anchor, class: "live-title" }, field).textContent = text);
-    title(say("error_axis", { unit: data.unit_words[data.coordinates[motion.worst.place]] }), left + 6, 14, "start");
+    title(say("error_axis", { unit: data.unit_words[data.coordinates[motion.worst.place]] }), left + 6, 17, "start");
     title(data.words.time_axis, right, bottom + 34, "end");
     this.tries.forEach((one, i) => {
       const now = i === this.tries.length - 1;

@@ -101,8 +101,8 @@ def test_measured_orders_and_words(scene, run):
     assert study.end_orders["Heun"] > 2.8
     text = " ".join(study.sentences)
     assert "24 steps of explicit Euler: 0.152 rad (8.7°) off at worst" in text
-    assert "14 000 times less error than Euler for 4 times the evaluations" in text
-    assert "Euler needs about 410 000 steps" in text
+    assert "14\u202f000 times less error than Euler for 4 times the evaluations" in text
+    assert "Euler needs about 410\u202f000 steps" in text
     closed = next(row for row in study.rows if row.method.startswith("position closure"))
     assert 0 < closed.max_error < 1e-13  # against the refined run, not against itself
     assert 24 * 5 < closed.evaluations < 24 * 15  # four slopes guess a row, two or three Newton corrections close it

@@ -54,9 +54,15 @@ def shown(variant: str, language: str, folder: Path, page: Any) -> list[str]:
     return said
 
 
+def resize(page: Any, size: dict[str, int]) -> None:
+    """Give the page another window, and the time to draw what depends on it."""
+    page.set_viewport_size(size)
+    page.evaluate("new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)))")
+
+
 def faults(page: Any) -> list[str]:
     """Return what a person would complain about: on a phone, and with both colours of a screen."""
-    page.set_viewport_size(PHONE)
+    resize(page, PHONE)
     found = [*page.evaluate("judge.layout()"), *page.evaluate("judge.access()"), *page.evaluate("judge.lines()")]
     for scheme in ("light", "dark"):
         page.emulate_media(color_scheme=scheme)
@@ -69,7 +75,7 @@ def test_a_page_is_read_on_every_screen(variant: str, language: str, page: Any, 
     assert shown(variant, language, tmp_path, page) == []
     assert faults(page) == []
     for size in (BETWEEN, SCREEN):
-        page.set_viewport_size(size)
+        resize(page, size)
         assert page.evaluate("judge.layout()") == []
     words = page.evaluate("document.querySelector('#live') && judge.moving()")
     if words:
@@ -98,19 +104,19 @@ def test_the_judge_sees_a_word_of_the_moving_part_on_a_line_or_a_word(page: Any,
 def test_a_formula_breaks_where_a_person_breaks_it(page: Any, tmp_path: Path) -> None:
     """On a phone nothing of variant 31 has to be moved sideways to be read but its tables, plots and the construction."""
     shown("31", "en", tmp_path, page)
-    page.set_viewport_size(PHONE)
+    resize(page, PHONE)
     wide = "[...document.querySelectorAll('.formula')].filter((one) => one.scrollWidth > one.clientWidth + 1).length"
     assert page.evaluate(wide) == 0
     tops = "(one) => new Set([...one.children].map((piece) => piece.getBoundingClientRect().top)).size"
     lines = f"[...document.querySelectorAll('.formula.pieces')].map({tops})"
     assert max(page.evaluate(lines)) > 1
-    page.set_viewport_size(SCREEN)
+    resize(page, SCREEN)
     assert page.evaluate(wide) == 0
 
 
 def test_the_keyboard_is_seen_and_a_wide_screen_hides_nothing(page: Any, tmp_path: Path) -> None:
     shown("31", "en", tmp_path, page)
-    page.set_viewport_size(SCREEN)
+    resize(page, SCREEN)
     for scheme in ("light", "dark"):
         page.emulate_media(color_scheme=scheme)
         assert page.evaluate("judge.focus()") == []
@@ -126,7 +132,7 @@ def test_no_line_ends_between_a_number_and_its_unit(variant: str, language: str,
     def ends() -> list[str]:
         found = []
         for width in widths:
-            page.set_viewport_size({"width": width, "height": 900})
+            resize(page, {"width": width, "height": 900})
             found += page.evaluate("judge.lines()")
         return found
 
