@@ -2,6 +2,7 @@
 // Enters: places of a drawing, and `data.spots`, chosen clear of the motion.  Leaves: `words`, moved with the mechanism.
 const words = {
   prepare(layer) {
+    layer.setAttribute("lang", "en"); // Latin letters in every language: a Chinese face is taller than the room chosen for them
     const add = (points, given, text) => {
       const made = svg("text", { dy: 5, ...given }, layer);
       symbolic(made, text);
