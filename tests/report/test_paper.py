@@ -189,3 +189,12 @@ def test_words_that_lead_to_a_table_stay_with_its_first_rows(part: Part) -> None
         begin = next(page for page in pages if "It follows" in page)
         assert "The heading" in begin
         assert _rows(begin) >= 2
+
+
+def test_the_note_that_ends_a_section_has_the_words_before_it_beside_it() -> None:
+    moved = set()
+    for pages in pages_of([Paragraph(_runs("words " * 90)), Paragraph(_runs("the programs"), style="note")]):
+        at = next(number for number, page in enumerate(pages) if "the programs" in page)
+        assert "words" in pages[at]
+        moved.add(at)
+    assert moved == {0, 1}
