@@ -25,10 +25,10 @@ ROWS = 6  # positions that are looked at, the start among them: it counts as muc
 LETTER, NUMERAL, HALF_HEIGHT = 9.0, 8.0, 7.0  # width of a letter of a name and of a link's number; half the height of both
 TURNS = np.exp(2j * np.pi * (np.arange(12) - 1.5) / 12)  # directions from a point, y down: up and to the right first
 GAPS, BLOCK_GAPS = (8.0, 14.0, 22.0), (9.0, 15.0, 22.0)  # from a point to its name, from a slider to the number of its link
-PARTS, OFFS = (0.5, 0.35, 0.65, 0.2, 0.8), (6.0, 12.0)  # of a side of a link, and how far beside it its number stands
+PARTS, OFFS = (0.5, 0.35, 0.65, 0.2, 0.8), (6.0, 12.0, 28.0)  # of a side of a link, and how far beside it its number stands
 SHORT = 24.0  # a shorter side bears no number
 LINE, SYMBOL, WORD = (12.0, 1.0), (30.0, 0.3), (80.0, 0.3)  # price of a line, symbol or word met, and of a unit of it covered
-ANOTHER = 25.0  # price of a name nearer to another point
+ANOTHER, OF_ANOTHER = 25.0, 60.0  # price of a name nearer to another point, of a number nearer to another link
 APART = 8.0  # words nearer on one line read as one
 FARTHER, LATER = 0.4, 0.3  # price of a unit of distance, and of each direction or part after the first
 
@@ -71,7 +71,7 @@ def _spots(outline: Outline, poses: Poses, scale: float, names: Sequence[str]) -
     seen = scenery_of(outline, poses, rows, scale)
     # A name has less choice than a number, so it chooses first.
     choices = [_of_point(point, name, outline, seen, weight) for point, name in zip(outline.shown, names, strict=True)]
-    choices += [_of_link(outline, bar, seen) for bar in outline.bars]
+    choices += [_of_link(outline, bar, seen, weight) for bar in outline.bars]
     found: list[list[float]] = []
     taken, beside = np.zeros((len(rows), 0, 4)), np.array([APART, 0.0])
     for each in choices:
@@ -115,10 +115,13 @@ def _of_point(point: str, name: str, outline: Outline, seen: Scenery, weight: Ar
     return replace(choice, prices=choice.prices + ANOTHER * (weight @ nearer))
 
 
-def _of_link(outline: Outline, bar: Bar, seen: Scenery) -> _Choice:
-    """Return the spots beside the long sides of a link, the longest first, else about its point or its wheel."""
+def _of_link(outline: Outline, bar: Bar, seen: Scenery, weight: Array) -> _Choice:
+    """Return the spots beside the long sides of a link, the longest first, else about its point or its wheel.
+
+    One that is nearer to another link reads as that one's.
+    """
     half = NUMERAL * len(bar.link) / 2 + 1
-    sides = [*itertools.pairwise(seen.at[name] for name in bar.corners)]
+    sides = _sides(bar, seen)
     sizes = [round(float(abs(b[0] - a[0])), 6) for a, b in sides]
     order = [side for side in sorted(range(len(sides)), key=lambda k: -sizes[k]) if sizes[side] > SHORT]
     across = [sign * round(off + max(half, HALF_HEIGHT)) for off in OFFS for sign in (1, -1)]
@@ -135,4 +138,21 @@ def _of_link(outline: Outline, bar: Bar, seen: Scenery) -> _Choice:
         part, off = np.array(ways).T
         way = (b - a)[:, None]
         middles.append(a[:, None] + way * (part - 1j * off / np.maximum(np.abs(way), 1e-9)))
-    return _Choice(half, spots, LATER * np.arange(float(len(spots))), np.concatenate(middles, axis=1))
+    places = np.concatenate(middles, axis=1)
+    prices = LATER * np.arange(float(len(spots))) + FARTHER * np.array([abs(off) for _, off, _ in spots])
+    others = [side for other in outline.bars if other is not bar for side in _sides(other, seen)]
+    if spots and others:
+        prices += OF_ANOTHER * (weight @ (_away(places, others) < _away(places, sides) - 1))
+    return _Choice(half, spots, prices, places)
+
+
+def _sides(bar: Bar, seen: Scenery) -> list[tuple[Complex, Complex]]:
+    return [*itertools.pairwise(seen.at[name] for name in bar.corners)]
+
+
+def _away(places: Complex, sides: Sequence[tuple[Complex, Complex]]) -> Array:
+    """Return how far places (r, k) are from the nearest of the sides, the ends of each (r,)."""
+    begin, end = (np.array(ends)[..., None] for ends in zip(*sides, strict=True))
+    way, toward = end - begin, places - begin
+    part = np.clip((toward * way.conjugate()).real / np.maximum(np.abs(way) ** 2, 1e-9), 0.0, 1.0)
+    return np.asarray(np.abs(toward - part * way).min(axis=0))

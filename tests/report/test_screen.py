@@ -77,10 +77,12 @@ def test_a_page_is_read_on_every_screen(variant: str, language: str, page: Any, 
     for size in (BETWEEN, SCREEN):
         resize(page, size)
         assert page.evaluate("judge.layout()") == []
-    words = page.evaluate("document.querySelector('#live') && judge.moving()")
-    if words:
-        assert words["start"] == []
-        assert words["later"] <= words["looked"] * ON_RIMS.get(variant, 1 / 4)
+    for size, share in ((SCREEN, 1 / 4), (PHONE, 1 / 3)):
+        resize(page, size)
+        words = page.evaluate("document.querySelector('#live') && judge.moving()")
+        if words:
+            assert words["start"] == []
+            assert words["later"] <= words["looked"] * ON_RIMS.get(variant, share)
 
 
 def test_the_judge_sees_a_word_of_the_moving_part_on_a_line_or_a_word(page: Any, tmp_path: Path) -> None:
