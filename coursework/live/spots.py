@@ -17,10 +17,8 @@ from coursework.drawing.outline import Bar, Outline
 from coursework.drawing.poses import Poses
 from coursework.live.scenery import Complex, Scenery, pairs, scenery_of
 
-WIDTHS = (
-    640,
-    380,
-)  # units across the drawing, on a wide screen and on a phone, as in drawing.js; the lengths below are units too
+# Units across the drawing, on a wide screen and on a phone, as in drawing.js; the lengths below are units too.
+WIDTHS = (640, 380)
 ROWS = 6  # positions that are looked at, the start among them: it counts as much as all the others; a turn ends where it began
 LETTER, NUMERAL, HALF_HEIGHT = 9.0, 8.0, 7.0  # width of a letter of a name and of a link's number; half the height of both
 TURNS = np.exp(2j * np.pi * (np.arange(12) - 1.5) / 12)  # directions from a point, y down: up and to the right first
