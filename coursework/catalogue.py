@@ -13,7 +13,7 @@ from pathlib import Path
 
 from coursework.data import folder
 from coursework.errors import InputError
-from coursework.sentences import closest, say
+from coursework.sentences import ENGLISH, closest, say
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,12 +35,13 @@ def names() -> list[str]:
     return sorted((path.stem for path in folder("variants").glob("*.toml")), key=_natural)
 
 
-def entries() -> list[Entry]:
-    """Return the catalogue."""
+def entries(language: str = ENGLISH) -> list[Entry]:
+    """Return the catalogue, in a language as far as the files speak it."""
     listed = []
     for name in names():
         data = tomllib.loads((folder("variants") / f"{name}.toml").read_text(encoding="utf-8"))
-        listed.append(Entry(name, str(data.get("title", "")), str(data.get("teaches", "")), str(data.get("source", ""))))
+        said = {**data, **data.get("text", {}).get(language, {})}
+        listed.append(Entry(name, *(str(said.get(key, "")) for key in ("title", "teaches", "source"))))
     return listed
 
 

@@ -167,12 +167,12 @@ def check_command(variant: str, budget: float, memory: float) -> int:
 
 
 @main.command("variants")
-@spoken(passed_on=False)
-def variants_command() -> int:
+@spoken(passed_on=True)
+def variants_command(language: str) -> int:
     """List the catalogue."""
     from coursework.catalogue import entries
 
-    for entry in entries():
+    for entry in entries(language):
         click.echo(f"{entry.name:<22} {entry.title}")
         if entry.teaches:
             click.echo(f"{'':<22}   {entry.teaches}")

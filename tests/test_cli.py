@@ -169,12 +169,14 @@ def test_three_where_the_tool_is_at_fault(monkeypatch):
 # ---- the other commands and options
 
 
-def test_variants_lists_the_catalogue():
-    result = call("variants")
+@pytest.mark.parametrize("language", ["en", "ru", "uk", "zh"])
+def test_variants_lists_the_catalogue(language):
+    result = call("variants", "--language", language)
     assert result.exit_code == 0
-    for entry in entries():
+    for entry in entries(language):
         assert f"{entry.name} " in result.stdout
         assert entry.title in result.stdout
+    assert (entries(language)[0].title == coursework.load("31").title) == (language == "en")
 
 
 def test_check_shows_blocks_and_whether_the_motion_is_possible():
