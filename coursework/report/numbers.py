@@ -23,6 +23,7 @@ TABLE_DIGITS = 5  # significant digits of the largest entry of a column: what a 
 SMALLEST_DECIMAL = 1e-3  # below this a fixed number shows mostly zeros, so powers of ten take over
 LARGEST_DECIMAL = 1e5
 MOST_DECIMALS = 8
+FEW_DIGITS = 3  # of a number beside others that are larger by powers of ten
 SURE_DIGITS = 12  # that round-off leaves of a number
 MORE_DECIMALS = 3  # of a time, beyond the first digit of the step: 1/120 s is 0.008333
 ROUND_OFF = 1e-12  # of the largest entry of a column: below it stands what is left of a zero
@@ -42,7 +43,7 @@ class Numbers:
     mark: str = POINT
     units: Mapping[str, str] = field(default_factory=dict)
 
-    def fixed(self, value: float, decimals: int, digits: int = 3) -> str:
+    def fixed(self, value: float, decimals: int, digits: int = FEW_DIGITS) -> str:
         """Return `value` with so many decimals; 0 is "0", what would round to 0.00 a power of ten of so many `digits`."""
         if not math.isfinite(value):
             return self._endless(value)
@@ -52,7 +53,7 @@ class Numbers:
         text = f"{float(f'{value:.{SURE_DIGITS}g}'):.{decimals}f}"
         return self.power(value, digits) if not text.strip("-0.") else self._dress(text)
 
-    def power(self, value: float, digits: int = 3) -> str:
+    def power(self, value: float, digits: int = FEW_DIGITS) -> str:
         """Return "1.23·10⁻⁷" with `digits` significant digits."""
         if not math.isfinite(value):
             return self._endless(value)
@@ -102,6 +103,8 @@ class Numbers:
     def column(self, values: Iterable[float], size: float = 0.0) -> list[str]:
         """Return a column of a table, all entries with the same decimals (see `TABLE_DIGITS`); round-off of zero is "0".
 
+        Where most entries would show none of their digits so, all of them are rounded to three.
+
         `size`: how large the terms are that an entry is the sum of, or the entries of the other axis of its point, where
         they may be larger than every entry.
         """
@@ -109,7 +112,10 @@ class Numbers:
         noise = ROUND_OFF * max([size, *(abs(value) for value in entries if math.isfinite(value))])
         entries = [0.0 if abs(value) < noise else value for value in entries]
         decimals = deserved_decimals(entries)
-        return [self.fixed(value, decimals) for value in entries]
+        texts = [self.fixed(value, decimals) for value in entries]
+        if 2 * sum(TIMES in text for text in texts) > sum(map(bool, entries)):
+            return [self.scalar(value, FEW_DIGITS) for value in entries]
+        return texts
 
     def times(self, values: Sequence[float]) -> list[str]:
         """Return times with the decimals they need (0.02 -> two), at most `MORE_DECIMALS` beyond the first of their step."""

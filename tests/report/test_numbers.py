@@ -80,6 +80,13 @@ def test_what_round_off_leaves_of_a_zero_is_zero_in_a_column() -> None:
     assert numbers.column([1.2e-16, 2.4e-16]) == ["1.20·10⁻¹⁶", "2.40·10⁻¹⁶"]
 
 
+def test_a_column_whose_entries_are_mostly_far_smaller_than_the_largest_is_written_in_powers_of_ten() -> None:
+    assert N.column([-0.00023158, 1.028e-5, 4e-9, 0.0]) == ["−0.00023158", "0.00001028", "4.00·10⁻⁹", "0"]
+    assert N.column([-0.00023158, 1.028e-5, 4e-9, 0.0, -2e-9, 1e-10]) == [
+        "−2.32·10⁻⁴", "1.03·10⁻⁵", "4.00·10⁻⁹", "0", "−2.00·10⁻⁹", "1.00·10⁻¹⁰",
+    ]  # fmt: skip
+
+
 def test_a_column_is_judged_by_the_one_beside_it() -> None:
     assert N.column([1.1e-16, 0.0], size=0.5) == ["0", "0"]
     assert N.column([1.1e-16, 0.0])[0] != "0"
