@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from coursework import groups
     from coursework.api import compile_model, exact, load, solve
     from coursework.assigning.variants import draw, draw_many
-    from coursework.errors import CourseworkError, InputError, OutputError
     from coursework.many import Solutions, feasible, feasible_many, solve_many
     from coursework.model.data import Data
     from coursework.model.model import Model
@@ -26,6 +25,7 @@ if TYPE_CHECKING:
     from coursework.run import Run
     from coursework.variant.reader import parse_variant
     from coursework.variant.record import Variant
+    from coursework.words.errors import CourseworkError, InputError, OutputError
 
 __version__ = "1.0.0"
 
@@ -36,7 +36,8 @@ _HOMES = {
     "Solutions": "coursework.many", "Model": "coursework.model.model", "Data": "coursework.model.data", "Run": "coursework.run",
     "write_report": "coursework.output.write", "notebook_html": "coursework.report", "Variant": "coursework.variant.record",
     "parse_variant": "coursework.variant.reader",
-    "CourseworkError": "coursework.errors", "InputError": "coursework.errors", "OutputError": "coursework.errors",
+    "CourseworkError": "coursework.words.errors", "InputError": "coursework.words.errors",
+    "OutputError": "coursework.words.errors",
 }  # fmt: skip
 
 __all__ = [

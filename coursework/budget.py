@@ -21,10 +21,10 @@ from dataclasses import dataclass
 from types import FrameType
 from typing import Any
 
-from coursework.errors import CourseworkError, Fault
 from coursework.file_set import discard_all
 from coursework.graph import UNDER_WAY
-from coursework.sentences import load_phrases, say
+from coursework.words.errors import CourseworkError, Fault
+from coursework.words.sentences import load_phrases, say
 
 PACE = 0.1  # s between two looks
 GRACE = 5.0  # s that a run has to clear up by itself, before the process is ended around it

@@ -11,9 +11,9 @@ import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
-from coursework.data import folder
-from coursework.errors import InputError
-from coursework.sentences import ENGLISH, closest, say
+from coursework.words.data_folders import folder
+from coursework.words.errors import InputError
+from coursework.words.sentences import ENGLISH, closest, say
 
 
 @dataclass(frozen=True, slots=True)

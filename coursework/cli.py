@@ -15,7 +15,6 @@ from typing import Any, NoReturn
 
 import click
 
-from coursework.errors import CourseworkError
 from coursework.options import (
     SET,
     VARIANT,
@@ -29,6 +28,7 @@ from coursework.options import (
     templates,
 )
 from coursework.standard_streams import patient_streams
+from coursework.words.errors import CourseworkError
 
 PASSED, FAILED, WRONG_INPUT, OUR_FAULT, INTERRUPTED = 0, 1, 2, 3, 130
 
@@ -83,7 +83,7 @@ class Program(click.Group):
 
 def _tell(key: str) -> None:
     from coursework.commands.screen import tell
-    from coursework.sentences import say
+    from coursework.words.sentences import say
 
     tell(say(key), err=True)
 

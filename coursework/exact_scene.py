@@ -11,7 +11,6 @@ from functools import cached_property
 
 import numpy as np
 
-from coursework.errors import Fault, InputError
 from coursework.geometry.chain import is_chain
 from coursework.geometry.drive import refuse_aliasing
 from coursework.graph import computed
@@ -19,9 +18,10 @@ from coursework.integration.motion import Motion
 from coursework.motion_results import MotionResults
 from coursework.scene import Scene
 from coursework.schemes import DEFAULT_SCHEME, EXACT, PRECISE
-from coursework.sentences import say
 from coursework.settings import Settings
 from coursework.variant.record import Variant
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
 
 
 def scene_of(variant: Variant, settings: Settings) -> Scene:

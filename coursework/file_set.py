@@ -17,9 +17,9 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import IO
 
-from coursework.errors import Fault, OutputError
 from coursework.files import refused
-from coursework.sentences import say
+from coursework.words.errors import Fault, OutputError
+from coursework.words.sentences import say
 
 HIDDEN = ".coursework-"
 LOCK = ".lock"

@@ -13,8 +13,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from coursework.errors import Fault, OutputError
-from coursework.sentences import say
+from coursework.words.errors import Fault, OutputError
+from coursework.words.sentences import say
 
 _FAULTS = {
     errno.ENOSPC: "fault.W001", errno.EDQUOT: "fault.W002", errno.EROFS: "fault.W004", errno.EISDIR: "fault.W006",

@@ -15,8 +15,9 @@ from typing import Any, Generic, Protocol, TypeVar, overload
 
 import numpy as np
 
-from coursework.errors import Unplaced
-from coursework.sentences import Sentence, say
+from coursework.words.errors import Unplaced
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 T = TypeVar("T")
 UNDER_WAY: list[str] = []  # what this process is computing, the innermost last: for whoever must say where time went

@@ -18,7 +18,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.api import compile_model, load, solve, timed
-from coursework.errors import CourseworkError, InputError
 from coursework.integration.motion import Stop
 from coursework.model.data import Data
 from coursework.model.model import Model
@@ -27,9 +26,10 @@ from coursework.model.rows import rows_of
 from coursework.model.sets import prepare
 from coursework.scene import Scene
 from coursework.schemes import SCHEMES
-from coursework.sentences import joined, say
 from coursework.settings import Settings, scheme_for
 from coursework.variant.record import Variant
+from coursework.words.errors import CourseworkError, InputError
+from coursework.words.sentences import joined, say
 
 if TYPE_CHECKING:
     import pandas as pd

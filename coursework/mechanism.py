@@ -10,11 +10,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from graphlib import CycleError, TopologicalSorter
 
-from coursework.errors import Fault, InputError
 from coursework.formula.tree import Formula
 from coursework.joints import Linkage, Mobility, linkage
-from coursework.sentences import Sentence, say
 from coursework.variant.record import Constraint, Group, Variant
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 # A point built from points built from points grows like a power of two; beyond this no mechanism is meant.
 MAX_EXPANDED = 20_000

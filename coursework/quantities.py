@@ -19,8 +19,9 @@ from coursework.graph import Computed, computed, needs_of
 from coursework.integration.motion import Motion
 from coursework.motion_results import MotionResults, Named
 from coursework.scene import Scene
-from coursework.sentences import Sentence, say
 from coursework.variant.record import Variant
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 if TYPE_CHECKING:
     from coursework.accuracy.record import AccuracyStudy

@@ -15,7 +15,6 @@ import numpy as np
 
 from coursework import asked
 from coursework.codegen.programs import SYMPY_VERSION
-from coursework.errors import visible
 from coursework.graph import Plan, make_plan
 from coursework.integration.motion import Motion, Stop
 from coursework.motion_results import MotionResults
@@ -31,10 +30,11 @@ from coursework.quantities import (
 from coursework.reduction.blocks import Reduction
 from coursework.reduction.solution import ShownEquation, Solution, shown_equations
 from coursework.scene import Scene
-from coursework.schemes import SCHEMES, Scheme
-from coursework.sentences import say, title_of
+from coursework.schemes import SCHEMES, Scheme, title_of
 from coursework.settings import Settings
 from coursework.variant.record import Variant
+from coursework.words.errors import visible
+from coursework.words.sentences import say
 
 if TYPE_CHECKING:
     import pandas as pd

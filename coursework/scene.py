@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from coursework.codegen.straight_line import FormulaRefused
 from coursework.codegen.tabulated import OutsideTable
-from coursework.errors import Fault, InputError
 from coursework.geometry.agreement import require_agreement
 from coursework.geometry.chain import chain_positions, is_chain
 from coursework.geometry.closure import Closure, compile_closure, require_start
@@ -37,7 +36,6 @@ from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.solution import Solution
 from coursework.reduction.solution import solutions as solve_blocks
 from coursework.reduction.structure import Structure, structure_of
-from coursework.sentences import say
 from coursework.settings import Settings
 from coursework.singular.event import Event, NotFollowed
 from coursework.singular.explain import explain, explain_passage
@@ -46,6 +44,8 @@ from coursework.singular.search import Search, search_event
 from coursework.variant.bounds import refuse_unbounded
 from coursework.variant.no_value import law_without_value, without_value
 from coursework.variant.record import Variant, whole_steps
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
 
 Array = NDArray[np.float64]
 # A periodic motion that lasts for many periods is looked at for dead points over the first two.

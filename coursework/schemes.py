@@ -16,6 +16,9 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import load_phrases, say
+
 Slopes = Callable[[Any, Any], Any]
 Tree = tuple[Any, ...]  # the trees that grow from a root; () is a single vertex
 
@@ -193,6 +196,12 @@ EXACT = "exact"
 DEFAULT_SCHEME = EULER
 # What finds a motion to round-off by halving its steps, and what the accuracy study calls the better scheme.
 PRECISE = RK4
+
+
+def title_of(scheme: Scheme) -> Sentence:
+    """Return what a scheme is called: by its record, or where a words file says so by the key `scheme.NAME`."""
+    key = f"scheme.{scheme.name}"
+    return say(key) if load_phrases().has(key) else Sentence(scheme.title, key, {})
 
 
 def scheme_names() -> tuple[str, ...]:

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from coursework.errors import InputError
 from coursework.geometry.chain import is_chain
 from coursework.integration.integrate import refuse_gain
 from coursework.schemes import DEFAULT_SCHEME, EXACT, PRECISE, scheme_names
-from coursework.sentences import closest, say
 from coursework.variant.record import Variant
+from coursework.words.errors import InputError
+from coursework.words.sentences import closest, say
 
 MOST_CORRECTIONS = 20  # Newton's method has settled long before
 

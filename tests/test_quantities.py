@@ -13,7 +13,6 @@ from click.testing import CliRunner
 import coursework
 from coursework import quantities
 from coursework.cli import main
-from coursework.data import folder
 from coursework.drawing.record import Drawing
 from coursework.graph import computed
 from coursework.kinematics.extra import ExtraTable
@@ -21,8 +20,9 @@ from coursework.quantities import QUANTITIES, Columns, OwnFigure, OwnSection, Ow
 from coursework.report import build_model, sections
 from coursework.report.parts import Paragraph
 from coursework.report.sections import APPENDIX, NUMBERED, PAPER
-from coursework.sentences import say
 from coursework.variant.record import Variant
+from coursework.words.data_folders import folder
+from coursework.words.sentences import say
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="50mm" viewBox="0 0 100 50"><path d="M0 0L9 9"/></svg>'
 

@@ -20,8 +20,8 @@ from coursework.integration.adaptive import integrate_adaptive
 from coursework.integration.following import follow_closure
 from coursework.integration.integrate import Correction, march
 from coursework.integration.loops import Loop, generate_loop
-from coursework.schemes import DEFAULT_SCHEME, SCHEMES
-from coursework.sentences import say, say_count, title_of
+from coursework.schemes import DEFAULT_SCHEME, SCHEMES, title_of
+from coursework.words.sentences import say, say_count
 
 Array = NDArray[np.float64]
 # Steps a row; the first order needs more of them to show itself.

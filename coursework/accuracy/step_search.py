@@ -17,12 +17,13 @@ from numpy.typing import NDArray
 
 from coursework.accuracy.step_rules import StepRules
 from coursework.accuracy.timing import seconds
-from coursework.errors import InputError
 from coursework.integration.loops import Loop, generate_loop
 from coursework.integration.rates import Rates
-from coursework.schemes import PRECISE, SCHEMES, Scheme
-from coursework.sentences import Sentence, joined, say, title_of
+from coursework.schemes import PRECISE, SCHEMES, Scheme, title_of
 from coursework.variant.record import MAX_ROWS
+from coursework.words.errors import InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say
 
 Array = NDArray[np.float64]
 # Where a number of steps does not do, this part of itself more is tried, then twice this part, three times …

@@ -25,8 +25,8 @@ from coursework.accuracy.trace import errors, slope
 from coursework.integration.exact_motion import refine
 from coursework.integration.following import NotReached, follow_closure
 from coursework.integration.motion import Motion
-from coursework.schemes import SCHEMES
-from coursework.sentences import say, title_of
+from coursework.schemes import SCHEMES, title_of
+from coursework.words.sentences import say
 
 Array = NDArray[np.float64]
 # Closed positions and a refined run that differ by more (rad or m) are two motions, not two roundings of one.

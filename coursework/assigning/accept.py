@@ -14,10 +14,11 @@ from dataclasses import dataclass, field
 from coursework.assigning.draw import PILOT, Lots
 from coursework.assigning.judge import Verdict, judge
 from coursework.assigning.ranges import Path
-from coursework.errors import InputError
 from coursework.model.data import read_data
 from coursework.model.model import Model
-from coursework.sentences import Sentence, joined, say
+from coursework.words.errors import InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say
 
 PILOTS = 25  # feasible draws whose median is the centre of difficulty
 # A draw that is not possible costs most.  The pilot stops where fewer than one in so many is, looked at from so many draws on.

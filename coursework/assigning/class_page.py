@@ -15,9 +15,9 @@ from coursework.assigning.ranges import MEASURES, Range
 from coursework.assigning.spread import BASE, HEIGHT, LEFT, MARK, RIGHT, WIDTH, strip
 from coursework.assigning.variants import Assignment
 from coursework.formula.units import read
-from coursework.page_text import clean, filled
 from coursework.report.numbers import unit_text, with_unit
 from coursework.report.words import Words
+from coursework.words.templates import clean, filled
 
 LONGEST = 120
 

@@ -14,7 +14,6 @@ from coursework.assigning.reader import determined
 from coursework.assigning.variants import Individual
 from coursework.drawing.figures import draw_start
 from coursework.drawing.record import Drawing
-from coursework.errors import InputError
 from coursework.grading.marking.key import decimals_asked
 from coursework.grading.names import file_stem
 from coursework.grading.platforms.roster import Student
@@ -26,6 +25,7 @@ from coursework.scene import Scene
 from coursework.schemes import DEFAULT_SCHEME
 from coursework.settings import Settings
 from coursework.variant.record import Variant
+from coursework.words.errors import InputError
 
 
 @dataclass(frozen=True, eq=False)

@@ -16,7 +16,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.assigning.ranges import Limits
-from coursework.errors import CourseworkError
 from coursework.grading.marking.key import gap_of
 from coursework.many import feasible
 from coursework.model.data import Data
@@ -30,6 +29,7 @@ from coursework.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
 from coursework.singular.scaled_flow import compile_flow
 from coursework.singular.search import search_event
 from coursework.variant.record import MAX_ROWS, Variant
+from coursework.words.errors import CourseworkError
 
 Array = NDArray[np.float64]
 # The exact motion is followed in at least so many parts of a step, and of the whole: Runge-Kutta 4 is then right to 1e-8 where

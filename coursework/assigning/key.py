@@ -13,11 +13,11 @@ from collections.abc import Sequence
 from coursework.assigning.handout import Handout
 from coursework.assigning.page_words import Equation, Plain, equation, lettered, mathematics, named, symbol_runs
 from coursework.assigning.sheet import LONGEST, data_rows, pictures, start_rows
-from coursework.page_text import clean, filled
 from coursework.report.numbers import unit_text, with_unit
 from coursework.report.words import Words
 from coursework.scene import Scene
 from coursework.variant.texts import in_language
+from coursework.words.templates import clean, filled
 
 
 def key_csv(handout: Handout) -> str:

@@ -10,7 +10,6 @@ from collections.abc import Iterable
 from typing import Any
 
 from coursework.formula.tree import Formula
-from coursework.page_text import clean
 from coursework.report.display import display, marked, marked_text
 from coursework.report.equations import Setter
 from coursework.report.numbers import with_unit
@@ -18,6 +17,7 @@ from coursework.report.symbols import symbol
 from coursework.report.text_runs import ITALIC, printed, runs
 from coursework.report.words import Words
 from coursework.variant.record import Law, Variant
+from coursework.words.templates import clean
 
 Equation = dict[str, str]  # Typst math and plain text
 LONGEST = 200

@@ -12,13 +12,13 @@ from pathlib import Path
 from typing import Any
 
 from coursework.assigning.ranges import MEASURES, Difficulty, Limits, Range, Ranges
-from coursework.errors import Fault, InputError
 from coursework.formula.alphabet import spell
 from coursework.formula.units import KINDS, UnitFault, read, unlike
-from coursework.sentences import closest, say
 from coursework.variant.positions import Positions
 from coursework.variant.record import Variant
 from coursework.variant.source import Source, read_source
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import closest, say
 
 SECTIONS = ("given", "start", "time", "limits", "difficulty")
 LIMITS = ("least_determinant", "least_transmission", "largest_velocity", "least_rows_a_turn", "tries")

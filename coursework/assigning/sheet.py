@@ -10,13 +10,13 @@ from collections.abc import Sequence
 
 from coursework.assigning.handout import Handout, guide_number
 from coursework.assigning.page_words import Plain, datum, drives, lettered, mathematics, symbol_runs, symbol_text, time_text
-from coursework.errors import OutputError
-from coursework.page_text import clean, filled
 from coursework.report.formulas import Drawn, draw
 from coursework.report.numbers import with_unit
 from coursework.report.pdf import pdf_of
 from coursework.report.words import Words
 from coursework.variant.texts import in_language
+from coursework.words.errors import OutputError
+from coursework.words.templates import clean, filled
 
 LONGEST = 200
 SOLVED = 2  # decimals of a start that the geometry gives, beyond those that the table needs

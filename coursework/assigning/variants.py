@@ -16,17 +16,17 @@ from coursework.assigning.accept import Acceptance, Accepted
 from coursework.assigning.draw import Lots
 from coursework.assigning.ranges import Ranges
 from coursework.assigning.reader import determined, ranges_file, ranges_of, read_ranges
-from coursework.data import folder
-from coursework.errors import InputError
 from coursework.grading.names import file_stem
 from coursework.model.model import Model
 from coursework.model.variant_text import variant_text
 from coursework.schemes import DEFAULT_SCHEME
-from coursework.sentences import say
 from coursework.settings import Settings, scheme_for
 from coursework.variant.reader import parse_variant
 from coursework.variant.record import Variant
 from coursework.variant.rewriting import SAID_OF_NUMBERS, rewritten
+from coursework.words.data_folders import folder
+from coursework.words.errors import InputError
+from coursework.words.sentences import say
 
 FOLDER = "ranges"  # of the catalogue
 

@@ -18,8 +18,9 @@ from coursework.checks.rows import parts_at_breaks
 from coursework.integration.finer import finer
 from coursework.integration.motion import Motion
 from coursework.schemes import EXACT, SCHEMES, scheme_names
-from coursework.sentences import Sentence, joined, say
 from coursework.variant.record import MAX_ROWS, whole_steps
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say
 
 Judge = Callable[[Evidence], Sequence[Finding]]
 # What the next step aims at: a coarse table is further off than the order of its scheme says, and each trial costs a march.

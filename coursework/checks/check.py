@@ -28,7 +28,7 @@ from coursework.checks import (
 from coursework.checks.evidence import Evidence
 from coursework.checks.needs import CLOSURE, EXACT, ROW, WHOLE, Need
 from coursework.checks.result import Finding, Group, skipped
-from coursework.sentences import say
+from coursework.words.sentences import say
 
 
 @dataclass(frozen=True, slots=True)

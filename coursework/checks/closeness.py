@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from coursework.checks.evidence import LIMIT, Evidence, turns, worst
 from coursework.checks.result import Finding, percent, skipped
-from coursework.sentences import say
+from coursework.words.sentences import say
 
 Array = NDArray[np.float64]
 # Rows that the scheme has made follow from each other to round-off (5e-13 of the scale at most in the tool's own runs).

@@ -18,7 +18,7 @@ from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.magnitude import largest
 from coursework.reduction.system import compile_system
 from coursework.reduction.tidy import as_formula
-from coursework.sentences import joined, say
+from coursework.words.sentences import joined, say
 
 if TYPE_CHECKING:
     import sympy as sp

@@ -20,8 +20,8 @@ from coursework.codegen.programs import as_columns
 from coursework.codegen.tabulated import TableLaw
 from coursework.reduction.symbolic import symbol
 from coursework.reduction.system import compile_system, compile_values
-from coursework.sentences import joined, say
 from coursework.variant.record import Law
+from coursework.words.sentences import joined, say
 
 Array = NDArray[np.float64]
 # A table with more decimals than this was computed, not rounded for print.

@@ -10,7 +10,7 @@ import numpy as np
 
 from coursework.checks.evidence import Evidence, worst
 from coursework.checks.result import Finding, skipped
-from coursework.sentences import joined, say, say_count
+from coursework.words.sentences import joined, say, say_count
 
 # Relative to the sum of the absolute terms of the equation: some hundred roundings, far below any slip of a hand.
 LIMIT = 1e-11

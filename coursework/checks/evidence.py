@@ -21,8 +21,8 @@ from coursework.integration.rates import Rates
 from coursework.integration.replay import Replay
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.system import compile_system
-from coursework.sentences import say
 from coursework.variant.record import Variant
+from coursework.words.sentences import say
 
 Array = NDArray[np.float64]
 Fact = TypeVar("Fact")

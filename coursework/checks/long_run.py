@@ -9,7 +9,7 @@ import numpy as np
 
 from coursework.checks.evidence import LIMIT, Evidence
 from coursework.checks.result import Finding, Verdict, skipped
-from coursework.sentences import joined
+from coursework.words.sentences import joined
 
 # The table repeats itself where the last period changes by less than this part of what it is off.
 REPEATS = 0.01

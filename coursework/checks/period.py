@@ -17,7 +17,8 @@ from coursework.checks.evidence import LIMIT, NO_ERROR, Evidence, turns
 from coursework.checks.result import Finding, percent, skipped
 from coursework.integration.finer import exact_at, prolonged
 from coursework.integration.motion import Motion
-from coursework.sentences import Sentence, joined, say
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say
 
 Array = NDArray[np.float64]
 # Part of the scale by which the exact motion may miss its start after the stated period.  Measured over 38 stated periods:

@@ -10,7 +10,8 @@ import math
 from dataclasses import dataclass
 from typing import Literal
 
-from coursework.sentences import Sentence, load_phrases, say
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import load_phrases, say
 
 Group = Literal["computation", "motion"]
 GROUPS: tuple[Group, ...] = ("computation", "motion")

@@ -12,7 +12,7 @@ from coursework.checks.result import Finding, skipped
 from coursework.geometry.drive import breaks
 from coursework.geometry.swings import turning_cranks
 from coursework.schemes import EXACT
-from coursework.sentences import joined
+from coursework.words.sentences import joined
 
 # Explicit Euler wants at least twenty rows a period of the drive, and a turn of a crank.
 ROWS_A_PERIOD = 20

@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from coursework.checks.result import Finding, percent
-from coursework.sentences import Sentence, joined, say
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say
 
 
 def _code(finding: Finding) -> str:

@@ -15,8 +15,8 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
-from coursework.errors import InputError
-from coursework.sentences import say
+from coursework.words.errors import InputError
+from coursework.words.sentences import say
 
 CALLS = {"sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "abs", "sign", "sqrt", "pow"}
 _SPELT = {"Abs": "abs"}

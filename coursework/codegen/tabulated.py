@@ -13,8 +13,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.errors import Unplaced
-from coursework.sentences import Sentence, say
+from coursework.words.errors import Unplaced
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 Array = NDArray[np.float64]
 # Part of an interval by which round-off may lie beyond the table.

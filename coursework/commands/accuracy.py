@@ -17,13 +17,13 @@ from coursework.accuracy.record import AccuracyStudy
 from coursework.accuracy.study import make_study, time_of
 from coursework.api import load, solve
 from coursework.commands.screen import in_language, tell, title_of
-from coursework.errors import InputError
 from coursework.file_set import working_folder
 from coursework.output.formats import chosen
 from coursework.output.results import StudyResults
 from coursework.output.write import write_set
 from coursework.run import Run
-from coursework.sentences import say
+from coursework.words.errors import InputError
+from coursework.words.sentences import say
 
 
 def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...] | None, language: str) -> int:

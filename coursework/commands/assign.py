@@ -13,10 +13,10 @@ from coursework.api import load
 from coursework.assigning.assign import Wishes, assign
 from coursework.assigning.variants import Assignment, load_ranges, read_file
 from coursework.commands.screen import in_language, tell
-from coursework.errors import InputError
 from coursework.grading.platforms.roster import read_roster
 from coursework.report.words import load_words
-from coursework.sentences import say
+from coursework.words.errors import InputError
+from coursework.words.sentences import say
 
 
 def assign_class(

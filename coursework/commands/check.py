@@ -10,7 +10,7 @@ from coursework.commands.run import tell_remarks
 from coursework.commands.screen import tell, title_of
 from coursework.formula.tree import spelled
 from coursework.run import Run
-from coursework.sentences import say, say_count
+from coursework.words.sentences import say, say_count
 
 
 def check_variant(variant: str) -> int:

@@ -11,9 +11,9 @@ from click import Context, Parameter
 from click.shell_completion import CompletionItem
 
 from coursework.catalogue import entries
-from coursework.data import folder
 from coursework.schemes import EXACT, SCHEMES
-from coursework.sentences import say
+from coursework.words.data_folders import folder
+from coursework.words.sentences import say
 
 
 def variants(_context: Context, _parameter: Parameter, typed: str) -> list[CompletionItem]:

@@ -11,7 +11,6 @@ from pathlib import Path
 import click
 
 from coursework.commands.screen import in_language, tell
-from coursework.errors import Fault, InputError, OutputError
 from coursework.grading.batch.class_list import ClassList, class_of_one, class_of_roster, read_source
 from coursework.grading.batch.decisions import Override, read_overrides
 from coursework.grading.batch.gradebook import Options, grade_class
@@ -26,8 +25,9 @@ from coursework.grading.marking.rubric import Rubric, check_rubric, read_rubric
 from coursework.grading.platforms.canvas import read_gradebook
 from coursework.grading.platforms.roster import read_roster
 from coursework.grading.platforms.worksheet import Worksheet, read_worksheet
-from coursework.own_pieces import pieces_in_use
-from coursework.sentences import joined, say
+from coursework.words.custom_templates import templates_in_use
+from coursework.words.errors import Fault, InputError, OutputError
+from coursework.words.sentences import joined, say
 
 
 def grade_source(
@@ -53,7 +53,7 @@ def grade_source(
         for found in listed.variants.values():
             check_rubric(marking, found, str(rubric or "rubric"))
         decided = _decided(overrides, listed, marking)
-        setup = Setup(text, not no_pages, class_tables(listed.variants), memory, pieces_in_use(), language)
+        setup = Setup(text, not no_pages, class_tables(listed.variants), memory, templates_in_use(), language)
         _prepare(out)
         with (
             Journal(out) as journal,

@@ -11,8 +11,9 @@ from collections.abc import Sequence
 import click
 
 from coursework.commands.screen import in_language, speak
-from coursework.errors import Fault, InputError
-from coursework.sentences import ENGLISH, Sentence, closest, either, say
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import ENGLISH, closest, either, say
 
 VARIABLE = "COURSEWORK_LANGUAGE"
 

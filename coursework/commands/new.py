@@ -14,12 +14,12 @@ from pathlib import Path
 from coursework.api import load
 from coursework.catalogue import find, names
 from coursework.commands.screen import tell
-from coursework.data import folder
-from coursework.errors import InputError
 from coursework.files import write_bytes
 from coursework.model.variant_text import variant_text
-from coursework.sentences import say, say_count
 from coursework.variant.set_values import with_set
+from coursework.words.data_folders import folder
+from coursework.words.errors import InputError
+from coursework.words.sentences import say, say_count
 
 
 def new_variant(name: str, original: str | None = None, set_values: Sequence[str] = ()) -> int:

@@ -13,7 +13,6 @@ import numpy as np
 
 from coursework.api import load
 from coursework.commands.screen import in_language, tell
-from coursework.errors import InputError
 from coursework.grading.contents import Contents
 from coursework.grading.expected import Expected, grid_of
 from coursework.grading.handed_in import collect_files
@@ -23,7 +22,8 @@ from coursework.grading.marking.key import Key
 from coursework.grading.marking.points import true_steps
 from coursework.grading.marking.reference import key_of
 from coursework.grading.understand import understand
-from coursework.sentences import say
+from coursework.words.errors import InputError
+from coursework.words.sentences import say
 
 
 def precheck_files(files: tuple[Path, ...], variant: str | None) -> int:

@@ -12,16 +12,17 @@ from typing import Any
 from coursework.api import load, solve
 from coursework.checks.result import GROUPS, never_more
 from coursework.commands.screen import in_language, tell, title_of
-from coursework.errors import InputError
 from coursework.file_set import files_of, working_folder
 from coursework.output.formats import FORMATS, PAGES, Format, chosen
 from coursework.output.results import Results
 from coursework.output.write import write_set
 from coursework.run import Run
 from coursework.schemes import DEFAULT_SCHEME, EXACT, PRECISE, SCHEMES
-from coursework.sentences import Sentence, joined, say, say_count
 from coursework.variant.record import Variant
 from coursework.variant.set_values import with_set
+from coursework.words.errors import InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say, say_count
 
 LEFT_OF_ZERO = 1e-12  # of the largest entry of a column: what round-off leaves of a zero, told as 0 on the screen
 

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from coursework.errors import CourseworkError, Fault
-from coursework.sentences import ENGLISH, load_phrases
+from coursework.words.errors import CourseworkError, Fault
+from coursework.words.sentences import ENGLISH, load_phrases
 
 if TYPE_CHECKING:
     from coursework.variant.record import Variant

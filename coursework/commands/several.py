@@ -28,15 +28,15 @@ from coursework.commands.run import make_run, run_variant, step_of
 from coursework.commands.screen import in_language, tell, tell_last
 from coursework.commands.templates import with_templates
 from coursework.commands.workers import outcomes
-from coursework.errors import CourseworkError, InputError
 from coursework.file_set import clear_leftovers, working_folder
 from coursework.files import write_bytes
 from coursework.output.formats import PAGES, chosen
 from coursework.output.results import Results
 from coursework.output.write import write_set
 from coursework.quantities import CHECKS
-from coursework.sentences import joined, load_phrases, say
 from coursework.variant.set_values import with_set
+from coursework.words.errors import CourseworkError, InputError
+from coursework.words.sentences import joined, load_phrases, say
 
 SUMMARY = "summary.csv"
 COMBINED = "combined.pdf"

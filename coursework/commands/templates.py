@@ -8,11 +8,11 @@ from __future__ import annotations
 from contextlib import AbstractContextManager
 from pathlib import Path, PurePath
 
-from coursework.data import REPORTS, folder
-from coursework.errors import Fault, InputError
-from coursework.own_pieces import own_pieces, pieces_in
-from coursework.page_text import unreadable
-from coursework.sentences import closest, say
+from coursework.words.custom_templates import templates_in, templates_of
+from coursework.words.data_folders import REPORTS, folder
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import closest, say
+from coursework.words.templates import unreadable
 
 MOST_BYTES = 4 * 2**20  # of one piece: a page with more does not open well anywhere
 
@@ -21,15 +21,15 @@ def with_templates(own: Path | None) -> AbstractContextManager[None]:
     """Return the block in which the pieces of `own` stand before those of the package; nothing changes for None."""
     if own is not None:
         _look_at(own)
-    return own_pieces(own)
+    return templates_of(own)
 
 
 def _look_at(own: Path) -> None:
     if not own.is_dir():
         raise InputError([Fault(say("fault.C061"), str(own))])
-    found = [path.relative_to(own).as_posix() for path in pieces_in(own)]
+    found = [path.relative_to(own).as_posix() for path in templates_in(own)]
     place = folder(REPORTS)
-    known = [path.relative_to(place).as_posix() for path in pieces_in(place)]
+    known = [path.relative_to(place).as_posix() for path in templates_in(place)]
     used = [name for name in found if name in known or PurePath(name).match("words.*.toml")]  # words: of another language too
     if not used:
         advice = next((hint for name in found if (hint := closest(name, known))), "")

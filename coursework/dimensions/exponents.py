@@ -10,7 +10,8 @@ from collections.abc import Hashable, Mapping
 from fractions import Fraction
 
 from coursework.formula.units import KINDS, UNITS, measured
-from coursework.sentences import Sentence, say
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 # A dimension is a sum of terms: exponent times key.  The keys LENGTH and TIME are known, every other key is an unknown
 # dimension (a name of the file, or a number counted from 0).  {} is an angle or a plain number; {"phi": 1, TIME: -1} is

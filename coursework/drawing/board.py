@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from coursework.drawing.cover import Rectangle
 from coursework.drawing.sheet import Sheet
 from coursework.drawing.symbols import ratio
-from coursework.sentences import Sentence
+from coursework.words.sentence import Sentence
 
 EDGE = 2.0  # mm
 COLUMN = 170.0  # mm: the text of an A4 page with margins of 20 mm

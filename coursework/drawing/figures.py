@@ -28,7 +28,8 @@ from coursework.formula.tree import Formula, terms
 from coursework.integration.motion import Motion, Stop
 from coursework.mechanism import Mechanism
 from coursework.reduction.equations import VelocityEquations
-from coursework.sentences import Sentence, say
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 HIGHEST = 86.0  # mm: with its caption the drawing leaves room on the first page
 ARROW = 13.0  # mm, of a driven velocity: its direction counts, not its size

@@ -10,7 +10,8 @@ import re
 
 from coursework.formula.alphabet import greek
 from coursework.formula.tree import Formula, spelled
-from coursework.sentences import Sentence, say
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 LONGEST_NAME = 12  # letters of the name of a point or link
 LONGEST_LENGTH = 14  # letters of the length beside a link; a longer formula says less than none

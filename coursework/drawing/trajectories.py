@@ -26,7 +26,7 @@ from coursework.integration.motion import Motion
 from coursework.kinematics.points import point_rows
 from coursework.mechanism import Mechanism
 from coursework.reduction.equations import VelocityEquations
-from coursework.sentences import say
+from coursework.words.sentences import say
 
 POSITIONS = 12
 TRACE = 'fill="none" stroke="black" stroke-width="0.35" stroke-dasharray="1.6 0.9"'

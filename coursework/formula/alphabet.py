@@ -8,7 +8,8 @@ from __future__ import annotations
 import unicodedata
 from functools import lru_cache
 
-from coursework.sentences import Sentence, say
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 _GREEK = {
     "α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "ε": "eps", "ζ": "zeta", "η": "eta", "θ": "theta",

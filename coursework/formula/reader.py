@@ -14,7 +14,8 @@ from math import pi
 
 from coursework.formula.alphabet import foreign_letter, spell
 from coursework.formula.tree import FUNCTIONS, LARGEST, Formula, FormulaFault, bounded, constant
-from coursework.sentences import Sentence, say, say_count
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say, say_count
 
 # Sizes are bounded before any work (see also `variant.MAX_BYTES`): formulas of coursework stay far below.
 MAX_CHARACTERS = 2000

@@ -14,7 +14,8 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any
 
-from coursework.sentences import Sentence, say
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 # A part of a formula made of numbers only lies between 1/LARGEST and LARGEST, or is 0: exp(exp(99)) or ((9^8)^8)^8 would
 # keep exact arithmetic busy for ever.

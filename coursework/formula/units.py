@@ -12,7 +12,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 
-from coursework.sentences import Sentence, closest, say
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import closest, say
 
 _TURN = Fraction(math.pi)  # the double nearest to pi, as every later computation uses it
 

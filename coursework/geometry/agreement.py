@@ -13,11 +13,11 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from coursework.errors import Fault, InputError
 from coursework.geometry.closure import Closure, compile_closure
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.system import compile_system
-from coursework.sentences import say
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
 
 Array = NDArray[np.float64]
 # Compared after scaling each row to its length: far above round-off, far below a wrong coefficient or sign.

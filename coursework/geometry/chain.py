@@ -14,7 +14,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework import groups
-from coursework.errors import Fault, InputError
 from coursework.formula.tree import Formula, constant, spelled
 from coursework.geometry.drive import integrals
 from coursework.geometry.time_derivatives import compile_rows
@@ -22,8 +21,10 @@ from coursework.groups import Guide, Pair
 from coursework.groups.kind import Known
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import Symbols
-from coursework.sentences import Sentence, say
 from coursework.variant.record import Group, Variant
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 if TYPE_CHECKING:
     import sympy as sp

@@ -14,14 +14,14 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from coursework.codegen.programs import as_columns
-from coursework.errors import Fault, InputError
 from coursework.geometry.drive import integrals
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.matching import blocks as block_order
 from coursework.reduction.matching import match
 from coursework.reduction.symbolic import expanded, symbol
 from coursework.reduction.system import compile_values
-from coursework.sentences import say
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
 
 Array = NDArray[np.float64]
 MAX_NEWTON = 25

@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 
 from coursework.codegen.programs import as_columns
 from coursework.codegen.tabulated import TableLaw
-from coursework.errors import Fault, InputError
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import TIME, symbol
 from coursework.reduction.system import compile_values
-from coursework.sentences import say
 from coursework.variant.record import MAX_ROWS, Variant
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
 
 Array = NDArray[np.float64]
 

@@ -9,12 +9,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.errors import Fault, InputError
 from coursework.geometry.chain import chain_positions
 from coursework.geometry.closure import MAX_NEWTON, Closure, compile_closure
 from coursework.reduction.equations import VelocityEquations
-from coursework.sentences import Sentence, say
 from coursework.variant.record import Coordinate, Variant
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 Array = NDArray[np.float64]
 # A start value written with fewer digits than this (rad or m) is taken for another position, not for rounding.

@@ -10,10 +10,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from coursework.errors import Fault
 from coursework.formula.tree import Formula
 from coursework.grading.submission import Note
-from coursework.sentences import Sentence
+from coursework.words.errors import Fault
+from coursework.words.sentence import Sentence
 
 # Why a cell has no number: nothing there, an error of the spreadsheet, a date it made of a number, some other text,
 # a formula that was never computed.  "" = it has one.

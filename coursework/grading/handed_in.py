@@ -13,14 +13,14 @@ from functools import partial
 from pathlib import Path, PurePosixPath
 from types import TracebackType
 
-from coursework.errors import Fault, InputError
 from coursework.grading.kinds import is_ignored
 from coursework.grading.parcels import Names, Parcel, sorted_out, unwrapped
 from coursework.grading.reading.archive import legible_name
 from coursework.grading.reading.limits import FILE_BYTES, FILES, INFLATED_BYTES
 from coursework.grading.regular_files import HEAD, files_below, read_regular, too_large
 from coursework.grading.submission import Note, Submission, SubmittedFile, note, submitted_file
-from coursework.sentences import say
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
 
 _MOST_PARTS = 200_000
 

@@ -15,7 +15,8 @@ from pathlib import PurePosixPath
 from coursework.grading.names import same_key
 from coursework.grading.platforms.downloads import Owner, canvas_owner, moodle_owner
 from coursework.grading.submission import Note
-from coursework.sentences import Sentence, say
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 _COPY = re.compile(r"(.+?) ?\([0-9]{1,2}\)")  # what browsers and systems add to the second of two equal names
 

@@ -14,7 +14,7 @@ from pathlib import Path
 from coursework.grading.kinds import is_ignored, is_named_as_table
 from coursework.grading.reading.limits import FILE_BYTES
 from coursework.grading.submission import Note, SubmittedFile, note, submitted_file
-from coursework.sentences import say
+from coursework.words.sentences import say
 
 HEAD = 4096  # bytes kept of a file that is too large, enough to tell what it is
 _DEPTH = 6

@@ -22,7 +22,8 @@ from coursework.grading.reading.files import is_spreadsheet, table_of_archive, t
 from coursework.grading.reading.limits import FILE_BYTES, FILES, Refused, unreadable
 from coursework.grading.submission import Note, Submission, SubmittedFile, note, submitted_file
 from coursework.grading.variant_files import is_variant_file, read_variant_file
-from coursework.sentences import Sentence, say
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 _Kind = Literal["table", "equations", "answers", "variant", "attachment", "ignored"]
 

@@ -12,17 +12,18 @@ from functools import cache
 from typing import Any
 
 from coursework import catalogue
-from coursework.errors import InputError
 from coursework.formula.alphabet import spell
 from coursework.formula.units import UnitFault, read
 from coursework.grading.contents import EquationLine
 from coursework.grading.equations import faults_as_lines, read_constraints
 from coursework.grading.expected import Expected
 from coursework.grading.names_in_text import Spellings
-from coursework.sentences import Sentence, say
 from coursework.variant.record import Variant
 from coursework.variant.schema import VariantFile as Schema
 from coursework.variant.source import MAX_BYTES, read_source
+from coursework.words.errors import InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 _FORMAT = re.compile(r"^[ \t]*format[ \t]*=", re.MULTILINE)
 _SAME = 1e-9

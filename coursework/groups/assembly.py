@@ -12,7 +12,8 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from coursework.sentences import Sentence, joined, say, say_count
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say, say_count
 
 Array: TypeAlias = NDArray[np.float64]
 Vectors: TypeAlias = NDArray[np.complex128]

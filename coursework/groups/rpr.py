@@ -20,7 +20,7 @@ from coursework.groups.joint import PRISMATIC, REVOLUTE, Joint
 from coursework.groups.kind import Closed, GroupKind, Known, Shape, across, along, plus, unknowns
 from coursework.groups.pairs import GroupMotion, Pair, count_rows, group_motion
 from coursework.groups.plane import angle_of, cross, dot, vectors
-from coursework.sentences import say
+from coursework.words.sentences import say
 
 if TYPE_CHECKING:
     from coursework.variant.record import Group

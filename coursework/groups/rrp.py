@@ -20,7 +20,7 @@ from coursework.groups.kind import Closed, GroupKind, Known, Shape, across, alon
 from coursework.groups.line import Line
 from coursework.groups.pairs import GroupMotion, Guide, Pair, count_rows, group_motion
 from coursework.groups.plane import angle_of, cross, dot, vectors
-from coursework.sentences import say
+from coursework.words.sentences import say
 
 if TYPE_CHECKING:
     from coursework.variant.record import Group

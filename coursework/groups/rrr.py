@@ -19,7 +19,7 @@ from coursework.groups.joint import REVOLUTE, Joint
 from coursework.groups.kind import Closed, GroupKind, Known, Shape, along, plus, unknowns
 from coursework.groups.pairs import GroupMotion, Pair, count_rows, group_motion
 from coursework.groups.plane import Vectors, angle_of, dot, vectors
-from coursework.sentences import say
+from coursework.words.sentences import say
 
 if TYPE_CHECKING:
     from coursework.variant.record import Group

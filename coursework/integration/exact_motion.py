@@ -19,8 +19,8 @@ from coursework.integration.motion import Motion
 from coursework.integration.passage import Passage
 from coursework.integration.rates import Rates
 from coursework.reduction.equations import VelocityEquations
-from coursework.schemes import EXACT, PRECISE
-from coursework.sentences import say, title_of
+from coursework.schemes import EXACT, PRECISE, title_of
+from coursework.words.sentences import say
 
 Array = NDArray[np.float64]
 # Two results of one interval must agree to this (rad or m) where no position is known; what is used is the extrapolated one.

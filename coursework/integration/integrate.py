@@ -15,15 +15,15 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.errors import InputError
 from coursework.geometry.closure import Closure
 from coursework.integration.loops import generate_rows
 from coursework.integration.motion import Motion, Stop, rows_before
 from coursework.integration.passage import Passage
 from coursework.integration.rates import Rates
 from coursework.schemes import SCHEMES, Scheme
-from coursework.sentences import say
 from coursework.variant.record import whole_steps
+from coursework.words.errors import InputError
+from coursework.words.sentences import say
 
 Array = NDArray[np.float64]
 Row = tuple[float, ...]  # coordinates, velocities, determinants

@@ -12,7 +12,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.sentences import Sentence, joined, say
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say
 
 Array = NDArray[np.float64]
 # A row this part of its own time before an event stands at the event: its velocities are no numbers any more.

@@ -12,12 +12,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.errors import Fault, InputError
 from coursework.integration.motion import Motion
 from coursework.kinematics.analogs import acceleration_analog, velocity_analog
 from coursework.kinematics.invariants import from_true
-from coursework.sentences import Sentence, say
 from coursework.variant.record import Coordinate, Variant
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 Array = NDArray[np.float64]
 

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from coursework.groups.assembly import at, dead, numbers, refuse, require_mode, rows_where, tolerance
-from coursework.sentences import say
+from coursework.words.sentences import say
 
 Array: TypeAlias = NDArray[np.float64]
 

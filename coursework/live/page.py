@@ -10,7 +10,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from coursework.line_ends import marked
 from coursework.live.drawn import Drawn, drawn_of
 from coursework.live.frames import frames_of
 from coursework.live.functions import live_functions
@@ -18,8 +17,9 @@ from coursework.live.numbers import live_numbers
 from coursework.live.script import embedded, hash_of, script_of
 from coursework.live.sliders import sliders_of
 from coursework.run import Run
-from coursework.schemes import SCHEMES
-from coursework.sentences import Phrases, load_phrases, title_of
+from coursework.schemes import SCHEMES, title_of
+from coursework.words.line_ends import marked
+from coursework.words.sentences import Phrases, load_phrases
 
 # Script and data of one page (bytes), and rows of a table that a laboratory computes anew at every move.
 MOST_BYTES, MOST_ROWS = 60_000, 512

@@ -15,7 +15,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from coursework.data import folder
+from coursework.words.data_folders import folder
 
 _TEXT = re.compile(r"""("(?:[^"\\]|\\.)*"|`[^`]*`)""")
 # Ends of lines that end no statement, and what ends the last statement of a block; a loop of ours has a body.

@@ -13,11 +13,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.errors import Fault, InputError
 from coursework.formula.alphabet import spell
 from coursework.formula.units import KINDS, MAX_NUMBER, UnitFault, read, unlike
-from coursework.sentences import Sentence, closest, say
 from coursework.variant.record import Variant
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import closest, say
 
 Array = NDArray[np.float64]
 

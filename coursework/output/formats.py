@@ -10,8 +10,8 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from coursework.errors import InputError
-from coursework.sentences import closest, say
+from coursework.words.errors import InputError
+from coursework.words.sentences import closest, say
 
 if TYPE_CHECKING:
     from coursework.output.results import Results

@@ -13,12 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.checks.result import Finding
-from coursework.errors import Fault, InputError
 from coursework.output.reason import Formulas, Reason
 from coursework.quantities import CHECKS, PLOTS
 from coursework.run import Run
-from coursework.sentences import Sentence, say
 from coursework.variant.record import Variant
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 Array = NDArray[np.float64]
 

@@ -13,9 +13,9 @@ from math import isfinite
 from typing import TYPE_CHECKING, Any
 
 from coursework.asked import units_of
-from coursework.own_pieces import stamp_of_pieces
 from coursework.quantities import Quantity, quantities_for
 from coursework.run import Run
+from coursework.words.custom_templates import stamp_of_templates
 
 if TYPE_CHECKING:
     from coursework.checks.result import Finding
@@ -27,7 +27,7 @@ STAMP_LENGTH = 16  # letters of the hash: enough that two runs never meet by cha
 def stamp_of(run: Run, language: str = "en") -> str:
     """Return the stamp of a run: a hash of its variant, its options and the tool's version, wherever the file lies."""
     named = (run.student, run.group, run.teacher, run.institution, run.date, run.blank)
-    settings = (run.settings, run.asked, named, language, stamp_of_pieces(), run.versions["coursework"])
+    settings = (run.settings, run.asked, named, language, stamp_of_templates(), run.versions["coursework"])
     content = repr((replace(run.variant, path=None), settings))
     return hashlib.sha256(content.encode("utf-8", "backslashreplace")).hexdigest()[:STAMP_LENGTH]
 

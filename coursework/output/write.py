@@ -10,14 +10,14 @@ import hashlib
 from collections.abc import Sequence
 from pathlib import Path
 
-from coursework.errors import Fault, OutputError
 from coursework.file_set import publish
 from coursework.files import refused, write_bytes, write_through
 from coursework.output.formats import PAGES, Format, formats_for
 from coursework.output.record import as_json
 from coursework.output.results import Results
 from coursework.run import Run
-from coursework.sentences import either, say
+from coursework.words.errors import Fault, OutputError
+from coursework.words.sentences import either, say
 
 
 def write_report(run: Run, *paths: Path | str, language: str = "en") -> None:

@@ -24,7 +24,7 @@ from coursework.plans.graph_words import centre_letter
 from coursework.plans.instant_centres import Centre, Findings
 from coursework.plans.layout import Layout, lay_out
 from coursework.plans.sketch import Sketch
-from coursework.sentences import say
+from coursework.words.sentences import say
 
 VELOCITY = 'stroke="black" stroke-width="0.4"'
 CONSTRUCTION = 'stroke="black" stroke-width="0.15" stroke-dasharray="2.4 1 0.4 1"'

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from coursework.drawing.sheet import ITALIC, SMALL_LETTER, Sheet
-from coursework.sentences import say
+from coursework.words.sentences import say
 
 FOOT = 17.0  # mm for the bar and the scales
 BAR = 100.0  # mm, printed; a test reads it back from the PDF

@@ -17,7 +17,6 @@ import numpy as np
 from coursework.drawing.lengths import stretching
 from coursework.drawing.record import Drawing
 from coursework.drawing.tracing import read_outline
-from coursework.errors import Fault, InputError
 from coursework.geometry.time_derivatives import jets
 from coursework.integration.motion import Motion
 from coursework.mechanism import Mechanism
@@ -28,8 +27,9 @@ from coursework.plans.pose import Body
 from coursework.plans.readings import Reading, read_off
 from coursework.plans.sketch import Sketch, read_sketch
 from coursework.reduction.equations import VelocityEquations
-from coursework.sentences import say
 from coursework.variant.record import Variant
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
 
 USUAL_ROW = 4  # of a file that names no check_row: t = (N + 1) h with N = 2, as on the task sheet of 1995
 GraphRow = tuple[str, float, float, float, str]

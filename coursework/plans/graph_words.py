@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from coursework.plans.instant_centres import Centre, Findings
 from coursework.plans.pose import Body
 from coursework.plans.sketch import Sketch
-from coursework.sentences import joined, say
+from coursework.words.sentences import joined, say
 
 # A link longer or shorter than at the start by less than this share of the mechanism is round-off, not drift.
 RIGID = 1e-9

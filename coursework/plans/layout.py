@@ -13,7 +13,7 @@ from coursework.drawing.symbols import ratio
 from coursework.plans.foot import FOOT
 from coursework.plans.instant_centres import Findings
 from coursework.plans.sketch import Sketch
-from coursework.sentences import Sentence
+from coursework.words.sentence import Sentence
 
 PAGE = (170.0, 190.0)  # mm: the text width of A4 with margins of 20 mm, and room for a caption
 LANDSCAPE = (257.0, 138.0)  # mm: the same page lying, with room for heading and caption

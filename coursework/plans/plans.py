@@ -17,13 +17,13 @@ from coursework.drawing.outline import Outline
 from coursework.drawing.poses import all_rows
 from coursework.drawing.record import Drawing
 from coursework.drawing.tracing import read_outline
-from coursework.errors import Fault, InputError
 from coursework.integration.motion import Motion
 from coursework.mechanism import Mechanism
 from coursework.plans.graph_check import USUAL_ROW
 from coursework.plans.polygons import ACCELERATION, UNITS, VELOCITY, Polygons, polygons
 from coursework.reduction.equations import VelocityEquations
-from coursework.sentences import say
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
 
 HEAD = ("row", "t", "motion", "plan", "kind", "from", "to", "x", "y", "unit")
 Array = NDArray[np.float64]

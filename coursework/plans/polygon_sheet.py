@@ -19,7 +19,7 @@ from coursework.drawing.symbols import decimal, name_word, short
 from coursework.plans.foot import FOOT, draw_foot
 from coursework.plans.polygons import ACCELERATION, POLE, UNITS, VELOCITY, Polygons
 from coursework.plans.steps import image, steps
-from coursework.sentences import say
+from coursework.words.sentences import say
 
 LONGEST = 80.0  # mm of the longest vector
 SMALL = 4.0  # mm: a shorter vector is drawn again in the inset

@@ -13,7 +13,8 @@ from coursework.plans.graph_words import centre_letter, lowered, omega_name
 from coursework.plans.instant_centres import Centre, Findings
 from coursework.plans.pose import Body
 from coursework.plans.sketch import Sketch
-from coursework.sentences import Sentence, say
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 READ = 0.5  # mm: what a ruler is read to; the error is half of it
 

@@ -24,8 +24,8 @@ from coursework.plans.instant_centres import cross
 from coursework.plans.pose import Body, Pose
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import symbol
-from coursework.sentences import say
 from coursework.variant.record import Link, Variant
+from coursework.words.sentences import say
 
 # A contact touches what it touches at the start, where positions are exact but for rounded data of a task sheet.
 INCIDENT = 1e-6

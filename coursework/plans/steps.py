@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from coursework.drawing.symbols import lowered_name
 from coursework.plans.polygons import ACCELERATION, POLE, Found, Line, Polygons
-from coursework.sentences import Sentence, say
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 
 def image(name: str) -> str:

@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from coursework.errors import Fault, InputError
 from coursework.formula.tree import Formula, number
 from coursework.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.reduction.independent import choose
@@ -22,7 +21,8 @@ from coursework.reduction.matching import match
 from coursework.reduction.meaning import meaning
 from coursework.reduction.symbolic import symbol
 from coursework.reduction.tidy import as_formula
-from coursework.sentences import say
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,11 +13,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.errors import Fault, InputError
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.matching import match, over_and_under
 from coursework.reduction.system import LinearSystem, compile_system
-from coursework.sentences import Sentence, joined, say, say_count
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say, say_count
 
 Array = NDArray[np.float64]
 # A row counts as dependent where what is left of it after projection is below this part of its length: 1e-9 lies far above

@@ -10,8 +10,8 @@ from functools import reduce
 
 from coursework.formula.tree import Formula, FormulaFault, evaluate, spelled
 from coursework.joints import link_names, linkage
-from coursework.sentences import joined, say
 from coursework.variant.record import Variant
+from coursework.words.sentences import joined, say
 
 # At a singular position a factor this small beside the largest one is the factor that vanishes.
 _SMALL = 1e-3

@@ -16,11 +16,11 @@ from math import comb
 import sympy as sp
 
 from coursework.codegen.names import derivative, private, public
-from coursework.errors import Fault, InputError
 from coursework.formula.tree import Formula, FormulaFault, bounded, division_by_zero, no_number
 from coursework.mechanism import Mechanism
-from coursework.sentences import say
 from coursework.variant.record import Law, Variant
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
 
 Vector = tuple[sp.Expr, sp.Expr]
 _FUNCTIONS = {

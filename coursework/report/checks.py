@@ -11,13 +11,13 @@ import numpy as np
 
 from coursework.checks.evidence import NO_ERROR
 from coursework.checks.result import DIGITS_LEFT, GROUPS, VERDICTS, Finding, never_more
-from coursework.page_text import clean
 from coursework.report.numbers import ROUND_OFF, TIGHT
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Cell, Checks, Judged, Paragraph, Part, Runs
 from coursework.report.tables import thinned
 from coursework.report.text_runs import numeral
-from coursework.sentences import Sentence
+from coursework.words.sentence import Sentence
+from coursework.words.templates import clean
 
 NOTHING_AT_ALL = 1e-18  # SI: smaller than any round-off of a mechanism
 BESIDE_A_LIMIT = 1e-9  # of its limit: what passes with so little is round-off of lengths that close

@@ -14,8 +14,7 @@ import numpy as np
 from coursework.checks.evidence import Evidence
 from coursework.checks.period import Split, mismatch
 from coursework.report.page_context import PageContext
-from coursework.schemes import SCHEMES
-from coursework.sentences import title_of
+from coursework.schemes import SCHEMES, title_of
 
 SEEN = 1e-9  # of the scale of a column: a smaller error is none to speak of
 ALIKE = 1e-4  # of the largest error: one that is less beside it is as large, to the digits shown

@@ -11,7 +11,7 @@ from coursework.report.numbers import ROUND_OFF
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Cell, Claims, Paragraph, Part
 from coursework.report.text_runs import numeral
-from coursework.sentences import Sentence
+from coursework.words.sentence import Sentence
 
 DIGITS = 3
 ROWS = "unit.rows"  # 24.02 of them are 24 rows

@@ -11,11 +11,11 @@ from collections.abc import Iterable, Iterator
 from coursework.drawing.lengths import lengths
 from coursework.formula.tree import terms
 from coursework.mechanism import Mechanism
-from coursework.page_text import clean
 from coursework.report.drive_meanings import drive_meanings
 from coursework.report.text_runs import LONGEST_NAME
-from coursework.sentences import say
 from coursework.variant.record import Variant
+from coursework.words.sentences import say
+from coursework.words.templates import clean
 
 
 def meanings(mechanism: Mechanism) -> dict[str, str]:

@@ -12,10 +12,10 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from coursework.formula.tree import Formula
-from coursework.page_text import clean
 from coursework.report.equations import Setter, text_equation
 from coursework.report.numbers import POINT
 from coursework.report.parts import Display, Runs
+from coursework.words.templates import clean
 
 LINE = 64  # characters of text form (spaces and subscripts not counted) that fit a line of the printed page
 INDENT = 4  # the same measure: what a continued line loses on the left

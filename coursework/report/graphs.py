@@ -29,8 +29,7 @@ from coursework.report.graph_paper import (
 )
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Panel, Panels, Part
-from coursework.schemes import DEFAULT_SCHEME
-from coursework.sentences import title_of
+from coursework.schemes import DEFAULT_SCHEME, title_of
 
 SIZE = (82.0, 42.0)  # mm; two stand beside each other in 170 mm
 MOST_PANELS = 8  # of one figure: as many as a page holds

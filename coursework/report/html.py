@@ -10,11 +10,11 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from coursework.data import folder
-from coursework.errors import OutputError
-from coursework.page_text import filled
 from coursework.report.formulas import Drawn, draw
 from coursework.report.model import ReportModel
+from coursework.words.data_folders import folder
+from coursework.words.errors import OutputError
+from coursework.words.templates import filled
 
 
 def _stylesheet(name: str) -> str:

@@ -5,11 +5,11 @@ Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
 
 from __future__ import annotations
 
-from coursework.page_text import clean
 from coursework.report import lecture
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Bullets, Display, Equations, Paragraph, Part
 from coursework.report.text_runs import runs
+from coursework.words.templates import clean
 
 
 def method(context: PageContext) -> list[Part]:

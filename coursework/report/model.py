@@ -11,7 +11,6 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from coursework.live.page import LivePart, live_part
-from coursework.page_text import clean
 from coursework.report.display import marked
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Beside, Equations, Figure, Panels, Part, Section, Table
@@ -19,7 +18,8 @@ from coursework.report.sections import all_sections
 from coursework.report.text_runs import LONGEST_NAME
 from coursework.report.words import Words, load_words
 from coursework.run import Run
-from coursework.sentences import ENGLISH
+from coursework.words.sentences import ENGLISH
+from coursework.words.templates import clean
 
 LONGEST_RUNNING = (70, 36)  # characters of title and name above a later page: together one line
 

@@ -15,13 +15,13 @@ from coursework.derivation.derive import Combination, Derivation, Numbered, deri
 from coursework.derivation.paths import Path, Term
 from coursework.derivation.segments import ZERO, Angle
 from coursework.formula.tree import Formula, number, part_of_pi
-from coursework.page_text import clean
 from coursework.reduction.solution import ShownEquation
 from coursework.report import equations as setting
 from coursework.report.display import display
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Bullets, Display, Equations, Paragraph, Part
 from coursework.report.text_runs import runs, unbroken
+from coursework.words.templates import clean
 
 
 def equations(context: PageContext) -> list[Part]:

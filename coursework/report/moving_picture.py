@@ -16,18 +16,19 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from coursework.data import folder
 from coursework.drawing.outline import Outline
 from coursework.drawing.poses import Poses, read_poses
 from coursework.drawing.tracing import read_outline
-from coursework.errors import InputError
 from coursework.integration.motion import Motion
 from coursework.report.graph_paper import SCHEME_INK
 from coursework.report.moving_shape import Shape, draw_ground
 from coursework.report.numbers import unit_text
 from coursework.report.symbols import Symbol, symbol
 from coursework.run import Run
-from coursework.sentences import Phrases, say, title_of
+from coursework.schemes import title_of
+from coursework.words.data_folders import folder
+from coursework.words.errors import InputError
+from coursework.words.sentences import Phrases, say
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -9,7 +9,6 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from coursework.page_text import filled
 from coursework.quantities import CHECKS, GRAPH_CHECK, Quantity
 from coursework.report.checks import checks
 from coursework.report.dead_point import dead_point
@@ -22,6 +21,7 @@ from coursework.report.sections import Writer
 from coursework.report.text_runs import runs
 from coursework.report.words import load_words
 from coursework.run import Run
+from coursework.words.templates import filled
 
 
 def drawing(context: PageContext) -> list[Part]:

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 
 from coursework.derivation.constants import NamedAngles, named_angles
 from coursework.integration.motion import Motion
-from coursework.page_text import LONGEST, clean
 from coursework.quantities import PLOTS
 from coursework.report.numbers import Numbers, unit_text, with_unit
 from coursework.report.parts import Runs
@@ -19,9 +18,11 @@ from coursework.report.symbols import Symbol, symbol
 from coursework.report.text_runs import ITALIC, derivative, printed, runs, with_letters, with_pairs, with_points
 from coursework.report.words import Words
 from coursework.run import Run
-from coursework.sentences import ENGLISH, Sentence
 from coursework.variant.record import Variant
 from coursework.variant.texts import in_language
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import ENGLISH
+from coursework.words.templates import LONGEST, clean
 
 STOP_DIGITS = 8  # a dead point is located to 1e-8 s
 DATUM_DIGITS = 6  # digits of a converted datum or of a time: more than a task sheet ever gives

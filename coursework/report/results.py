@@ -14,8 +14,7 @@ from coursework.report.parts import Cell, Column, Paragraph, Part, Table
 from coursework.report.tables import motion_parts, pieces
 from coursework.report.tangent import tangent_figure
 from coursework.report.text_runs import numeral, runs
-from coursework.schemes import SCHEMES, Scheme
-from coursework.sentences import title_of
+from coursework.schemes import SCHEMES, Scheme, title_of
 
 ROWS = ("first", "last", "total")
 CAUSES = ("scheme", "period")  # what a difference is made of; of rows that are the motion itself there is nothing to tell apart

@@ -6,7 +6,6 @@ Enters: a `PageContext`.  Leaves: displayed equations with the words around them
 from __future__ import annotations
 
 from coursework.formula.tree import Formula, number
-from coursework.page_text import clean
 from coursework.reduction.blocks import Block
 from coursework.reduction.cramer import Cramer, cramer
 from coursework.reduction.solution import Solution
@@ -16,7 +15,8 @@ from coursework.report.first_step import first_step
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Display, Equations, Paragraph, Part, Runs
 from coursework.report.text_runs import runs
-from coursework.sentences import say
+from coursework.words.sentences import say
+from coursework.words.templates import clean
 
 
 def solution(context: PageContext) -> list[Part]:

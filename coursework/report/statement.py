@@ -11,7 +11,6 @@ from dataclasses import replace
 from coursework.checks.summary import summary
 from coursework.formula.tree import Formula, constant, terms
 from coursework.mechanism import Mechanism
-from coursework.page_text import clean
 from coursework.quantities import CHECKS, TABLE
 from coursework.report.closeness import largest_errors, splits, unreturned
 from coursework.report.data_meanings import coordinate_meanings, meanings
@@ -23,6 +22,7 @@ from coursework.report.parts import Beside, Cell, Column, Paragraph, Part, Resul
 from coursework.report.sought import sought
 from coursework.report.text_runs import LONGEST_NAME, runs
 from coursework.variant.record import Variant
+from coursework.words.templates import clean
 
 MOST_REMARKS = 12  # on the first page, on which the results begin
 USUAL_ROW = 4  # the row that is compared where a file names none

@@ -9,9 +9,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from coursework.line_ends import HAN, KEPT
 from coursework.report.numbers import THIN, superscript
 from coursework.report.symbols import GREEK, is_named_after, symbol
+from coursework.words.line_ends import HAN, KEPT
 
 LONGEST_NAME = 200  # characters of a name or title
 

@@ -19,11 +19,11 @@ from functools import cache, lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from coursework.data import folder
-from coursework.errors import CourseworkError, InputError, OutputError
-from coursework.own_pieces import pieces_in_use
-from coursework.page_text import failing_piece
-from coursework.sentences import say
+from coursework.words.custom_templates import templates_in_use
+from coursework.words.data_folders import folder
+from coursework.words.errors import CourseworkError, InputError, OutputError
+from coursework.words.sentences import say
+from coursework.words.templates import failing_piece
 
 if TYPE_CHECKING:
     import typst
@@ -130,7 +130,7 @@ def refusal(error: RuntimeError) -> CourseworkError:
     """Return what is told of a `typst.TypstError`: by which own piece of the instructor it came, else that no page was set."""
     told = " ".join(str(error).split())
     found = _PLACE.search(getattr(error, "diagnostic", ""))
-    if found and (name := found["name"]) in pieces_in_use():
+    if found and (name := found["name"]) in templates_in_use():
         return InputError([failing_piece(name, int(found["line"]), told)])
     return OutputError(say("fault.W015", refused=told[:2000]))
 

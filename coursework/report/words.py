@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from coursework.report.numbers import Numbers
 from coursework.report.text_runs import ITALIC
-from coursework.sentences import ENGLISH, Phrases, load_phrases
+from coursework.words.sentences import ENGLISH, Phrases, load_phrases
 
 _OWN_LETTER = re.compile(r"\*(\w)\*")  # *h* in the words file: a letter set italic
 

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.errors import InputError
-from coursework.sentences import Sentence
+from coursework.words.errors import InputError
+from coursework.words.sentence import Sentence
 
 Array = NDArray[np.float64]
 

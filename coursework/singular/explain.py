@@ -15,8 +15,9 @@ from coursework.reduction.blocks import Block, Reduction
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.meaning import meaning as meaning_of
 from coursework.reduction.meaning import vanishing
-from coursework.sentences import Sentence, joined, say
 from coursework.singular.event import Event
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say
 
 # Branches come from differences that are right to 1e-10, coordinates from a search that is better.
 _ROUNDING = 1e-9

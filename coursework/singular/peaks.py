@@ -12,8 +12,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.errors import CourseworkError
 from coursework.singular.scaled_flow import Clock
+from coursework.words.errors import CourseworkError
 
 Array = NDArray[np.float64]
 # A bracket shrinks to this part of itself a trial, and to 1e-4 in so many; the rate is then right to the square of that.

@@ -21,12 +21,12 @@ from numpy.typing import NDArray
 from coursework.codegen.tabulated import OutsideTable
 from coursework.integration.adaptive import next_length
 from coursework.integration.passage import Passage
-from coursework.sentences import say
 from coursework.singular.change_point import nearest_change_point
 from coursework.singular.event import Event, NotFollowed
 from coursework.singular.passing import passage_at
 from coursework.singular.peaks import Peaks, Piece
 from coursework.singular.scaled_flow import Clock, Flow
+from coursework.words.sentences import say
 
 Array = NDArray[np.float64]
 # A start whose determinant is this small leaves fewer than six digits of any velocity.

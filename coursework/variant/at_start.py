@@ -7,13 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from coursework.errors import Fault
 from coursework.formula.alphabet import spell
 from coursework.formula.tree import Formula, FormulaFault, evaluate
-from coursework.sentences import say
 from coursework.variant.no_value import in_order
 from coursework.variant.record import Law, Variant
 from coursework.variant.source import Source
+from coursework.words.errors import Fault
+from coursework.words.sentences import say
 
 Path = tuple[str | int, ...]
 

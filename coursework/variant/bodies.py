@@ -6,10 +6,10 @@ Enters: checked sections of a file.  Leaves: records of `record.py`; faults stay
 from __future__ import annotations
 
 from coursework.groups import group_kind
-from coursework.sentences import closest, say
 from coursework.variant import schema
 from coursework.variant.parts import Parts
 from coursework.variant.record import Frame, Group, Guide, Link
+from coursework.words.sentences import closest, say
 
 
 def read_group(index: int, entry: schema.Group, parts: Parts) -> Group:

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from coursework.errors import Fault, InputError
-from coursework.sentences import Sentence, say
 from coursework.variant.record import MAX_NUMBERS, MOST_PERIODS, Variant
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 _CLOSE = 1e-9
 

@@ -11,10 +11,11 @@ from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from coursework.errors import Fault, InputError
 from coursework.formula.alphabet import spell
 from coursework.formula.units import KINDS, UNITS, UnitFault, read, unlike
-from coursework.sentences import Sentence, closest, say
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import closest, say
 
 if TYPE_CHECKING:
     from coursework.variant.record import Variant

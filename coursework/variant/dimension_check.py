@@ -11,13 +11,13 @@ from itertools import chain, islice
 
 from coursework.dimensions.exponents import Dimension, is_known, si_unit, symbols
 from coursework.dimensions.formulas import Clash, Measurer, Term
-from coursework.errors import Fault
 from coursework.formula.tree import Formula
-from coursework.sentences import Sentence
 from coursework.variant.dimension_words import Blame, disagreement_of, fault_of_datum, fault_of_either, fault_of_terms
 from coursework.variant.places import Path, Place, measures, places
 from coursework.variant.record import Variant
 from coursework.variant.source import Source
+from coursework.words.errors import Fault
+from coursework.words.sentence import Sentence
 
 # Names and parts of formulas gone through while a culprit is looked for: half a second; a file of coursework has some hundreds.
 _MOST_PARTS = 300_000

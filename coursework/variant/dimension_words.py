@@ -11,8 +11,9 @@ from dataclasses import dataclass, replace
 from coursework.dimensions.exponents import NUMBER, Dimension, dimension_of, unit_like, units_shown, what
 from coursework.dimensions.formulas import Clash, Term
 from coursework.formula.tree import Formula, spelled
-from coursework.sentences import Sentence, say
 from coursework.variant.places import Path, Place
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 Solved = Callable[[Dimension], Dimension | None]
 _MOST_LETTERS = 80

@@ -8,12 +8,12 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field
 
-from coursework.errors import Fault
 from coursework.formula.alphabet import foreign_letter, spell
 from coursework.formula.reader import FUNCTION_WORDS
-from coursework.sentences import say
 from coursework.variant.schema import VariantFile
 from coursework.variant.source import Source
+from coursework.words.errors import Fault
+from coursework.words.sentences import say
 
 _SHAPE = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
 _BUILT_IN = {"t", "pi"}

@@ -9,10 +9,10 @@ import math
 from collections.abc import Iterable, Mapping
 from graphlib import TopologicalSorter
 
-from coursework.errors import Fault
 from coursework.formula.tree import Formula, FormulaFault, evaluate_any
-from coursework.sentences import say
 from coursework.variant.record import Law, Variant
+from coursework.words.errors import Fault
+from coursework.words.sentences import say
 
 Path = tuple[str | int, ...]
 

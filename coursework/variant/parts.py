@@ -11,12 +11,13 @@ import operator
 from collections.abc import Callable
 from typing import Literal
 
-from coursework.errors import Fault
 from coursework.formula import reader, units
 from coursework.formula.tree import Formula, FormulaFault, evaluate, part_of_pi
-from coursework.sentences import Sentence, closest, say
 from coursework.variant.names import Names
 from coursework.variant.source import Source
+from coursework.words.errors import Fault
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import closest, say
 
 _ZERO = Formula("number", name="0")
 _NOTHING = units.Quantity(1.0, "", "", "1")

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 from coursework.dimensions.exponents import LENGTH, NUMBER, TIME, Dimension, added, dimension_of
 from coursework.formula.tree import Formula
-from coursework.sentences import say
 from coursework.variant.record import Constraint, Group, Law, Variant
+from coursework.words.sentences import say
 
 Path = tuple[str | int, ...]
 _LENGTH: Dimension = {LENGTH: 1}

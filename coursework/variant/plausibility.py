@@ -11,12 +11,13 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from coursework.dimensions.exponents import LENGTH
 from coursework.formula.tree import Formula, terms
 from coursework.formula.units import UNITS
-from coursework.sentences import Sentence, say
 from coursework.variant.dimension_check import Dimensions
 from coursework.variant.dimension_words import text_of
 from coursework.variant.places import Path, Place
 from coursework.variant.record import Given, Remark, Variant
 from coursework.variant.source import Source
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 _TURN = 2 * math.pi
 # In a mechanism all lengths are of one order: in 66 files the widest gap between neighbours was a factor of four.

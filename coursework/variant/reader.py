@@ -15,12 +15,10 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from coursework.errors import Fault, InputError
 from coursework.formula.alphabet import spell
 from coursework.formula.tree import Formula
 from coursework.formula.units import is_quantity, measured
 from coursework.schemes import scheme_names
-from coursework.sentences import closest, say, unfolded
 from coursework.variant import schema
 from coursework.variant.at_start import faults_at_start
 from coursework.variant.bodies import read_frame, read_group, read_link
@@ -46,6 +44,8 @@ from coursework.variant.source import Source, read_bytes, read_source
 from coursework.variant.tables import read_table
 from coursework.variant.texts import Texts
 from coursework.variant.zero_lengths import faults_of_zero_lengths
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import closest, say, unfolded
 
 
 def read_variant(path: Path) -> Variant:
@@ -70,7 +70,7 @@ def parse_variant(content: str | bytes, file: str = "variant", tables: Mapping[s
     >>> coursework.parse_variant(text.replace("0.953 m", "0.953 kg"))
     Traceback (most recent call last):
         ...
-    coursework.errors.InputError: V105 variant:13:9  given.r1: a length was expected: m, cm, mm (found "0.953 kg").
+    coursework.words.errors.InputError: V105 variant:13:9  given.r1: a length was expected: m, cm, mm (found "0.953 kg").
     """
     raw = content.encode("utf-8") if isinstance(content, str) else content
     return _build(read_source(raw, file, tables or {}), file, None)

@@ -11,9 +11,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
-from coursework.errors import InputError
 from coursework.formula.tree import Formula
-from coursework.sentences import say
 from coursework.variant.changes import Path, Values, changed_values, follow_from
 from coursework.variant.entries import (
     Constraint,
@@ -30,6 +28,8 @@ from coursework.variant.entries import (
     whole_steps,
 )
 from coursework.variant.texts import Texts
+from coursework.words.errors import InputError
+from coursework.words.sentences import say
 
 __all__ = [
     "MAX_NUMBERS", "MAX_ROWS", "MOST_PERIODS", "Constraint", "Coordinate", "Frame", "Given", "Group", "Guide", "Law", "Link",

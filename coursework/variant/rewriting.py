@@ -12,10 +12,10 @@ from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from typing import Any
 
-from coursework.errors import InputError
 from coursework.formula.alphabet import spell
-from coursework.sentences import say
 from coursework.variant.positions import Path, Positions, locate
+from coursework.words.errors import InputError
+from coursework.words.sentences import say
 
 # What a file says about its own numbers; in a copy with other numbers it would not be true.
 SAID_OF_NUMBERS = ("remarks", "quote")

@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from coursework.errors import InputError
 from coursework.formula.alphabet import spell
 from coursework.formula.units import UnitFault, read
-from coursework.sentences import closest, say
 from coursework.variant.record import Variant
+from coursework.words.errors import InputError
+from coursework.words.sentences import closest, say
 
 # The guide numbers the rows of the check so that t = (N+1) h; row 1 of a table is t = 0.
 ROWS_BEFORE_N = 2

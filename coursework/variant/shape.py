@@ -16,11 +16,12 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from coursework.errors import Fault, InputError
 from coursework.groups import GROUPS
-from coursework.sentences import Sentence, closest, either, load_phrases, say
 from coursework.variant import schema
 from coursework.variant.source import Source
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import closest, either, load_phrases, say
 
 Path = tuple[str | int, ...]
 Entry = dict[str, Any]

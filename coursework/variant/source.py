@@ -13,11 +13,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from coursework.errors import Fault, InputError
 from coursework.formula.alphabet import spell
-from coursework.sentences import Sentence, say
 from coursework.variant.positions import Positions, locate
 from coursework.variant.toml_faults import explained
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 MAX_BYTES = 64 * 1024
 # A dotted key of 100 000 parts keeps the TOML reader busy for half a minute; a variant needs three.

@@ -13,9 +13,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.errors import Fault
-from coursework.sentences import Sentence, say
 from coursework.variant.source import Source
+from coursework.words.errors import Fault
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 MAX_TABLE_BYTES = 256 * 1024
 MOST_NODES = 20_000

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import re
 
-from coursework.errors import Fault
 from coursework.formula.alphabet import foreign_letter
-from coursework.sentences import say
+from coursework.words.errors import Fault
+from coursework.words.sentences import say
 
 _QUOTES = re.compile("[“”„«»‘’]")
 # What the reader's message begins with -> the last part of the key of the advice.

@@ -5,11 +5,11 @@ Enters: a `Variant` and its `Source`.  Leaves: faults.  Used by `reader.py` only
 
 from __future__ import annotations
 
-from coursework.errors import Fault
 from coursework.formula.tree import Formula, FormulaFault, evaluate, spelled
-from coursework.sentences import say
 from coursework.variant.record import Variant
 from coursework.variant.source import Source
+from coursework.words.errors import Fault
+from coursework.words.sentences import say
 
 Path = tuple[str | int, ...]
 

@@ -8,10 +8,10 @@ from coursework.accuracy import step_search
 from coursework.accuracy.round_off import RoundOffRow, round_off_curve
 from coursework.accuracy.step_rules import StepRules, step_rules
 from coursework.accuracy.step_search import choose_step
-from coursework.data import folder
-from coursework.errors import InputError
 from coursework.integration.extended_precision import march_in
 from coursework.schemes import SCHEMES
+from coursework.words.data_folders import folder
+from coursework.words.errors import InputError
 
 
 @pytest.fixture(scope="module")

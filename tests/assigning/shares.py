@@ -11,7 +11,7 @@ from coursework.assigning.accept import Acceptance
 from coursework.assigning.draw import Lots
 from coursework.assigning.judge import judge
 from coursework.assigning.variants import load_ranges
-from coursework.data import folder
+from coursework.words.data_folders import folder
 
 STREAM = "measured"  # not the pilot's: the share is of draws as students get them
 TOLD = re.compile(r"^# Of 1000 draws (?P<feasible>[\d.]+) % are feasible, (?P<banded>[\d.]+) % lie in the band as well\.$", re.M)

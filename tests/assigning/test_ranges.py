@@ -10,7 +10,7 @@ import pytest
 import coursework
 from coursework.assigning.ranges import MEASURES
 from coursework.assigning.reader import DIFFICULTY, LIMITS, SECTIONS, read_ranges
-from coursework.data import folder
+from coursework.words.data_folders import folder
 
 RANGES = folder("variants") / "ranges"
 SCHEMA = json.loads((RANGES / "ranges.schema.json").read_text(encoding="utf-8"))

@@ -6,8 +6,8 @@ import shutil
 import pytest
 
 import coursework
-from coursework.data import folder
 from coursework.reduction.structure import forget_structures
+from coursework.words.data_folders import folder
 from tests.benchmarks.timer import ratio
 
 

@@ -50,7 +50,7 @@ def test_a_new_check_is_everywhere():
 
 
 def test_every_record_has_its_words_and_every_verdict_its_sign():
-    from coursework.sentences import load_phrases
+    from coursework.words.sentences import load_phrases
 
     words = load_phrases()
     assert all(words.has(f"check.{check.code}.title") for check in CHECKS)

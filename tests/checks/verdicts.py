@@ -15,9 +15,9 @@ from typing import Any
 
 import coursework
 from coursework.catalogue import entries
-from coursework.errors import CourseworkError
 from coursework.schemes import DEFAULT_SCHEME, EXACT, SCHEMES
 from coursework.variant.reader import parse_variant
+from coursework.words.errors import CourseworkError
 from tests.checks.independent import Judge, judge, verdict
 
 STEPS = {"h": 1.0, "h/4": 0.25, "3h": 3.0}

@@ -10,9 +10,9 @@ from scipy.interpolate import CubicSpline
 import coursework
 from coursework.codegen import tabulated
 from coursework.codegen.tabulated import OutsideTable, TableLaw, spline_slopes
-from coursework.data import folder
-from coursework.errors import InputError
 from coursework.reduction.structure import forget_structures
+from coursework.words.data_folders import folder
+from coursework.words.errors import InputError
 from tests.benchmarks.timer import ratio
 
 METHODS = ("five-point", "spline")

@@ -6,7 +6,7 @@ import pytest
 
 import coursework
 from coursework.catalogue import names
-from coursework.data import folder as data_folder
+from coursework.words.data_folders import folder as data_folder
 from tests.test_cli import QUICK, call
 
 pytestmark = pytest.mark.usefixtures("folder")

@@ -9,10 +9,10 @@ import pytest
 from click.testing import CliRunner, Result
 
 from coursework.cli import main
-from coursework.data import folder
-from coursework.errors import InputError
-from coursework.own_pieces import own_pieces
-from coursework.sentences import load_phrases
+from coursework.words.custom_templates import templates_of
+from coursework.words.data_folders import folder
+from coursework.words.errors import InputError
+from coursework.words.sentences import load_phrases
 from tests.grading.batch.classroom import hand_in
 
 PLAIN = folder("reports")
@@ -119,7 +119,7 @@ def test_a_language_of_ones_own_may_stand_among_the_pieces(tmp_path: Path) -> No
 
 def test_a_words_file_that_cannot_be_read_is_told(tmp_path: Path) -> None:
     (tmp_path / "words.de.toml").write_text("x = [", encoding="utf-8")
-    with own_pieces(tmp_path), pytest.raises(InputError, match=r"L003 words\.de\.toml cannot be read"):
+    with templates_of(tmp_path), pytest.raises(InputError, match=r"L003 words\.de\.toml cannot be read"):
         load_phrases("de")
 
 
@@ -159,13 +159,13 @@ def test_the_same_bytes_from_processes_of_their_own(tmp_path: Path) -> None:
     assert "#123456" in (tmp_path / "2" / "31" / "report.html").read_text(encoding="utf-8")
 
 
-def test_own_pieces_come_and_go_in_one_process(tmp_path: Path) -> None:
+def test_own_templates_come_and_go_in_one_process(tmp_path: Path) -> None:
     (tmp_path / "report.css").write_text("mine")
-    with own_pieces(tmp_path):
+    with templates_of(tmp_path):
         inside = folder("reports")
         assert (inside / "report.css").read_text() == "mine"
         assert (inside / "package" / "report.css").read_bytes() == (PLAIN / "report.css").read_bytes()
-        with own_pieces(None):
+        with templates_of(None):
             assert folder("reports") == inside
     assert not inside.exists()
 

@@ -8,8 +8,8 @@ import pytest
 
 import coursework
 from coursework.catalogue import names
-from coursework.data import folder
 from coursework.variant.reader import parse_variant, read_variant
+from coursework.words.data_folders import folder
 from tests.dimensions.slips import exchanged_units, names_left_out
 from tests.hard.families import random_case
 

@@ -5,8 +5,8 @@ import math
 import pytest
 
 import coursework
-from coursework.data import folder
 from coursework.geometry.oscillation import fastest
+from coursework.words.data_folders import folder
 
 BASE = (folder("variants") / "31.toml").read_text(encoding="utf-8")
 P = 13.08

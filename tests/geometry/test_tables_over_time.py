@@ -5,9 +5,9 @@ import pytest
 from scipy.interpolate import CubicSpline
 
 import coursework
-from coursework.data import folder
 from coursework.geometry.drive import integrals
 from coursework.variant.reader import parse_variant
+from coursework.words.data_folders import folder
 
 END = 0.5
 BASE = (folder("variants") / "31.toml").read_text(encoding="utf-8")

@@ -10,13 +10,13 @@ from pathlib import Path
 
 import pytest
 
-from coursework.errors import InputError
 from coursework.grading.escapes import csv_text, shown
 from coursework.grading.handed_in import Source, collect_one
 from coursework.grading.names import file_stem
 from coursework.grading.parcels import Parcel
 from coursework.grading.reading.archive import Archive
 from coursework.grading.submission import Submission
+from coursework.words.errors import InputError
 
 
 def write(folder: Path, *names: str, content: bytes = b"x") -> None:

@@ -8,7 +8,6 @@ import zipfile
 
 import pytest
 
-from coursework.errors import InputError
 from coursework.grading.matching import Matched, match
 from coursework.grading.parcels import Parcel
 from coursework.grading.platforms.autograder import Outcome, PartOutcome, gradescope, prairielearn, results_json
@@ -16,6 +15,7 @@ from coursework.grading.platforms.canvas import read_gradebook
 from coursework.grading.platforms.feedback_zip import feedback_zip
 from coursework.grading.platforms.roster import read_roster
 from coursework.grading.platforms.worksheet import read_worksheet
+from coursework.words.errors import InputError
 
 ENGLISH = (
     "Identifier,Full name,Email address,Status,Grade,Maximum Grade,Grade can be changed,Last modified (submission),"

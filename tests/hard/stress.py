@@ -18,11 +18,11 @@ import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
 import coursework
-from coursework.errors import InputError
 from coursework.integration.integrate import march
 from coursework.integration.motion import Motion
 from coursework.run import Run
 from coursework.variant.reader import parse_variant
+from coursework.words.errors import InputError
 from tests.hard.case import Case, Margin
 from tests.hard.families import random_case
 

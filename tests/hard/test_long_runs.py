@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.errors import InputError
 from coursework.integration.following import NotReached, follow_closure
+from coursework.words.errors import InputError
 from tests.hard.scenes import CASES, check, expected, scene, solve
 
 PERIOD = 2 * math.pi / 13.08

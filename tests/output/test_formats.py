@@ -10,10 +10,10 @@ import pytest
 
 import coursework
 from coursework.accuracy.timing import seconds
-from coursework.errors import OutputError
 from coursework.output import formats
 from coursework.output.formats import FORMATS, Format, formats_for
 from coursework.output.tables import STUDY_HEAD
+from coursework.words.errors import OutputError
 from tests.command import call
 
 pytestmark = pytest.mark.usefixtures("folder")

@@ -12,9 +12,9 @@ import pytest
 
 import coursework
 from coursework.checks import check
-from coursework.data import folder as data_folder
-from coursework.errors import InputError
 from coursework.output.gate import pass_gate
+from coursework.words.data_folders import folder as data_folder
+from coursework.words.errors import InputError
 from tests.command import call
 from tests.hard.scenes import V31_IMPOSSIBLE, solve
 

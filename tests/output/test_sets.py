@@ -14,9 +14,9 @@ import pytest
 
 import coursework
 from coursework import file_set
-from coursework.errors import OutputError
 from coursework.file_set import files_of, publish, working_folder
 from coursework.output.record import stamp_of
+from coursework.words.errors import OutputError
 from tests.command import call
 
 pytestmark = pytest.mark.usefixtures("folder")

@@ -10,11 +10,11 @@ from pathlib import Path
 import pytest
 
 from coursework import load, solve
-from coursework.errors import InputError
 from coursework.output.record import record
 from coursework.plans.instant_centres import construct
 from coursework.plans.pose import Body, Pose
 from coursework.plans.sketch import read_sketch
+from coursework.words.errors import InputError
 from tests.drawing import measured
 from tests.plans.checked import DRAWABLE, at_row, check_of, run_of, svg_of
 

@@ -15,12 +15,12 @@ import pytest
 from coursework import load, solve
 from coursework.catalogue import names
 from coursework.drawing.record import Drawing
-from coursework.errors import InputError
 from coursework.output.tables import run_tables
 from coursework.report import build_model
 from coursework.report.parts import Paragraph
 from coursework.run import Run
 from coursework.variant.reader import parse_variant
+from coursework.words.errors import InputError
 from tests.drawing import measured
 
 # Closed forms to 40 digits, velocities and accelerations confirmed by five-point differences; see the file's own `rule`.

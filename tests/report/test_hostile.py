@@ -10,9 +10,9 @@ from typing import Any
 import pytest
 
 import coursework
-from coursework.errors import InputError
 from coursework.report import build_model, render_html, render_pdf
 from coursework.variant.reader import parse_variant
+from coursework.words.errors import InputError
 
 EVIL = (
     "</title></svg></style><script>window.hit=1</script><img src=x onerror='window.hit=1'>]]>--> {{7*7}} {% raw %} %s {0} {t} "

@@ -16,13 +16,14 @@ from click.testing import CliRunner
 
 import coursework
 from coursework.cli import main
-from coursework.own_pieces import own_pieces
 from coursework.report import build_model, render_html, words
 from coursework.report.parts import Paragraph
 from coursework.run import Run
-from coursework.sentences import PLURALS, Phrases, Sentence, joined, load_phrases, say, say_count, unfolded
 from coursework.variant.reader import parse_variant
 from coursework.variant.set_values import with_set
+from coursework.words.custom_templates import templates_of
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import PLURALS, Phrases, joined, load_phrases, say, say_count, unfolded
 from tests.report import words_missing
 from tests.report.real import text_of
 from tests.report.test_sentences_of_a_page import keys
@@ -170,7 +171,7 @@ def test_a_page_in_another_language_by_its_words_file(tmp_path: Path) -> None:
     """A file beside words.en.toml is a language; an unknown one is refused before anything is computed."""
     words_file = (ROOT / "reports" / "words.en.toml").read_text(encoding="utf-8")
     (tmp_path / "words.de.toml").write_text(words_file.replace('decimal = "."', 'decimal = ","'), encoding="utf-8")
-    with own_pieces(tmp_path):
+    with templates_of(tmp_path):
         page = tmp_path / "page.html"
         coursework.write_report(coursework.solve("31", quantities=["table", "checks"]), page, language="de")
         assert "0,48" in page.read_text(encoding="utf-8")

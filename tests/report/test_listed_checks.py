@@ -10,7 +10,7 @@ import pytest
 import coursework
 from coursework.checks.result import Finding
 from coursework.report.checks import counted
-from coursework.sentences import say
+from coursework.words.sentences import say
 
 
 def listed(real: ModuleType, run: Any) -> dict[str, Any]:

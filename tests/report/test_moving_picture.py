@@ -11,11 +11,11 @@ from PIL import Image
 import coursework
 from coursework.drawing.poses import read_poses
 from coursework.drawing.tracing import read_outline
-from coursework.errors import InputError
 from coursework.report.moving_picture import label_text, moving_picture
 from coursework.report.moving_shape import Shape, draw_ground
 from coursework.report.symbols import symbol
-from coursework.sentences import load_phrases
+from coursework.words.errors import InputError
+from coursework.words.sentences import load_phrases
 
 README_PICTURE = Path(__file__).parents[2] / "reports" / "moving.gif"
 

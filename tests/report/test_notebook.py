@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import coursework
-from coursework.data import folder
+from coursework.words.data_folders import folder
 
 VOID = {"meta", "br", "hr", "img", "input", "link"}
 

@@ -15,9 +15,9 @@ import pymupdf
 import pytest
 
 import coursework
-from coursework.data import folder
-from coursework.errors import OutputError
 from coursework.report import build_model, formulas, render_html, render_pdf, typesetting
+from coursework.words.data_folders import folder
+from coursework.words.errors import OutputError
 
 LONG = "W" * 300
 

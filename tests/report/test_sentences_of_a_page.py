@@ -10,10 +10,10 @@ import pytest
 
 import coursework
 from coursework.checks.result import Finding
-from coursework.errors import InputError
 from coursework.report import build_model, notebook_html
 from coursework.report.words import Words, load_words
-from coursework.sentences import load_phrases
+from coursework.words.errors import InputError
+from coursework.words.sentences import load_phrases
 
 
 def keys(table: Mapping[str, Any], path: str = "") -> set[str]:

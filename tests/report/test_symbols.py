@@ -7,9 +7,9 @@ from types import ModuleType
 import pytest
 
 import coursework
-from coursework.page_text import LONGEST, clean
 from coursework.report.symbols import symbol
 from coursework.report.text_runs import derivative, printed, runs, with_letters, with_pairs, with_points
+from coursework.words.templates import LONGEST, clean
 
 
 @pytest.mark.parametrize(

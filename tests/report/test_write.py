@@ -11,7 +11,7 @@ import pytest
 
 import coursework
 from coursework import write_report
-from coursework.errors import OutputError
+from coursework.words.errors import OutputError
 
 
 def test_suffix_decides(tmp_path: Path) -> None:

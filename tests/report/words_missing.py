@@ -12,7 +12,7 @@ from pathlib import Path
 from string import Formatter
 from typing import Any
 
-from coursework.sentences import ENGLISH
+from coursework.words.sentences import ENGLISH
 
 REPORTS = Path(__file__).parents[2] / "reports"
 FORMS = {"one-other": {"one", "other"}, "one-few-many": {"one", "few", "many"}, "other": {"other"}}

@@ -25,12 +25,12 @@ from random import Random
 
 import coursework
 from coursework.catalogue import names
-from coursework.data import folder
-from coursework.errors import CourseworkError
 from coursework.output.gate import pass_gate
 from coursework.output.record import record
 from coursework.variant.reader import read_variant
 from coursework.variant.record import Variant
+from coursework.words.data_folders import folder
+from coursework.words.errors import CourseworkError
 
 PIECES = [
     "0", "1", "-1", "1e9", "nan", "inf", "true", '""', '"0"', '"1 m"', "[", "{", "[]", "{}", "phi1", "w1", "w4", "r1", "t",

@@ -9,10 +9,10 @@ import time
 import pytest
 
 import coursework
-from coursework.errors import MOST_SHOWN
 from coursework.output.record import record
 from coursework.variant.reader import parse_variant
 from coursework.variant.source import MAX_BYTES
+from coursework.words.errors import MOST_SHOWN
 
 PLAIN = """[given]
 r = "1 m"

@@ -11,8 +11,8 @@ import jsonschema
 import pytest
 
 from coursework.catalogue import names
-from coursework.data import folder
 from coursework.variant.schema import json_schema
+from coursework.words.data_folders import folder
 
 ROOT = Path(__file__).parent.parent.parent
 FILE = ROOT / "variants" / "variant.schema.json"

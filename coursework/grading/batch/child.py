@@ -43,10 +43,10 @@ def serve(lines: BinaryIO, answers: BinaryIO) -> None:
     """Answer every line until there are none."""
     from coursework.grading.batch.work import setup_from
     from coursework.grading.batch.workshop import Workshop
-    from coursework.own_pieces import pieces_standing_in
+    from coursework.words.custom_templates import templates_standing_in
 
     setup = setup_from(json.loads(lines.readline()))
-    with pieces_standing_in(setup.pieces):
+    with templates_standing_in(setup.pieces):
         workshop = Workshop(setup)
         limit_memory(setup.memory_mib)
         at_first = 0

@@ -11,7 +11,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from coursework.catalogue import find
-from coursework.errors import Fault, InputError
 from coursework.grading.batch.decisions import Override
 from coursework.grading.batch.work import Task, VariantSource
 from coursework.grading.handed_in import Source
@@ -20,9 +19,10 @@ from coursework.grading.parcels import Parcel
 from coursework.grading.platforms.roster import Roster
 from coursework.grading.platforms.worksheet import Worksheet, WorksheetRow
 from coursework.grading.submission import Submission
-from coursework.sentences import say
 from coursework.variant.reader import read_variant
 from coursework.variant.record import Variant
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
 
 
 @dataclass(frozen=True, slots=True)

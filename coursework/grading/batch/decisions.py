@@ -11,13 +11,13 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from coursework.errors import Fault, InputError
 from coursework.grading.marking.grade import GRADED, points
 from coursework.grading.marking.rubric import PARTS, Rubric
 from coursework.grading.names import same_key
 from coursework.grading.platforms.cells_of_csv import read_cells
 from coursework.grading.reading.numbers import printed
-from coursework.sentences import closest, say
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import closest, say
 
 COLUMNS = ("id", "check", "points", "reason")
 CHECKS = (*PARTS, "total")

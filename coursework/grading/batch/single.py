@@ -12,7 +12,7 @@ from typing import Any
 from coursework.files import write_bytes
 from coursework.grading.marking.rubric import PARTS
 from coursework.grading.platforms.autograder import Outcome, PartOutcome, gradescope, prairielearn, results_json
-from coursework.sentences import Phrases, load_phrases
+from coursework.words.sentences import Phrases, load_phrases
 
 PLATFORMS = {"gradescope": gradescope, "prairielearn": prairielearn}
 

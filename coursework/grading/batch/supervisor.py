@@ -13,7 +13,7 @@ from contextlib import suppress
 from typing import IO
 
 from coursework.grading.batch.work import Outcome, Setup, Task, failed, outcome_from
-from coursework.sentences import say
+from coursework.words.sentences import say
 
 LIMIT = 10.0  # s a submission may take
 STARTING = 60.0  # s for the first answer of a child, which imports everything

@@ -18,7 +18,8 @@ from coursework.grading.batch.decisions import Override, overridden
 from coursework.grading.marking.grade import blank_grade
 from coursework.grading.marking.rubric import read_rubric
 from coursework.grading.submission import Submission, submission_from
-from coursework.sentences import ENGLISH, Sentence, load_phrases
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import ENGLISH, load_phrases
 
 # Raised whenever marks may come out otherwise: a second run then grades everything anew.
 GRADING_VERSION = 2

@@ -12,10 +12,10 @@ import threading
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from coursework.errors import InputError
 from coursework.grading.batch.supervisor import LIMIT, Supervisor
 from coursework.grading.batch.work import Outcome, Setup, Task, outcome_from, setup_from, task_from
-from coursework.sentences import say
+from coursework.words.errors import InputError
+from coursework.words.sentences import say
 
 Keyed = tuple[str, Task]
 CHUNK = 100  # submissions a cluster task: far longer than its way there and back

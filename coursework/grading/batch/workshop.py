@@ -9,7 +9,6 @@ from collections import OrderedDict
 
 import numpy as np
 
-from coursework.errors import Fault, InputError
 from coursework.grading.batch.decisions import overridden
 from coursework.grading.batch.work import Outcome, Setup, VariantSource, failed, task_from
 from coursework.grading.expected import Expected, grid_of
@@ -19,8 +18,9 @@ from coursework.grading.marking.rubric import Rubric, read_rubric
 from coursework.grading.pages.feedback import feedback_page
 from coursework.grading.submission import Submission
 from coursework.grading.understand import understand
-from coursework.sentences import load_phrases, say
 from coursework.variant.reader import parse_variant
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import load_phrases, say
 
 KEPT = 8  # keys at once: a class shares one, or each student has an own one
 

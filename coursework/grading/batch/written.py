@@ -23,7 +23,7 @@ from coursework.grading.pages.class_page import class_page
 from coursework.grading.platforms.canvas import Gradebook
 from coursework.grading.platforms.feedback_zip import feedback_zip
 from coursework.grading.platforms.worksheet import Worksheet
-from coursework.sentences import ENGLISH, Phrases, load_phrases
+from coursework.words.sentences import ENGLISH, Phrases, load_phrases
 
 COLUMNS = (
     "id", "name", "status", "points", "max", "table", "equations", "answers", "wrong_cells", "missing_cells", "first_wrong",

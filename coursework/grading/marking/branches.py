@@ -15,13 +15,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.api import solve
-from coursework.errors import CourseworkError
 from coursework.geometry.closure import Closure, closed_start, compile_closure
 from coursework.geometry.start import start_values
 from coursework.mechanism import build
 from coursework.reduction.equations import differentiate
 from coursework.schemes import DEFAULT_SCHEME
 from coursework.variant.record import Variant
+from coursework.words.errors import CourseworkError
 
 Array = NDArray[np.float64]
 MOST = 7  # assemblies: three groups turned in every way

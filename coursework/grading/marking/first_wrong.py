@@ -12,7 +12,8 @@ import numpy as np
 
 from coursework.grading.marking.cells import ANGLES, EARLIER, KEY, START, STEP, STEP_TRUE, Cells
 from coursework.grading.marking.key import Key
-from coursework.sentences import Sentence, say
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 _SAID = {KEY: "key", ANGLES: "own angles", EARLIER: "own velocities", STEP: "step", STEP_TRUE: "step", START: "start"}
 

@@ -26,7 +26,8 @@ from coursework.grading.marking.points import TablePoints, table_points
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.verdicts import Verdicts, verdicts
 from coursework.grading.submission import Note, note
-from coursework.sentences import Sentence, say
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 Array = NDArray[np.float64]
 GRADED = ("graded", "graded-with-notes")

@@ -15,7 +15,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.api import solve
-from coursework.errors import CourseworkError
 from coursework.formula.tree import Formula, number
 from coursework.geometry.drive import breaks
 from coursework.grading.marking.branches import other_assemblies
@@ -25,6 +24,7 @@ from coursework.model.model import Model, model_of
 from coursework.reduction.structure import without_data
 from coursework.schemes import DEFAULT_SCHEME
 from coursework.variant.record import Law, Variant
+from coursework.words.errors import CourseworkError
 
 Array = NDArray[np.float64]
 _TURNING = ("sin", "cos", "tan")

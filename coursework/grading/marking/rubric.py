@@ -11,10 +11,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from coursework.errors import Fault, InputError
 from coursework.formula.units import UnitFault, read
-from coursework.sentences import closest, say
 from coursework.variant.record import Variant
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import closest, say
 
 PARTS = ("table", "equations", "answers")
 READING_TOLERANCE = 0.05  # of the largest value of its kind in the row: what a drawing of this size allows

@@ -15,7 +15,8 @@ from coursework.grading.marking.equations import EquationMarks
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.misconceptions import FEWEST, FEWEST_SHARE, Misconception
 from coursework.grading.marking.points import TablePoints, true_steps
-from coursework.sentences import Sentence, joined, say
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say
 
 # Steps that follow from the row before, from which on the integration is right; rows below which nobody can tell.
 FOLLOWED, LEAST_ROWS = 0.93, 3

@@ -12,8 +12,9 @@ from collections.abc import Mapping, Sequence
 from coursework.grading.pages.bars import bars
 from coursework.grading.pages.class_facts import PARTS, ClassFacts
 from coursework.grading.pages.feedback import misconception_sentence, shown_points
-from coursework.page_text import clean, filled
-from coursework.sentences import Phrases, Sentence, joined, say
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import Phrases, joined, say
+from coursework.words.templates import clean, filled
 
 TENTHS = 10  # parts of the distribution
 MOST_LISTED = 200

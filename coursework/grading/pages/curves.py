@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.sentences import Phrases
+from coursework.words.sentences import Phrases
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]

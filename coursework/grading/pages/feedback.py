@@ -15,9 +15,10 @@ import numpy as np
 from coursework.grading.marking.cells import CARRIED, GIVEN, KEY, MISSING, WRONG
 from coursework.grading.marking.grade import Grade, TableMarks
 from coursework.grading.pages.curves import panel
-from coursework.page_text import clean, filled
-from coursework.sentences import Phrases, Sentence, joined, load_phrases, say
 from coursework.variant.texts import in_language
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import Phrases, joined, load_phrases, say
+from coursework.words.templates import clean, filled
 
 # Longer tables show their first rows and those with wrong cells: the page stays one that a person reads.
 FIRST_ROWS, MOST_ROWS = 25, 60

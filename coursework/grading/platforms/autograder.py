@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from coursework.grading.escapes import shown
-from coursework.sentences import ENGLISH, load_phrases, say
+from coursework.words.sentences import ENGLISH, load_phrases, say
 
 _MOST_TEXT = 60_000  # characters of one output: both platforms take a megabyte in all
 _NOT_GRADABLE = {"unreadable", "missing"}

@@ -11,11 +11,11 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from coursework.errors import Fault, InputError
 from coursework.grading.names import name_key, same_key
 from coursework.grading.platforms.cells_of_csv import CellText, read_cells
 from coursework.grading.reading.numbers import printed
-from coursework.sentences import say
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
 
 _ASSIGNMENT = re.compile(r".+ \([0-9]+\)")
 _KEYS = ("ID", "SIS User ID", "SIS Login ID")

@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from coursework.errors import Fault, InputError
 from coursework.grading.reading.encoding import decode
-from coursework.sentences import say
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
 
 _SEPARATORS = (",", ";", "\t", ":")
 _MARKS = {"utf-8-sig": b"\xef\xbb\xbf", "utf-16-le": b"\xff\xfe", "utf-16-be": b"\xfe\xff"}

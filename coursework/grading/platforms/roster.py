@@ -10,10 +10,10 @@ import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from coursework.errors import Fault, InputError
 from coursework.grading.names import same_key
 from coursework.grading.platforms.cells_of_csv import read_cells
-from coursework.sentences import closest, say
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import closest, say
 
 COLUMNS = ("id", "name", "email", "variant")
 

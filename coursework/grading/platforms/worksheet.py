@@ -12,12 +12,12 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from coursework.errors import Fault, InputError
 from coursework.grading.escapes import csv_text, shown
 from coursework.grading.names import name_key
 from coursework.grading.platforms.cells_of_csv import CellText, read_cells
 from coursework.grading.reading.numbers import printed
-from coursework.sentences import say
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
 
 # Titles in English, Russian, Ukrainian, German, French, Spanish, Chinese, case folded.
 _TITLES = {

@@ -6,7 +6,7 @@ Enters: nothing.  Leaves: the sizes of everything that is read; `Refused`.  Used
 from __future__ import annotations
 
 from coursework.grading.contents import Trouble
-from coursework.sentences import say
+from coursework.words.sentences import say
 
 FILE_BYTES = 4 * 1024 * 1024
 INFLATED_BYTES = 20 * 1024 * 1024

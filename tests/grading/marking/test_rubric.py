@@ -3,8 +3,8 @@
 import pytest
 
 import coursework
-from coursework.errors import InputError
 from coursework.grading.marking.rubric import Rubric, check_rubric, read_rubric
+from coursework.words.errors import InputError
 
 
 def test_an_empty_file_is_the_default():

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from coursework.line_ends import KEPT, LONGEST, line_groups, marked
+from coursework.words.line_ends import KEPT, LONGEST, line_groups, marked
 
 
 def kept(sentence: str) -> list[str]:

@@ -8,10 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    from coursework.sentences import Sentence
+from coursework.words.sentence import Sentence
 
 MOST_SHOWN = 100  # faults written out; whoever has more has another file in mind
 
@@ -85,7 +84,7 @@ class InputError(CourseworkError):
     >>> coursework.solve("31", step=-0.02)
     Traceback (most recent call last):
         ...
-    coursework.errors.InputError: C008 the step must be greater than 0, found -0.02 s.
+    coursework.words.errors.InputError: C008 the step must be greater than 0, found -0.02 s.
     """
 
 
@@ -100,7 +99,7 @@ class OutputError(CourseworkError):
     >>> coursework.write_report(coursework.solve("31"), "report.docx")
     Traceback (most recent call last):
         ...
-    coursework.errors.OutputError: W011 report.docx  a report ends in .html or .pdf (found .docx).
+    coursework.words.errors.OutputError: W011 report.docx  a report ends in .html or .pdf (found .docx).
     """
 
 

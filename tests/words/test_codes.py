@@ -10,10 +10,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import coursework
-from coursework.errors import Fault
-from coursework.sentences import say
+from coursework.words.errors import Fault
+from coursework.words.sentences import say
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 WORDS = tomllib.loads((ROOT / "reports" / "words.en.toml").read_text(encoding="utf-8"))
 CODE = re.compile(r"[A-Z]\d{3}")
 # Whoever makes one of these tells a user something.

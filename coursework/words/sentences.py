@@ -12,13 +12,11 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from coursework.data import REPORTS, folder, folder_of_package
-from coursework.errors import InputError
-
-if TYPE_CHECKING:
-    from coursework.schemes import Scheme
+from coursework.words.data_folders import REPORTS, folder, folder_of_package
+from coursework.words.errors import InputError
+from coursework.words.sentence import Sentence
 
 ENGLISH = "en"
 # Name of a rule -> the form beside a whole number; "other" serves for a number that is not whole and for what the words file
@@ -38,27 +36,6 @@ _SPACE = "\ue00f"
 _WIDE, _STOPS = "\u3000-\u303f\u3400-\u9fff\uff00-\uff65", "、。，；：！？（）"
 _NO_SPACE = re.compile(f"(?<=[{_WIDE}]){_SPACE}(?=[{_WIDE}])|(?<=[{_STOPS}]){_SPACE}|{_SPACE}(?=[{_STOPS}])")
 FORMS = frozenset({"one", "few", "many", "other"})
-
-
-class Sentence(str):
-    """English text with its `key` and `values`; values may be numbers, texts, sentences, or tuples that become a list."""
-
-    key: str
-    values: Mapping[str, object]
-
-    def __new__(cls, text: str, key: str, values: Mapping[str, object]) -> Sentence:
-        """Return the text with what it was made of."""
-        made = super().__new__(cls, text)
-        made.key, made.values = key, values
-        return made
-
-    def plain(self) -> dict[str, Any]:
-        """Return the values for a JSON file; a sentence among them is its text, what is neither text nor number as text."""
-        return {name: _plain(value) for name, value in self.values.items()}
-
-    def __getnewargs__(self) -> tuple[str, str, Mapping[str, object]]:  # type: ignore[override]
-        """Return what a copy in another process is made from."""
-        return str(self), self.key, self.values
 
 
 @dataclass(frozen=True, slots=True)
@@ -245,12 +222,6 @@ def either(words: Sequence[str]) -> str:
     return say("join.either", first=joined(first, "join.comma"), last=last) if first else last
 
 
-def title_of(scheme: Scheme) -> Sentence:
-    """Return what a scheme is called: by its record, or where a words file says so by the key `scheme.NAME`."""
-    key = f"scheme.{scheme.name}"
-    return say(key) if load_phrases().has(key) else Sentence(scheme.title, key, {})
-
-
 def say_count(key: str, number: int, /, **values: object) -> Sentence:
     """Return the finding in the form that stands beside a number ("key.one", "key.other" …), with {number}."""
     return say(key, number=number, **values)
@@ -268,9 +239,3 @@ def unfolded(text: str) -> str:
 
 def _closed_up(text: str) -> str:
     return _NO_SPACE.sub("", text).replace(_SPACE, " ") if _SPACE in text else text
-
-
-def _plain(value: object) -> Any:
-    if isinstance(value, (list, tuple)):
-        return [_plain(part) for part in value]
-    return value if isinstance(value, (int, float)) else str(value)

@@ -1,7 +1,7 @@
 """Where the files that are no code lie: the variants and the looks of a page.
 
 Enters: the name of a folder.  Leaves: a path.  Any floor may ask.
-Used by `catalogue.py`, `own_pieces.py`, `page_text.py`, `sentences.py`, `assigning/` and `commands/`.
+Used by `catalogue.py`, `custom_templates.py`, `templates.py`, `sentences.py`, `assigning/` and `commands/`.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from functools import cache
 from pathlib import Path
 
 REPORTS = "reports"
-standing_in: list[Path] = []  # an instructor's own pieces of `reports/`, the innermost last (`own_pieces.py`)
+standing_in: list[Path] = []  # an instructor's own pieces of `reports/`, the innermost last (`custom_templates.py`)
 
 
 def folder(name: str) -> Path:
@@ -24,7 +24,7 @@ def folder(name: str) -> Path:
 @cache
 def folder_of_package(name: str) -> Path:
     """Return the folder `name` as it came with the package.  Raises `FileNotFoundError` as `folder` does."""
-    package = Path(__file__).resolve().parent
+    package = Path(__file__).resolve().parents[1]
     for place in (package / name, package.parent / name):
         if place.is_dir():
             return place

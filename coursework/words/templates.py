@@ -12,11 +12,11 @@ from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from coursework.data import folder
-from coursework.errors import CourseworkError, Fault, InputError
-from coursework.line_ends import HAN, line_groups
-from coursework.own_pieces import line_in_pieces, pieces_in_use
-from coursework.sentences import say
+from coursework.words.custom_templates import line_in_templates, templates_in_use
+from coursework.words.data_folders import folder
+from coursework.words.errors import CourseworkError, Fault, InputError
+from coursework.words.line_ends import HAN, line_groups
+from coursework.words.sentences import say
 
 if TYPE_CHECKING:
     from jinja2 import Template
@@ -42,9 +42,9 @@ def filled(name: str, /, **content: Any) -> str:
     except CourseworkError:
         raise
     except Exception as error:
-        place = line_in_pieces(error)
+        place = line_in_templates(error)
         if not place and isinstance(error, TemplateError):  # what another template misses in an own one
-            place = (", ".join(name for name in pieces_in_use() if name.endswith(".j2")), 0)
+            place = (", ".join(name for name in templates_in_use() if name.endswith(".j2")), 0)
         if not place or not place[0]:
             raise
         raise InputError([failing_piece(*place, str(error))]) from error

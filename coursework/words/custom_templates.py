@@ -1,7 +1,7 @@
 """An instructor's own pieces of `reports/`, standing before those of the package of the same name.
 
 Enters: a folder of own pieces, or their content from another process.  Leaves: contexts in which they stand in; their stamp.
-Used by `commands/`, `grading/batch/`, `output/`, `page_text.py` and `report/`.
+Used by `commands/`, `grading/batch/`, `output/`, `templates.py` and `report/`.
 """
 
 from __future__ import annotations
@@ -13,13 +13,13 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
-from coursework.data import REPORTS, folder_of_package, standing_in
+from coursework.words.data_folders import REPORTS, folder_of_package, standing_in
 
 PACKAGE = "package"  # in the names that own templates extend or import
 
 
 @contextmanager
-def own_pieces(own: Path | None) -> Iterator[None]:
+def templates_of(own: Path | None) -> Iterator[None]:
     """Let the files of a folder stand before those of `reports/` of the same name; what it does not have stays as it is.
 
     Templates include each other by name, and Typst reads from one folder only, so both are laid together for as long as this
@@ -33,7 +33,7 @@ def own_pieces(own: Path | None) -> Iterator[None]:
         together = Path(place) / REPORTS
         shutil.copytree(folder_of_package(REPORTS), together)
         shutil.copytree(folder_of_package(REPORTS), together / PACKAGE)
-        for path in pieces_in(own):
+        for path in templates_in(own):
             target = together / path.relative_to(own)
             target.parent.mkdir(exist_ok=True)
             shutil.copyfile(path, target)
@@ -44,18 +44,18 @@ def own_pieces(own: Path | None) -> Iterator[None]:
             standing_in.remove(together)
 
 
-def pieces_in(own: Path) -> list[Path]:
+def templates_in(own: Path) -> list[Path]:
     """Return the files of a folder of own pieces, and of the folders in it that `reports/` has too."""
     parts = [own, *(own / part.name for part in sorted(folder_of_package(REPORTS).iterdir()) if part.is_dir())]
     return sorted(path for part in parts if part.is_dir() for path in part.iterdir() if path.is_file())
 
 
-def pieces_in_use() -> dict[str, bytes]:
+def templates_in_use() -> dict[str, bytes]:
     """Return the own pieces that stand in now, by name: what another process or machine needs to write the same pages."""
     if not standing_in:
         return {}
     together, package = standing_in[-1], folder_of_package(REPORTS)
-    found = {path.relative_to(together).as_posix(): path.read_bytes() for path in pieces_in(together)}
+    found = {path.relative_to(together).as_posix(): path.read_bytes() for path in templates_in(together)}
     return {
         name: content
         for name, content in found.items()
@@ -63,9 +63,9 @@ def pieces_in_use() -> dict[str, bytes]:
     }
 
 
-def line_in_pieces(error: BaseException) -> tuple[str, int] | None:
+def line_in_templates(error: BaseException) -> tuple[str, int] | None:
     """Return the own piece in use, and its line, where an error arose or through which it came; None for any other error."""
-    found, own, trace = None, pieces_in_use(), error.__traceback__
+    found, own, trace = None, templates_in_use(), error.__traceback__
     while trace is not None:
         path = Path(trace.tb_frame.f_code.co_filename)
         name = path.relative_to(standing_in[-1]).as_posix() if own and path.is_relative_to(standing_in[-1]) else ""
@@ -75,8 +75,8 @@ def line_in_pieces(error: BaseException) -> tuple[str, int] | None:
 
 
 @contextmanager
-def pieces_standing_in(pieces: Mapping[str, bytes]) -> Iterator[None]:
-    """Let pieces that `pieces_in_use` gave in another process stand in here."""
+def templates_standing_in(pieces: Mapping[str, bytes]) -> Iterator[None]:
+    """Let pieces that `templates_in_use` gave in another process stand in here."""
     if not pieces:
         yield
         return
@@ -85,14 +85,14 @@ def pieces_standing_in(pieces: Mapping[str, bytes]) -> Iterator[None]:
             target = Path(place) / name
             target.parent.mkdir(exist_ok=True)
             target.write_bytes(content)
-        with own_pieces(Path(place)):
+        with templates_of(Path(place)):
             yield
 
 
-def stamp_of_pieces() -> str:
+def stamp_of_templates() -> str:
     """Return a hash of the own pieces in use, "" without any: what is written with others is another page."""
     digest = hashlib.sha256()
-    pieces = pieces_in_use()
+    pieces = templates_in_use()
     for name, content in sorted(pieces.items()):
         digest.update(name.encode() + b"\0" + content)
     return digest.hexdigest() if pieces else ""

@@ -1,0 +1,37 @@
+"""One finding as a text that still knows what it was made of.
+
+Enters: English text, its key in the words files, the values it speaks about.  Leaves: `Sentence`.
+Used by `errors.py`, which carries it, and `sentences.py`, which makes it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+
+class Sentence(str):
+    """English text with its `key` and `values`; values may be numbers, texts, sentences, or tuples that become a list."""
+
+    key: str
+    values: Mapping[str, object]
+
+    def __new__(cls, text: str, key: str, values: Mapping[str, object]) -> Sentence:
+        """Return the text with what it was made of."""
+        made = super().__new__(cls, text)
+        made.key, made.values = key, values
+        return made
+
+    def plain(self) -> dict[str, Any]:
+        """Return the values for a JSON file; a sentence among them is its text, what is neither text nor number as text."""
+        return {name: _plain(value) for name, value in self.values.items()}
+
+    def __getnewargs__(self) -> tuple[str, str, Mapping[str, object]]:  # type: ignore[override]
+        """Return what a copy in another process is made from."""
+        return str(self), self.key, self.values
+
+
+def _plain(value: object) -> Any:
+    if isinstance(value, (list, tuple)):
+        return [_plain(part) for part in value]
+    return value if isinstance(value, (int, float)) else str(value)
