@@ -27,7 +27,7 @@ from coursework.options import (
     spoken,
     templates,
 )
-from coursework.standard_streams import patient_streams
+from coursework.system.standard_streams import patient_streams
 from coursework.words.errors import CourseworkError
 
 PASSED, FAILED, WRONG_INPUT, OUR_FAULT, INTERRUPTED = 0, 1, 2, 3, 130
@@ -144,9 +144,9 @@ def run_command(variants: tuple[str, ...], **options: Any) -> int:
 @spoken(passed_on=True)
 def animate_command(variant: str, out: Path | None, scheme: str | None, budget: float, memory: float, language: str) -> int:
     """Write VARIANT in motion as one animated picture, the true mechanism beside that of the table."""
-    from coursework.budget import Budget, watched
     from coursework.commands.animate import animate_variant
     from coursework.commands.screen import tell_last
+    from coursework.system.budget import Budget, watched
 
     with watched(Budget(budget, memory), variant, tell_last):
         return animate_variant(variant, out, scheme, language)
@@ -158,9 +158,9 @@ def animate_command(variant: str, out: Path | None, scheme: str | None, budget: 
 @spoken(passed_on=False)
 def check_command(variant: str, budget: float, memory: float) -> int:
     """Look at VARIANT: its faults, mobility, blocks, and whether the whole motion is possible."""
-    from coursework.budget import Budget, watched
     from coursework.commands.check import check_variant
     from coursework.commands.screen import tell_last
+    from coursework.system.budget import Budget, watched
 
     with watched(Budget(budget, memory), variant, tell_last):
         return check_variant(variant)
@@ -202,9 +202,9 @@ def accuracy_command(
     variant: str, out: Path | None, formats: tuple[str, ...] | None, budget: float, memory: float, language: str
 ) -> int:
     """Show what accuracy costs in time for VARIANT."""
-    from coursework.budget import Budget, watched
     from coursework.commands.accuracy import accuracy_page
     from coursework.commands.screen import tell_last
+    from coursework.system.budget import Budget, watched
 
     with watched(Budget(budget, memory), variant, tell_last):
         return accuracy_page(variant, out, formats, language)

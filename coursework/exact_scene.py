@@ -13,12 +13,12 @@ import numpy as np
 
 from coursework.geometry.chain import is_chain
 from coursework.geometry.drive import refuse_aliasing
-from coursework.graph import computed
 from coursework.integration.motion import Motion
 from coursework.motion_results import MotionResults
 from coursework.scene import Scene
 from coursework.schemes import DEFAULT_SCHEME, EXACT, PRECISE
 from coursework.settings import Settings
+from coursework.system.on_demand import computed
 from coursework.variant.record import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.graph import Ledger, computed
 from coursework.integration.motion import Motion
 from coursework.schemes import SCHEMES, scheme_names
+from coursework.system.on_demand import Ledger, computed
 
 if TYPE_CHECKING:
     from coursework.checks.evidence import Evidence

@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
 
 import numpy as np
 
-from coursework.graph import Computed, computed, needs_of
 from coursework.integration.motion import Motion
 from coursework.motion_results import MotionResults, Named
 from coursework.scene import Scene
+from coursework.system.on_demand import Computed, computed, needs_of
 from coursework.variant.record import Variant
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say

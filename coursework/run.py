@@ -15,7 +15,6 @@ import numpy as np
 
 from coursework import asked
 from coursework.codegen.programs import SYMPY_VERSION
-from coursework.graph import Plan, make_plan
 from coursework.integration.motion import Motion, Stop
 from coursework.motion_results import MotionResults
 from coursework.quantities import (
@@ -32,6 +31,7 @@ from coursework.reduction.solution import ShownEquation, Solution, shown_equatio
 from coursework.scene import Scene
 from coursework.schemes import SCHEMES, Scheme, title_of
 from coursework.settings import Settings
+from coursework.system.on_demand import Plan, make_plan
 from coursework.variant.record import Variant
 from coursework.words.errors import visible
 from coursework.words.sentences import say

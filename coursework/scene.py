@@ -22,7 +22,6 @@ from coursework.geometry.closure import Closure, compile_closure, require_start
 from coursework.geometry.drive import breaks, refuse_aliasing, refuse_endless, refuse_short_tables
 from coursework.geometry.oscillation import fastest
 from coursework.geometry.start import start_values
-from coursework.graph import Ledger, computed
 from coursework.integration.exact_motion import NoVelocities, exact_motion, no_rows, passing_motion
 from coursework.integration.following import NotReached
 from coursework.integration.integrate import Correction, march
@@ -41,6 +40,7 @@ from coursework.singular.event import Event, NotFollowed
 from coursework.singular.explain import explain, explain_passage
 from coursework.singular.scaled_flow import Flow, compile_flow
 from coursework.singular.search import Search, search_event
+from coursework.system.on_demand import Ledger, computed
 from coursework.variant.bounds import refuse_unbounded
 from coursework.variant.no_value import law_without_value, without_value
 from coursework.variant.record import Variant, whole_steps

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import coursework
-from coursework import files
+from coursework.system import whole_files
 from tests.test_cli import QUICK, call, process
 
 pytestmark = pytest.mark.usefixtures("folder")
@@ -135,7 +135,9 @@ def test_a_disk_that_says_no_leaves_what_was_there(moment, number, sentence, fol
         raise OSError(number, os.strerror(number))
 
     with monkeypatch.context() as patch:
-        patch.setattr(*{"fsync": (files.os, "fsync"), "replace": (Path, "replace"), "mkdir": (Path, "mkdir")}[moment], refuse)
+        patch.setattr(
+            *{"fsync": (whole_files.os, "fsync"), "replace": (Path, "replace"), "mkdir": (Path, "mkdir")}[moment], refuse
+        )
         result = call("run", "31", "--out", "o", *QUICK)
     assert result.exit_code == 2
     refused = Path("o") if moment == "mkdir" else Path("o", "table.csv")
@@ -148,7 +150,7 @@ def test_an_interrupt_leaves_nothing_half_written(folder, monkeypatch):
     def interrupt(_number):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(files.os, "fsync", interrupt)
+    monkeypatch.setattr(whole_files.os, "fsync", interrupt)
     with pytest.raises(KeyboardInterrupt):
-        files.write_bytes(folder / "table.csv", b"x")
+        whole_files.write_bytes(folder / "table.csv", b"x")
     assert list(folder.iterdir()) == []

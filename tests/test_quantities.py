@@ -14,12 +14,12 @@ import coursework
 from coursework import quantities
 from coursework.cli import main
 from coursework.drawing.record import Drawing
-from coursework.graph import computed
 from coursework.kinematics.extra import ExtraTable
 from coursework.quantities import QUANTITIES, Columns, OwnFigure, OwnSection, OwnTable, Quantity
 from coursework.report import build_model, sections
 from coursework.report.parts import Paragraph
 from coursework.report.sections import APPENDIX, NUMBERED, PAPER
+from coursework.system.on_demand import computed
 from coursework.variant.record import Variant
 from coursework.words.data_folders import folder
 from coursework.words.sentences import say

@@ -21,11 +21,11 @@ from coursework.assigning.page_words import Plain
 from coursework.assigning.ranges import MEASURES
 from coursework.assigning.sheet import sheet, sheet_html, sheets_pdf
 from coursework.assigning.variants import Assignment
-from coursework.files import refused, write_bytes
 from coursework.grading.escapes import csv_text
 from coursework.grading.platforms.roster import Roster
 from coursework.report.words import Words
 from coursework.scene import Scene
+from coursework.system.whole_files import refused, write_bytes
 
 ROSTER, CLASS, PDF = "roster.csv", "class.html", "sheets.pdf"
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from coursework.api import load, solve
 from coursework.commands.screen import tell
-from coursework.files import write_bytes
+from coursework.system.whole_files import write_bytes
 from coursework.words.sentences import load_phrases, say
 
 FRAMES_A_ROW = 2

@@ -14,8 +14,8 @@ from pathlib import Path
 from coursework.api import load
 from coursework.catalogue import find, names
 from coursework.commands.screen import tell
-from coursework.files import write_bytes
 from coursework.model.variant_text import variant_text
+from coursework.system.whole_files import write_bytes
 from coursework.variant.set_values import with_set
 from coursework.words.data_folders import folder
 from coursework.words.errors import InputError

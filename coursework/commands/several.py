@@ -21,19 +21,19 @@ from typing import Any, get_args
 import click
 
 from coursework.api import load
-from coursework.budget import Budget, watched
 from coursework.catalogue import find
 from coursework.checks.result import Verdict
 from coursework.commands.run import make_run, run_variant, step_of
 from coursework.commands.screen import in_language, tell, tell_last
 from coursework.commands.templates import with_templates
 from coursework.commands.workers import outcomes
-from coursework.file_set import clear_leftovers, working_folder
-from coursework.files import write_bytes
 from coursework.output.formats import PAGES, chosen
 from coursework.output.results import Results
 from coursework.output.write import write_set
 from coursework.quantities import CHECKS
+from coursework.system.budget import Budget, watched
+from coursework.system.file_set import clear_leftovers, working_folder
+from coursework.system.whole_files import write_bytes
 from coursework.variant.set_values import with_set
 from coursework.words.errors import CourseworkError, InputError
 from coursework.words.sentences import joined, load_phrases, say

@@ -9,11 +9,11 @@ from collections.abc import Iterable
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from coursework.graph import under_way
 from coursework.output.gate import pass_gate
 from coursework.output.record import record, stamp_of, study_record
 from coursework.output.tables import run_tables, study_csv
 from coursework.run import Run
+from coursework.system.on_demand import under_way
 
 if TYPE_CHECKING:
     from coursework.report.model import ReportModel

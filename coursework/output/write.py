@@ -10,12 +10,12 @@ import hashlib
 from collections.abc import Sequence
 from pathlib import Path
 
-from coursework.file_set import publish
-from coursework.files import refused, write_bytes, write_through
 from coursework.output.formats import PAGES, Format, formats_for
 from coursework.output.record import as_json
 from coursework.output.results import Results
 from coursework.run import Run
+from coursework.system.file_set import publish
+from coursework.system.whole_files import refused, write_bytes, write_through
 from coursework.words.errors import Fault, OutputError
 from coursework.words.sentences import either, say
 

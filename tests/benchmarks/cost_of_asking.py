@@ -11,9 +11,9 @@ from collections.abc import Callable
 from pathlib import Path
 
 import coursework
-from coursework.files import write_bytes
 from coursework.output.tables import table_csv
 from coursework.reduction.structure import forget_structures
+from coursework.system.whole_files import write_bytes
 
 
 def _write(quantities: list[str], *kinds: str) -> None:

@@ -4,10 +4,10 @@ import random
 import re
 
 import coursework
-from coursework.file_set import working_folder
 from coursework.output.formats import chosen
 from coursework.output.results import Results
 from coursework.output.write import write_set
+from coursework.system.file_set import working_folder
 from coursework.words.data_folders import folder
 from tests.benchmarks import test_march as march
 from tests.benchmarks.timer import ROUNDS, spent

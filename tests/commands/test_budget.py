@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from coursework import budget
-from coursework.budget import Budget, BudgetSpent, memory_held, watched
-from coursework.graph import under_way
+from coursework.system import budget
+from coursework.system.budget import Budget, BudgetSpent, memory_held, watched
+from coursework.system.on_demand import under_way
 from tests.command import call
 
 pytestmark = pytest.mark.usefixtures("folder")
@@ -74,8 +74,8 @@ def test_memory_held_is_that_of_the_process():
 DEAF = """
 import sys, time
 from pathlib import Path
-from coursework import budget
-from coursework.file_set import working_folder
+from coursework.system import budget
+from coursework.system.file_set import working_folder
 budget.GRACE = 0.2
 with budget.watched(budget.Budget(0.1, 1000), "31.toml"), working_folder(Path("o")) as hidden:
     (hidden / "half").touch()

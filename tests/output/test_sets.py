@@ -13,9 +13,9 @@ import pymupdf
 import pytest
 
 import coursework
-from coursework import file_set
-from coursework.file_set import files_of, publish, working_folder
 from coursework.output.record import stamp_of
+from coursework.system import file_set
+from coursework.system.file_set import files_of, publish, working_folder
 from coursework.words.errors import OutputError
 from tests.command import call
 

@@ -11,7 +11,6 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from coursework.files import write_bytes
 from coursework.grading.batch.class_list import ClassList
 from coursework.grading.batch.decisions import Override
 from coursework.grading.batch.journal import Entry, Journal
@@ -20,6 +19,7 @@ from coursework.grading.batch.work import REASONS, Outcome, Setup
 from coursework.grading.batch.workers import Keyed, in_threads, on_cluster
 from coursework.grading.handed_in import Source
 from coursework.grading.names import file_stem
+from coursework.system.whole_files import write_bytes
 
 MOST_JOBS = 8
 PAGES = "feedback"

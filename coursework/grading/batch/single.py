@@ -9,9 +9,9 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from coursework.files import write_bytes
 from coursework.grading.marking.rubric import PARTS
 from coursework.grading.platforms.autograder import Outcome, PartOutcome, gradescope, prairielearn, results_json
+from coursework.system.whole_files import write_bytes
 from coursework.words.sentences import Phrases, load_phrases
 
 PLATFORMS = {"gradescope": gradescope, "prairielearn": prairielearn}

@@ -13,7 +13,6 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from coursework.files import write_bytes
 from coursework.grading.batch.class_list import ClassList, Place
 from coursework.grading.batch.gradebook import Change, Graded, page_name
 from coursework.grading.escapes import csv_text
@@ -23,6 +22,7 @@ from coursework.grading.pages.class_page import class_page
 from coursework.grading.platforms.canvas import Gradebook
 from coursework.grading.platforms.feedback_zip import feedback_zip
 from coursework.grading.platforms.worksheet import Worksheet
+from coursework.system.whole_files import write_bytes
 from coursework.words.sentences import ENGLISH, Phrases, load_phrases
 
 COLUMNS = (

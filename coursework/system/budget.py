@@ -21,8 +21,8 @@ from dataclasses import dataclass
 from types import FrameType
 from typing import Any
 
-from coursework.file_set import discard_all
-from coursework.graph import UNDER_WAY
+from coursework.system.file_set import discard_all
+from coursework.system.on_demand import UNDER_WAY
 from coursework.words.errors import CourseworkError, Fault
 from coursework.words.sentences import load_phrases, say
 

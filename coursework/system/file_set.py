@@ -17,7 +17,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import IO
 
-from coursework.files import refused
+from coursework.system.whole_files import refused
 from coursework.words.errors import Fault, OutputError
 from coursework.words.sentences import say
 
