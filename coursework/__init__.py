@@ -23,22 +23,26 @@ if TYPE_CHECKING:
     from coursework.output.write import write_report
     from coursework.report import notebook_html
     from coursework.run import Run
-    from coursework.variant.reader import parse_variant
-    from coursework.variant.record import Variant
+    from coursework.variant.reading.reader import parse_variant
+    from coursework.variant.record.variant import Variant
     from coursework.words.errors import CourseworkError, InputError, OutputError
 
 __version__ = "1.0.0"
 
 _HOMES = {
-    "load": "coursework.api", "solve": "coursework.api", "exact": "coursework.api", "compile_model": "coursework.api",
-    "solve_many": "coursework.many", "feasible": "coursework.many", "feasible_many": "coursework.many",
-    "draw": "coursework.assigning.variants", "draw_many": "coursework.assigning.variants",
-    "Solutions": "coursework.many", "Model": "coursework.model.model", "Data": "coursework.model.data", "Run": "coursework.run",
-    "write_report": "coursework.output.write", "notebook_html": "coursework.report", "Variant": "coursework.variant.record",
-    "parse_variant": "coursework.variant.reader",
-    "CourseworkError": "coursework.words.errors", "InputError": "coursework.words.errors",
-    "OutputError": "coursework.words.errors",
-}  # fmt: skip
+    "coursework.api": ("load", "solve", "exact", "compile_model"),
+    "coursework.many": ("solve_many", "feasible", "feasible_many", "Solutions"),
+    "coursework.run": ("Run",),
+    "coursework.assigning.variants": ("draw", "draw_many"),
+    "coursework.model.model": ("Model",),
+    "coursework.model.data": ("Data",),
+    "coursework.output.write": ("write_report",),
+    "coursework.report": ("notebook_html",),
+    "coursework.variant.record.variant": ("Variant",),
+    "coursework.variant.reading.reader": ("parse_variant",),
+    "coursework.words.errors": ("CourseworkError", "InputError", "OutputError"),
+}
+_HOME_OF = {name: module for module, names in _HOMES.items() for name in names}
 
 __all__ = [
     "CourseworkError", "Data", "InputError", "Model", "OutputError", "Run", "Solutions", "Variant", "compile_model", "draw",
@@ -48,8 +52,8 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    if name in _HOMES:
-        return getattr(import_module(_HOMES[name]), name)
+    if name in _HOME_OF:
+        return getattr(import_module(_HOME_OF[name]), name)
     if name == "groups":
         return import_module("coursework.groups")
     raise AttributeError(f"module 'coursework' has no attribute '{name}'")

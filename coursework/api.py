@@ -13,14 +13,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from coursework.asked import gather
-from coursework.catalogue import find
 from coursework.exact_scene import scene_of
 from coursework.model.model import Model, model_of
 from coursework.quantities import TABLE, known_quantities, quantities_for
 from coursework.run import Run
 from coursework.settings import Settings, scheme_for
-from coursework.variant.reader import read_variant
-from coursework.variant.record import MAX_ROWS, Variant
+from coursework.variant.catalogue import find
+from coursework.variant.reading.reader import read_variant
+from coursework.variant.record.variant import MAX_ROWS, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, say

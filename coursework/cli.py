@@ -170,7 +170,7 @@ def check_command(variant: str, budget: float, memory: float) -> int:
 @spoken(passed_on=True)
 def variants_command(language: str) -> int:
     """List the catalogue."""
-    from coursework.catalogue import entries
+    from coursework.variant.catalogue import entries
 
     for entry in entries(language):
         click.echo(f"{entry.name:<22} {entry.title}")

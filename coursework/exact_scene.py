@@ -16,10 +16,11 @@ from coursework.geometry.drive import refuse_aliasing
 from coursework.integration.motion import Motion
 from coursework.motion_results import MotionResults
 from coursework.scene import Scene
-from coursework.schemes import DEFAULT_SCHEME, EXACT, PRECISE
+from coursework.schemes import DEFAULT_SCHEME, PRECISE
 from coursework.settings import Settings
 from coursework.system.on_demand import computed
-from coursework.variant.record import Variant
+from coursework.variant.record.variant import Variant
+from coursework.variant.record.vocabulary import EXACT
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 

@@ -11,9 +11,10 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
-from coursework.formula.tree import Formula
+from coursework.groups import group_kind
 from coursework.groups.joint import PIN_IN_GUIDE, PRISMATIC, REVOLUTE, ROLLING, Joint
-from coursework.variant.record import Group, Variant
+from coursework.variant.formula.tree import Formula
+from coursework.variant.record.variant import Group, Variant
 
 FRAME = "0"
 
@@ -112,8 +113,10 @@ def chain_of_groups(variant: Variant, points: Mapping[str, Formula]) -> Linkage:
     for group in variant.groups:
         own = [next(numbers) for _ in group.coordinates]
         outer = [_carrier(formula, carried, points) for formula in group.start_points]
-        joints += group.kind.joints(group, outer, [_guide(group, i, carried, points) for i in range(len(group.guides))], own)
-        for coordinate_name, index in reversed([*zip(group.coordinates, group.kind.carries, strict=True)]):
+        joints += group_kind(group.kind).joints(
+            group, outer, [_guide(group, i, carried, points) for i in range(len(group.guides))], own
+        )
+        for coordinate_name, index in reversed([*zip(group.coordinates, group_kind(group.kind).carries, strict=True)]):
             carried[coordinate_name] = own[index]
     holds: dict[str, list[str]] = {body: [] for body in carried.values()}
     for name, formula in points.items():

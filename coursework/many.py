@@ -27,7 +27,7 @@ from coursework.model.sets import prepare
 from coursework.scene import Scene
 from coursework.schemes import SCHEMES
 from coursework.settings import Settings, scheme_for
-from coursework.variant.record import Variant
+from coursework.variant.record.variant import Variant
 from coursework.words.errors import CourseworkError, InputError
 from coursework.words.sentences import joined, say
 

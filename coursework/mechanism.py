@@ -10,9 +10,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from graphlib import CycleError, TopologicalSorter
 
-from coursework.formula.tree import Formula
+from coursework.groups import group_kind
 from coursework.joints import Linkage, Mobility, linkage
-from coursework.variant.record import Constraint, Group, Variant
+from coursework.variant.formula.tree import Formula
+from coursework.variant.record.variant import Constraint, Group, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
@@ -49,7 +50,7 @@ def build(variant: Variant) -> Mechanism:
         if late := _later(group, written, known | set(group.coordinates), variant):
             raise _fault(
                 variant,
-                say("fault.V341", number=index, kind=group.kind.name, late=late),
+                say("fault.V341", number=index, kind=group.kind, late=late),
                 group.line,
             )
         known.update(group.coordinates)
@@ -73,15 +74,15 @@ def _fault(variant: Variant, message: Sentence, line: int = 0) -> InputError:
 def _as_closure(group: Group, index: int, variant: Variant) -> tuple[Constraint | None, Formula | None]:
     """Return the vector closure of a group and the formula of the point it meets in."""
     _check_shape(group, index, variant)
-    sides, met = group.kind.closure(group)
+    sides, met = group_kind(group.kind).closure(group)
     if not sides:
         return None, met
-    because = say("equation.closes", kind=group.kind.name, number=index)
+    because = say("equation.closes", kind=group.kind, number=index)
     return Constraint(f"G{index}", because, sides[0], sides[1], True, group.line), met
 
 
 def _check_shape(group: Group, index: int, variant: Variant) -> None:
-    shape = group.kind.shape
+    shape = group_kind(group.kind).shape
     wrong = [
         say(f"fault.shape.{what}", wanted=wanted, found=found)
         for wanted, what, found, right in (
@@ -93,10 +94,10 @@ def _check_shape(group: Group, index: int, variant: Variant) -> None:
         if not right
     ]
     if wrong:
-        raise _fault(variant, say("fault.V343", number=index, kind=group.kind.name, wanted=tuple(wrong)), group.line)
+        raise _fault(variant, say("fault.V343", number=index, kind=group.kind, wanted=tuple(wrong)), group.line)
     rate = next(c.rate for c in variant.coordinates if c.name == group.coordinates[0])
-    if group.kind.driven and rate not in variant.known_rates:
-        raise _fault(variant, say("fault.V344", number=index, kind=group.kind.name, rate=rate), group.line)
+    if group_kind(group.kind).driven and rate not in variant.known_rates:
+        raise _fault(variant, say("fault.V344", number=index, kind=group.kind, rate=rate), group.line)
 
 
 def _later(group: Group, written: dict[str, Formula], known: set[str], variant: Variant) -> str:

@@ -13,8 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.integration.motion import Motion
-from coursework.schemes import SCHEMES, scheme_names
+from coursework.schemes import SCHEMES
 from coursework.system.on_demand import Ledger, computed
+from coursework.variant.record.vocabulary import scheme_names
 
 if TYPE_CHECKING:
     from coursework.checks.evidence import Evidence

@@ -54,7 +54,7 @@ class SchemeOption(click.Option):
     """An option whose help lists the schemes; they are looked up when somebody asks for help."""
 
     def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
-        from coursework.schemes import scheme_names
+        from coursework.variant.record.vocabulary import scheme_names
 
         self.help = f"{', '.join(scheme_names())} (default: that of the file)."
         return super().get_help_record(ctx)

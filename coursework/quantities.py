@@ -19,7 +19,7 @@ from coursework.integration.motion import Motion
 from coursework.motion_results import MotionResults, Named
 from coursework.scene import Scene
 from coursework.system.on_demand import Computed, computed, needs_of
-from coursework.variant.record import Variant
+from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 

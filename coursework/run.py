@@ -32,7 +32,7 @@ from coursework.scene import Scene
 from coursework.schemes import SCHEMES, Scheme, title_of
 from coursework.settings import Settings
 from coursework.system.on_demand import Plan, make_plan
-from coursework.variant.record import Variant
+from coursework.variant.record.variant import Variant
 from coursework.words.errors import visible
 from coursework.words.sentences import say
 

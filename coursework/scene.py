@@ -41,9 +41,9 @@ from coursework.singular.explain import explain, explain_passage
 from coursework.singular.scaled_flow import Flow, compile_flow
 from coursework.singular.search import Search, search_event
 from coursework.system.on_demand import Ledger, computed
-from coursework.variant.bounds import refuse_unbounded
-from coursework.variant.no_value import law_without_value, without_value
-from coursework.variant.record import Variant, whole_steps
+from coursework.variant.judging.bounds import refuse_unbounded
+from coursework.variant.record.no_value import law_without_value, without_value
+from coursework.variant.record.variant import Variant, whole_steps
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 

@@ -1,7 +1,8 @@
 """The schemes: explicit Runge-Kutta methods, each one Butcher tableau that is checked when it is made.
 
 Enters: nothing.  Leaves: `SCHEMES`, name -> frozen `Scheme`.  Used by every room that makes steps or names a scheme.
-To add one: write its tableau here and list it in `SCHEMES`.  Step, generated loops, count of slopes, formula on the page,
+To add one: write its tableau here, list it in `SCHEMES`, and name it in
+`variant/record/vocabulary.py`.  Step, generated loops, count of slopes, formula on the page,
 order test, comparison chart and `--scheme` come from the tableau; a words file may translate its title as `scheme.NAME`.
 
 Source: J. C. Butcher, "Numerical Methods for Ordinary Differential Equations", Wiley 2016, chapter 3: a method has order p
@@ -190,8 +191,6 @@ RK4 = Scheme(
 """Four slopes, order 4, the classical scheme.  Common mistake: k3 computed from k1, or the sum divided by 4."""
 
 SCHEMES: dict[str, Scheme] = {scheme.name: scheme for scheme in (EULER, MIDPOINT, HEUN, RALSTON, RK4)}
-# What may stand for a scheme: the motion of the mechanism itself, which no tableau makes.
-EXACT = "exact"
 # What a table is made with where nothing else is said: the scheme of the coursework.
 DEFAULT_SCHEME = EULER
 # What finds a motion to round-off by halving its steps, and what the accuracy study calls the better scheme.
@@ -202,8 +201,3 @@ def title_of(scheme: Scheme) -> Sentence:
     """Return what a scheme is called: by its record, or where a words file says so by the key `scheme.NAME`."""
     key = f"scheme.{scheme.name}"
     return say(key) if load_phrases().has(key) else Sentence(scheme.title, key, {})
-
-
-def scheme_names() -> tuple[str, ...]:
-    """Return every name that `--scheme` and a variant file may give: the schemes, and the exact motion."""
-    return (*SCHEMES, EXACT)

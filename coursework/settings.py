@@ -10,8 +10,9 @@ from dataclasses import dataclass
 
 from coursework.geometry.chain import is_chain
 from coursework.integration.integrate import refuse_gain
-from coursework.schemes import DEFAULT_SCHEME, EXACT, PRECISE, scheme_names
-from coursework.variant.record import Variant
+from coursework.schemes import DEFAULT_SCHEME, PRECISE
+from coursework.variant.record.variant import Variant
+from coursework.variant.record.vocabulary import EXACT, scheme_names
 from coursework.words.errors import InputError
 from coursework.words.sentences import closest, say
 

@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 
 import coursework
-from coursework.catalogue import entries
 from coursework.checks.check import CHECKS
 from coursework.cli import main
+from coursework.variant.catalogue import entries
 from tests.command import call
 
 pytestmark = pytest.mark.usefixtures("folder")

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.catalogue import entries
 from coursework.checks.evidence import worst
 from coursework.report import build_model
-from coursework.schemes import EXACT
-from coursework.variant.reader import parse_variant
+from coursework.variant.catalogue import entries
+from coursework.variant.reading.reader import parse_variant
+from coursework.variant.record.vocabulary import EXACT
 from tests.command import call
 from tests.report.real import text_of
 

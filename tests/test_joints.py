@@ -8,13 +8,14 @@ from pathlib import Path
 import pytest
 
 import coursework
-from coursework.catalogue import names
+from coursework import groups
 from coursework.drawing.tracing import read_outline
-from coursework.groups import GROUPS, joint
+from coursework.groups import GROUPS, group_kind, joint
 from coursework.groups.joint import PRISMATIC, REVOLUTE, Joint, JointKind
 from coursework.joints import FRAME, linkage
 from coursework.mechanism import build
 from coursework.plans.sketch import with_links
+from coursework.variant.catalogue import names
 
 
 def joints(variant):
@@ -79,16 +80,18 @@ DUMMIES = {
 
 
 @pytest.mark.parametrize(("kind", "expected"), DUMMIES.items(), ids=repr)
-def test_a_kind_alone_is_counted_drawn_and_in_the_plans(kind, expected):
+def test_a_kind_alone_is_counted_drawn_and_in_the_plans(kind, expected, monkeypatch):
     """By hand: W = 3·3 - 2·4 = 1, one more where the joint takes one freedom less; a point that both hold is a hinge."""
     variant = replace(coursework.load("example-2"), links=())
     crank, dyad = variant.groups
 
     def ending(*given):
-        *first, last = dyad.kind.joints(*given)
+        *first, last = group_kind(dyad.kind).joints(*given)
         return (*first, Joint(kind, last.bodies, last.where, last.along))
 
-    changed = replace(variant, groups=(crank, replace(dyad, kind=replace(dyad.kind, joints=ending))))
+    other = replace(group_kind(dyad.kind), name="another", joints=ending)
+    monkeypatch.setattr(groups, "GROUPS", (*groups.GROUPS, other))
+    changed = replace(variant, groups=(crank, replace(dyad, kind=other.name)))
     mechanism = build(changed)
     outline, before = read_outline(mechanism), read_outline(build(variant))
     assert (mechanism.mobility.degrees, len(outline.blocks)) == expected

@@ -20,7 +20,7 @@ from coursework.report import build_model, sections
 from coursework.report.parts import Paragraph
 from coursework.report.sections import APPENDIX, NUMBERED, PAPER
 from coursework.system.on_demand import computed
-from coursework.variant.record import Variant
+from coursework.variant.record.variant import Variant
 from coursework.words.data_folders import folder
 from coursework.words.sentences import say
 

@@ -8,7 +8,7 @@ import pytest
 import coursework
 from coursework.integration.loops import generate_loop
 from coursework.schemes import SCHEMES
-from coursework.variant.reader import parse_variant
+from coursework.variant.reading.reader import parse_variant
 
 PAGE = (Path(__file__).parent / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
 WRITTEN = PAGE[: PAGE.index("# --- geometry")]

@@ -18,6 +18,7 @@ from coursework.integration.loops import generate_loop
 from coursework.report import build_model
 from coursework.report.lecture import lines
 from coursework.schemes import SCHEMES, Scheme, _density, _trees
+from coursework.variant.record import vocabulary
 from tests.report.real import text_of
 
 ROOT = Path(__file__).parents[1]
@@ -27,9 +28,11 @@ DUMMY = Scheme("kutta3", "Kutta of order three", (0, HALF, 1), ((), (HALF,), (-1
 ADDED = """
 from fractions import Fraction as F
 from coursework.schemes import SCHEMES, Scheme
+from coursework.variant.record import vocabulary
 half, sixth = F(1, 2), F(1, 6)
 numbers = (0, half, 1), ((), (half,), (-1, 2)), (sixth, 4 * sixth, sixth)
 SCHEMES["kutta3"] = Scheme("kutta3", "Kutta of order three", *numbers, order=3)
+vocabulary.SCHEME_NAMES = (*vocabulary.SCHEME_NAMES, "kutta3")
 from coursework.cli import main
 main()
 """
@@ -38,6 +41,11 @@ main()
 @pytest.fixture
 def added(monkeypatch):
     monkeypatch.setitem(SCHEMES, DUMMY.name, DUMMY)
+    monkeypatch.setattr(vocabulary, "SCHEME_NAMES", (*vocabulary.SCHEME_NAMES, DUMMY.name))
+
+
+def test_a_file_may_name_every_scheme_and_no_other():
+    assert tuple(SCHEMES) == vocabulary.SCHEME_NAMES
 
 
 # ---- what a tableau must satisfy
@@ -188,7 +196,7 @@ def test_no_scheme_is_named_outside_its_file():
     named = re.compile("|".join(rf"\b{re.escape(word)}" for s in SCHEMES.values() for word in (s.name, s.title)), re.IGNORECASE)
     found = []
     for path in (ROOT / "coursework").rglob("*.py"):
-        if path.name != "schemes.py" and path.parent.name != "marking":
+        if path.name not in {"schemes.py", "vocabulary.py"} and path.parent.name != "marking":
             found += [
                 f"{path.name}:{line} {text}"
                 for line, text in _texts_and_names(path)

@@ -12,7 +12,7 @@ import pytest
 
 import coursework
 from coursework.schemes import SCHEMES
-from coursework.variant.reader import parse_variant
+from coursework.variant.reading.reader import parse_variant
 
 REFERENCE = json.loads((Path(__file__).parent / "reference" / "variant31.json").read_text(encoding="utf-8"))
 READING = REFERENCE["readings"]["4.35"]

@@ -20,7 +20,7 @@ from coursework.accuracy.timing import seconds
 from coursework.integration.loops import Loop, generate_loop
 from coursework.integration.rates import Rates
 from coursework.schemes import PRECISE, SCHEMES, Scheme, title_of
-from coursework.variant.record import MAX_ROWS
+from coursework.variant.record.variant import MAX_ROWS
 from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say

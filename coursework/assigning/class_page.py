@@ -14,9 +14,9 @@ from coursework.assigning.page_words import Plain, symbol_runs
 from coursework.assigning.ranges import MEASURES, Range
 from coursework.assigning.spread import BASE, HEIGHT, LEFT, MARK, RIGHT, WIDTH, strip
 from coursework.assigning.variants import Assignment
-from coursework.formula.units import read
 from coursework.report.numbers import unit_text, with_unit
 from coursework.report.words import Words
+from coursework.variant.formula.units import read
 from coursework.words.templates import clean, filled
 
 LONGEST = 120

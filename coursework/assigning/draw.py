@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from coursework.assigning.ranges import Path, Ranges
-from coursework.variant.record import Variant
+from coursework.variant.record.variant import Variant
 
 PILOT = ""  # the id of the stream that sets the centre of difficulty; no student has an empty one
 

@@ -24,7 +24,7 @@ from coursework.report.data_meanings import meanings
 from coursework.scene import Scene
 from coursework.schemes import DEFAULT_SCHEME
 from coursework.settings import Settings
-from coursework.variant.record import Variant
+from coursework.variant.record.variant import Variant
 from coursework.words.errors import InputError
 
 

@@ -28,7 +28,7 @@ from coursework.reduction.magnitude import largest
 from coursework.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
 from coursework.singular.scaled_flow import compile_flow
 from coursework.singular.search import search_event
-from coursework.variant.record import MAX_ROWS, Variant
+from coursework.variant.record.variant import MAX_ROWS, Variant
 from coursework.words.errors import CourseworkError
 
 Array = NDArray[np.float64]

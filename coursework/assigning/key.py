@@ -16,7 +16,6 @@ from coursework.assigning.sheet import LONGEST, data_rows, pictures, start_rows
 from coursework.report.numbers import unit_text, with_unit
 from coursework.report.words import Words
 from coursework.scene import Scene
-from coursework.variant.texts import in_language
 from coursework.words.templates import clean, filled
 
 
@@ -47,7 +46,7 @@ def key_html(handout: Handout, equations: tuple[Sequence[Equation], Sequence[Equ
         "labels": {key: lettered(variant, words(f"key.{key}")) for key in ("data", "start", "equations", "solved", "table")},
         "kind": words("key.kind"),
         "heads": [words("sheet.student"), words("sheet.id")],
-        "title": clean(in_language(variant, words.phrases.language).title, LONGEST),
+        "title": clean(variant.in_language(words.phrases.language).title, LONGEST),
         "name": clean(handout.student.name, LONGEST),
         "id": clean(handout.student.id, LONGEST),
         "data": data_rows(handout, words),

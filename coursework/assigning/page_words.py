@@ -9,14 +9,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from coursework.formula.tree import Formula
 from coursework.report.display import display, marked, marked_text
 from coursework.report.equations import Setter
 from coursework.report.numbers import with_unit
 from coursework.report.symbols import symbol
 from coursework.report.text_runs import ITALIC, printed, runs
 from coursework.report.words import Words
-from coursework.variant.record import Law, Variant
+from coursework.variant.formula.tree import Formula
+from coursework.variant.record.variant import Law, Variant
 from coursework.words.templates import clean
 
 Equation = dict[str, str]  # Typst math and plain text

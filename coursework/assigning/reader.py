@@ -12,11 +12,12 @@ from pathlib import Path
 from typing import Any
 
 from coursework.assigning.ranges import MEASURES, Difficulty, Limits, Range, Ranges
-from coursework.formula.alphabet import spell
-from coursework.formula.units import KINDS, UnitFault, read, unlike
-from coursework.variant.positions import Positions
-from coursework.variant.record import Variant
-from coursework.variant.source import Source, read_source
+from coursework.groups import group_kind
+from coursework.variant.formula.alphabet import spell
+from coursework.variant.formula.units import KINDS, UnitFault, read, unlike
+from coursework.variant.record.variant import Variant
+from coursework.variant.toml.positions import Positions
+from coursework.variant.toml.source import Source, read_source
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say
 
@@ -225,7 +226,7 @@ class _Reader:
 
 def determined(template: Variant) -> frozenset[str]:
     """Return the coordinates whose start the template's geometry gives: listed, they would contradict it."""
-    by_groups = {name for group in template.groups if not group.kind.driven for name in group.coordinates}
+    by_groups = {name for group in template.groups if not group_kind(group.kind).driven for name in group.coordinates}
     closed = any(one.is_closure for one in template.constraints)
     driven = set(template.known_rates)
     return frozenset(c.name for c in template.coordinates if c.name in by_groups or (closed and c.rate not in driven))

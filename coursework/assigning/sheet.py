@@ -14,7 +14,6 @@ from coursework.report.formulas import Drawn, draw
 from coursework.report.numbers import with_unit
 from coursework.report.pdf import pdf_of
 from coursework.report.words import Words
-from coursework.variant.texts import in_language
 from coursework.words.errors import OutputError
 from coursework.words.templates import clean, filled
 
@@ -31,7 +30,7 @@ def sheet(handout: Handout, words: Words, deadline: str = "") -> Plain:
         "labels": {"start": lettered(variant, words("sheet.start"))} | {key: words(f"sheet.{key}") for key in
                    ("kind", "student", "id", "deadline", "data", "drive", "do", "hand_in")},
         "lead": words("sheet.digits") + words("join.sentences"),
-        "title": clean(in_language(variant, words.phrases.language).title, LONGEST),
+        "title": clean(variant.in_language(words.phrases.language).title, LONGEST),
         "name": clean(handout.student.name, LONGEST),
         "id": clean(handout.student.id, LONGEST),
         "deadline": clean(deadline, LONGEST),

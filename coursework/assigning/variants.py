@@ -21,9 +21,9 @@ from coursework.model.model import Model
 from coursework.model.variant_text import variant_text
 from coursework.schemes import DEFAULT_SCHEME
 from coursework.settings import Settings, scheme_for
-from coursework.variant.reader import parse_variant
-from coursework.variant.record import Variant
-from coursework.variant.rewriting import SAID_OF_NUMBERS, rewritten
+from coursework.variant.reading.reader import parse_variant
+from coursework.variant.record.variant import Variant
+from coursework.variant.toml.rewriting import SAID_OF_NUMBERS, rewritten
 from coursework.words.data_folders import folder
 from coursework.words.errors import InputError
 from coursework.words.sentences import say

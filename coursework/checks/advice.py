@@ -17,8 +17,9 @@ from coursework.checks.result import Finding, percent
 from coursework.checks.rows import parts_at_breaks
 from coursework.integration.finer import finer
 from coursework.integration.motion import Motion
-from coursework.schemes import EXACT, SCHEMES, scheme_names
-from coursework.variant.record import MAX_ROWS, whole_steps
+from coursework.schemes import SCHEMES
+from coursework.variant.record.variant import MAX_ROWS, whole_steps
+from coursework.variant.record.vocabulary import EXACT, scheme_names
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 

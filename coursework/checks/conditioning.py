@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 
 from coursework.checks.evidence import Evidence
 from coursework.checks.result import Finding, floored, skipped
-from coursework.formula.tree import Formula
 from coursework.integration.integrate import WIDEST_STEP
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.magnitude import largest
 from coursework.reduction.system import compile_system
 from coursework.reduction.tidy import as_formula
+from coursework.variant.formula.tree import Formula
 from coursework.words.sentences import joined, say
 
 if TYPE_CHECKING:

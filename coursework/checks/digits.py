@@ -20,7 +20,7 @@ from coursework.codegen.programs import as_columns
 from coursework.codegen.tabulated import TableLaw
 from coursework.reduction.symbolic import symbol
 from coursework.reduction.system import compile_system, compile_values
-from coursework.variant.record import Law
+from coursework.variant.record.variant import Law
 from coursework.words.sentences import joined, say
 
 Array = NDArray[np.float64]

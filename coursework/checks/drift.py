@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 
 from coursework.checks.evidence import LIMIT, Evidence
 from coursework.checks.result import Finding, Verdict, percent
-from coursework.formula.tree import Formula, evaluate, spelled
 from coursework.geometry.closure import Closure
 from coursework.reduction.system import compile_values
-from coursework.variant.record import Variant
+from coursework.variant.formula.tree import Formula, evaluate, spelled
+from coursework.variant.record.variant import Variant
 
 Array = NDArray[np.float64]
 # A length below this part of the longest is none: it stands for a point that coincides with another.

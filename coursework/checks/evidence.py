@@ -21,7 +21,7 @@ from coursework.integration.rates import Rates
 from coursework.integration.replay import Replay
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.system import compile_system
-from coursework.variant.record import Variant
+from coursework.variant.record.variant import Variant
 from coursework.words.sentences import say
 
 Array = NDArray[np.float64]

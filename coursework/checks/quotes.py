@@ -10,9 +10,10 @@ import numpy as np
 from coursework.checks.evidence import Evidence
 from coursework.checks.result import Finding, skipped
 from coursework.integration.motion import Motion
-from coursework.schemes import EXACT, SCHEMES, title_of
+from coursework.schemes import SCHEMES, title_of
 from coursework.settings import scheme_for
-from coursework.variant.record import Quote
+from coursework.variant.record.variant import Quote
+from coursework.variant.record.vocabulary import EXACT
 from coursework.words.sentences import say
 
 # A number printed with every digit of a double may be off by its last two.

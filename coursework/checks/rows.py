@@ -11,7 +11,7 @@ from coursework.checks.evidence import Evidence
 from coursework.checks.result import Finding, skipped
 from coursework.geometry.drive import breaks
 from coursework.geometry.swings import turning_cranks
-from coursework.schemes import EXACT
+from coursework.variant.record.vocabulary import EXACT
 from coursework.words.sentences import joined
 
 # Explicit Euler wants at least twenty rows a period of the drive, and a turn of a crank.

@@ -10,8 +10,9 @@ from pathlib import Path
 from click import Context, Parameter
 from click.shell_completion import CompletionItem
 
-from coursework.catalogue import entries
-from coursework.schemes import EXACT, SCHEMES
+from coursework.schemes import SCHEMES
+from coursework.variant.catalogue import entries
+from coursework.variant.record.vocabulary import EXACT
 from coursework.words.data_folders import folder
 from coursework.words.sentences import say
 

@@ -16,10 +16,11 @@ from coursework.output.formats import FORMATS, PAGES, Format, chosen
 from coursework.output.results import Results
 from coursework.output.write import write_set
 from coursework.run import Run
-from coursework.schemes import DEFAULT_SCHEME, EXACT, PRECISE, SCHEMES
+from coursework.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
 from coursework.system.file_set import files_of, working_folder
-from coursework.variant.record import Variant
-from coursework.variant.set_values import with_set
+from coursework.variant.reading.set_values import with_set
+from coursework.variant.record.variant import Variant
+from coursework.variant.record.vocabulary import EXACT
 from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say, say_count

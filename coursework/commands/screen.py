@@ -15,7 +15,7 @@ from coursework.words.errors import CourseworkError, Fault
 from coursework.words.sentences import ENGLISH, load_phrases
 
 if TYPE_CHECKING:
-    from coursework.variant.record import Variant
+    from coursework.variant.record.variant import Variant
 
 _SPOKEN: ContextVar[str] = ContextVar("language", default=ENGLISH)
 

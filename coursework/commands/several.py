@@ -21,7 +21,6 @@ from typing import Any, get_args
 import click
 
 from coursework.api import load
-from coursework.catalogue import find
 from coursework.checks.result import Verdict
 from coursework.commands.run import make_run, run_variant, step_of
 from coursework.commands.screen import in_language, tell, tell_last
@@ -34,7 +33,8 @@ from coursework.quantities import CHECKS
 from coursework.system.budget import Budget, watched
 from coursework.system.file_set import clear_leftovers, working_folder
 from coursework.system.whole_files import write_bytes
-from coursework.variant.set_values import with_set
+from coursework.variant.catalogue import find
+from coursework.variant.reading.set_values import with_set
 from coursework.words.errors import CourseworkError, InputError
 from coursework.words.sentences import joined, load_phrases, say
 

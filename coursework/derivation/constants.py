@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from coursework.formula.tree import Formula, FormulaFault, evaluate, spelled
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, spelled
 
 INVERSE = {"asin", "acos", "atan", "atan2"}
 ROUND_OFF = 1e-12  # rad: two forms of one angle differ by less
@@ -38,7 +38,7 @@ def named_angles(
 
     With the `values` of the data (SI) two forms of one angle get one name, and the shorter form is kept.
 
-    >>> from coursework.formula.reader import parse
+    >>> from coursework.variant.formula.reader import parse
     >>> found = named_angles([parse("cos(phi + acos(b/(2*d)))")], {"phi"}, {"phi", "b", "d"})
     >>> found.angles[0][0]
     'beta'

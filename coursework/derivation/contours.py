@@ -11,8 +11,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from coursework.derivation.segments import ZERO
-from coursework.formula.tree import Formula, constant, evaluate
 from coursework.mechanism import Mechanism
+from coursework.variant.formula.tree import Formula, constant, evaluate
 
 Pair = tuple[Formula, Formula]
 RIGHT = 1e-12  # of a right angle

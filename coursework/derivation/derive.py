@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from coursework.derivation.paths import Path, Projection, paths_of, projections_of
 from coursework.derivation.segments import ZERO, PointGraph, point_graph
-from coursework.formula.tree import Formula, FormulaFault, evaluate
 from coursework.mechanism import Mechanism
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate
 
 Array = NDArray[np.float64]
 SAME = 1e-8  # of the length of a row: far above round-off, far below a wrong sign

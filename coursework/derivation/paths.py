@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from coursework.derivation.segments import Angle, Known, PointGraph, Segment
-from coursework.formula.tree import Formula
+from coursework.variant.formula.tree import Formula
 
 MOST_PATHS = 12
 AXES = ("x", "y")

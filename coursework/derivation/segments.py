@@ -10,9 +10,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
-from coursework.formula.tree import Formula, number
 from coursework.mechanism import Mechanism
-from coursework.variant.record import Link, Variant
+from coursework.variant.formula.tree import Formula, number
+from coursework.variant.record.variant import Link, Variant
 
 ZERO = number(0)
 TURN = Fraction(2)  # in parts of pi

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from string import ascii_uppercase
 
-from coursework.formula.tree import Formula, terms
+from coursework.groups import group_kind
 from coursework.mechanism import Mechanism
+from coursework.variant.formula.tree import Formula, terms
 
 
 def arm_base(formula: Formula, coordinate: str) -> str:
@@ -39,7 +40,7 @@ def lengths(mechanism: Mechanism) -> dict[frozenset[str], Formula]:
     minus = [Formula("-", (Formula("name", name=name), formula)) for name, formula in mechanism.points]
     for group in variant.groups:
         met = Formula("name", name=group.meets or "")
-        minus += [Formula("-", (met, side)) for side in group.kind.closure(group)[0] if group.meets]
+        minus += [Formula("-", (met, side)) for side in group_kind(group.kind).closure(group)[0] if group.meets]
     minus += [Formula("-", (c.left, c.right)) for c in mechanism.constraints if c.is_closure]
     for joint, sides in unnamed_joints(mechanism).items():
         minus += [Formula("-", (Formula("name", name=joint), side)) for side in sides]

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 from coursework.drawing.cover import Segment
 from coursework.drawing.painter import Painter
-from coursework.formula.tree import Formula
 from coursework.mechanism import Mechanism
+from coursework.variant.formula.tree import Formula
 
 NOWHERE = 1e-9  # mm: between two points that near to each other there is no direction
 SAME = 1e-6  # of the way to its block: an offset measured and given agree within that

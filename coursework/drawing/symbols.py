@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import re
 
-from coursework.formula.alphabet import greek
-from coursework.formula.tree import Formula, spelled
+from coursework.variant.formula.alphabet import greek
+from coursework.variant.formula.tree import Formula, spelled
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 

@@ -13,10 +13,10 @@ from collections.abc import Iterator
 
 from coursework.drawing.lengths import arm_base, unnamed_joints
 from coursework.drawing.outline import Bar, Block, Outline, Rail, Slot, Track, Wheel
-from coursework.formula.tree import Formula, number, terms
 from coursework.joints import FRAME, Linkage, chain_of_groups, link_names
 from coursework.mechanism import Mechanism
-from coursework.variant.record import Variant
+from coursework.variant.formula.tree import Formula, number, terms
+from coursework.variant.record.variant import Variant
 
 
 def read_outline(mechanism: Mechanism) -> Outline | None:

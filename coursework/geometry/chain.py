@@ -14,14 +14,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework import groups
-from coursework.formula.tree import Formula, constant, spelled
 from coursework.geometry.drive import integrals
 from coursework.geometry.time_derivatives import compile_rows
-from coursework.groups import Guide, Pair
+from coursework.groups import Guide, Pair, group_kind
 from coursework.groups.kind import Known
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import Symbols
-from coursework.variant.record import Group, Variant
+from coursework.variant.formula.tree import Formula, constant, spelled
+from coursework.variant.record.variant import Group, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
@@ -58,17 +58,17 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
     q[:, driven] += integrals(equations, [variant.coordinates[place].rate for place in driven], times)
     for number, group in enumerate(variant.groups, start=1):
         places = [names.index(name) for name in group.coordinates]
-        if group.kind.driven:
+        if group_kind(group.kind).driven:
             continue
         try:
             mode = _mode(equations, group, q[:1])
             if mode is None:
-                plus, minus = (say(group.kind.modes[sign]) for sign in (1, -1))
-                raise _fault(say("fault.V307", kind=group.kind.name, plus=plus, minus=minus), number, group, variant)
+                plus, minus = (say(group_kind(group.kind).modes[sign]) for sign in (1, -1))
+                raise _fault(say("fault.V307", kind=group.kind, plus=plus, minus=minus), number, group, variant)
             found = dyad(equations.symbols, group, mode, values).coordinates
         except groups.CannotAssemble as error:
             named = _letters(group)
-            known = {"kind": group.kind.name, "time": float(times[error.row]), "reason": error.reason}
+            known = {"kind": group.kind, "time": float(times[error.row]), "reason": error.reason}
             told = say("fault.V306", **known, letters=named) if named else say("fault.V305", **known)
             raise _fault(told, number, group, variant) from error
         except ValueError as error:
@@ -101,7 +101,7 @@ def _continued(angles: Array, start: float | None) -> Array:
 
 def _mode(equations: VelocityEquations, group: Group, q: Array) -> int | None:
     """Return the assembly mode: the one written, else the one nearest to the start values, else the kind's usual one, if any."""
-    kind = group.kind
+    kind = group_kind(group.kind)
     if group.mode or not kind.modes:
         return group.mode
     chosen = [c for name in group.coordinates for c in equations.variant.coordinates if c.name == name]
@@ -147,5 +147,6 @@ def dyad(symbols: Symbols, group: Group, mode: int, values: Callable[[list[sp.Ex
         scalar(group.offset),
         scalar(group.angle) if group.angle else None,
     )
-    assert group.kind.solve is not None
-    return group.kind.solve(known, mode)
+    solve = group_kind(group.kind).solve
+    assert solve is not None
+    return solve(known, mode)

@@ -16,7 +16,7 @@ from coursework.codegen.tabulated import TableLaw
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import TIME, symbol
 from coursework.reduction.system import compile_values
-from coursework.variant.record import MAX_ROWS, Variant
+from coursework.variant.record.variant import MAX_ROWS, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 

@@ -10,8 +10,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from coursework.formula.tree import Formula
 from coursework.grading.submission import Note
+from coursework.variant.formula.tree import Formula
 from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
 

@@ -6,13 +6,13 @@ Used by `understand.py`.
 
 from __future__ import annotations
 
-from coursework.formula import reader
-from coursework.formula.tree import Formula, FormulaFault
 from coursework.grading.contents import EquationLine
 from coursework.grading.expected import Expected
 from coursework.grading.mending import mended
 from coursework.grading.names_in_text import Spellings, spellings_of
-from coursework.variant.source import Source
+from coursework.variant.formula import reader
+from coursework.variant.formula.tree import Formula, FormulaFault
+from coursework.variant.toml.source import Source
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say
 

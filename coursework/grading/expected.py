@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from coursework.variant.record import Variant
+from coursework.variant.record.variant import Variant
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,12 +10,12 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from coursework.formula.reader import MAX_CHARACTERS
 from coursework.grading.answers import read_answer
 from coursework.grading.contents import AnswerLine, EquationLine, Reading
 from coursework.grading.equations import is_equation_without_sign, most_lines, read_line, spellings_for
 from coursework.grading.expected import Expected
 from coursework.grading.names_in_text import Spellings
+from coursework.variant.formula.reader import MAX_CHARACTERS
 
 _SIGNS = {";": ";", "tab": "\t"}  # a comma may stand in an equation, a blank always does
 _EDGES = " \t;,\"'"  # what a spreadsheet puts round a line that was typed into one cell

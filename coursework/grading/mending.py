@@ -11,8 +11,8 @@ import re
 from functools import cache
 from typing import NamedTuple
 
-from coursework.formula.alphabet import LOOK_ALIKE
 from coursework.grading.names_in_text import Spellings
+from coursework.variant.formula.alphabet import LOOK_ALIKE
 
 _SIGNS = str.maketrans({
     "[": "(", "]": ")", "{": "(", "}": ")", "∗": "*", "•": "*", "⁄": "/", "＝": "=", "（": "(", "）": ")", "＋": "+", "－": "-",

@@ -9,9 +9,9 @@ import re
 from dataclasses import dataclass
 from functools import lru_cache
 
-from coursework.formula.alphabet import spell
 from coursework.grading.reading.headers import aliases, fold
-from coursework.variant.record import Variant
+from coursework.variant.formula.alphabet import spell
+from coursework.variant.record.variant import Variant
 
 BUILT_IN = ("t", "pi")
 

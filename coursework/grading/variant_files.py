@@ -11,16 +11,16 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from coursework import catalogue
-from coursework.formula.alphabet import spell
-from coursework.formula.units import UnitFault, read
 from coursework.grading.contents import EquationLine
 from coursework.grading.equations import faults_as_lines, read_constraints
 from coursework.grading.expected import Expected
 from coursework.grading.names_in_text import Spellings
-from coursework.variant.record import Variant
-from coursework.variant.schema import VariantFile as Schema
-from coursework.variant.source import MAX_BYTES, read_source
+from coursework.variant import catalogue
+from coursework.variant.formula.alphabet import spell
+from coursework.variant.formula.units import UnitFault, read
+from coursework.variant.reading.schema import VariantFile as Schema
+from coursework.variant.record.variant import Variant
+from coursework.variant.toml.source import MAX_BYTES, read_source
 from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say

@@ -8,7 +8,6 @@ Used by `groups/__init__.py` and `procedures.py`.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,9 +18,7 @@ from coursework.groups.joint import REVOLUTE, Joint
 from coursework.groups.kind import Closed, GroupKind, Shape, along, plus, unknowns
 from coursework.groups.pairs import GroupMotion, Pair, count_rows, group_motion
 from coursework.groups.plane import direction, vectors
-
-if TYPE_CHECKING:
-    from coursework.variant.record import Group
+from coursework.variant.record.variant import Group
 
 
 def crank(a: Pair, *, length: Length, angle: ArrayLike, rate: ArrayLike, acceleration: ArrayLike = 0.0) -> GroupMotion:
@@ -73,4 +70,4 @@ def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Seq
     return (Joint(REVOLUTE, (points[0], own[0]), group.start_points[0]),)
 
 
-CRANK = GroupKind("crank", Shape(1, (1,), 0, 1), _closure, None, _joints, angles=1, carries=(0,))
+CRANK = GroupKind("crank", Shape(1, (1,), 0, 1), _closure, None, _joints, carries=(0,))

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from coursework.formula.tree import Formula
+from coursework.variant.formula.tree import Formula
 
 
 @dataclass(frozen=True, slots=True, repr=False)

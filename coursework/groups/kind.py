@@ -8,15 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
-from coursework.formula.tree import Formula, number
 from coursework.groups.assembly import Array
 from coursework.groups.joint import Joint
 from coursework.groups.pairs import GroupMotion, Guide, Pair
-
-if TYPE_CHECKING:
-    from coursework.variant.record import Group
+from coursework.variant.formula.tree import Formula, number
+from coursework.variant.record.variant import Group
 
 # The two ways round a loop as vectors, none where nothing closes, and the point the next group may hang on.
 Closed = tuple[tuple[Formula, ...], Formula]
@@ -52,8 +49,8 @@ Joints = Callable[["Group", Sequence[str], Sequence[str], Sequence[str]], tuple[
 class GroupKind:
     """A kind of group.
 
-    `closure` writes it as formulas; `solve` puts it together in a mode, None where a drive gives its coordinate; the first
-    `angles` of its coordinates are angles; `modes` says what +1 and -1 mean, empty where there is one way, and `usual_mode`
+    `closure` writes it as formulas; `solve` puts it together in a mode, None where a drive gives its coordinate; `modes` says
+    what +1 and -1 mean, empty where there is one way, and `usual_mode`
     which holds where nothing tells; `meaning` is the key of the sentence about a dead point that its determinant alone does
     not show; `joints` joins its bodies, of which `carries` says which one each coordinate moves.
 
@@ -67,7 +64,6 @@ class GroupKind:
     closure: Callable[[Group], Closed]
     solve: Callable[[Known, int], GroupMotion] | None
     joints: Joints
-    angles: int = 0
     modes: Mapping[int, str] = field(default_factory=dict)
     usual_mode: int = 0
     meaning: str = ""

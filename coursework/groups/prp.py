@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -20,9 +19,7 @@ from coursework.groups.kind import Closed, GroupKind, Known, Shape, across, alon
 from coursework.groups.line import Line
 from coursework.groups.pairs import GroupMotion, Guide, count_rows, group_motion
 from coursework.groups.plane import cross
-
-if TYPE_CHECKING:
-    from coursework.variant.record import Group
+from coursework.variant.record.variant import Group
 
 
 def prp(guide_i: Guide, guide_j: Guide, *, positions_only: bool = False) -> GroupMotion:

@@ -10,21 +10,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from coursework.formula.tree import Formula
 from coursework.groups.assembly import numbers, require_crossing
 from coursework.groups.joint import PRISMATIC, REVOLUTE, Joint
 from coursework.groups.kind import QUARTER, Closed, GroupKind, Known, Shape, along, plus, unknowns
 from coursework.groups.line import Line
 from coursework.groups.pairs import GroupMotion, Guide, Pair, count_rows, group_motion
 from coursework.groups.plane import cross, direction, vectors
-
-if TYPE_CHECKING:
-    from coursework.variant.record import Group
+from coursework.variant.formula.tree import Formula
+from coursework.variant.record.variant import Group
 
 
 def rpp(b: Pair, guide: Guide, *, slide_angle: ArrayLike, positions_only: bool = False) -> GroupMotion:

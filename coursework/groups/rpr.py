@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -20,10 +19,8 @@ from coursework.groups.joint import PRISMATIC, REVOLUTE, Joint
 from coursework.groups.kind import Closed, GroupKind, Known, Shape, across, along, plus, unknowns
 from coursework.groups.pairs import GroupMotion, Pair, count_rows, group_motion
 from coursework.groups.plane import angle_of, cross, dot, vectors
+from coursework.variant.record.variant import Group
 from coursework.words.sentences import say
-
-if TYPE_CHECKING:
-    from coursework.variant.record import Group
 
 MODES = {1: "group.mode.towards", -1: "group.mode.away"}
 
@@ -118,4 +115,4 @@ def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Seq
 
 
 # Without a word about the mode the slide is counted from D towards the block.
-RPR = GroupKind("RPR", Shape(2, (0, 1), 0, 2), _closure, _solve, _joints, angles=1, modes=MODES, usual_mode=1)
+RPR = GroupKind("RPR", Shape(2, (0, 1), 0, 2), _closure, _solve, _joints, modes=MODES, usual_mode=1)

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -20,10 +19,8 @@ from coursework.groups.kind import Closed, GroupKind, Known, Shape, across, alon
 from coursework.groups.line import Line
 from coursework.groups.pairs import GroupMotion, Guide, Pair, count_rows, group_motion
 from coursework.groups.plane import angle_of, cross, dot, vectors
+from coursework.variant.record.variant import Group
 from coursework.words.sentences import say
-
-if TYPE_CHECKING:
-    from coursework.variant.record import Group
 
 MODES = {1: "group.mode.larger", -1: "group.mode.smaller"}
 
@@ -106,4 +103,4 @@ def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Seq
     )
 
 
-RRP = GroupKind("RRP", Shape(1, (1,), 1, 2), _closure, _solve, _joints, angles=1, modes=MODES, meaning="determinant.right_angle")
+RRP = GroupKind("RRP", Shape(1, (1,), 1, 2), _closure, _solve, _joints, modes=MODES, meaning="determinant.right_angle")

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -19,10 +18,8 @@ from coursework.groups.joint import REVOLUTE, Joint
 from coursework.groups.kind import Closed, GroupKind, Known, Shape, along, plus, unknowns
 from coursework.groups.pairs import GroupMotion, Pair, count_rows, group_motion
 from coursework.groups.plane import Vectors, angle_of, dot, vectors
+from coursework.variant.record.variant import Group
 from coursework.words.sentences import say
-
-if TYPE_CHECKING:
-    from coursework.variant.record import Group
 
 MODES = {1: "group.mode.left", -1: "group.mode.right"}
 
@@ -132,4 +129,4 @@ def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Seq
     return (*ends, Joint(REVOLUTE, (own[0], own[1]), _closure(group)[1]))
 
 
-RRR = GroupKind("RRR", Shape(2, (2,), 0, 2), _closure, _solve, _joints, angles=2, modes=MODES)
+RRR = GroupKind("RRR", Shape(2, (2,), 0, 2), _closure, _solve, _joints, modes=MODES)

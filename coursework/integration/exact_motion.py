@@ -19,7 +19,8 @@ from coursework.integration.motion import Motion
 from coursework.integration.passage import Passage
 from coursework.integration.rates import Rates
 from coursework.reduction.equations import VelocityEquations
-from coursework.schemes import EXACT, PRECISE, title_of
+from coursework.schemes import PRECISE, title_of
+from coursework.variant.record.vocabulary import EXACT
 from coursework.words.sentences import say
 
 Array = NDArray[np.float64]

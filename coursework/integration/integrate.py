@@ -21,7 +21,7 @@ from coursework.integration.motion import Motion, Stop, rows_before
 from coursework.integration.passage import Passage
 from coursework.integration.rates import Rates
 from coursework.schemes import SCHEMES, Scheme
-from coursework.variant.record import whole_steps
+from coursework.variant.record.variant import whole_steps
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 

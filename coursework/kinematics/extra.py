@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from coursework.integration.motion import Motion
 from coursework.kinematics.analogs import acceleration_analog, velocity_analog
 from coursework.kinematics.invariants import from_true
-from coursework.variant.record import Coordinate, Variant
+from coursework.variant.record.variant import Coordinate, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say

@@ -17,7 +17,7 @@ from coursework.reduction.statements import block_statements
 from coursework.reduction.symbolic import constants, local, symbol
 from coursework.reduction.system import scene_program
 from coursework.scene import Scene
-from coursework.variant.changes import follow_from
+from coursework.variant.record.changes import follow_from
 
 
 @dataclass(frozen=True, slots=True)

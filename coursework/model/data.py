@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.formula.alphabet import spell
-from coursework.formula.units import KINDS, MAX_NUMBER, UnitFault, read, unlike
-from coursework.variant.record import Variant
+from coursework.variant.formula.alphabet import spell
+from coursework.variant.formula.units import KINDS, MAX_NUMBER, UnitFault, read, unlike
+from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, say

@@ -28,8 +28,8 @@ from coursework.reduction.symbolic import constants, local, symbol
 from coursework.reduction.system import scene_program
 from coursework.scene import Scene
 from coursework.settings import Settings
-from coursework.variant.changes import follow_from
-from coursework.variant.record import Variant
+from coursework.variant.record.changes import follow_from
+from coursework.variant.record.variant import Variant
 
 if TYPE_CHECKING:
     import sympy as sp

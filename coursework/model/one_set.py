@@ -12,9 +12,9 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.formula.tree import FormulaFault, evaluate
 from coursework.model.data import Data
-from coursework.variant.record import Variant
+from coursework.variant.formula.tree import FormulaFault, evaluate
+from coursework.variant.record.variant import Variant
 
 
 def horizons(template: Variant, data: Data) -> NDArray[np.float64]:

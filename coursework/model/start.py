@@ -16,11 +16,11 @@ from coursework.codegen.programs import as_columns
 from coursework.geometry.chain import dyad
 from coursework.geometry.closure import OPEN
 from coursework.geometry.start import START_TOLERANCE
-from coursework.groups import CannotAssemble
+from coursework.groups import CannotAssemble, group_kind
 from coursework.model.data import Data
 from coursework.model.model import Columns, Model
 from coursework.reduction.symbolic import symbol
-from coursework.variant.record import Group
+from coursework.variant.record.variant import Group
 
 if TYPE_CHECKING:
     import sympy as sp
@@ -105,7 +105,7 @@ def _by_groups(model: Model, begin: Array, numbers: Columns, follow: frozenset[s
     q = np.nan_to_num(begin)
     doubtful = np.zeros(q.shape[1], dtype=bool)
     for group in variant.groups:
-        if group.kind.driven:
+        if group_kind(group.kind).driven:
             continue
         places = [model.coordinates.index(name) for name in group.coordinates]
         guesses = begin[places]
@@ -123,13 +123,13 @@ def _by_groups(model: Model, begin: Array, numbers: Columns, follow: frozenset[s
 
 def _assembled(model: Model, group: Group, q: Array, numbers: Columns, guesses: Array, doubtful: Flags) -> Array:
     """Return the coordinates (k, n) of one dyad in the mode written, else in the one nearest to the guesses."""
-    if group.mode or not group.kind.modes:
+    if group.mode or not group_kind(group.kind).modes:
         return _in_mode(model, group, group.mode, q, numbers, doubtful)
     if np.isnan(guesses).any():
-        if not group.kind.usual_mode:
+        if not group_kind(group.kind).usual_mode:
             doubtful |= True
             return np.full_like(guesses, np.nan)
-        return _in_mode(model, group, group.kind.usual_mode, q, numbers, doubtful)
+        return _in_mode(model, group, group_kind(group.kind).usual_mode, q, numbers, doubtful)
     units = [c.unit for name in group.coordinates for c in model.variant.coordinates if c.name == name]
     ways = [_in_mode(model, group, mode, q, numbers, doubtful) for mode in (1, -1)]
     away = []

@@ -9,9 +9,8 @@ from __future__ import annotations
 from coursework.geometry.start import START_TOLERANCE, start_values
 from coursework.mechanism import build
 from coursework.reduction.equations import differentiate
-from coursework.variant.changes import Path
-from coursework.variant.record import Variant
-from coursework.variant.rewriting import SAID_OF_NUMBERS, rewritten
+from coursework.variant.record.variant import Path, Variant
+from coursework.variant.toml.rewriting import SAID_OF_NUMBERS, rewritten
 
 _DECIMALS = 9
 assert 10.0**-_DECIMALS < START_TOLERANCE

@@ -16,7 +16,7 @@ from coursework.checks.result import Finding
 from coursework.output.reason import Formulas, Reason
 from coursework.quantities import CHECKS, PLOTS
 from coursework.run import Run
-from coursework.variant.record import Variant
+from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.formula.tree import Formula
+from coursework.variant.formula.tree import Formula
 
 Array = NDArray[np.float64]
 

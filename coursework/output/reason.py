@@ -13,11 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.codegen.tabulated import OutsideTable, TableLaw
-from coursework.formula.tree import Formula, spelled
 from coursework.integration.motion import Motion
 from coursework.output.nodes import Components, Moving, applied
-from coursework.variant.no_value import in_order
-from coursework.variant.record import Law, Variant
+from coursework.variant.formula.tree import Formula, spelled
+from coursework.variant.record.no_value import in_order
+from coursework.variant.record.variant import Law, Variant
 
 Rows = NDArray[np.intp]
 Path = tuple[str | int, ...]

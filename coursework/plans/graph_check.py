@@ -27,7 +27,7 @@ from coursework.plans.pose import Body
 from coursework.plans.readings import Reading, read_off
 from coursework.plans.sketch import Sketch, read_sketch
 from coursework.reduction.equations import VelocityEquations
-from coursework.variant.record import Variant
+from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 

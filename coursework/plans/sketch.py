@@ -15,7 +15,6 @@ from typing import Any
 from coursework.drawing.outline import Outline
 from coursework.drawing.poses import Poses, read_poses
 from coursework.drawing.tracing import read_outline
-from coursework.formula.tree import Formula
 from coursework.geometry.time_derivatives import compile_rows
 from coursework.integration.motion import Motion
 from coursework.joints import FRAME, linkage
@@ -24,7 +23,8 @@ from coursework.plans.instant_centres import cross
 from coursework.plans.pose import Body, Pose
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import symbol
-from coursework.variant.record import Link, Variant
+from coursework.variant.formula.tree import Formula
+from coursework.variant.record.variant import Link, Variant
 from coursework.words.sentences import say
 
 # A contact touches what it touches at the start, where positions are exact but for rounded data of a task sheet.

@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from coursework.formula.tree import Formula, number
 from coursework.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.reduction.independent import choose
 from coursework.reduction.magnitude import largest
@@ -21,6 +20,7 @@ from coursework.reduction.matching import match
 from coursework.reduction.meaning import meaning
 from coursework.reduction.symbolic import symbol
 from coursework.reduction.tidy import as_formula
+from coursework.variant.formula.tree import Formula, number
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 

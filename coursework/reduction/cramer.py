@@ -10,11 +10,11 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from coursework.formula.tree import Formula, number
 from coursework.reduction.blocks import Block, Reduction
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import expanded, symbol
 from coursework.reduction.tidy import Order, as_sum, product, quotient
+from coursework.variant.formula.tree import Formula, number
 
 Rows = tuple[tuple[Formula, Formula], tuple[Formula, Formula]]
 
@@ -42,7 +42,7 @@ def cramer(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[
     >>> import coursework
     >>> scene = coursework.solve("31", quantities=["table"]).scene
     >>> one, two, both = cramer(scene.equations, scene.reduction, [True] * 3)
-    >>> from coursework.formula.tree import spelled
+    >>> from coursework.variant.formula.tree import spelled
     >>> (one, two), spelled(both.determinant), [spelled(side) for side in both.right_sides]
     ((None, None), 'r2*r1*sin(phi1 - phi2)', ['-2*r3*w3*sin(phi3)', 'r3*w3*sin(phi3)'])
     """

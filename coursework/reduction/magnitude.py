@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import math
 
-from coursework.formula.tree import Formula
-from coursework.variant.record import Variant
+from coursework.variant.formula.tree import Formula
+from coursework.variant.record.variant import Variant
 
 
 def largest(determinant: Formula, variant: Variant) -> float:

@@ -8,9 +8,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from functools import reduce
 
-from coursework.formula.tree import Formula, FormulaFault, evaluate, spelled
+from coursework.groups import group_kind
 from coursework.joints import link_names, linkage
-from coursework.variant.record import Variant
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, spelled
+from coursework.variant.record.variant import Variant
 from coursework.words.sentences import joined, say
 
 # At a singular position a factor this small beside the largest one is the factor that vanishes.
@@ -34,7 +35,7 @@ def _of_group(variant: Variant, equations: Sequence[str]) -> str:
     """Return what a dyad says of its determinant, where the angles alone do not tell link from guide."""
     for number, group in enumerate(variant.groups, start=1):
         if set(equations) == {f"G{number}x", f"G{number}y"}:
-            key = group.kind.meaning
+            key = group_kind(group.kind).meaning
             return say(key, link=_link(group.coordinates[0], variant)) if key else ""
     return ""
 

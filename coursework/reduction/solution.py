@@ -10,11 +10,11 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from coursework.formula.tree import Formula, number, spelled
 from coursework.reduction.blocks import Reduction
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import expanded, symbol
 from coursework.reduction.tidy import product, quotient
+from coursework.variant.formula.tree import Formula, number, spelled
 
 Solution = tuple[tuple[str, Formula], ...]
 # Letters of the longest formula that anyone reads; a page says "solved numerically" in place of a longer one.

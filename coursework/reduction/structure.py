@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 from coursework.mechanism import Mechanism, build
 from coursework.reduction.equations import VelocityEquations, differentiate
-from coursework.variant.record import Coordinate, Given, Law, Time, Variant
+from coursework.variant.record.variant import Coordinate, Given, Law, Time, Variant
 
 MOST_KEPT = 32  # structures kept at once; a class has one or a few
 

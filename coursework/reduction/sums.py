@@ -11,8 +11,8 @@ from itertools import combinations_with_replacement
 
 import sympy as sp
 
-from coursework.formula.tree import Formula
 from coursework.reduction.symbolic import symbol
+from coursework.variant.formula.tree import Formula
 
 Term = tuple[Fraction, tuple[tuple[sp.Expr, int], ...]]
 Sum = tuple[Term, ...]  # each part a product of data

@@ -16,10 +16,10 @@ from math import gcd
 import sympy as sp
 
 from coursework.codegen.names import private, public
-from coursework.formula.tree import Formula, number
 from coursework.reduction.sums import Term, gathered, written_sums
 from coursework.reduction.symbolic import expanded
-from coursework.variant.record import Variant
+from coursework.variant.formula.tree import Formula, number
+from coursework.variant.record.variant import Variant
 
 # Beyond this many operations a formula is shown as it is: nobody reads it, and expanding it costs.
 MAX_OPERATIONS = 400

@@ -9,11 +9,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from coursework.drawing.lengths import lengths
-from coursework.formula.tree import terms
+from coursework.groups import group_kind
 from coursework.mechanism import Mechanism
 from coursework.report.drive_meanings import drive_meanings
 from coursework.report.text_runs import LONGEST_NAME
-from coursework.variant.record import Variant
+from coursework.variant.formula.tree import terms
+from coursework.variant.record.variant import Variant
 from coursework.words.sentences import say
 from coursework.words.templates import clean
 
@@ -105,7 +106,7 @@ def _bars(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
     """Yield the coordinates that are the angle of a bar, with its ends in the direction in which the angle is measured."""
     sides = list(mechanism.points)
     for group in mechanism.variant.groups:
-        sides += [(group.meets, side) for side in group.kind.closure(group)[0] if group.meets]
+        sides += [(group.meets, side) for side in group_kind(group.kind).closure(group)[0] if group.meets]
     for point, formula in sides:
         parts = [*terms(formula)]
         if formula.op == "+" and [part.op for part in parts] == ["name", "@"] and parts[1].args[1].op == "name":

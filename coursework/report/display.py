@@ -11,10 +11,10 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
-from coursework.formula.tree import Formula
 from coursework.report.equations import Setter, text_equation
 from coursework.report.numbers import POINT
 from coursework.report.parts import Display, Runs
+from coursework.variant.formula.tree import Formula
 from coursework.words.templates import clean
 
 LINE = 64  # characters of text form (spaces and subscripts not counted) that fit a line of the printed page

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from coursework.formula.tree import Formula, terms
-from coursework.variant.record import Variant
+from coursework.variant.formula.tree import Formula, terms
+from coursework.variant.record.variant import Variant
 from coursework.words.sentences import say
 
 _WAVES = {"sin", "cos"}

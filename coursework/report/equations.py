@@ -11,10 +11,10 @@ from dataclasses import dataclass, replace
 from enum import IntEnum
 from math import degrees, isclose, radians
 
-from coursework.formula.tree import Formula
 from coursework.report.numbers import MINUS, TIMES, superscript
 from coursework.report.symbols import parts_of_derivative, symbol
 from coursework.report.text_runs import ITALIC
+from coursework.variant.formula.tree import Formula
 
 
 class Level(IntEnum):

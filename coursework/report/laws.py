@@ -7,13 +7,13 @@ from __future__ import annotations
 
 import re
 
-from coursework.formula.tree import Formula
 from coursework.report import equations
 from coursework.report.display import display
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Display, Equations, Paragraph, Part
 from coursework.report.text_runs import runs
-from coursework.variant.record import Law
+from coursework.variant.formula.tree import Formula
+from coursework.variant.record.variant import Law
 from coursework.words.templates import clean
 
 _TIME = re.compile("t(?= =)")  # the letter of "from t = 0.3 s", a symbol among words

@@ -14,13 +14,13 @@ from coursework.derivation.contours import Contour, contours_of
 from coursework.derivation.derive import Combination, Derivation, Numbered, derive
 from coursework.derivation.paths import Path, Term
 from coursework.derivation.segments import ZERO, Angle
-from coursework.formula.tree import Formula, number, part_of_pi
 from coursework.reduction.solution import ShownEquation
 from coursework.report import equations as setting
 from coursework.report.display import display
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Bullets, Display, Equations, Paragraph, Part
 from coursework.report.text_runs import runs, unbroken
+from coursework.variant.formula.tree import Formula, number, part_of_pi
 from coursework.words.templates import clean
 
 

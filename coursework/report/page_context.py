@@ -18,8 +18,7 @@ from coursework.report.symbols import Symbol, symbol
 from coursework.report.text_runs import ITALIC, derivative, printed, runs, with_letters, with_pairs, with_points
 from coursework.report.words import Words
 from coursework.run import Run
-from coursework.variant.record import Variant
-from coursework.variant.texts import in_language
+from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH
 from coursework.words.templates import LONGEST, clean
@@ -38,7 +37,7 @@ class PageContext:
     @property
     def variant(self) -> Variant:
         """Return the variant with its texts in the language of the page, as far as its file has them."""
-        return in_language(self.run.variant, self.words.phrases.language)
+        return self.run.variant.in_language(self.words.phrases.language)
 
     @property
     def numbers(self) -> Numbers:

@@ -5,7 +5,6 @@ Enters: a `PageContext`.  Leaves: displayed equations with the words around them
 
 from __future__ import annotations
 
-from coursework.formula.tree import Formula, number
 from coursework.reduction.blocks import Block
 from coursework.reduction.cramer import Cramer, cramer
 from coursework.reduction.solution import Solution
@@ -15,6 +14,7 @@ from coursework.report.first_step import first_step
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Display, Equations, Paragraph, Part, Runs
 from coursework.report.text_runs import runs
+from coursework.variant.formula.tree import Formula, number
 from coursework.words.sentences import say
 from coursework.words.templates import clean
 

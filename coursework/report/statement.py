@@ -9,7 +9,6 @@ import re
 from dataclasses import replace
 
 from coursework.checks.summary import summary
-from coursework.formula.tree import Formula, constant, terms
 from coursework.mechanism import Mechanism
 from coursework.quantities import CHECKS, TABLE
 from coursework.report.closeness import largest_errors, splits, unreturned
@@ -21,7 +20,8 @@ from coursework.report.page_context import STOP_DIGITS, PageContext
 from coursework.report.parts import Beside, Cell, Column, Paragraph, Part, Result, Runs, Table, TitleBlock
 from coursework.report.sought import sought
 from coursework.report.text_runs import LONGEST_NAME, runs
-from coursework.variant.record import Variant
+from coursework.variant.formula.tree import Formula, constant, terms
+from coursework.variant.record.variant import Variant
 from coursework.words.templates import clean
 
 MOST_REMARKS = 12  # on the first page, on which the results begin

@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from coursework.formula.tree import spelled
 from coursework.integration.motion import AT_EVENT, Stop, rows_before
 from coursework.integration.passage import Passage
 from coursework.reduction.blocks import Block, Reduction
@@ -16,6 +15,7 @@ from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.meaning import meaning as meaning_of
 from coursework.reduction.meaning import vanishing
 from coursework.singular.event import Event
+from coursework.variant.formula.tree import spelled
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 

@@ -11,13 +11,13 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 
-from coursework.formula.tree import Formula
 from coursework.geometry.drive import breaks
 from coursework.reduction.blocks import Reduction
 from coursework.reduction.equations import VelocityEquations
 from coursework.singular.scaled_flow import compile_flow
 from coursework.singular.search import search_event
-from coursework.variant.record import Variant
+from coursework.variant.formula.tree import Formula
+from coursework.variant.record.variant import Variant
 from coursework.words.sentences import joined, say
 
 # Coarser than this, a motion that passes close by a dead point would be taken for one that meets it.

@@ -1,1 +1,1 @@
-"""A variant file and what it says: `read_variant(path)`, `parse_variant(text)`, the record `Variant`."""
+"""A variant file: text into a checked `Variant`; what it says, what it may say, and what is wrong with it."""

@@ -153,7 +153,7 @@ def test_faults_of_shape_do_not_fit_the_schema(text):
 
 
 def test_the_folder_of_ranges_is_no_part_of_the_list_of_variants():
-    from coursework.catalogue import names
+    from coursework.variant.catalogue import names
 
     assert {path.stem for path in RANGES.glob("*.toml")} < set(names())
     assert not any("range" in name for name in names())

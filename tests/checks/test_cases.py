@@ -9,7 +9,7 @@ from click.testing import CliRunner
 
 import coursework
 from coursework.cli import main
-from coursework.variant.reader import parse_variant
+from coursework.variant.reading.reader import parse_variant
 from tests.checks import closed_form
 from tests.checks.scenes import V31, found, solve, verdicts
 

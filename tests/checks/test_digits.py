@@ -9,7 +9,7 @@ import pytest
 import coursework
 from coursework import five_point
 from coursework.checks import digits
-from coursework.variant.reader import read_variant
+from coursework.variant.reading.reader import read_variant
 from tests.checks.scenes import evidence_of, finding, found
 
 VARIANTS = Path(__file__).parents[2] / "variants"

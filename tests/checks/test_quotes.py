@@ -5,8 +5,8 @@ import re
 import pytest
 
 import coursework
-from coursework.catalogue import entries
-from coursework.variant.reader import parse_variant
+from coursework.variant.catalogue import entries
+from coursework.variant.reading.reader import parse_variant
 
 ASSIGNED = re.compile(r"(\w+) = (-?\d+(?:\.\d+)?)(?![\d.]*\d)(?! *(?:m|mm|s|deg)\b)")
 

@@ -14,9 +14,10 @@ from random import Random
 from typing import Any
 
 import coursework
-from coursework.catalogue import entries
-from coursework.schemes import DEFAULT_SCHEME, EXACT, SCHEMES
-from coursework.variant.reader import parse_variant
+from coursework.schemes import DEFAULT_SCHEME, SCHEMES
+from coursework.variant.catalogue import entries
+from coursework.variant.reading.reader import parse_variant
+from coursework.variant.record.vocabulary import EXACT
 from coursework.words.errors import CourseworkError
 from tests.checks.independent import Judge, judge, verdict
 

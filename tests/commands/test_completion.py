@@ -6,8 +6,8 @@ import sys
 
 import pytest
 
-from coursework.catalogue import names
 from coursework.schemes import SCHEMES
+from coursework.variant.catalogue import names
 
 
 def offered(folder, *words, shell="bash"):

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 import coursework
-from coursework.catalogue import names
+from coursework.variant.catalogue import names
 from coursework.words.data_folders import folder as data_folder
 from tests.test_cli import QUICK, call
 

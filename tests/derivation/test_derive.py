@@ -12,8 +12,8 @@ from coursework.derivation.constants import named_angles
 from coursework.derivation.contours import contours_of
 from coursework.derivation.derive import Derivation, derive
 from coursework.derivation.segments import point_graph
-from coursework.formula.reader import parse
-from coursework.formula.tree import spelled
+from coursework.variant.formula.reader import parse
+from coursework.variant.formula.tree import spelled
 from tests.report.real import changed
 
 

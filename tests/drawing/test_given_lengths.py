@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 from coursework import load, solve
-from coursework.catalogue import names
 from coursework.drawing.dimensions import HEAD, TIGHT
 from coursework.drawing.figures import draw_start
 from coursework.drawing.ground import rail_side
@@ -18,6 +17,7 @@ from coursework.drawing.poses import read_poses
 from coursework.drawing.sheet import Sheet
 from coursework.drawing.tracing import read_outline
 from coursework.report.symbols import symbol
+from coursework.variant.catalogue import names
 from tests.drawing import measured
 
 # What lies at no point drawn, or changes with the motion: an origin, a drive's radius, the law of a crank's length.

@@ -9,15 +9,15 @@ from functools import cache
 import pytest
 
 from coursework import load, parse_variant, solve
-from coursework.catalogue import names
 from coursework.drawing.lengths import lengths
 from coursework.drawing.outline import Outline
 from coursework.drawing.record import Drawing
 from coursework.drawing.sheet import Sheet
 from coursework.drawing.tracing import read_outline
-from coursework.formula.tree import spelled
 from coursework.mechanism import build
 from coursework.run import Run
+from coursework.variant.catalogue import names
+from coursework.variant.formula.tree import spelled
 from tests.drawing import measured
 from tests.hard.scenes import scene
 

@@ -7,11 +7,11 @@ from dataclasses import replace
 import pytest
 
 from coursework import load, solve
-from coursework.catalogue import names
 from coursework.drawing.lengths import lengths
 from coursework.drawing.symbols import length_text, name_word
 from coursework.drawing.tracing import read_outline
 from coursework.mechanism import build
+from coursework.variant.catalogue import names
 from tests.drawing import measured
 from tests.drawing.test_mechanism import drawing_of
 from tests.plans.checked import svg_of

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from coursework import solve
-from coursework.catalogue import names
 from coursework.drawing.record import Drawing
 from coursework.run import Run
+from coursework.variant.catalogue import names
 from tests.drawing import measured
 
 

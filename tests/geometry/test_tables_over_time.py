@@ -6,7 +6,7 @@ from scipy.interpolate import CubicSpline
 
 import coursework
 from coursework.geometry.drive import integrals
-from coursework.variant.reader import parse_variant
+from coursework.variant.reading.reader import parse_variant
 from coursework.words.data_folders import folder
 
 END = 0.5

@@ -6,10 +6,10 @@ import math
 
 import pytest
 
-from coursework.catalogue import names
 from coursework.grading.contents import Table
 from coursework.grading.expected import Grid
 from coursework.grading.reading.files import read_table
+from coursework.variant.catalogue import names
 from tests.grading.dialects import DIALECTS, STYLES, written
 from tests.grading.scenes import expected, times
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from coursework.formula.tree import spelled
 from coursework.grading.contents import Contents
 from coursework.grading.submission import Submission, submitted_file
 from coursework.grading.understand import understand
+from coursework.variant.formula.tree import spelled
 from tests.grading.dialects import DIALECTS, archive, written
 from tests.grading.scenes import expected, times
 

@@ -28,6 +28,7 @@ from coursework.groups import (
     rrr,
 )
 from coursework.groups.plane import angle_of
+from coursework.variant.record.vocabulary import GROUP_KINDS
 
 REFERENCE = Path(__file__).parents[1] / "reference"
 ORIGIN = Pair((0.0, 0.0))
@@ -232,7 +233,7 @@ def test_errors_survive_a_process_pool(error: CannotAssemble | AtDeadPoint) -> N
 
 
 def test_every_group_is_listed_once() -> None:
-    assert [kind.name for kind in GROUPS] == ["crank", "RRR", "RRP", "RPR", "RPP", "PRP"]
+    assert [kind.name for kind in GROUPS] == ["crank", "RRR", "RRP", "RPR", "RPP", "PRP"] == [*GROUP_KINDS]
     for kind in GROUPS:
         procedure = getattr(groups, kind.name.lower())
         assert procedure.__doc__ is not None

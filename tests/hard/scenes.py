@@ -10,7 +10,7 @@ from typing import Any
 
 import coursework
 from coursework.run import Run
-from coursework.variant.reader import parse_variant
+from coursework.variant.reading.reader import parse_variant
 
 ROOT = Path(__file__).parents[2]
 REFERENCE = ROOT / "tests" / "reference"

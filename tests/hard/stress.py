@@ -21,7 +21,7 @@ import coursework
 from coursework.integration.integrate import march
 from coursework.integration.motion import Motion
 from coursework.run import Run
-from coursework.variant.reader import parse_variant
+from coursework.variant.reading.reader import parse_variant
 from coursework.words.errors import InputError
 from tests.hard.case import Case, Margin
 from tests.hard.families import random_case

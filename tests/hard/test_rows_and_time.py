@@ -13,7 +13,7 @@ from coursework.integration.extended_precision import march_in
 from coursework.integration.integrate import march
 from coursework.integration.loops import generate_loop
 from coursework.schemes import SCHEMES
-from coursework.variant.record import whole_steps
+from coursework.variant.record.variant import whole_steps
 from coursework.words.errors import InputError
 from tests.hard.scenes import CASES, V31, check, expected, numbers, scene, solve
 

@@ -6,7 +6,7 @@ import re
 import numpy as np
 import pytest
 
-from coursework.variant.reader import parse_variant
+from coursework.variant.reading.reader import parse_variant
 from coursework.words.errors import InputError
 from tests.hard.scenes import CASES, V31, check, expected, four_bar, rates, scene, solve
 from tests.hard.test_change_points import chain

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.catalogue import entries
 from coursework.integration.following import NotReached, _Follower, follow_closure
-from coursework.variant.reader import parse_variant
+from coursework.variant.catalogue import entries
+from coursework.variant.reading.reader import parse_variant
 from tests.hard.scenes import V31_IMPOSSIBLE
 
 CLOSED = [

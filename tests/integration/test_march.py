@@ -7,7 +7,7 @@ import coursework
 from coursework.integration.integrate import Correction, march
 from coursework.integration.loops import generate_rows
 from coursework.schemes import SCHEMES
-from coursework.variant.reader import parse_variant
+from coursework.variant.reading.reader import parse_variant
 from tests.hard.scenes import V31_IMPOSSIBLE
 
 

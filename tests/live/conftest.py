@@ -11,7 +11,7 @@ import pytest
 import coursework
 from coursework.output.formats import chosen
 from coursework.output.results import Results
-from coursework.variant.record import Variant
+from coursework.variant.record.variant import Variant
 
 Written = Callable[..., Path]
 

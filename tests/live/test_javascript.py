@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.catalogue import names
 from coursework.live.functions import live_functions
 from coursework.live.numbers import live_numbers
 from coursework.live.script import script_of
 from coursework.run import Run
+from coursework.variant.catalogue import names
 
 pytestmark = pytest.mark.browser
 # What the page itself does with the runtime, here handed to the test.

@@ -13,9 +13,9 @@ from typing import Any
 import pytest
 
 import coursework
-from coursework.catalogue import names
 from coursework.live.page import MOST_BYTES, LivePart, live_part
 from coursework.live.script import embedded, hash_of
+from coursework.variant.catalogue import names
 from coursework.words.sentences import load_phrases
 
 HOOKS = {"coordinates", "velocities", "start", "step", "rows", "given", "points", "links"}

@@ -5,9 +5,9 @@ import pandas as pd
 import pytest
 
 import coursework
-from coursework.catalogue import find, names
 from coursework.model.sets import prepare
 from coursework.schemes import SCHEMES
+from coursework.variant.catalogue import find, names
 
 MODELS = {}
 

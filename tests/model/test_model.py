@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.catalogue import names
-from coursework.variant.reader import parse_variant
+from coursework.variant.catalogue import names
+from coursework.variant.reading.reader import parse_variant
 
 RUNS = {}
 

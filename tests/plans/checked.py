@@ -10,7 +10,7 @@ from coursework.plans.graph_check import GraphCheck, check_graph
 from coursework.plans.pose import Body, Pose
 from coursework.plans.sketch import Sketch
 from coursework.run import Run
-from coursework.variant.record import Variant
+from coursework.variant.record.variant import Variant
 
 # Links that [links] and [frame] alone determine; V107 has a bar in a swivelling sleeve.
 DRAWABLE = ("V101", "V102", "V104", "V105", "V108", "V110", "V112")

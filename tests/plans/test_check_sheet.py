@@ -12,13 +12,13 @@ from xml.etree import ElementTree
 import pytest
 
 from coursework import load
-from coursework.catalogue import names
 from coursework.plans.graph_check import check_graph
 from coursework.plans.instant_centres import Findings
 from coursework.plans.layout import LANDSCAPE, PAGE, SCALES, lay_out
 from coursework.plans.pose import Body
 from coursework.plans.sketch import Sketch
-from coursework.variant.record import Link
+from coursework.variant.catalogue import names
+from coursework.variant.record.variant import Link
 from tests.drawing import measured
 from tests.plans.checked import DRAWABLE, check_of, run_of, scene, sketch_of, svg_of
 

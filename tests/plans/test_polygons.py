@@ -13,13 +13,13 @@ from xml.etree import ElementTree
 import pytest
 
 from coursework import load, solve
-from coursework.catalogue import names
 from coursework.drawing.record import Drawing
 from coursework.output.tables import run_tables
 from coursework.report import build_model
 from coursework.report.parts import Paragraph
 from coursework.run import Run
-from coursework.variant.reader import parse_variant
+from coursework.variant.catalogue import names
+from coursework.variant.reading.reader import parse_variant
 from coursework.words.errors import InputError
 from tests.drawing import measured
 

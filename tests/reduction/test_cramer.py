@@ -12,11 +12,11 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 import coursework
-from coursework.formula.tree import evaluate, spelled
 from coursework.reduction.cramer import cramer
 from coursework.reduction.sums import gathered
 from coursework.reduction.system import compile_system
-from coursework.variant.reader import parse_variant
+from coursework.variant.formula.tree import evaluate, spelled
+from coursework.variant.reading.reader import parse_variant
 
 CASES = {
     case["id"]: case

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from coursework.formula.tree import spelled
 from coursework.reduction import solution
 from coursework.report import build_model
 from coursework.report.html import render_html
+from coursework.variant.formula.tree import spelled
 from tests.hard.scenes import scene, solve
 from tests.report.reading import html_text
 

@@ -12,12 +12,12 @@ import pytest
 import coursework
 from coursework.accuracy.trace import trace
 from coursework.codegen import names as private_names
-from coursework.formula.reader import FUNCTION_WORDS
-from coursework.formula.tree import Formula
 from coursework.integration.loops import generate_loop
 from coursework.report.equations import text
 from coursework.schemes import SCHEMES
-from coursework.variant.reader import parse_variant
+from coursework.variant.formula.reader import FUNCTION_WORDS
+from coursework.variant.formula.tree import Formula
+from coursework.variant.reading.reader import parse_variant
 
 # One name in every role; `drive` is also the rate of a coordinate, `law` has derivatives of first and second order.
 PLAIN = """

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.formula.tree import evaluate, spelled
 from coursework.reduction.system import compile_system
-from coursework.variant.reader import parse_variant
+from coursework.variant.formula.tree import evaluate, spelled
+from coursework.variant.reading.reader import parse_variant
 
 PAGE = (Path(__file__).parent.parent / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
 WRITTEN = PAGE[: PAGE.index("# --- geometry")]

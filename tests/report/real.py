@@ -10,8 +10,8 @@ from typing import Any
 
 import coursework
 from coursework.run import Run
-from coursework.variant.reader import parse_variant
-from coursework.variant.record import Variant
+from coursework.variant.reading.reader import parse_variant
+from coursework.variant.record.variant import Variant
 from tests.hard.scenes import four_bar, scene
 
 ROOT = Path(__file__).parents[2]

@@ -3,9 +3,9 @@
 import pytest
 
 import coursework
-from coursework.catalogue import names
 from coursework.report.data_meanings import coordinate_meanings, meanings
 from coursework.report.drive_meanings import drive_meanings
+from coursework.variant.catalogue import names
 
 SAID = {
     "v101": {"r1": "DA", "V1": "amplitude of VMy", "p": "angular frequency of the drive", "alpha": "phase of the drive",

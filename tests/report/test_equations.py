@@ -13,11 +13,11 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from coursework.formula.reader import parse, parse_equation
-from coursework.formula.tree import Formula, FormulaFault, evaluate
 from coursework.report import display, equations
 from coursework.report.formulas import draw
 from coursework.report.typesetting import typeset
+from coursework.variant.formula.reader import parse, parse_equation
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate
 
 NAMES = ("r1", "r3", "w3", "phi1", "phi3", "VMx", "alpha", "t", "speed", "speed2", "AB", "wA", "p")
 

@@ -11,7 +11,7 @@ import pytest
 
 import coursework
 from coursework.report import build_model, render_html, render_pdf
-from coursework.variant.reader import parse_variant
+from coursework.variant.reading.reader import parse_variant
 from coursework.words.errors import InputError
 
 EVIL = (

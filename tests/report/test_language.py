@@ -19,8 +19,8 @@ from coursework.cli import main
 from coursework.report import build_model, render_html, words
 from coursework.report.parts import Paragraph
 from coursework.run import Run
-from coursework.variant.reader import parse_variant
-from coursework.variant.set_values import with_set
+from coursework.variant.reading.reader import parse_variant
+from coursework.variant.reading.set_values import with_set
 from coursework.words.custom_templates import templates_of
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import PLURALS, Phrases, joined, load_phrases, say, say_count, unfolded

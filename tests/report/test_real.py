@@ -14,8 +14,8 @@ from coursework import write_report
 from coursework.report import build_model, render_html, render_pdf
 from coursework.report.numbers import NOTHING
 from coursework.report.parts import Table
-from coursework.variant.reader import parse_variant
-from coursework.variant.set_values import with_set
+from coursework.variant.reading.reader import parse_variant
+from coursework.variant.reading.set_values import with_set
 from coursework.words.data_folders import folder
 
 ASKED = ("table", "plots", "checks")

@@ -12,8 +12,8 @@ from typing import Any
 import pytest
 
 import coursework
-from coursework.catalogue import names
 from coursework.report import build_model, render_html
+from coursework.variant.catalogue import names
 
 pytestmark = pytest.mark.browser
 

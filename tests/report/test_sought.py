@@ -5,8 +5,8 @@ from types import ModuleType
 import pytest
 
 import coursework
-from coursework.formula.reader import parse
-from coursework.formula.tree import on_axes, spelled
+from coursework.variant.formula.reader import parse
+from coursework.variant.formula.tree import on_axes, spelled
 
 
 def statement(real: ModuleType, variant: object) -> str:

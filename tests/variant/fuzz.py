@@ -24,11 +24,11 @@ from pathlib import Path
 from random import Random
 
 import coursework
-from coursework.catalogue import names
 from coursework.output.gate import pass_gate
 from coursework.output.record import record
-from coursework.variant.reader import read_variant
-from coursework.variant.record import Variant
+from coursework.variant.catalogue import names
+from coursework.variant.reading.reader import read_variant
+from coursework.variant.record.variant import Variant
 from coursework.words.data_folders import folder
 from coursework.words.errors import CourseworkError
 

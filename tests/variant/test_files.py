@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.variant.positions import locate
-from coursework.variant.reader import parse_variant
+from coursework.variant.reading.reader import parse_variant
+from coursework.variant.toml.positions import locate
 
 REFERENCE = Path(__file__).parent.parent / "reference"
 PAGE = REFERENCE / "format_page_31.toml"

@@ -10,8 +10,8 @@ import pytest
 
 import coursework
 from coursework.output.record import record
-from coursework.variant.reader import parse_variant
-from coursework.variant.source import MAX_BYTES
+from coursework.variant.reading.reader import parse_variant
+from coursework.variant.toml.source import MAX_BYTES
 from coursework.words.errors import MOST_SHOWN
 
 PLAIN = """[given]

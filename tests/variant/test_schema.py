@@ -1,6 +1,6 @@
 """`variants/variant.schema.json`, which editors read while a file is typed: fresh, and true of every good file.
 
-To write it anew after `coursework/variant/schema.py` has changed:  python tests/variant/test_schema.py
+To write it anew after `coursework/variant/reading/schema.py` has changed:  python tests/variant/test_schema.py
 """
 
 import json
@@ -10,8 +10,8 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from coursework.catalogue import names
-from coursework.variant.schema import json_schema
+from coursework.variant.catalogue import names
+from coursework.variant.reading.schema import json_schema
 from coursework.words.data_folders import folder
 
 ROOT = Path(__file__).parent.parent.parent

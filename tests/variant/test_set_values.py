@@ -7,11 +7,11 @@ import pytest
 from click.testing import CliRunner
 
 import coursework
-from coursework.catalogue import names
 from coursework.cli import main
-from coursework.variant.reader import parse_variant
-from coursework.variant.rewriting import SAID_OF_NUMBERS, rewritten
-from coursework.variant.set_values import with_set
+from coursework.variant.catalogue import names
+from coursework.variant.reading.reader import parse_variant
+from coursework.variant.reading.set_values import with_set
+from coursework.variant.toml.rewriting import SAID_OF_NUMBERS, rewritten
 from coursework.words.data_folders import folder
 
 V31 = coursework.load("31")

@@ -10,9 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import coursework
-from coursework.formula import units
-from coursework.formula.alphabet import foreign_letter, spell
-from coursework.variant.reader import parse_variant
+from coursework.variant.formula import units
+from coursework.variant.formula.alphabet import foreign_letter, spell
+from coursework.variant.reading.reader import parse_variant
 
 PAGE = (Path(__file__).parent.parent / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
 

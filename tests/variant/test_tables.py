@@ -143,7 +143,7 @@ def test_names_that_are_no_file(tmp_path, name):
 
 
 def test_a_table_needs_a_file_beside_it():
-    from coursework.variant.reader import parse_variant
+    from coursework.variant.reading.reader import parse_variant
 
     with pytest.raises(coursework.InputError, match=r'the table "r\.csv" is not among the files beside the variant'):
         parse_variant(TEXT.replace("TABLE", "r.csv"))

@@ -7,8 +7,7 @@ import pytest
 import coursework
 from coursework.report import build_model
 from coursework.report.html import render_html
-from coursework.variant.reader import parse_variant
-from coursework.variant.texts import in_language
+from coursework.variant.reading.reader import parse_variant
 from tests.report.real import text_of
 
 FILE = """
@@ -38,10 +37,10 @@ means = { r = "радіус" }
 
 def test_a_language_that_the_file_has_is_spoken_and_what_it_lacks_is_as_written() -> None:
     variant = parse_variant(FILE)
-    spoken = in_language(variant, "uk")
+    spoken = variant.in_language("uk")
     assert (spoken.title, spoken.given[0].means, spoken.constraints[0].because) == ("Кривошип", "радіус", "палець на кривошипі")
     assert spoken.remarks == ("It turns.",)
-    assert in_language(variant, "ru") is variant
+    assert variant.in_language("ru") is variant
 
 
 def test_the_page_speaks_it_and_marks_a_title_as_written() -> None:

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.catalogue import find, names
-from coursework.variant.reader import parse_variant
+from coursework.variant.catalogue import find, names
+from coursework.variant.reading.reader import parse_variant
 
 FOUR_BAR = """
 format = 1

@@ -10,7 +10,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from coursework.catalogue import find
 from coursework.grading.batch.decisions import Override
 from coursework.grading.batch.work import Task, VariantSource
 from coursework.grading.handed_in import Source
@@ -19,8 +18,9 @@ from coursework.grading.parcels import Parcel
 from coursework.grading.platforms.roster import Roster
 from coursework.grading.platforms.worksheet import Worksheet, WorksheetRow
 from coursework.grading.submission import Submission
-from coursework.variant.reader import read_variant
-from coursework.variant.record import Variant
+from coursework.variant.catalogue import find
+from coursework.variant.reading.reader import read_variant
+from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 

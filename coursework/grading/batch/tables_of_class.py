@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from coursework.variant.record import Variant
+from coursework.variant.record.variant import Variant
 
 MOST = 500  # variants; beyond these a class is a university, and looking through all of them helps nobody
 

@@ -18,7 +18,7 @@ from coursework.grading.marking.rubric import Rubric, read_rubric
 from coursework.grading.pages.feedback import feedback_page
 from coursework.grading.submission import Submission
 from coursework.grading.understand import understand
-from coursework.variant.reader import parse_variant
+from coursework.variant.reading.reader import parse_variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import load_phrases, say
 

@@ -20,7 +20,7 @@ from coursework.geometry.start import start_values
 from coursework.mechanism import build
 from coursework.reduction.equations import differentiate
 from coursework.schemes import DEFAULT_SCHEME
-from coursework.variant.record import Variant
+from coursework.variant.record.variant import Variant
 from coursework.words.errors import CourseworkError
 
 Array = NDArray[np.float64]

@@ -12,8 +12,8 @@ from typing import Any, Literal
 
 import numpy as np
 
-from coursework.formula.tree import Formula, number
 from coursework.grading.marking.numbers import NoValue, combined, value_of
+from coursework.variant.formula.tree import Formula, number
 
 Kind = Literal["sign", "function", "name", "factor"]
 _OTHER = {"sin": "cos", "cos": "sin"}

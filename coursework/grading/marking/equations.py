@@ -15,12 +15,12 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.formula.tree import Formula, number, spelled
 from coursework.grading.contents import EquationLine
 from coursework.grading.marking.edits import Edit, Values, applied, edits
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.numbers import NoValue, real, size_of, value_of
 from coursework.grading.marking.probe import Probe, exact_probe, kinds, random_probe
+from coursework.variant.formula.tree import Formula, number, spelled
 from coursework.words.errors import Fault
 
 Array = NDArray[np.float64]

@@ -13,7 +13,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.variant.record import Variant
+from coursework.variant.record.variant import Variant
 
 Array = NDArray[np.float64]
 # (t (n,), q (n, m), data by name) -> every velocity (n, r) in the order of the table; NaN where there is none.

@@ -11,7 +11,6 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.formula.tree import Formula
 from coursework.grading.marking.cells import Cells, velocity_tolerance
 from coursework.grading.marking.claims import Claim, Printed
 from coursework.grading.marking.equations import EquationMarks, difference
@@ -19,6 +18,7 @@ from coursework.grading.marking.key import Key, sensitivity
 from coursework.grading.marking.misconceptions import claim_share, euler_cells
 from coursework.grading.marking.numbers import NoValue, real, value_of
 from coursework.grading.marking.probe import names_at
+from coursework.variant.formula.tree import Formula
 
 Array = NDArray[np.float64]
 

@@ -16,7 +16,7 @@ from coursework.codegen.tabulated import OutsideTable, TableLaw
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.numbers import value_of
 from coursework.mechanism import build
-from coursework.variant.record import Law, Variant
+from coursework.variant.record.variant import Law, Variant
 
 Array = NDArray[np.float64]
 POINTS = 8

@@ -15,7 +15,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.api import solve
-from coursework.formula.tree import Formula, number
 from coursework.geometry.drive import breaks
 from coursework.grading.marking.branches import other_assemblies
 from coursework.grading.marking.key import Key
@@ -23,7 +22,8 @@ from coursework.many import Solutions, solve_many
 from coursework.model.model import Model, model_of
 from coursework.reduction.structure import without_data
 from coursework.schemes import DEFAULT_SCHEME
-from coursework.variant.record import Law, Variant
+from coursework.variant.formula.tree import Formula, number
+from coursework.variant.record.variant import Law, Variant
 from coursework.words.errors import CourseworkError
 
 Array = NDArray[np.float64]

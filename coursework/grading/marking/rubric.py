@@ -11,8 +11,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from coursework.formula.units import UnitFault, read
-from coursework.variant.record import Variant
+from coursework.variant.formula.units import UnitFault, read
+from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say
 

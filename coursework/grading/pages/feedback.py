@@ -15,7 +15,6 @@ import numpy as np
 from coursework.grading.marking.cells import CARRIED, GIVEN, KEY, MISSING, WRONG
 from coursework.grading.marking.grade import Grade, TableMarks
 from coursework.grading.pages.curves import panel
-from coursework.variant.texts import in_language
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import Phrases, joined, load_phrases, say
 from coursework.words.templates import clean, filled
@@ -51,7 +50,7 @@ def feedback_page(grade: Grade, student: str, name: str | None, final: Mapping[s
         student,
         name,
         words,
-        variant=in_language(grade.key.variant, words.language).title,
+        variant=grade.key.variant.in_language(words.language).title,
         parts=parts,
         verdict=grade.verdicts.sentence if grade.table or grade.equations else "",
         notes=[clean(words.written(entry.text), LONGEST_TEXT) for entry in grade.notes],

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
-from coursework.formula.alphabet import spell
+from coursework.variant.formula.alphabet import spell
 
 TIME = "t"
 INDEX = "№"

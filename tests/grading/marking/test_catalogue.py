@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.catalogue import names
 from coursework.grading.marking.cells import Student, mark_cells
 from coursework.grading.marking.reference import key_of
+from coursework.variant.catalogue import names
 
 
 @pytest.mark.parametrize("name", names())

@@ -3,13 +3,13 @@
 import pytest
 
 import coursework
-from coursework.catalogue import names
-from coursework.formula.reader import parse
-from coursework.formula.tree import Formula, spelled
 from coursework.grading.contents import EquationLine
 from coursework.grading.marking.edits import applied, edits
 from coursework.grading.marking.equations import ROUNDED, Judge
 from coursework.grading.marking.reference import key_of
+from coursework.variant.catalogue import names
+from coursework.variant.formula.reader import parse
+from coursework.variant.formula.tree import Formula, spelled
 
 RIGHT = [
     "VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0",

@@ -1,0 +1,137 @@
+"""Exponents of length and time as unknowns: linear forms, their elimination with fractions, and what they are called.
+
+Enters: linear forms that must vanish.  Leaves: whether they can, and what each unknown then is.
+Used by `formulas.py` and where a variant file is read.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Mapping
+from fractions import Fraction
+
+from coursework.variant.formula.units import KINDS, UNITS, measured
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
+
+# A dimension is a sum of terms: exponent times key.  The keys LENGTH and TIME are known, every other key is an unknown
+# dimension (a name of the file, or a number counted from 0).  {} is an angle or a plain number; {"phi": 1, TIME: -1} is
+# whatever phi is, a second.
+Exponent = int | Fraction
+Dimension = Mapping[Hashable, Exponent]
+LENGTH, TIME = -1, -2
+_KNOWN = {LENGTH, TIME}
+NUMBER: Dimension = {}
+
+
+def dimension_of(si: str) -> Dimension:
+    """Return the dimension of an SI unit."""
+    length, time = KINDS[si][0]
+    return {key: exponent for key, exponent in ((LENGTH, length), (TIME, time)) if exponent}
+
+
+def added(first: Dimension, second: Dimension, times: Exponent = 1) -> Dimension:
+    """Return the dimension of first * second^times."""
+    if not second:
+        return first
+    total = dict(first)
+    for key, exponent in second.items():
+        total[key] = total.get(key, 0) + times * exponent
+        if not total[key]:
+            del total[key]
+    return total
+
+
+class System:
+    """Equations between dimensions, solved as they come."""
+
+    def __init__(self) -> None:
+        self.solved: dict[Hashable, Dimension] = {}
+
+    def reduced(self, dimension: Dimension) -> Dimension:
+        """Return a dimension with every unknown that is known by now replaced."""
+        while (known := next((key for key in dimension if key in self.solved), None)) is not None:
+            others = {key: exponent for key, exponent in dimension.items() if key != known}
+            dimension = added(others, self.solved[known], dimension[known])
+        return dimension
+
+    def equal(self, first: Dimension, second: Dimension) -> bool:
+        """Require two dimensions to be the same; return False, and require nothing, where they cannot be."""
+        if first == second:
+            return True
+        rest = self.reduced(added(first, second, -1))
+        unknown = next((key for key in rest if key not in _KNOWN), None)
+        if unknown is None:
+            return not rest
+        factor = rest[unknown]
+        self.solved[unknown] = {key: _quotient(-e, factor) for key, e in rest.items() if key != unknown}
+        return True
+
+
+def _quotient(above: Exponent, below: Exponent) -> Exponent:
+    if below in {1, -1}:
+        return above * below
+    value = Fraction(above) / below
+    return value.numerator if value.denominator == 1 else value
+
+
+def is_known(dimension: Dimension) -> bool:
+    """Return whether a reduced dimension holds no unknown."""
+    return dimension.keys() <= _KNOWN
+
+
+def si_unit(dimension: Dimension) -> str:
+    """Return the SI unit of a known dimension, "" where no unit of the tool measures it; angles are "rad"."""
+    exponents = (dimension.get(LENGTH, 0), dimension.get(TIME, 0))
+    return next((si for si, (its, _) in KINDS.items() if its == exponents), "")
+
+
+def what(dimension: Dimension, number: str = "quantity.angle_or_number") -> Sentence:
+    """Return what a known dimension is called; `number` is the key of the words for one of no length and no time."""
+    if not dimension:
+        return say(number)
+    si = si_unit(dimension)
+    return measured(si) if si else say("quantity.other", unit=symbols(dimension))
+
+
+def units_shown(dimension: Dimension) -> str:
+    """Return the units that advice shows for a known dimension, or its SI symbols."""
+    si = si_unit(dimension)
+    return KINDS[si][1] if si else symbols(dimension)
+
+
+def unit_like(unit: str, dimension: Dimension) -> str:
+    """Return the unit of a known dimension nearest to `unit`, which measures another one: m/s for m, mm for mm/s; "" for none.
+
+    >>> unit_like("mm", dimension_of("m/s"))
+    'mm/s'
+    """
+    si = si_unit(dimension)
+    if not si:
+        return ""
+    above, _, below = unit.partition("/")
+    cyrillic = any("а" <= letter <= "я" for letter in unit)
+    second = "с" if cyrillic else "s"
+    tried = [above, f"{above}/{below.removesuffix('^2')}", f"{above}/{below}", f"{above}/{second}", f"{above}/{second}^2"]
+    fitting = [other for other in tried if other in UNITS and UNITS[other][1] == si]
+    usual = {"1/s": "rad/s", "1/s^2": "rad/s^2"}.get(si, si)
+    return fitting[0] if fitting else _in_cyrillic(usual) if cyrillic else usual
+
+
+def _in_cyrillic(unit: str) -> str:
+    for latin, other in (("rad", "рад"), ("m", "м"), ("s", "с")):
+        unit = unit.replace(latin, other)
+    return unit
+
+
+def symbols(dimension: Dimension) -> str:
+    """Return a known dimension in m and s, such as m^2/s."""
+    powers = [(symbol, dimension.get(key, 0)) for symbol, key in (("m", LENGTH), ("s", TIME))]
+    above = "·".join(_power(symbol, exponent) for symbol, exponent in powers if exponent > 0) or "1"
+    below = "·".join(_power(symbol, -exponent) for symbol, exponent in powers if exponent < 0)
+    return f"{above}/{below}" if below else above
+
+
+def _power(symbol: str, exponent: Exponent) -> str:
+    if exponent == 1:
+        return symbol
+    return f"{symbol}^{exponent}" if isinstance(exponent, int) else f"{symbol}^({exponent})"

@@ -1,0 +1,76 @@
+"""Whether the formulas of a file have values at t = 0, before anything is differentiated.
+
+Enters: a `Variant` and its `Source`.  Leaves: faults.  Used by `reader.py` only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from coursework.variant.formula.alphabet import spell
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate
+from coursework.variant.record.no_value import in_order
+from coursework.variant.record.variant import Law, Variant
+from coursework.variant.toml.source import Source
+from coursework.words.errors import Fault
+from coursework.words.sentences import say
+
+Path = tuple[str | int, ...]
+
+
+def faults_at_start(variant: Variant, source: Source) -> list[Fault]:
+    """Return a fault for each law that needs itself, and for each law or velocity equation without a value at t = 0.
+
+    Formulas with points, tables or coordinates that a chain will give are left to the computation itself.
+    """
+    laws = {law.name: law for law in (*variant.functions, *variant.drive)}
+    places = {law.name: _key("functions", law, source) for law in variant.functions}
+    places |= {law.name: _key("drive", law, source) for law in variant.drive}
+    circles = {name: circle for name in laws if (circle := _circle(name, laws))}
+    if circles:
+        return [source.fault(places[name], say("fault.V057", circle=" → ".join(circle))) for name, circle in circles.items()]
+    values = {"t": 0.0, **variant.values, **{c.name: c.start for c in variant.coordinates if c.start is not None}}
+    # Any velocities do: an equation is linear in them, and says so itself where it is not.
+    values |= {name: 1.0 + 0.1 * place for place, name in enumerate(variant.sought)}
+    faults: list[Fault] = []
+    for name in [law.name for _, law in in_order(variant)]:
+        pieces = laws[name].pieces
+        formula = laws[name].formula or (pieces[0][1] if pieces else None)
+        path = (*places[name], "pieces", 0, 1) if pieces else places[name]
+        value = None if formula is None else _value(formula, values, path, source, faults)
+        if value is not None:
+            values[name] = value
+    for index, constraint in enumerate(variant.constraints):
+        for side in () if constraint.is_closure else (constraint.left, constraint.right):
+            _value(side, values, ("constraint", index, "equation"), source, faults)
+    return faults
+
+
+def _key(section: str, law: Law, source: Source) -> Path:
+    return section, next(key for key in source.data[section] if spell(key) == law.name)
+
+
+def _value(formula: Formula, values: Mapping[str, float], path: Path, source: Source, faults: list[Fault]) -> float | None:
+    """Return a value, or None where it needs what is not known yet, or after a fault."""
+    if not {*formula.names()} <= {*values, "pi"}:
+        return None
+    try:
+        return evaluate(formula, values)
+    except FormulaFault as fault:
+        faults.append(source.fault(path, say("fault.V086", message=fault.message), fault.column))
+        return None
+
+
+def _circle(name: str, laws: Mapping[str, Law]) -> tuple[str, ...]:
+    """Return the way from a law back to itself, or nothing."""
+    ways: list[tuple[str, ...]] = [(name,)]
+    seen: set[str] = set()
+    while ways:
+        way = ways.pop()
+        for needed in (n for formula in laws[way[-1]].formulas for n in formula.names() if n in laws):
+            if needed == name:
+                return (*way, name)
+            if needed not in seen:
+                seen.add(needed)
+                ways.append((*way, needed))
+    return ()

@@ -1,0 +1,135 @@
+"""What is said about two things that cannot measure the same, and about the datum that makes it so.
+
+Enters: a `Place`, its `Clash`.  Leaves: sentences.  Used by `dimension_check.py` only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+from coursework.variant.dimensions.exponents import NUMBER, Dimension, dimension_of, unit_like, units_shown, what
+from coursework.variant.dimensions.formulas import Clash, Term
+from coursework.variant.formula.tree import Formula, spelled
+from coursework.variant.record.places import Path, Place
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
+
+Solved = Callable[[Dimension], Dimension | None]
+_MOST_LETTERS = 80
+
+
+@dataclass(frozen=True, slots=True)
+class Blame:
+    """A datum with a unit: where it stands, its number and unit as written; `must` is what it would have to measure."""
+
+    path: Path
+    name: str
+    text: str
+    unit: str
+    si: str
+    must: Dimension | None = None
+
+    @property
+    def written(self) -> str:
+        """Return the datum as the file writes it."""
+        return f'{self.name} = "{f"{self.text} {self.unit}".strip()}"'
+
+    @property
+    def needed(self) -> Sentence:
+        """Return what it must be."""
+        assert self.must is not None
+        return what(self.must, "quantity.rad")
+
+    @property
+    def advice(self) -> Sentence:
+        """Return how that is written."""
+        assert self.must is not None
+        unit = unit_like(self.unit, self.must)
+        if unit:
+            return say("fault.measures.write", text=f"{self.text} {unit}".strip())
+        return say("fault.measures.correct")
+
+
+def contrast(place: Place, clash: Clash, solved: Solved) -> Sentence:
+    """Return what the two sides of a clash are."""
+    first, second = _named(clash.first, solved), _named(clash.second, solved)
+    tree = text_of(clash.first.tree)
+    if clash.kind == "argument":
+        which = "angle" if clash.first.tree.op == "@" else "argument"
+        if first is None:
+            return say(f"fault.measures.{which}_unknown", whole=tree)
+        return say(f"fault.measures.{which}", whole=tree, first=first)
+    if clash.first.tree.si and second is not None and clash.second.dimension is not None:
+        units = units_shown(solved(clash.second.dimension) or NUMBER)
+        return say("fault.measures.value", first=first, second=second, units=units)
+    other = place.label if clash.kind == "place" else text_of(clash.second.tree)
+    if first is None or second is None:
+        return say("fault.measures.unlike", tree=tree, other=other)
+    if clash.kind == "place":
+        return say("fault.measures.two", tree=tree, first=first, other=other, second=second)
+    return say("fault.measures.terms", tree=other, first=second, other=tree, second=first)
+
+
+def disagreement_of(place: Place, clash: Clash) -> Sentence:
+    """Return what is remarked on a formula that cannot hold in a file whose data carry no units."""
+    tree = text_of(clash.first.tree)
+    if clash.kind == "place" and place.wanted is not None:
+        return say("remark.disagreement_place", place=place.label, tree=tree, wanted=what(place.wanted))
+    return say("remark.disagreement", place=place.label, first=tree, second=text_of(clash.second.tree))
+
+
+def fault_of_terms(place: Place, clash: Clash, solved: Solved) -> Sentence:
+    """Return what is said where no datum is to blame; a value of the wrong kind needs no further word."""
+    told = contrast(place, clash, solved)
+    if clash.kind == "terms":
+        return say("fault.V201", contrast=told)
+    return say("fault.V202", contrast=told) if clash.first.tree.si else say("fault.V203", contrast=told)
+
+
+def fault_of_either(blame: Blame, line: int, place: Place, clash: Clash, solved: Solved) -> Sentence:
+    """Return what is said where the formula is as likely to be wrong as the datum."""
+    told = contrast(place, clash, solved)
+    return say("fault.V204", contrast=told, datum=blame.written, line=line, needed=blame.needed)
+
+
+def fault_of_datum(blame: Blame, place: Place, clash: Clash, solved: Solved) -> Sentence:
+    """Return the sentence that names the datum; `solved` tells what things measure once the datum is free."""
+    found = what(dimension_of(blame.si), "quantity.rad")
+    reason = _reason(blame, place, clash, solved)
+    return say(
+        "fault.V205", datum=blame.written, found=found, reason=reason, name=blame.name, needed=blame.needed, advice=blame.advice
+    )
+
+
+def _reason(blame: Blame, place: Place, clash: Clash, solved: Solved) -> Sentence:
+    if clash.kind == "argument":
+        return say("fault.measures.takes_angle", whole=text_of(clash.first.tree))
+    if clash.kind == "place":
+        second = _named(clash.second, solved) or say("fault.measures.else")
+        return say("fault.measures.is", label=place.label, tree=text_of(clash.first.tree), second=second)
+    mine, other = clash.first, clash.second
+    if blame.name not in mine.tree.names():
+        mine, other = other, mine
+    is_what = None if blame.name in other.tree.names() else _named(other, solved)
+    known = {"label": place.label, "tree": text_of(mine.tree), "other": text_of(other.tree)}
+    return say("fault.measures.beside_known", **known, what=is_what) if is_what else say("fault.measures.beside", **known)
+
+
+def _named(term: Term, solved: Solved) -> Sentence | None:
+    found = solved(term.dimension if term.dimension is not None else NUMBER)
+    return None if found is None else what(found)
+
+
+def text_of(tree: Formula) -> str:
+    """Return a term as messages show it: without its sign, shortened."""
+    text = spelled(_unsigned(tree))
+    return text if len(text) <= _MOST_LETTERS else f"{text[:_MOST_LETTERS]}…"
+
+
+def _unsigned(tree: Formula) -> Formula:
+    if tree.op == "neg":
+        return _unsigned(tree.args[0])
+    if tree.op in {"*", "/", "@"}:
+        return replace(tree, args=(_unsigned(tree.args[0]), *tree.args[1:]))
+    return tree

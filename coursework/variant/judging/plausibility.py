@@ -1,0 +1,146 @@
+"""What looks like a slip of the pen in a file that can be computed: remarks, which change no status.
+
+Enters: a `Variant`, what its names measure, the places of grads.  Leaves: `Remark`s.  Used by `reader.py` only.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterable, Iterator, Sequence
+
+from coursework.variant.dimensions.exponents import LENGTH
+from coursework.variant.formula.tree import Formula, terms
+from coursework.variant.formula.units import UNITS
+from coursework.variant.judging.dimension_check import Dimensions
+from coursework.variant.judging.dimension_words import text_of
+from coursework.variant.record.places import Path, Place
+from coursework.variant.record.variant import Given, Remark, Variant
+from coursework.variant.toml.source import Source
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
+
+_TURN = 2 * math.pi
+# In a mechanism all lengths are of one order: in 66 files the widest gap between neighbours was a factor of four.
+_FAR = 30.0
+_LENGTHS = ("mm", "cm", "m"), ("мм", "см", "м")
+
+
+def remarks_on(variant: Variant, dimensions: Dimensions, source: Source, grads: Iterable[tuple[Path, str]]) -> tuple[Remark, ...]:
+    """Return every remark on a file, in file order."""
+    angles = tuple(_terms_of_angles(dimensions.places))
+    phases = {term.name for _, term in angles if term.op == "name"}  # names that stand alone as a term of an angle
+    found = [
+        *_angles(variant, dimensions, angles, phases), *_lengths(variant, dimensions), *_bare(variant, dimensions, phases),
+        *_left_out(variant, dimensions),
+        *(("GRAD", path, say("remark.grad", text=text, degrees=text.split("g")[0].strip())) for path, text in grads),
+    ]  # fmt: skip
+    lines = [(source.positions.find(source.path_of(path))[0], code, sentence) for code, path, sentence in found]
+    return tuple(Remark(code, line, sentence) for line, code, sentence in sorted(lines))
+
+
+_Found = tuple[str, Path, Sentence]
+
+
+def _angles(
+    variant: Variant, dimensions: Dimensions, angles: Iterable[tuple[Place, Formula]], phases: Collection[str]
+) -> Iterator[_Found]:
+    """Yield starts and phases beyond a turn that are written in rad or without unit: degrees, perhaps."""
+    for coordinate in variant.coordinates:
+        if (
+            coordinate.start is not None
+            and coordinate.unit == "rad"
+            and (coordinate.bare or coordinate.written in {"rad", "рад"})
+        ):
+            yield from _turned(coordinate.name, coordinate.start, coordinate.text, ("coordinates", coordinate.name))
+    for given in variant.given:
+        if given.name in phases and given.unit in {"", "rad", "рад"} and not dimensions.known.get(given.name, {}):
+            yield from _turned(given.name, given.value, given.text, ("given", given.name))
+    for place, term in angles:
+        size = float(term.name) if term.op == "number" and not term.si else 0.0
+        if size > _TURN * (1 + 1e-12):
+            yield "ANGLE", place.path, say("remark.angle_in", place=place.label, text=f"{size:.10g}", turns=size / _TURN)
+
+
+def _turned(name: str, value: float, text: str, path: Path) -> Iterator[_Found]:
+    if abs(value) > _TURN * (1 + 1e-12):
+        yield "ANGLE", path, say("remark.angle", name=name, text=text, turns=abs(value) / _TURN)
+
+
+def _lengths(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
+    """Yield the lengths far from all others: of the two sides of a gap the smaller one."""
+    lengths = sorted((g for g in variant.given if g.value and dimensions.known.get(g.name) == {LENGTH: 1}), key=_size)
+    named: dict[str, tuple[Given, Sequence[Given]]] = {}
+    for place in range(1, len(lengths)):
+        below, above = lengths[:place], lengths[place:]
+        if _size(above[0]) >= _FAR * _size(below[-1]) * (1 - 1e-12):
+            few, many = (below, above[:1]) if len(below) < len(above) else (above, below[-1:])
+            for given in few:
+                named.setdefault(given.name, (given, many))
+    for given, (neighbour,) in named.values():
+        better = _nearer(given, neighbour)
+        key = "remark.length" if better else "remark.length_alone"
+        yield "LENGTH", ("given", given.name), say(
+            key, name=given.name, text=_written(given), beside=_written(neighbour), better=f"{given.text} {better}"
+        )  # fmt: skip
+
+
+def _size(given: Given) -> float:
+    return abs(given.value)
+
+
+def _written(given: Given) -> str:
+    return f"{given.text} {given.unit or 'm'}"
+
+
+def _nearer(given: Given, neighbour: Given) -> str:
+    """Return the unit with which the same number would stand nearest to its neighbour, "" where none would be near."""
+    units = _LENGTHS[any("а" <= letter <= "я" for letter in given.unit)]
+    number = abs(float(given.text.replace("−", "-")))
+    far, unit = min((abs(math.log(number * float(UNITS[unit][0]) / _size(neighbour))), unit) for unit in units)
+    return unit if far < math.log(_FAR) and unit != (given.unit or "m") else ""
+
+
+def _bare(variant: Variant, dimensions: Dimensions, phases: Collection[str]) -> Iterator[_Found]:
+    """Yield data and starts without a unit beside others with one; plain numbers and zeros need none."""
+    if dimensions.disagreement:
+        return  # what is known of the others is then no more than a guess
+    if not any(g.unit for g in variant.given) and not any(c.said and c.text for c in variant.coordinates):
+        return
+    for given in variant.given:
+        measured = dimensions.known.get(given.name)
+        if not given.si and given.value and (measured or (measured is not None and given.name in phases)):
+            yield "NO-UNIT", ("given", given.name), _without_unit(given.name, given.text, dimensions.si_of(given.name))
+    for coordinate in variant.coordinates:
+        if coordinate.start and coordinate.bare:
+            yield "NO-UNIT", ("coordinates", coordinate.name), _without_unit(coordinate.name, coordinate.text, coordinate.unit)
+
+
+def _without_unit(name: str, text: str, si: str) -> Sentence:
+    usual = {"1/s": "rad/s", "1/s^2": "rad/s^2", "": "SI"}.get(si, si)
+    return say("remark.no_unit", name=name, text=text, unit=usual)
+
+
+def _left_out(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
+    """Yield numbers that had to measure something, times read as angles, and formulas that would need units to agree."""
+    if any(given.si for given in variant.given):
+        for path, term, si in dimensions.numbers:
+            name = variant.constraints[int(path[1])].name
+            yield "NUMBER", path, say("remark.number", term=text_of(term), name=name, unit=si)
+    for path, whole in dimensions.times_as_angles:
+        yield "TIME-AS-ANGLE", path, say("remark.time_as_angle", term=text_of(whole))
+    if dimensions.disagreement:
+        path, told = dimensions.disagreement
+        yield "NO-UNIT", path, told
+
+
+def _terms_of_angles(places: Iterable[Place]) -> Iterator[tuple[Place, Formula]]:
+    """Yield what stands as a term of an angle, and where: in sin, cos, tan, behind @, or where an angle is wanted."""
+    for place in places:
+        for tree in place.formulas:
+            if place.wanted == {}:
+                yield from ((place, term) for term in terms(tree))
+            for node in tree.walk():
+                if node.op == "call" and node.name in {"sin", "cos", "tan"}:
+                    yield from ((place, term) for term in terms(node.args[0]))
+                elif node.op == "@":
+                    yield from ((place, term) for term in terms(node.args[1]))

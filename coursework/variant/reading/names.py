@@ -1,0 +1,112 @@
+"""Which names a variant file declares, once each, and what an author may write for them.
+
+Enters: the checked file.  Leaves: `Names`.  Used while a file is read.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+from coursework.variant.formula.alphabet import foreign_letter, spell
+from coursework.variant.formula.reader import FUNCTION_WORDS
+from coursework.variant.reading.schema import VariantFile
+from coursework.variant.toml.source import Source
+from coursework.words.errors import Fault
+from coursework.words.sentences import say
+
+_SHAPE = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
+_BUILT_IN = {"t", "pi"}
+# Other ways to write the beginning of a name.
+_ALIASES = (("omega", "w"), ("fi", "phi"), ("lambda", "lam"), ("epsilon", "eps"))
+
+
+def _form(name: str) -> str:
+    """Return what two spellings of one name have in common: omega_3 and w3, phi_1 and fi1."""
+    for alias, usual in _ALIASES:
+        name = re.sub(rf"^{alias}(?=\d|_|$)", usual, name)
+    return re.sub(r"_(?=\d)", "", name)
+
+
+@dataclass(slots=True)
+class Names:
+    """`kinds` maps each declared name to given, drive, coordinate, rate, unknown, function or point; `forms` what else it
+    may be written as; `columns` are the velocities of the table and where they stand.
+    """
+
+    kinds: dict[str, str] = field(default_factory=dict)
+    forms: dict[str, list[str]] = field(default_factory=dict)
+    declarations: list[tuple[str, str, tuple[str | int, ...]]] = field(default_factory=list)
+    columns: list[tuple[str, tuple[str | int, ...]]] = field(default_factory=list)
+
+    @classmethod
+    def declared(cls, file: VariantFile) -> Names:
+        """Collect the declarations of a file, in file order."""
+        names = cls()
+        for key in file.given:
+            names._add(key, "given", ("given", key))
+        for key in file.drive:
+            names._add(key, "drive", ("drive", key))
+        for key, entry in file.coordinates.items():
+            names._add(key, "coordinate", ("coordinates", key))
+            names.columns.append((entry.rate, ("coordinates", key, "rate")))
+            if spell(entry.rate) not in {spell(law) for law in file.drive}:
+                names._add(entry.rate, "rate", ("coordinates", key, "rate"))
+        for key in file.unknowns:
+            names._add(key, "unknown", ("unknowns", key))
+            names.columns.append((key, ("unknowns", key)))
+        for key in file.functions:
+            names._add(key, "function", ("functions", key))
+        for key in file.points:
+            names._add(key, "point", ("points", key))
+        for index, group in enumerate(file.group):
+            if group.meets:
+                names._add(group.meets, "point", ("group", index, "meets"))
+        return names
+
+    def _add(self, name: str, kind: str, path: tuple[str | int, ...]) -> None:
+        self.declarations.append((name, kind, path))
+        plain = spell(name)
+        if plain not in self.kinds:
+            self.kinds[plain] = kind
+            self.forms.setdefault(_form(plain), []).append(plain)
+
+    @property
+    def velocities(self) -> list[str]:
+        """Return every name that may stand for a velocity."""
+        return [name for name, kind in self.kinds.items() if kind in {"rate", "unknown", "drive"}]
+
+    def canonical(self, name: str) -> str:
+        """Return the declared name meant by `name` (Greek letters, omega3 for w3, phi_1 for phi1), or its spelling."""
+        plain = spell(name)
+        if plain in self.kinds or plain in _BUILT_IN:
+            return plain
+        alike = self.forms.get(_form(plain), [])
+        return alike[0] if len(alike) == 1 else plain
+
+    def faults(self, source: Source) -> list[Fault]:
+        """Return a fault for each name declared twice, reserved, that of an acceleration, or with letters of another alphabet."""
+        seen: dict[str, tuple[str, int]] = {}
+        made = {f"d{self.canonical(velocity)}": (velocity, source.positions.find(path)[0]) for velocity, path in self.columns}
+        found = []
+        for name, kind, path in self.declarations:
+            plain = spell(name)
+            if strange := foreign_letter(name):
+                text = say("fault.V081", number=strange[0] + 1, name=name, strange=strange[1])
+                found.append(source.fault(path, text, at_key=kind != "rate"))
+            elif not _SHAPE.match(plain):
+                text = say("fault.V082", name=name)
+                found.append(source.fault(path, text, at_key=kind != "rate"))
+            elif plain in _BUILT_IN or plain in FUNCTION_WORDS:
+                text = say("fault.V083", name=name)
+                found.append(source.fault(path, text, at_key=kind != "rate"))
+            elif plain in made and kind != "point":
+                velocity, line = made[plain]
+                text = say("fault.V084", name=name, velocity=velocity, line=line)
+                found.append(source.fault(path, text, at_key=kind != "rate"))
+            elif plain in seen:
+                first, line = seen[plain]
+                text = say("fault.V085", name=name, first=say(f"fault.kind.{first}"), line=line, kind=say(f"fault.kind.{kind}"))
+                found.append(source.fault(path, text, at_key=kind != "rate"))
+            seen.setdefault(plain, (kind, source.positions.find(path)[0]))
+        return found

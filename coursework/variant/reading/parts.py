@@ -1,0 +1,202 @@
+"""One value or formula of a variant file at a time; faults are collected, never raised.
+
+Enters: text and where it stands.  Leaves: SI numbers and formulas whose names are all declared.
+Used by `reader.py`.
+"""
+
+from __future__ import annotations
+
+import math
+import operator
+from collections.abc import Callable
+from typing import Literal
+
+from coursework.variant.formula import reader, units
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, part_of_pi
+from coursework.variant.reading.names import Names
+from coursework.variant.toml.source import Source
+from coursework.words.errors import Fault
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import closest, say
+
+_ZERO = Formula("number", name="0")
+_NOTHING = units.Quantity(1.0, "", "", "1")
+# What may stand where: [drive] is a function of time; geometry knows no velocities.
+_SCOPES = {
+    "time": {"given", "drive"},
+    "geometry": {"given", "drive", "coordinate", "function", "point"},
+    "motion": {"given", "drive", "coordinate", "function"},
+    "velocity": {"given", "drive", "coordinate", "function", "rate", "unknown"},
+}
+_ADVISED = 100
+Path = tuple[str | int, ...]
+Kind = Literal["scalar", "vector", "any"]
+
+
+class Parts:
+    """Reads the parts of one file and keeps every fault."""
+
+    def __init__(self, source: Source, names: Names, *, sure: bool = True) -> None:
+        self.source = source
+        self.names = names
+        self.sure = sure
+        self.faults: list[Fault] = []
+        self.values: dict[str, float] = {}
+        self.times: dict[Path, Formula] = {}
+        self.grads: list[tuple[Path, str]] = []
+        self._unread: list[tuple[Path, str, str]] = []
+
+    def say(self, path: Path, message: Sentence, column: int = 0) -> None:
+        """Keep a fault."""
+        self.faults.append(self.source.fault(path, message, column))
+
+    def undeclared(self, path: Path, message: Sentence, column: int = 0) -> None:
+        """Keep a fault about a name that is not declared, unless another fault has hidden its declaration."""
+        if self.sure:
+            self.say(path, message, column)
+
+    def quantity(self, path: Path, value: str | int | float, wanted: str = "") -> units.Quantity:
+        """Return "value unit" in SI.
+
+        Advice about a unit that is not known offers units of what is `wanted` (an SI unit); with "" it waits until the rest
+        of the file has told what is (`tell_unread`).
+        """
+        try:
+            read = units.read(value, wanted)
+            if read.unit.startswith("grad"):
+                self.grads.append((path, f"{read.text} {read.unit}"))
+            return read
+        except units.UnitFault as fault:
+            if fault.unit and not wanted:
+                self._unread.append((path, str(value), fault.unit))
+            else:
+                self.say(path, fault.message)
+            return _NOTHING
+
+    @property
+    def sound(self) -> bool:
+        """Return whether nothing was wrong so far."""
+        return not self.faults and not self._unread
+
+    def tell_unread(self, wanted: Callable[[str], str]) -> None:
+        """Keep a fault for each unit that is not known; `wanted` gives the SI unit that a name must have, "" if any."""
+        for path, text, unit in self._unread:
+            name = self.names.canonical(str(path[1])) if len(path) > 1 else ""
+            si = wanted(name)
+            self.say(path, units.unknown(text, unit, si) if unit else units.unknown_unit(text, si))
+        self._unread = []
+
+    def unit(self, path: Path, text: str) -> str:
+        """Return the SI unit named by `text`, "" after a fault."""
+        unit = units.plain_unit(text)
+        if unit not in units.UNITS:
+            self._unread.append((path, text, ""))
+            return ""
+        return units.UNITS[unit][1]
+
+    def number(self, path: Path, value: str | int | float, si: str) -> float:
+        """Return a quantity of unit `si`, or the value of a formula of given data such as "2*pi/p"; nan after a fault."""
+        if isinstance(value, str) and not units.is_quantity(value):
+            tree = self.times[path] = self.formula(path, value, "scalar", "time")
+            try:
+                return evaluate(tree, self.values) if self.sound else math.nan
+            except FormulaFault as fault:
+                self.say(path, say("fault.V060", message=fault.message), fault.column)
+            except KeyError as missing:
+                self.say(path, say("fault.V061", missing=str(missing)))
+            return math.nan
+        read = self.quantity(path, value, si)
+        if read.si not in {"", si}:
+            self.say(path, units.unlike(si, value))
+            return math.nan
+        return read.value if read is not _NOTHING else math.nan
+
+    def scalar(self, path: Path, value: str | int | float, scope: str = "geometry", wanted: str = "") -> Formula:
+        """Return a formula, also from a bare number or a quantity such as "30 deg", which must measure what is `wanted`."""
+        if isinstance(value, str) and not units.is_quantity(value):
+            return self.formula(path, value, "scalar", scope)
+        read = self.quantity(path, value, wanted)
+        if wanted and read.si and units.KINDS[read.si][0] != units.KINDS[wanted][0]:
+            self.say(path, units.unlike(wanted, value))
+        quarters = read.quarters
+        size = Formula("number", name=repr(abs(read.value)), si=read.si) if quarters is None else part_of_pi(abs(quarters) / 2)
+        return size if read.value >= 0 else Formula("neg", (size,))
+
+    def equation(self, path: Path, text: str, *, closure: bool) -> tuple[Formula, Formula]:
+        """Return both sides of a velocity equation, or of a closure (two scalars or two vectors)."""
+        try:
+            left, right = reader.parse_equation(text, vectors=closure)
+        except FormulaFault as fault:
+            self.say(path, fault.message, fault.column)
+            return _ZERO, _ZERO
+        scope = "geometry" if closure else "velocity"
+        left, right = self._resolve(path, left, scope), self._resolve(path, right, scope)
+        kinds = {self._kind(path, side) for side in (left, right)} if closure else {"scalar"}
+        if len(kinds - {"?"}) > 1:
+            text = say("fault.V058")
+            self.say(path, text)
+        return left, right
+
+    def formula(self, path: Path, text: str, kind: Kind, scope: str = "geometry") -> Formula:
+        """Return one formula with every name resolved; a fault leaves zero in its place."""
+        try:
+            tree = reader.parse(text, vectors=scope == "geometry")
+        except FormulaFault as fault:
+            self.say(path, fault.message, fault.column)
+            return _ZERO
+        tree = self._resolve(path, tree, scope)
+        found = self._kind(path, tree)
+        if kind != "any" and found not in {kind, "?"}:
+            wants = "fault.V050" if kind == "vector" else "fault.V051"
+            self.say(path, say(wants, text=text[:60]))
+        return tree
+
+    def known_point(self, path: Path, name: str) -> None:
+        """Keep a fault where `name` is no point."""
+        points = [point for point, kind in self.names.kinds.items() if kind == "point"]
+        if self.names.canonical(name) not in points:
+            self.undeclared(path, say("fault.V059", name=name, hint=closest(name, points)))
+
+    def _resolve(self, path: Path, tree: Formula, scope: str) -> Formula:
+        if tree.op != "name":
+            args = tuple([self._resolve(path, arg, scope) for arg in tree.args])
+            return tree if all(map(operator.is_, args, tree.args)) else Formula(tree.op, args, tree.name, tree.column)
+        name = self.names.canonical(tree.name)
+        kind = self.names.kinds.get(name)
+        if name not in {"t", "pi"} and kind not in _SCOPES[scope]:
+            if kind:
+                listed, its = say(f"fault.listed.{scope}"), say(f"fault.kind.{kind}")
+                self.say(path, say("fault.V052", name=tree.name, kind=its, listed=listed), tree.column)
+            else:
+                # Looking for the closest name takes time; after so many faults nobody reads the advice.
+                few = len(self.faults) < _ADVISED
+                allowed = [known for known, its in self.names.kinds.items() if its in _SCOPES[scope]] if few else []
+                advice = closest(name, [*allowed, "t", "pi"]) or say("fault.part.declare")
+                self.undeclared(path, say("fault.V053", name=tree.name[:40], hint=advice), tree.column)
+        return tree if name == tree.name else Formula("name", (), name, tree.column)
+
+    def _kind(self, path: Path, tree: Formula) -> str:
+        """Return scalar or vector; "?" after a fault."""
+        if tree.op == "name":
+            known = tree.name in self.names.kinds or tree.name in {"t", "pi"}
+            return "?" if not known else "vector" if self.names.kinds.get(tree.name) == "point" else "scalar"
+        kinds = [self._kind(path, arg) for arg in tree.args]
+        expected = {"part": ["vector"], "@": ["scalar", "scalar"], "pair": ["scalar", "scalar"], "^": ["scalar", "scalar"]}
+        result = {"part": "scalar", "@": "vector", "pair": "vector", "^": "scalar", "number": "scalar", "call": "scalar"}
+        wrong = False
+        if tree.op in expected:
+            wrong = kinds != expected[tree.op]
+        elif tree.op == "call":
+            wrong = "vector" in kinds
+        elif tree.op in {"+", "-"}:
+            wrong = len(set(kinds)) > 1
+        elif tree.op == "*":
+            wrong = kinds.count("vector") > 1
+        elif tree.op == "/":
+            wrong = kinds[1] == "vector"
+        if "?" in kinds:
+            return "?"
+        if wrong:
+            self.say(path, say("fault.V054", name=tree.name or tree.op), tree.column)
+            return "?"
+        return result.get(tree.op, "vector" if "vector" in kinds else "scalar")

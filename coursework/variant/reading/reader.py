@@ -1,0 +1,302 @@
+"""A variant file -> `Variant`, or every fault of the file in one go.
+
+Enters: a path, or text.  Leaves: a frozen `Variant`.  Raises `InputError`.
+Used by `api.py`, `assigning/variants.py`, `grading/batch/class_list.py` and `grading/batch/workshop.py`.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from coursework.variant.formula.alphabet import spell
+from coursework.variant.formula.tree import Formula
+from coursework.variant.formula.units import is_quantity, measured
+from coursework.variant.judging.at_start import faults_at_start
+from coursework.variant.judging.bounds import exceeded
+from coursework.variant.judging.dimension_check import check_dimensions
+from coursework.variant.judging.plausibility import remarks_on
+from coursework.variant.judging.zero_lengths import faults_of_zero_lengths
+from coursework.variant.reading import schema
+from coursework.variant.reading.bodies import read_frame, read_group, read_link
+from coursework.variant.reading.names import Names
+from coursework.variant.reading.parts import Parts
+from coursework.variant.reading.shape import read_shape
+from coursework.variant.reading.tables import read_table
+from coursework.variant.record.changes import with_changes
+from coursework.variant.record.texts import Texts
+from coursework.variant.record.variant import (
+    MAX_ROWS,
+    Constraint,
+    Coordinate,
+    Given,
+    Group,
+    Law,
+    Quote,
+    Time,
+    Variant,
+)
+from coursework.variant.record.variant import whole_steps as _whole_steps
+from coursework.variant.record.vocabulary import GROUP_KINDS, scheme_names
+from coursework.variant.toml.source import Source, read_bytes, read_source
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import closest, say, unfolded
+
+
+def read_variant(path: Path) -> Variant:
+    """Return the variant in a file.  Raises `InputError` with all faults."""
+    return _build(read_source(read_bytes(path), str(path), path.parent), _named_after(path), path)
+
+
+def _named_after(path: Path) -> str:
+    """Return the name of a file without its suffix; bytes that are no text are written as %FF."""
+    return re.sub("[\\udc80-\\udcff]", lambda byte: f"%{ord(byte[0]) - 0xDC00:02X}", path.stem)
+
+
+def parse_variant(content: str | bytes, file: str = "variant", tables: Mapping[str, bytes] | None = None) -> Variant:
+    """Return the variant in a text; `tables` are the files it names, by name.  Nothing is read from disk.
+
+    Raises `InputError` with all faults.
+
+    >>> import coursework
+    >>> text = coursework.load("31").path.read_text(encoding="utf-8")
+    >>> coursework.parse_variant(text.replace("0.953 m", "0.96 m")).values["r1"]
+    0.96
+    >>> coursework.parse_variant(text.replace("0.953 m", "0.953 kg"))
+    Traceback (most recent call last):
+        ...
+    coursework.words.errors.InputError: V105 variant:13:9  given.r1: a length was expected: m, cm, mm (found "0.953 kg").
+    """
+    raw = content.encode("utf-8") if isinstance(content, str) else content
+    return _build(read_source(raw, file, tables or {}), file, None)
+
+
+def _build(source: Source, name: str, path: Path | None) -> Variant:
+    shape = read_shape(source)
+    file = shape.file
+    parts = Parts(source, Names.declared(file), sure=shape.sure)
+    variant = _assemble(file, parts, name, path)
+    dimensions = check_dimensions(variant, source, parts.times)
+    parts.tell_unread(dimensions.si_of)
+    doubtful = parts.names.faults(source)
+    parts.faults += shape.faults + doubtful
+    slip = None if doubtful else dimensions.fault  # a name with two meanings has two dimensions
+    if not parts.faults:
+        parts.faults += _rules(variant, source, parts.times)
+        # A datum with a wrong unit spoils values at t = 0; what is wrong in the line of the slip itself says more than it.
+        parts.faults += [f for f in faults_at_start(variant, source) if slip is None or f.line == slip.line]
+    if slip and slip.line not in {fault.line for fault in parts.faults}:
+        parts.faults.append(slip)
+    if parts.faults:
+        raise InputError(parts.faults)
+    remarks = remarks_on(variant, dimensions, source, parts.grads)
+    return replace(
+        variant, plausibility=remarks, times=parts.times, reread=partial(with_changes, partial(_read_again, source, name, path))
+    )
+
+
+def _read_again(source: Source, name: str, path: Path | None, changes: Mapping[tuple[str | int, ...], Any]) -> Variant:
+    """Return the variant of a file some of whose values are others."""
+    return _build(source.changed(changes), name, path)
+
+
+def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | None) -> Variant:
+    given = tuple(_given(key, value, parts) for key, value in file.given.items())
+    parts.values = {entry.name: entry.value for entry in given}
+    laws = tuple(_law("drive", key, value, parts) for key, value in file.drive.items())
+    functions = tuple(_law("functions", key, value, parts) for key, value in file.functions.items())
+    constraints = _named([_constraint(i, entry, parts) for i, entry in enumerate(file.constraint)])
+    groups = tuple(read_group(i, entry, parts) for i, entry in enumerate(file.group))
+    points = tuple(
+        (parts.names.canonical(key), parts.formula(("points", key), text, "vector")) for key, text in file.points.items()
+    )
+    holds = tuple(parts.formula(("closure", "holds", i), text, "scalar") for i, text in enumerate(file.closure.holds))
+    used = [f for c in constraints for f in (c.left, c.right)] + [f for _, f in points] + list(holds)
+    angles = _angle_names(used, groups)
+    coordinates = tuple(_coordinate(key, entry, parts, angles) for key, entry in file.coordinates.items())
+    unknowns = tuple((parts.names.canonical(key), parts.unit(("unknowns", key), unit)) for key, unit in file.unknowns.items())
+    time = _time(file.time, parts)
+    columns = [name for c in coordinates for name in (c.name, c.rate)] + [name for name, _ in unknowns]
+    return Variant(
+        name, path, file.title or name, file.source, file.teaches, given, laws,
+        coordinates, unknowns, functions, time, constraints, groups, points,
+        tuple(read_link(key, entry, list(file.links), parts) for key, entry in file.links.items()), read_frame(file.frame, parts),
+        _driven(file.closure.driven, parts), holds,
+        tuple(file.ask.quantities), tuple(map(unfolded, file.remarks)),
+        tuple(_quote(i, entry, columns, time, parts) for i, entry in enumerate(file.quote)), (), _lines(parts.source),
+        texts={language: _texts(said, parts) for language, said in file.text.items()},
+    )  # fmt: skip
+
+
+def _texts(said: schema.Texts, parts: Parts) -> Texts:
+    means = {parts.names.canonical(name): text for name, text in said.means.items()}
+    return Texts(said.title, said.source, said.teaches, tuple(map(unfolded, said.remarks)), said.because, means)
+
+
+def _driven(name: str | None, parts: Parts) -> str | None:
+    if name is None:
+        return None
+    parts.known_point(("closure", "driven"), name)
+    return parts.names.canonical(name)
+
+
+def _lines(source: Source) -> dict[tuple[str | int, ...], int]:
+    """Return the line of each key, names in the tool's own spelling."""
+    lines = source.positions.lines
+    return {tuple(spell(part) if isinstance(part, str) else part for part in path): line for path, line in lines.items()}
+
+
+def _given(key: str, entry: Any, parts: Parts) -> Given:
+    value, means = (entry.value, entry.means) if isinstance(entry, schema.Datum) else (entry, "")
+    read = parts.quantity(("given", key), value)
+    return Given(parts.names.canonical(key), read.value, read.si, read.text, read.unit, means)
+
+
+def _law(section: str, key: str, value: Any, parts: Parts) -> Law:
+    scope = "time" if section == "drive" else "motion"
+    name = parts.names.canonical(key)
+    path = (section, key)
+    if isinstance(value, schema.Pieces):
+        places = [(*path, "pieces", place) for place in range(len(value.pieces))]
+        pieces = tuple(
+            (parts.number((*place, 0), at, "s"), _formula((*place, 1), text, parts, scope))
+            for place, (at, text) in zip(places, value.pieces, strict=True)
+        )
+        if pieces and pieces[0][0] != 0:
+            parts.say((*places[0], 0), say("fault.V068", pieces=value.pieces[0][0]))
+        for place, ((earlier, _), (later, _)) in zip(places[1:], itertools.pairwise(pieces), strict=True):
+            if later <= earlier:
+                parts.say(place, say("fault.V074", later=later, earlier=earlier))
+        return Law(name, pieces=pieces)
+    if isinstance(value, schema.Table):
+        table = read_table(value.table, parts.source, (*path, "table"), parts.faults)
+        of = parts.names.canonical(value.of)
+        known = [known for known, kind in parts.names.kinds.items() if kind == "coordinate"]
+        if section == "drive" and of != "t":
+            parts.say((*path, "of"), say("fault.V069", of=value.of))
+        elif of not in {"t", *known}:
+            parts.undeclared((*path, "of"), say("fault.V075", of=value.of, hint=closest(of, known)))
+        return Law(name, table=table, of=of, method=value.method, file=value.table)
+    return Law(name, _formula(path, value, parts, scope))
+
+
+def _formula(path: tuple[str | int, ...], value: str | int | float, parts: Parts, scope: str) -> Formula:
+    """Return the formula of a law; a value with a unit, such as "10 rpm", is one too."""
+    text = str(value)
+    with_unit = is_quantity(text) and any(letter.isalpha() or letter == "°" for letter in text)
+    return parts.scalar(path, text, scope) if with_unit else parts.formula(path, text, "scalar", scope)
+
+
+def _constraint(index: int, entry: schema.Constraint, parts: Parts) -> Constraint:
+    key = "closure" if entry.closure is not None else "equation"
+    path = ("constraint", index, key)
+    text = entry.closure if entry.closure is not None else entry.equation
+    if text is None or (entry.closure is not None and entry.equation is not None):
+        wrong = "fault.V055" if text is not None else "fault.V056"
+        parts.say(("constraint", index), say(wrong))
+        text = "0 = 0"
+    left, right = parts.equation(path, text, closure=entry.closure is not None)
+    name = str(entry.name)[:40] or str(index + 1)
+    return Constraint(name, entry.because, left, right, entry.closure is not None, parts.source.positions.find(path)[0])
+
+
+def _named(constraints: list[Constraint]) -> tuple[Constraint, ...]:
+    """Return the constraints, each with a name of its own: a second 11 is cited as 11'."""
+    named: dict[str, Constraint] = {}
+    for constraint in constraints:
+        name = constraint.name
+        while name in named:
+            name += "'"
+        named[name] = replace(constraint, name=name)
+    return tuple(named.values())
+
+
+def _coordinate(key: str, entry: schema.Coordinate, parts: Parts, angles: set[str]) -> Coordinate:
+    name = parts.names.canonical(key)
+    path = ("coordinates", key, "start")
+    rate = parts.names.canonical(entry.rate)
+    guessed = "rad" if name in angles else "m"
+    if entry.start is None:
+        return Coordinate(name, rate, None, entry.unit or guessed, said=entry.unit is not None)
+    read = parts.quantity(path, entry.start, entry.unit or "")
+    found = {"1": "rad"}.get(read.si, read.si)
+    if found not in {"", "rad", "m"}:
+        parts.say(path, say("fault.V062", start=entry.start))
+    elif entry.unit and found not in {"", entry.unit}:
+        parts.say(path, say("fault.V070", measured=measured(entry.unit), unit=entry.unit, start=entry.start))
+    unit = entry.unit or (found if found in {"rad", "m"} else guessed)
+    said = entry.unit is not None or found in {"rad", "m"}
+    return Coordinate(name, rate, read.value, unit, read.text, read.unit or unit, said=said, bare=not read.unit)
+
+
+def _time(entry: schema.Time, parts: Parts) -> Time:
+    step = parts.number(("time", "step"), entry.step, "s")
+    end = parts.number(("time", "end"), entry.end, "s")
+    period = None if entry.period is None else parts.number(("time", "period"), entry.period, "s")
+    if step <= 0:
+        parts.say(("time", "step"), say("fault.V063", step=step))
+    elif end < step * (1 - 1e-9):
+        parts.say(("time", "end"), say("fault.V071", end=end, step=step))
+    elif MAX_ROWS < end / step < math.inf:  # what is not finite has a fault of its own
+        parts.say(("time", "end"), say("fault.V076", number=end / step, max_rows=MAX_ROWS))
+    elif entry.check_row is not None and math.isfinite(end / step) and entry.check_row > _whole_steps(step, end) + 1:
+        parts.say(("time", "check_row"), say("fault.V077", check_row=entry.check_row, number=_whole_steps(step, end) + 1))
+    if period is not None and period <= 0:
+        parts.say(("time", "period"), say("fault.V064", period=period))
+    return Time(step, end, period, entry.check_row, scheme=_scheme(entry.scheme, ("time", "scheme"), parts))
+
+
+def _scheme(name: str | None, path: tuple[str | int, ...], parts: Parts) -> str:
+    """Return the name of a scheme, "" for none."""
+    if name is not None and name not in scheme_names():
+        known = ", ".join(scheme_names())
+        parts.say(path, say("fault.V065", name=name, hint=closest(name, scheme_names()), known=known))
+    return name or ""
+
+
+def _quote(place: int, entry: schema.Quote, columns: list[str], time: Time, parts: Parts) -> Quote:
+    if time.step > 0 and math.isfinite(time.end / time.step) and entry.row > time.steps + 1:
+        parts.say(("quote", place, "row"), say("fault.V066", row=entry.row, number=time.steps + 1))
+    column = parts.names.canonical(entry.column)
+    if column not in columns:
+        parts.undeclared(("quote", place, "column"), say("fault.V067", column=column, hint=closest(column, columns)))
+    return Quote(entry.row, column, entry.value.replace("−", "-"), _scheme(entry.scheme, ("quote", place, "scheme"), parts))
+
+
+def _angle_names(formulas: Iterable[Formula], groups: tuple[Group, ...]) -> set[str]:
+    """Return the names that stand inside a trigonometric function or behind @: their bare numbers are radians."""
+    angles: set[str] = set()
+    for tree in (node for formula in formulas for node in formula.walk()):
+        if tree.op == "call" and tree.name in {"sin", "cos", "tan"}:
+            angles.update(tree.args[0].names())
+        elif tree.op == "@":
+            angles.update(tree.args[1].names())
+    for group in groups:
+        angles.update(group.coordinates[: GROUP_KINDS[group.kind]])
+    return angles
+
+
+def _rules(variant: Variant, source: Source, times: Iterable[tuple[str | int, ...]]) -> list[Fault]:
+    """What only the whole file can show."""
+    faults = []
+    if variant.sought and not (variant.constraints or variant.groups or variant.driven or variant.holds):
+        faults.append(source.fault((), say("fault.V072")))
+    # A period that follows from the drive is judged where the drive is: how fast that turns says more.
+    derived = {"period"} & {str(path[-1]) for path in times}
+    faults += [source.fault(("time", key), text) for key, text in exceeded(variant) if key not in derived]
+    in_groups = {name for group in variant.groups for name in group.coordinates}
+    for coordinate in variant.coordinates:
+        if coordinate.start is None and coordinate.name not in in_groups:
+            message = say("fault.V073", unit=coordinate.unit)
+            faults.append(source.fault(("coordinates", coordinate.name), message))
+    laws = {law.name for law in variant.drive}
+    if variant.driven and (missing := [law for law in (f"V{variant.driven}{part}" for part in "xy") if law not in laws]):
+        message = say("fault.V048", point=variant.driven, missing=tuple(missing))
+        faults.append(source.fault(("closure", "driven"), message))
+    return faults + faults_of_zero_lengths(variant, source)

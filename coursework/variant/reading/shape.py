@@ -1,0 +1,277 @@
+"""Whether a file has the shape of a variant, and what has not, in words of the file.
+
+Enters: a `Source`.  Leaves: `Shape`: the checked file with a stand-in in the place of each fault, so that the rest of it is
+read in the same go, and the faults.  Used by `reader.py` only.
+"""
+
+from __future__ import annotations
+
+import copy
+import difflib
+import json
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from pydantic import ValidationError
+
+from coursework.variant.reading import schema
+from coursework.variant.record.vocabulary import GROUP_KINDS
+from coursework.variant.toml.source import Source
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import closest, either, load_phrases, say
+
+Path = tuple[str | int, ...]
+Entry = dict[str, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """`sure` is False where a fault may have taken declarations with it: names not declared are then no further fault."""
+
+    file: schema.VariantFile
+    faults: list[Fault]
+    sure: bool
+
+
+def read_shape(source: Source) -> Shape:
+    """Return the checked file.  Raises `InputError` only where no stand-in lets the rest be read."""
+    data = source.data
+    faults: list[Fault] = []
+    repaired: set[Path] = set()
+    while True:
+        try:
+            return Shape(schema.VariantFile.model_validate(data), faults, not any(map(_takes_names, repaired)))
+        except ValidationError as error:
+            found = _entries(error.errors(include_url=False), data)
+            faults += [_fault(path, entry, source) for path, entry in found.items() if path not in repaired]
+            if found.keys() <= repaired:
+                raise InputError(faults) from error
+            data = data if repaired else copy.deepcopy(data)
+            repaired |= found.keys()
+            for path, entry in found.items():
+                _repair(data, path, entry)
+
+
+def _takes_names(path: Path) -> bool:
+    if len(path) == 1:
+        meant = difflib.get_close_matches(str(path[0]), schema.VariantFile.model_fields, n=1)
+        return not meant or meant[0] not in _WITHOUT_NAMES
+    coordinate = path[0] == "coordinates" and path[-1] not in {"start", "unit"}
+    return coordinate or path[0] == "group" or path[-1] == "[key]"
+
+
+_WITHOUT_NAMES = {
+    "format", "title", "source", "teaches", "remarks", "quote", "time", "constraint", "links", "frame", "closure", "ask", "text",
+}  # fmt: skip
+
+
+def _entries(errors: Iterable[Any], data: dict[str, Any]) -> dict[Path, Entry]:
+    """Return one entry for each path of the file.
+
+    pydantic puts names of types into a path and gives an entry for each type that a value might have had; the steps that
+    the file does not have are left out, and of a table only the entries of the kind of table that was meant are kept.
+    """
+    grouped: dict[Path, list[tuple[str, Entry]]] = {}
+    for entry in errors:
+        path, kind = _path_in(data, entry["loc"], entry["type"])
+        grouped.setdefault(path, []).append((kind, entry))
+    tables = [path for path, entries in grouped.items() if {kind for kind, _ in entries} & {"Table", "Pieces"}]
+    result: dict[Path, Entry] = {}
+    for path, entries in grouped.items():
+        if isinstance(_at(data, path), dict) and any(other[: len(path)] == path and other != path for other in tables):
+            continue  # the table's own entries say more than "this is no text"
+        meant = [e for kind, e in entries if kind not in {"Table", "Pieces"} or kind == _meant(data, path)]
+        if meant:
+            result[path] = {**meant[0], "types": [e["type"] for e in meant]}
+    return result
+
+
+def _path_in(data: Any, loc: Path, problem: str) -> tuple[Path, str]:
+    """Return the part of pydantic's path that the file has, and the name of the kind of table in it."""
+    path: Path = ()
+    kind = ""
+    for place, part in enumerate(loc):
+        last = place == len(loc) - 1
+        inside = part in data if isinstance(data, dict) else isinstance(data, list) and isinstance(part, int)
+        if inside or (last and (problem == "missing" or part == "[key]")):
+            path = (*path, part)
+            data = None if last else data[part]
+        elif part in {"Table", "Pieces"}:
+            kind = str(part)
+    return path, kind
+
+
+def _at(data: Any, path: Path) -> Any:
+    for part in path:
+        try:
+            data = data[part]
+        except (KeyError, IndexError, TypeError):
+            return None
+    return data
+
+
+def _meant(data: dict[str, Any], path: Path) -> str:
+    """Return whether a law of several keys is meant for a table of numbers or for pieces."""
+    owner = _at(data, path[:2])
+    keys = set(owner) if isinstance(owner, dict) else set()
+    return "Pieces" if "pieces" in keys or (path[0] == "drive" and not keys & {"table", "of", "method"}) else "Table"
+
+
+def _fault(path: Path, entry: Entry, source: Source) -> Fault:
+    key = str(path[-1]) if path else ""
+    problem = entry["type"]
+    if problem == "extra_forbidden":
+        known = sorted(_known_keys(path[:-1], source.data))
+        advice = closest(key, known) or say("hint.known", known=", ".join(known))
+        return source.fault(path, say("fault.V011", name=key, hint=advice), at_key=True)
+    if problem == "missing":
+        if len(path) == 1:
+            told = say("fault.V012", name=key, example=_example(key, f"[{key}]"))
+        else:
+            told = say("fault.V013", name=key, example=_example(key, _EXAMPLES.get(key, f"{key} = …")))
+        return source.fault(path[:-1], told, at_key=True)
+    if key == "[key]":
+        name = str(path[-2]) if len(path) > 1 else ""
+        return source.fault(path[:-2], say("fault.V014", name=name[:50]), at_key=True)
+    shown = _shown(entry.get("input"))
+    return source.fault(path, say("fault.V015", what=_expected(path, entry), found=shown, hint=_closest(entry)))
+
+
+def _example(key: str, plain: str) -> str:
+    """Return how a key is written, in words where the words file has some."""
+    described = f"fault.example.{'section_' if plain.startswith('[') else ''}{key}"
+    return say(described) if load_phrases().has(described) else plain
+
+
+_EXAMPLES = {
+    "step": 'step = "0.02 s"', "end": 'end = "0.48 s"',
+    "pieces": 'pieces = [["0 s", "0"], ["0.1 s", "V"]]', "table": 'table = "r.csv"', "of": 'of = "phi1"',
+    "kind": f'kind = "{[*GROUP_KINDS][-1]}"', "coordinates": 'coordinates = ["phi2", "phi3"]', "through": 'through = "P"',
+    "row": "row = 7", "column": 'column = "w5"', "value": 'value = "-3.18045"',
+    "angle": 'angle = "0 rad"', "center": 'center = "O"', "radius": 'radius = "R"',
+}  # fmt: skip
+# pydantic's kind of a fault -> the last part of the key of what was expected.
+_KINDS = {
+    "string_type": "text", "int_type": "whole", "int_from_float": "whole", "float_type": "number",
+    "list_type": "list", "dict_type": "section", "model_type": "table",
+}  # fmt: skip
+
+
+def _expected(path: Path, entry: Entry) -> str:
+    context = entry.get("ctx") or {}
+    problem = entry["type"]
+    if problem == "literal_error":
+        return either(re.split(", | or ", str(context["expected"]).replace("'", '"')))
+    if "string_too_long" in entry["types"]:
+        return _wanted("text_at_most", number=context.get("max_length"))
+    if "pieces" in path[2:] and len(path) == 4:
+        return _wanted("pair")
+    if problem in {"too_long", "too_short", "string_too_short"}:
+        lines = len(path) == 1 and isinstance(entry.get("input"), dict)
+        what = "lines" if lines else "text" if problem == "string_too_short" else "list"
+        bound = "at_most" if problem == "too_long" else "at_least"
+        return _wanted(f"{what}_{bound}", number=context["max_length" if problem == "too_long" else "min_length"])
+    if path in {("constraint",), ("group",)}:
+        return _wanted("sections", name=path[0])
+    if problem == "greater_than_equal":
+        return _wanted("whole_at_least", number=context["ge"])
+    if path[0] in {"drive", "functions"} and len(path) == 2:
+        return _wanted("law")
+    if {"string_type", "float_type"} <= set(entry["types"]):
+        return _wanted("quantity")
+    if len(path) == 1 and problem == "model_type":
+        return _wanted("section")
+    return _wanted(_KINDS.get(problem, "other"))
+
+
+def _wanted(kind: str, **values: object) -> Sentence:
+    return say(f"fault.wanted.{kind}", **values)
+
+
+def _shown(value: Any) -> str:
+    """Return a value as the file writes it, shortened."""
+    if isinstance(value, dict):
+        return say("fault.part.table") if value else say("fault.part.nothing")
+    try:
+        text = json.dumps(value, ensure_ascii=False)
+    except (TypeError, ValueError):
+        text = str(value)
+    return text if len(text) <= 60 else f"{text[:60]}…"
+
+
+def _closest(entry: Entry) -> str:
+    expected = re.findall(r"'([^']+)'", str((entry.get("ctx") or {}).get("expected", "")))
+    value = entry.get("input")
+    return closest(value, expected) if isinstance(value, str) else ""
+
+
+def _repair(data: dict[str, Any], path: Path, entry: Entry) -> None:
+    """Put a stand-in in the place of a fault, or take it out."""
+    if path[-1] == "[key]":
+        path = path[:-1]
+    section, *inner = path
+    depth = 1 if len(inner) < 1 else 2
+    owner = _at(data, path[: depth - 1])
+    if entry["type"] == "extra_forbidden":
+        owner, key = _at(data, path[:-1]), path[-1]
+        if isinstance(owner, dict):
+            owner.pop(key, None)
+    elif section in _STAND_INS and depth == 2 and isinstance(owner, dict):
+        owner[inner[0]] = _STAND_INS[section]
+    elif section == "coordinates":
+        _repair_coordinates(data, inner)
+    elif section == "time":
+        _repair_time(data, inner)
+    elif section == "constraint" and depth == 2 and isinstance(owner, list):
+        owner[int(inner[0])] = {"equation": "0 = 0"}
+    elif section in {"frame", "closure", "ask", "links"} and isinstance(owner, dict):
+        owner.pop(inner[0] if inner else section, None)
+    else:
+        data.pop(str(section), None)
+
+
+_STAND_INS = {"given": 1, "drive": "0", "functions": "1", "unknowns": "1", "points": "(0, 0)"}
+
+
+def _repair_coordinates(data: dict[str, Any], inner: list[str | int]) -> None:
+    if not inner:
+        data["coordinates"] = {"coordinate": {"rate": "its_rate"}}
+        return
+    coordinate = data["coordinates"][inner[0]]
+    if isinstance(coordinate, dict) and len(inner) > 1 and inner[1] in {"start", "unit"}:
+        coordinate.pop(inner[1], None)
+    else:
+        data["coordinates"][inner[0]] = {"rate": f"rate_of_{inner[0]}"[:40]}
+
+
+def _repair_time(data: dict[str, Any], inner: list[str | int]) -> None:
+    time = data.get("time")
+    if not inner or not isinstance(time, dict):
+        data["time"] = {"step": 1, "end": 1}
+    elif inner[0] in {"step", "end"}:
+        other = time.get("end" if inner[0] == "step" else "step")
+        time[inner[0]] = other if isinstance(other, (str, int, float)) and not isinstance(other, bool) else 1
+    else:
+        time.pop(inner[0], None)
+
+
+def _known_keys(path: Path, data: dict[str, Any]) -> set[str]:
+    """Return the keys that may stand in the table at `path`."""
+    if len(path) == 2 and path[0] in {"drive", "functions"}:
+        model: Any = {"Table": schema.Table, "Pieces": schema.Pieces}[_meant(data, path)]
+    else:
+        model = schema.VariantFile
+        for place, part in enumerate(path):
+            if not (isinstance(part, int) or (place == 1 and path[0] in {"coordinates", "links", "text"})):
+                model = _MODELS.get(part, model)
+    return {field.alias or name for name, field in model.model_fields.items()}
+
+
+_MODELS: dict[str | int, Any] = {
+    "text": schema.Texts, "time": schema.Time, "constraint": schema.Constraint, "group": schema.Group, "links": schema.Link,
+    "frame": schema.Frame, "closure": schema.Closure, "ask": schema.Ask, "coordinates": schema.Coordinate,
+    "guide": schema.Guide, "guides": schema.Guide, "rails": schema.Rail, "circles": schema.Circle,
+}  # fmt: skip

@@ -1,0 +1,143 @@
+"""A tabulated law beside a variant file: two columns of a CSV inside the file's own folder.
+
+Enters: the name of the table.  Leaves: rows of (argument, value).  Used by `reader.py`.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.variant.toml.source import Source
+from coursework.words.errors import Fault
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
+
+MAX_TABLE_BYTES = 256 * 1024
+MOST_NODES = 20_000
+_FEWEST_NODES = 5  # the five-point formulas need five
+# A node off its even place by a part of the step falsifies the slopes about it by the same part.  Nodes as a program computed
+# them lie within the first, and those of a print whose arguments have digits enough within the second.
+_EXACT, _ROUNDED = 1e-6, 1e-3
+# Blanks and quotes once taken are not given back, so that a long line of them is read once.
+_QUOTED = r"""\s*+"*+\s*+([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*+"*+\s*+"""
+_CELL, _LINE = re.compile(_QUOTED), re.compile(f"{_QUOTED},{_QUOTED}")
+Rows = tuple[tuple[float, float], ...]
+
+
+class TableFault(ValueError):
+    """A table cannot be used; the sentence says which line and why."""
+
+    def __init__(self, message: Sentence) -> None:
+        super().__init__(message)
+        self.message = message
+
+
+def read_table(name: str, source: Source, path: tuple[str | int, ...], faults: list[Fault]) -> Rows:
+    """Return the rows of a table; a fault is added to `faults` and an empty table returned."""
+    try:
+        return _rows(name, _text(name, source))
+    except TableFault as fault:
+        faults.append(source.fault(path, fault.message))
+        return ()
+
+
+def _text(name: str, source: Source) -> str:
+    if not name.lower().endswith(".csv"):
+        raise TableFault(say("fault.V089"))
+    try:
+        raw = _on_disk(name, source.folder) if isinstance(source.folder, Path) else _in_memory(name, source.folder)
+        return raw.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise TableFault(say("fault.V097", name=name)) from error
+    except (OSError, ValueError) as error:
+        if isinstance(error, TableFault):
+            raise
+        reason = getattr(error, "strerror", None) or str(error)
+        raise TableFault(say("fault.V098", name=name, reason=reason)) from error
+
+
+def _in_memory(name: str, tables: Mapping[str, bytes]) -> bytes:
+    if name not in tables:
+        known = say("hint.there_is", known=tuple(sorted(tables))) if tables else ""
+        raise TableFault(say("fault.V090", name=name, known=known))
+    _require_size(name, len(tables[name]))
+    return tables[name]
+
+
+def _on_disk(name: str, folder: Path) -> bytes:
+    file = (folder / name).resolve()
+    if not file.is_relative_to(folder.resolve()):
+        raise TableFault(say("fault.V091", name=name))
+    if not file.is_file():
+        raise TableFault(say("fault.V139" if file.exists() else "fault.V092", name=name))
+    _require_size(name, file.stat().st_size)
+    with file.open("rb") as opened:
+        content = opened.read(MAX_TABLE_BYTES + 1)
+    _require_size(name, len(content))
+    return content
+
+
+def _require_size(name: str, size: int) -> None:
+    if size > MAX_TABLE_BYTES:
+        raise TableFault(say("fault.V093", name=name, size=size, max_table_bytes=MAX_TABLE_BYTES))
+
+
+def _rows(name: str, text: str) -> Rows:
+    """Return (argument, value) of each line; a first line of words is the header."""
+    rows: list[tuple[float, float]] = []
+    printed: list[str] = []
+    lines: list[int] = []
+    for number, line in enumerate(text.splitlines(), start=1):
+        found = _LINE.fullmatch(line)
+        if found is None:
+            if not line.strip(" ,\t") or (number == 1 and not any(map(_CELL.fullmatch, line.split(",")))):
+                continue
+            raise TableFault(say("fault.V099", name=name, number=number))
+        argument, value = float(found[1]), float(found[2])
+        if not (math.isfinite(argument) and math.isfinite(value)):
+            raise TableFault(say("fault.V100", name=name, number=number))
+        rows.append((argument, value))
+        printed.append(found[1])
+        lines.append(number)
+    if len(rows) > MOST_NODES:
+        raise TableFault(say("fault.V094", name=name, count=len(rows), most_nodes=MOST_NODES))
+    if len(rows) < _FEWEST_NODES:
+        raise TableFault(say("fault.V095", name=name, fewest_nodes=_FEWEST_NODES, count=len(rows)))
+    arguments = np.array([row[0] for row in rows])
+    steps = np.diff(arguments)
+    place = int(steps.argmin()) + 1
+    if steps[place - 1] <= 0:
+        later, earlier = rows[place][0], rows[place - 1][0]
+        raise TableFault(say("fault.V096", name=name, lines=lines[place], later=later, earlier=earlier))
+    if _is_uneven(arguments, printed):
+        usual = float(np.sort(steps)[len(steps) // 2])
+        odd = int(np.abs(steps - usual).argmax())
+        raise TableFault(say("fault.V137", name=name, lines=lines[odd + 1], steps=float(steps[odd]), usual=usual))
+    return tuple(rows)
+
+
+def _is_uneven(arguments: NDArray[np.float64], printed: list[str]) -> bool:
+    """Return whether a node is off its even place by more than its printed digits explain.
+
+    An argument is rounded by half the place of its own last digit, and its even place by half of the first one's and the
+    last one's.
+    """
+    even = (arguments[-1] - arguments[0]) / (len(arguments) - 1)
+    off = np.abs(arguments - arguments[0] - np.arange(len(arguments)) * even)
+    if np.all(off <= _EXACT * even):
+        return False
+    units = np.array([_last_place(number) for number in printed])
+    rounded = (units + max(units[0], units[-1])) / 2 * (1 + _EXACT)
+    return bool(np.any(off > np.maximum(_EXACT * even, np.minimum(rounded, _ROUNDED * even))))
+
+
+def _last_place(number: str) -> float:
+    """Return the place of the last digit of a printed number: 0.01 of "1.25", 100 of "3e2"."""
+    digits, _, exponent = number.lower().partition("e")
+    return math.pow(10.0, max(-300.0, min(float(exponent or 0) - len(digits.partition(".")[2]), 300.0)))

@@ -1,0 +1,105 @@
+"""Other data for a variant -> values as its file would write them, or one sentence about what is wrong.
+
+Enters: a variant; numbers in SI or texts with a unit.  Leaves: the variant of the file with these, read anew, so that nothing
+derived from the old data is left.  Used by `reader.py`; which starts follow from other data is asked by `model/` and `live/`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+from coursework.variant.formula.alphabet import spell
+from coursework.variant.formula.units import KINDS, UNITS, UnitFault, read, unlike
+from coursework.variant.record.variant import Changes, Path, Variant
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import closest, say
+
+
+def with_changes(read: Callable[[Mapping[Path, Any]], Variant], variant: Variant, changed: Changes) -> Variant:
+    """Return the variant as its file would be with other values; `read` reads the file with the new value of each key.
+
+    Raises `InputError` for a name or a unit that does not fit, and with what the changed file is refused for.
+    """
+    new = _new_values(variant, changed)
+    changes = {**variant.changes, **new}
+    fresh = read(changes)
+    follow = follow_from(variant, new)
+    pairs = zip(variant.coordinates, fresh.coordinates, strict=True)
+    moved = (replace(now, start=None, near=old.guess) if now.name in follow else now for old, now in pairs)
+    own = None if "step" in changed.times else variant.time.own_step
+    return replace(fresh, coordinates=tuple(moved), time=replace(fresh.time, own_step=own), changes=changes)
+
+
+def _new_values(variant: Variant, changed: Changes) -> dict[Path, float | str]:
+    """Return the new value of each key.  Raises `InputError` for a name or a unit that does not fit."""
+    changes: dict[Path, float | str] = {}
+    data = {one.name: (one.si, one.unit) for one in variant.given}
+    for key, value in changed.given.items():
+        name = _known(variant, key, list(data), "datum")
+        changes["given", name] = _written(variant, name, value, *data[name])
+    places = {c.name: (c.unit, c.written) for c in variant.coordinates}
+    for key, value in changed.start.items():
+        name = _known(variant, key, list(places), "coordinate")
+        changes["coordinates", name, "start"] = _written(variant, name, value, *places[name])
+    for key, value in changed.drive.items():
+        changes["drive", _known(variant, key, [law.name for law in variant.drive], "drive")] = value
+    for key, value in changed.times.items():
+        is_time = isinstance(value, (int, float)) and key != "check_row"
+        changes["time", key] = _written(variant, key, value, "s", "s") if is_time else value
+    return changes
+
+
+def follow_from(variant: Variant, changes: Iterable[Path]) -> frozenset[str]:
+    """Return the coordinates whose start follows from other data by the geometry and is not among the changes itself."""
+    named = {path[1] for path in changes if path[0] in {"given", "coordinates"}}
+    formulas = [formula for _, formula in variant.points] + [f for law in variant.functions for f in law.formulas]
+    formulas += [side for one in variant.constraints if one.is_closure for side in (one.left, one.right)]
+    formulas += [formula for group in variant.groups for formula in group.formulas]
+    if not named.intersection(name for formula in formulas for name in formula.names()):
+        return frozenset(c.name for c in variant.coordinates if c.near is not None) - named
+    by_groups = {name for group in variant.groups for name in group.coordinates}
+    closed = any(one.is_closure for one in variant.constraints)
+    free = (c.name for c in variant.coordinates if c.rate not in variant.known_rates and (closed or c.name in by_groups))
+    return frozenset(free) - named
+
+
+def _known(variant: Variant, key: str, known: list[str], what: str) -> str:
+    name = spell(str(key))
+    if name not in known:
+        advice = closest(name, known) or say("hint.known", known=", ".join(known))
+        raise InputError([Fault(say("fault.D001", name=key, what=say(f"fault.datum.{what}"), hint=advice), place=variant.name)])
+    return name
+
+
+def _fault(variant: Variant, name: str, message: Sentence) -> InputError:
+    return InputError([Fault(message, place=say("place.datum", variant=variant.name, name=name))])
+
+
+def _written(variant: Variant, name: str, value: Any, si: str, unit: str) -> float | str:
+    """Return a value as the file writes it, in the author's unit where that says the same number."""
+    if isinstance(value, str):
+        try:
+            read_value = read(value, si)
+        except UnitFault as fault:
+            raise _fault(variant, name, fault.message) from None
+        if read_value.si and si and KINDS[read_value.si][0] != KINDS[si][0]:
+            raise _fault(variant, name, unlike(si, value))
+        return value if read_value.si or not unit else f"{value} {si}"
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise _fault(variant, name, say("fault.D002", found=repr(value))) from None
+    if not math.isfinite(number):
+        raise _fault(variant, name, say("fault.D003", found=number))
+    if not unit:
+        return f"{number!r}".removesuffix(".0")
+    size = UNITS[unit][0] if unit in UNITS else Fraction(1)
+    text = f"{float(Fraction(repr(number)) / size):.12g}"
+    if float(Fraction(text) * size) == number:
+        return f"{text} {unit}"
+    return f"{number!r} {si}"

@@ -1,0 +1,183 @@
+"""What the sections of a variant's file hold once they have been read: frozen records, SI numbers, checked formulas.
+
+Leaves `reader.py` inside a `Variant`.  Used by `variant.py`, through which every floor above reads them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from coursework.variant.formula.tree import Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Given:
+    """One datum of the task sheet: `value` in SI (`si` its unit), `text` and `unit` as written, what the file says it `means`."""
+
+    name: str
+    value: float
+    si: str
+    text: str
+    unit: str
+    means: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Law:
+    """A known function: a formula, pieces (from time, s; formula), or a table of (argument, value) and the `file` it is in."""
+
+    name: str
+    formula: Formula | None = None
+    pieces: tuple[tuple[float, Formula], ...] = ()
+    table: tuple[tuple[float, float], ...] = ()
+    of: str = ""
+    method: str = ""
+    file: str = ""
+
+    @property
+    def formulas(self) -> tuple[Formula, ...]:
+        """Return every formula the law is written with."""
+        return (*(piece for _, piece in self.pieces), *((self.formula,) if self.formula else ()))
+
+
+@dataclass(frozen=True, slots=True)
+class Coordinate:
+    """An integrated coordinate: `start` in rad or m, its rate's name.
+
+    `start` is None where a chain of groups gives it, and where other data have moved it: the closed position `near` a value.
+    `text` and `written` are number and unit as the file has them; `said` is False where its unit was found from its use,
+    `bare` is True where the start is a number without a unit.
+    """
+
+    name: str
+    rate: str
+    start: float | None
+    unit: str
+    text: str = ""
+    written: str = ""
+    near: float | None = None
+    said: bool = True
+    bare: bool = False
+
+    @property
+    def guess(self) -> float | None:
+        """Return the value at t = 0, or what it lies near (rad, m); None where only a chain knows."""
+        return self.near if self.start is None else self.start
+
+
+@dataclass(frozen=True, slots=True)
+class Time:
+    """Step h, end and period in s; `check_row` counts from 1; `own_step` that of the file where `step` is another.
+
+    `scheme` is the name of the scheme that the file asks for, "" where it leaves it open.
+    """
+
+    step: float
+    end: float
+    period: float | None
+    check_row: int | None
+    own_step: float | None = None
+    scheme: str = ""
+
+    @property
+    def steps(self) -> int:
+        """Return the number of whole steps that fit."""
+        return whole_steps(self.step, self.end)
+
+    @property
+    def whole(self) -> float:
+        """Return how long a motion must go on to be possible as a whole (s): the table or a period, whichever is longer."""
+        return max(self.end, self.period or 0.0)
+
+
+def whole_steps(step: float, end: float) -> int:
+    """Return how many steps reach `end`; a quotient within 1e-9 of a whole number counts as that number."""
+    return int(end / step * (1 + 1e-12) + 1e-9)
+
+
+@dataclass(frozen=True, slots=True)
+class Constraint:
+    """`left = right`, a velocity equation or (is_closure) an equation of positions; `place` finds its line."""
+
+    name: str
+    because: str
+    left: Formula
+    right: Formula
+    is_closure: bool = False
+    line: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Guide:
+    """A straight guide: point, angle (rad), offset of the pin (m)."""
+
+    through: Formula
+    angle: Formula
+    offset: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """An Assur group or crank of a chain; `kind` a name of `GROUP_KINDS`;
+    `mode` is +1, -1, or 0 where the file leaves it to the start values.
+    """
+
+    kind: str
+    start_points: tuple[Formula, ...]
+    meets: str | None
+    lengths: tuple[Formula, ...]
+    coordinates: tuple[str, ...]
+    mode: int
+    guides: tuple[Guide, ...]
+    offset: Formula
+    angle: Formula | None
+    line: int = 0
+
+    @property
+    def formulas(self) -> tuple[Formula, ...]:
+        """Return every formula that places the group."""
+        guides = (formula for guide in self.guides for formula in (guide.through, guide.angle, guide.offset))
+        return (*self.start_points, *self.lengths, *guides, self.offset, *((self.angle,) if self.angle else ()))
+
+
+@dataclass(frozen=True, slots=True)
+class Link:
+    """A rigid body; a wheel has a centre and a contact point; `slides` is the link along which it slides."""
+
+    name: str
+    points: tuple[str, ...]
+    rate: str | None
+    wheel: str | None
+    contact: str | None
+    slides: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """The fixed link: hinges, rails (point, angle), fixed circles (centre, radius)."""
+
+    hinges: tuple[str, ...] = ()
+    rails: tuple[tuple[Formula, Formula], ...] = ()
+    circles: tuple[tuple[Formula, Formula], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Remark:
+    """Something that looks like a slip of the pen and changes no status: a stable code, the line, a sentence.
+
+    Codes: ANGLE, LENGTH, NO-UNIT, NUMBER, TIME-AS-ANGLE, GRAD.
+    """
+
+    code: str
+    line: int
+    sentence: str
+
+
+@dataclass(frozen=True, slots=True)
+class Quote:
+    """A number that a remark quotes: `value` as printed, of `column` in `row` (from 1); `scheme` "" for that of the file."""
+
+    row: int
+    column: str
+    value: str
+    scheme: str = ""

@@ -1,0 +1,82 @@
+"""Which formula of a variant has no value at a place, each looked at alone: the one that is not finite is charged.
+
+Enters: a `Variant`, a time and coordinates.  Leaves: a fault with the line.  Used where a computation has ended in no number.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from graphlib import TopologicalSorter
+
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any
+from coursework.variant.record.variant import Law, Variant
+from coursework.words.errors import Fault
+from coursework.words.sentences import say
+
+Path = tuple[str | int, ...]
+
+
+def without_value(variant: Variant, t: float, position: Mapping[str, float]) -> Fault | None:
+    """Return a fault for the first law, equation or point without a finite value at time `t` (s) and a position (rad, m)."""
+    values: dict[str, complex] = {"pi": math.pi, **variant.values, "t": t, **position}
+    values |= dict.fromkeys((name for name in variant.sought if name not in values), 1.0)
+    for section, law in in_order(variant):
+        if law.table:
+            values |= {law.name: _within(law, values[law.of].real)} if law.of in values else {}
+            continue
+        place = next((place for place in reversed(range(len(law.pieces))) if law.pieces[place][0] <= t), 0)
+        path: Path = (section, law.name, "pieces", place, 1) if law.pieces else (section, law.name)
+        formula = law.pieces[place][1] if law.pieces else law.formula
+        if formula is not None and (fault := _judged(variant, path, law.name, formula, values, t)):
+            return fault
+    for name, formula in variant.points:
+        if fault := _judged(variant, ("points", name), name, formula, values, t):
+            return fault
+    for index, constraint in enumerate(variant.constraints):
+        key = "closure" if constraint.is_closure else "equation"
+        for side in (constraint.left, constraint.right):
+            if fault := _judged(variant, ("constraint", index, key), "", side, values, t):
+                return fault
+    for index, formula in enumerate(variant.holds):
+        if fault := _judged(variant, ("closure", "holds", index), "", formula, values, t):
+            return fault
+    return None
+
+
+def law_without_value(variant: Variant, times: Iterable[float]) -> Fault | None:
+    """Return a fault for the first law that has no finite value at one of some times (s), whatever the position."""
+    return next((fault for t in times if (fault := without_value(variant, t, {}))), None)
+
+
+def in_order(variant: Variant) -> list[tuple[str, Law]]:
+    """Return section and law of every law, each after those it needs.  Raises `graphlib.CycleError` for one that needs itself."""
+    laws = {law.name: (section, law) for section in ("drive", "functions") for law in getattr(variant, section)}
+    needs = {
+        name: [needed for formula in law.formulas for needed in formula.names() if needed in laws]
+        for name, (_, law) in laws.items()
+    }
+    return [laws[name] for name in TopologicalSorter(needs).static_order()]
+
+
+def _within(law: Law, argument: float) -> float:
+    """Return the value of the node before an argument: beyond its table a law tells of itself."""
+    return next((value for at, value in reversed(law.table) if at <= argument), law.table[0][1])
+
+
+def _judged(variant: Variant, path: Path, name: str, formula: Formula, values: dict[str, complex], t: float) -> Fault | None:
+    """Keep the value of a formula under its name; return a fault where it has none, nothing where a name is not known yet."""
+    if not {*formula.names()} <= values.keys():
+        return None
+    try:
+        value = evaluate_any(formula, values)
+    except FormulaFault as fault:
+        place = ".".join(map(str, path[:2]))
+        if path[0] == "constraint":
+            place = say("place.constraint", name=variant.constraints[int(path[1])].name)
+        place = say("place.column", place=place, column=fault.column)
+        told = say("fault.V019", time=t, reason=fault.message)
+        return Fault(told, variant.file, variant.nearest_line(*path), 0, place)
+    if name:
+        values[name] = value
+    return None

@@ -1,0 +1,131 @@
+"""Every place of a variant whose dimension is known or must agree, in the order in which they are judged.
+
+Enters: a `Variant` as read.  Leaves: what its names measure, and `Place`s.  Used by `dimension_check.py` only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from coursework.variant.dimensions.exponents import LENGTH, NUMBER, TIME, Dimension, added, dimension_of
+from coursework.variant.formula.tree import Formula
+from coursework.variant.record.variant import Constraint, Group, Law, Variant
+from coursework.variant.record.vocabulary import GROUP_KINDS
+from coursework.words.sentences import say
+
+Path = tuple[str | int, ...]
+_LENGTH: Dimension = {LENGTH: 1}
+_TIME: Dimension = {TIME: 1}
+_SPEED: Dimension = {LENGTH: 1, TIME: -1}
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Formulas of one key of the file: all must measure `wanted` (None: only agree with each other).
+
+    `label` says what the formula gives the value of ("VMy" of VMy = …); `velocity`: it is a velocity equation.
+    """
+
+    path: Path
+    formulas: tuple[Formula, ...]
+    wanted: Dimension | None = None
+    label: str = ""
+    velocity: bool = False
+
+
+def measures(variant: Variant, free: Path | None = None) -> dict[str, Dimension]:
+    """Return what every name measures; names without a unit, and the datum at the path `free`, are unknowns."""
+    names: dict[str, Dimension] = {"t": _TIME, "pi": NUMBER}
+    for given in variant.given:
+        unknown = not given.si or free == ("given", given.name)
+        names[given.name] = {given.name: 1} if unknown else dimension_of(given.si)
+    for law in (*variant.drive, *variant.functions):
+        names[law.name] = {law.name: 1}
+    for coordinate in variant.coordinates:
+        # A bare number may be a length or an angle: which of the two the guess of the reader does not decide here.
+        unknown = not coordinate.said or free == ("coordinates", coordinate.name)
+        names[coordinate.name] = {coordinate.name: 1} if unknown else dimension_of(coordinate.unit)
+        names[coordinate.rate] = added(names[coordinate.name], _TIME, -1)
+    for name, unit in variant.unknowns:
+        names[name] = {name: 1} if not unit or free == ("unknowns", name) else dimension_of(unit)
+    if variant.driven:
+        names |= {f"V{variant.driven}{part}": _SPEED for part in "xy"}
+    points = [name for name, _ in variant.points] + [group.meets for group in variant.groups if group.meets]
+    return names | dict.fromkeys(points, _LENGTH)
+
+
+def places(variant: Variant, names: Mapping[str, Dimension], times: Mapping[Path, Formula]) -> Iterator[Place]:
+    """Yield constraints, geometry, drive, functions and times; `times` are the formulas of [time] and of pieces."""
+    velocities = {*variant.rates, *(name for name, _ in variant.unknowns)}
+    for index, constraint in enumerate(variant.constraints):
+        # An equation that is not linear is refused for that, by whoever solves it.
+        if constraint.is_closure or max(_degree(side, velocities) for side in (constraint.left, constraint.right)) <= 1:
+            yield _constraint(index, constraint)
+    yield from _geometry(variant)
+    for section, laws in (("drive", variant.drive), ("functions", variant.functions)):
+        for law in laws:
+            yield from _law(section, law, names[law.name])
+    for path, formula in times.items():
+        yield Place(path, (formula,), _TIME, str(path[1]))
+
+
+def _constraint(index: int, constraint: Constraint) -> Place:
+    key = "closure" if constraint.is_closure else "equation"
+    both = (constraint.left, constraint.right)
+    return Place(("constraint", index, key), both, None, say("place.constraint", name=constraint.name), not constraint.is_closure)
+
+
+def _degree(tree: Formula, velocities: set[str]) -> int:
+    """Return the degree of a formula in the velocities; 2 also stands for what is no polynomial."""
+    if tree.op == "name":
+        return int(tree.name in velocities)
+    degrees = [_degree(arg, velocities) for arg in tree.args]
+    if tree.op in {"call", "^"} or (tree.op == "/" and degrees[1]):
+        return 2 * max(degrees)
+    return sum(degrees) if tree.op == "*" else max(degrees, default=0)
+
+
+def _geometry(variant: Variant) -> Iterator[Place]:
+    for name, formula in variant.points:
+        yield Place(("points", name), (formula,), _LENGTH, name)
+    for index, formula in enumerate(variant.holds):
+        yield Place(("closure", "holds", index), (formula,), None, "[closure]")
+    for index, group in enumerate(variant.groups):
+        yield from _group(("group", index), group)
+    for index, (through, angle) in enumerate(variant.frame.rails):
+        yield Place(("frame", "rails", index, "through"), (through,), _LENGTH, say("place.rail.through", number=index + 1))
+        yield Place(("frame", "rails", index, "angle"), (angle,), NUMBER, say("place.rail.angle", number=index + 1))
+    for index, (center, radius) in enumerate(variant.frame.circles):
+        yield Place(("frame", "circles", index, "center"), (center,), _LENGTH, say("place.circle.center", number=index + 1))
+        yield Place(("frame", "circles", index, "radius"), (radius,), _LENGTH, say("place.circle.radius", number=index + 1))
+
+
+def _group(path: Path, group: Group) -> Iterator[Place]:
+    number = int(path[1]) + 1
+
+    def place(key: Path, formula: Formula, wanted: Dimension) -> Place:
+        index = next((part + 1 for part in key if isinstance(part, int)), 0)
+        return Place((*path, *key), (formula,), wanted, say(f"place.group.{key[0]}", number=index, group=number))
+
+    for index, point in enumerate(group.start_points):
+        yield place(("from", index), point, _LENGTH)
+    for index, length in enumerate(group.lengths):
+        yield place(("lengths", index), length, _LENGTH)
+    for index, coordinate in enumerate(group.coordinates):
+        wanted = NUMBER if index < GROUP_KINDS[group.kind] else _LENGTH
+        yield place(("coordinates", index), Formula("name", name=coordinate), wanted)
+    for index, guide in enumerate(group.guides):
+        yield place(("guides", index, "through"), guide.through, _LENGTH)
+        yield place(("guides", index, "angle"), guide.angle, NUMBER)
+        yield place(("guides", index, "offset"), guide.offset, _LENGTH)
+    yield place(("offset",), group.offset, _LENGTH)
+    if group.angle is not None:
+        yield place(("angle",), group.angle, NUMBER)
+
+
+def _law(section: str, law: Law, wanted: Dimension) -> Iterator[Place]:
+    if law.formula:
+        yield Place((section, law.name), (law.formula,), wanted, law.name)
+    for index, (_, formula) in enumerate(law.pieces):
+        yield Place((section, law.name, "pieces", index, 1), (formula,), wanted, law.name)

@@ -1,0 +1,202 @@
+"""What a variant is once it has been read: frozen records, SI numbers, checked formulas.
+
+Leaves `reader.py`, its parts from `entries.py`; every floor above may read it.
+"""
+
+from __future__ import annotations
+
+import pathlib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+from coursework.variant.formula.tree import Formula
+from coursework.variant.record.entries import (
+    Constraint,
+    Coordinate,
+    Frame,
+    Given,
+    Group,
+    Guide,
+    Law,
+    Link,
+    Quote,
+    Remark,
+    Time,
+    whole_steps,
+)
+from coursework.variant.record.texts import Texts
+from coursework.words.errors import InputError
+from coursework.words.sentences import say
+
+__all__ = [
+    "MAX_NUMBERS", "MAX_ROWS", "MOST_PERIODS", "Constraint", "Coordinate", "Frame", "Given", "Group", "Guide", "Law", "Link",
+    "Quote", "Remark", "Time", "Variant", "whole_steps",
+]  # fmt: skip
+
+Path = tuple[str | int, ...]
+Values = Mapping[str, float | str]
+
+# More rows than this nobody reads; a step much smaller than the coursework needs is a slip of the pen.
+MAX_ROWS = 200_000
+MAX_NUMBERS = 4_000_000  # of a table: rows times columns
+MOST_PERIODS = 10_000  # of one run
+
+
+@dataclass(frozen=True, slots=True)
+class Changes:
+    """Other values by name: of data, of starts, of drives, and of the times of the run."""
+
+    given: Values
+    start: Values
+    drive: Values
+    times: Values
+
+
+@dataclass(frozen=True)
+class Variant:
+    """One variant of the coursework, complete.
+
+    >>> import coursework
+    >>> variant = coursework.load("31")
+    >>> variant.values["r1"], variant.time.end, variant.columns, variant.unit_of("w3")  # m, s
+    (0.953, 0.48, ('phi1', 'phi2', 'phi3', 'w1', 'w2', 'w3', 'w4'), 'rad/s')
+    """
+
+    name: str
+    path: pathlib.Path | None
+    title: str
+    source: str
+    teaches: str
+    given: tuple[Given, ...]
+    drive: tuple[Law, ...]
+    coordinates: tuple[Coordinate, ...]
+    unknowns: tuple[tuple[str, str], ...]
+    functions: tuple[Law, ...]
+    time: Time
+    constraints: tuple[Constraint, ...]
+    groups: tuple[Group, ...]
+    points: tuple[tuple[str, Formula], ...]
+    links: tuple[Link, ...]
+    frame: Frame
+    driven: str | None
+    holds: tuple[Formula, ...]
+    ask: tuple[str, ...]
+    remarks: tuple[str, ...] = ()
+    quotes: tuple[Quote, ...] = ()
+    plausibility: tuple[Remark, ...] = ()
+    lines: Mapping[tuple[str | int, ...], int] = field(default_factory=dict, repr=False, compare=False)
+    times: Mapping[Path, Formula] = field(default_factory=dict, repr=False, compare=False)  # what is computed from data
+    reread: Callable[[Variant, Changes], Variant] | None = field(default=None, repr=False, compare=False)
+    changes: Mapping[Path, float | str] = field(default_factory=dict, repr=False, compare=False)
+    texts: Mapping[str, Texts] = field(default_factory=dict, repr=False, compare=False)
+
+    @property
+    def values(self) -> dict[str, float]:
+        """Return the given data by name, SI."""
+        return {given.name: given.value for given in self.given}
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Return t and every scalar name that the file declares, each once."""
+        laws = (law.name for law in (*self.drive, *self.functions))
+        return tuple(dict.fromkeys(["t", *self.values, *laws, *self.columns]))
+
+    @cached_property
+    def rates(self) -> tuple[str, ...]:
+        """Return the names of the rates, in the order of the coordinates."""
+        return tuple(coordinate.rate for coordinate in self.coordinates)
+
+    @cached_property
+    def known_rates(self) -> tuple[str, ...]:
+        """Return the rates that stand in [drive]."""
+        laws = {law.name for law in self.drive}
+        return tuple(rate for rate in self.rates if rate in laws)
+
+    @property
+    def sought(self) -> tuple[str, ...]:
+        """Return the unknown velocities: rates not driven, then [unknowns]."""
+        known = set(self.known_rates)
+        return (*(rate for rate in self.rates if rate not in known), *(name for name, _ in self.unknowns))
+
+    @cached_property
+    def columns(self) -> tuple[str, ...]:
+        """Return the table's columns after t."""
+        return (*(c.name for c in self.coordinates), *self.rates, *(name for name, _ in self.unknowns))
+
+    @property
+    def set_values(self) -> dict[str, str]:
+        """Return what was set other than in the file, as texts by name; a step or end of one run is not among it."""
+        named = {path: path[1] for path in self.changes if not isinstance(self.changes[path], float)}
+        return {str(name): str(self.changes[path]) for path, name in named.items()}
+
+    @property
+    def file(self) -> str:
+        """Return what messages call the file: its path, or the name of a variant that is none."""
+        return str(self.path or self.name)
+
+    def line_of(self, *path: str | int) -> int:
+        """Return the line of the file that a key stands in, 0 where that is not known."""
+        return self.lines.get(path, 0)
+
+    def nearest_line(self, *path: str | int) -> int:
+        """Return the line of a key, or of what it stands in; 1 where the file has neither."""
+        while path and path not in self.lines:
+            path = path[:-1]
+        return self.lines.get(path, 1)
+
+    def unit_of(self, column: str) -> str:
+        """Return the SI unit of a column of the table (angles "rad", rates "rad/s")."""
+        return self._units.get(column, "")
+
+    @cached_property
+    def _units(self) -> dict[str, str]:
+        units = {"t": "s"} | {name: unit.replace("1/s", "rad/s") for name, unit in self.unknowns}
+        units |= {c.rate: "rad/s" if c.unit == "rad" else "m/s" for c in self.coordinates}
+        return units | {c.name: c.unit for c in self.coordinates}
+
+    def in_language(self, language: str) -> Variant:
+        """Return the variant with its texts in a language, as far as its file has them."""
+        texts = self.texts.get(language)
+        if texts is None:
+            return self
+        return replace(
+            self,
+            title=texts.title or self.title,
+            source=texts.source or self.source,
+            teaches=texts.teaches or self.teaches,
+            remarks=texts.remarks or self.remarks,
+            given=tuple(replace(one, means=texts.means.get(one.name, one.means)) for one in self.given),
+            constraints=tuple(replace(one, because=texts.because.get(one.name, one.because)) for one in self.constraints),
+        )
+
+    def timed(self, step: float | None = None, end: float | None = None) -> Variant:
+        """Return the variant with another step or end (s)."""
+        own = self.time.own_step or self.time.step
+        time = replace(self.time, step=step or self.time.step, end=end or self.time.end, own_step=own)
+        changes: dict[Path, float | str] = {}
+        for key in ("step", "end"):
+            if getattr(time, key) != getattr(self.time, key):
+                changes["time", key] = getattr(time, key)
+        return replace(self, time=time, changes={**self.changes, **changes})
+
+    def with_data(
+        self, given: Values | None = None, start: Values | None = None, drive: Values | None = None, *,
+        step: float | str | None = None, end: float | str | None = None, period: float | str | None = None,
+        check_row: int | None = None,
+    ) -> Variant:  # fmt: skip
+        """Return the variant as its file would be with other data: period, texts, start, remarks and faults are read anew.
+
+        Numbers are SI, texts bring their unit or are formulas ("2*pi/p"); `check_row` counts from 1.
+        Where geometry gives start values, those of coordinates not named in `start` follow: the closed position nearest to the
+        old one.  Raises `InputError` with what the changed file would be refused for.
+
+        >>> import coursework
+        >>> round(coursework.load("31").with_data(given={"p": 10}).time.period, 4)
+        0.6283
+        """
+        if self.reread is None:
+            raise InputError(say("fault.D004", name=self.name))
+        asked = (("step", step), ("end", end), ("period", period), ("check_row", check_row))
+        times = {key: value for key, value in asked if value is not None}
+        return self.reread(self, Changes(given or {}, start or {}, drive or {}, times))
