@@ -14,10 +14,10 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from coursework import groups
     from coursework.api import compile_model, exact, load, solve
     from coursework.assigning.variants import draw, draw_many
     from coursework.many import Solutions, feasible, feasible_many, solve_many
+    from coursework.mechanism import groups
     from coursework.model.data import Data
     from coursework.model.model import Model
     from coursework.output.write import write_report
@@ -55,7 +55,7 @@ def __getattr__(name: str) -> Any:
     if name in _HOME_OF:
         return getattr(import_module(_HOME_OF[name]), name)
     if name == "groups":
-        return import_module("coursework.groups")
+        return import_module("coursework.mechanism.groups")
     raise AttributeError(f"module 'coursework' has no attribute '{name}'")
 
 

@@ -12,7 +12,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from coursework.groups.assembly import numbers
+from coursework.mechanism.groups.assembly import numbers
 
 Array: TypeAlias = NDArray[np.float64]
 

@@ -34,7 +34,6 @@ True
 from __future__ import annotations
 
 from coursework.five_point import best_spacing, derivative, noise, rounding_error, second_derivative, truncation
-from coursework.groups import AtDeadPoint, CannotAssemble, GroupMotion, Guide, Pair, crank, prp, rpp, rpr, rrp, rrr
 from coursework.kinematics.analogs import (
     acceleration_analog,
     in_analogs,
@@ -65,6 +64,7 @@ from coursework.kinematics.variable_crank import (
     slider_crank,
     slider_velocity,
 )
+from coursework.mechanism.groups import AtDeadPoint, CannotAssemble, GroupMotion, Guide, Pair, crank, prp, rpp, rpr, rrp, rrr
 
 __all__ = [
     "AtDeadPoint", "CannotAssemble", "CrankLaw", "GroupMotion", "Guide", "Invariants", "Pair", "SliderAnalogs", "Stroke",

@@ -28,7 +28,7 @@ from coursework.integration.integrate import Correction, march
 from coursework.integration.motion import Motion, Stop, rows_before
 from coursework.integration.passage import through
 from coursework.integration.rates import Rates, compile_rates
-from coursework.mechanism import Mechanism
+from coursework.mechanism.mechanism import Mechanism
 from coursework.motion_results import MotionResults
 from coursework.reduction.blocks import Reduction, angles_in_determinants, reduce
 from coursework.reduction.equations import VelocityEquations

@@ -8,7 +8,8 @@ import pkgutil
 import pytest
 
 import coursework
-from coursework import groups, procedures
+from coursework import procedures
+
 
 MODULES = [m.name for m in pkgutil.walk_packages(coursework.__path__, "coursework.") if not m.name.endswith("__main__")]
 
@@ -21,7 +22,7 @@ def test_examples(name):
 
 PUBLIC = {
     name: thing
-    for room in (coursework, procedures, groups)
+    for room in (coursework, procedures, coursework.groups)
     for name in room.__all__
     if inspect.isfunction(thing := getattr(room, name)) or inspect.isclass(thing)
 }

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from coursework.assigning.ranges import MEASURES, Difficulty, Limits, Range, Ranges
-from coursework.groups import group_kind
+from coursework.mechanism.groups import group_kind
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.units import KINDS, UnitFault, read, unlike
 from coursework.variant.record.variant import Variant

@@ -20,7 +20,7 @@ from coursework.drawing.painter import Painter
 from coursework.drawing.placing import Owner
 from coursework.drawing.sheet import ITALIC, inside
 from coursework.drawing.symbols import name_word
-from coursework.mechanism import Mechanism
+from coursework.mechanism.mechanism import Mechanism
 from coursework.variant.formula.tree import Formula, constant, terms
 
 PEN = 'fill="none" stroke="black" stroke-width="0.15"'

@@ -22,7 +22,7 @@ from coursework.drawing.painter import Painter
 from coursework.drawing.placing import Owner
 from coursework.drawing.sheet import ITALIC, Word
 from coursework.drawing.symbols import length_word
-from coursework.mechanism import Mechanism
+from coursework.mechanism.mechanism import Mechanism
 
 PEN = 'stroke="black" stroke-width="0.15"'
 SHORTEST = 0.8  # mm: a shorter length is not seen

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from string import ascii_uppercase
 
-from coursework.groups import group_kind
-from coursework.mechanism import Mechanism
+from coursework.mechanism.groups import group_kind
+from coursework.mechanism.mechanism import Mechanism
 from coursework.variant.formula.tree import Formula, terms
 
 

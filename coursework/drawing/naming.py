@@ -19,7 +19,7 @@ from coursework.drawing.painter import Painter
 from coursework.drawing.placing import Owner, Place
 from coursework.drawing.sheet import BOLD, ITALIC
 from coursework.drawing.symbols import length_word, name_word, short
-from coursework.mechanism import Mechanism
+from coursework.mechanism.mechanism import Mechanism
 from coursework.variant.formula.tree import Formula, terms
 
 PARTS = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)  # of a line: where the word of it may stand, the middle first

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from coursework.drawing.cover import Segment
 from coursework.drawing.painter import Painter
-from coursework.mechanism import Mechanism
+from coursework.mechanism.mechanism import Mechanism
 from coursework.variant.formula.tree import Formula
 
 NOWHERE = 1e-9  # mm: between two points that near to each other there is no direction

@@ -13,8 +13,8 @@ from collections.abc import Iterator
 
 from coursework.drawing.lengths import arm_base, unnamed_joints
 from coursework.drawing.outline import Bar, Block, Outline, Rail, Slot, Track, Wheel
-from coursework.joints import FRAME, Linkage, chain_of_groups, link_names
-from coursework.mechanism import Mechanism
+from coursework.mechanism.joints import FRAME, Linkage, chain_of_groups, link_names
+from coursework.mechanism.mechanism import Mechanism
 from coursework.variant.formula.tree import Formula, number, terms
 from coursework.variant.record.variant import Variant
 
@@ -23,7 +23,7 @@ def read_outline(mechanism: Mechanism) -> Outline | None:
     """Return the outline of a mechanism, None where a file places no points.
 
     >>> from coursework.api import load
-    >>> from coursework.mechanism import build
+    >>> from coursework.mechanism.mechanism import build
     >>> outline = read_outline(build(load("example-4")))
     >>> [(bar.link, bar.corners) for bar in outline.bars], [(block.link, block.at) for block in outline.blocks]
     ([('1', ('A', 'B')), ('3', ('D', 'E')), ('2', ('B',))], [('2', 'B')])

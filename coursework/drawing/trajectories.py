@@ -24,7 +24,7 @@ from coursework.drawing.symbols import decimal, short
 from coursework.drawing.tracing import read_outline
 from coursework.integration.motion import Motion
 from coursework.kinematics.points import point_rows
-from coursework.mechanism import Mechanism
+from coursework.mechanism.mechanism import Mechanism
 from coursework.reduction.equations import VelocityEquations
 from coursework.words.sentences import say
 

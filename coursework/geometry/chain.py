@@ -13,11 +13,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework import groups
 from coursework.geometry.drive import integrals
 from coursework.geometry.time_derivatives import compile_rows
-from coursework.groups import Guide, Pair, group_kind
-from coursework.groups.kind import Known
+from coursework.mechanism import groups
+from coursework.mechanism.groups import Guide, Pair, group_kind
+from coursework.mechanism.groups.kind import Known
 from coursework.reduction.equations import VelocityEquations
 from coursework.reduction.symbolic import Symbols
 from coursework.variant.formula.tree import Formula, constant, spelled

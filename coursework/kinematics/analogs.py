@@ -17,7 +17,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from coursework.groups.pairs import GroupMotion, Pair
+from coursework.mechanism.groups.pairs import GroupMotion, Pair
 
 Array: TypeAlias = NDArray[np.float64]
 Level: TypeAlias = Callable[[Array, Array], tuple[Array, Array]]
@@ -79,7 +79,7 @@ def in_seconds(analogs: GroupMotion, omega_1: ArrayLike, epsilon_1: ArrayLike = 
     `omega_1` (rad/s), `epsilon_1` (rad/s^2) of the crank, a number or one a row.
     Raises `ValueError` when only positions were computed.
 
-    >>> from coursework.groups import crank
+    >>> from coursework.mechanism.groups import crank
     >>> turned = crank(Pair([0.0, 0.0]), length=0.1, angle=[0.0, 1.0], rate=1.0)
     >>> in_seconds(turned, omega_1=[5.0, 10.0]).meets.velocity.round(3).tolist()
     [[0.0, 0.5], [-0.841, 0.54]]
@@ -95,7 +95,7 @@ def in_analogs(motion: GroupMotion, omega_1: ArrayLike, epsilon_1: ArrayLike = 0
 
     Raises `ValueError` where the crank stands still, and when only positions were computed.
 
-    >>> from coursework.groups import crank
+    >>> from coursework.mechanism.groups import crank
     >>> turned = crank(Pair([0.0, 0.0]), length=0.1, angle=[0.0, 1.0], rate=[5.0, 10.0])
     >>> in_analogs(turned, omega_1=[5.0, 10.0]).rates.tolist()
     [[1.0], [1.0]]

@@ -18,7 +18,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from coursework.groups.assembly import at, dead, numbers, refuse, require_mode, rows_where, tolerance
+from coursework.mechanism.groups.assembly import at, dead, numbers, refuse, require_mode, rows_where, tolerance
 from coursework.words.sentences import say
 
 Array: TypeAlias = NDArray[np.float64]

@@ -16,7 +16,7 @@ from coursework.codegen.programs import as_columns
 from coursework.geometry.chain import dyad
 from coursework.geometry.closure import OPEN
 from coursework.geometry.start import START_TOLERANCE
-from coursework.groups import CannotAssemble, group_kind
+from coursework.mechanism.groups import CannotAssemble, group_kind
 from coursework.model.data import Data
 from coursework.model.model import Columns, Model
 from coursework.reduction.symbolic import symbol

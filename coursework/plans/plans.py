@@ -18,7 +18,7 @@ from coursework.drawing.poses import all_rows
 from coursework.drawing.record import Drawing
 from coursework.drawing.tracing import read_outline
 from coursework.integration.motion import Motion
-from coursework.mechanism import Mechanism
+from coursework.mechanism.mechanism import Mechanism
 from coursework.plans.graph_check import USUAL_ROW
 from coursework.plans.polygons import ACCELERATION, UNITS, VELOCITY, Polygons, polygons
 from coursework.reduction.equations import VelocityEquations

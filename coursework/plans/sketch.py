@@ -17,8 +17,8 @@ from coursework.drawing.poses import Poses, read_poses
 from coursework.drawing.tracing import read_outline
 from coursework.geometry.time_derivatives import compile_rows
 from coursework.integration.motion import Motion
-from coursework.joints import FRAME, linkage
-from coursework.mechanism import Mechanism
+from coursework.mechanism.joints import FRAME, linkage
+from coursework.mechanism.mechanism import Mechanism
 from coursework.plans.instant_centres import cross
 from coursework.plans.pose import Body, Pose
 from coursework.reduction.equations import VelocityEquations

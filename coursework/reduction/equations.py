@@ -14,7 +14,7 @@ from typing import TypeVar, cast
 import sympy as sp
 
 from coursework.codegen.tabulated import TableLaw
-from coursework.mechanism import Mechanism
+from coursework.mechanism.mechanism import Mechanism
 from coursework.reduction.symbolic import TIME, Symbols, placed, symbol
 from coursework.reduction.tidy import Order, as_sum
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, on_axes, spelled

@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from functools import reduce
 
-from coursework.groups import group_kind
-from coursework.joints import link_names, linkage
+from coursework.mechanism.groups import group_kind
+from coursework.mechanism.joints import link_names, linkage
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, spelled
 from coursework.variant.record.variant import Variant
 from coursework.words.sentences import joined, say

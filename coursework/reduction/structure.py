@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections import OrderedDict
 from dataclasses import dataclass, replace
 
-from coursework.mechanism import Mechanism, build
+from coursework.mechanism.mechanism import Mechanism, build
 from coursework.reduction.equations import VelocityEquations, differentiate
 from coursework.variant.record.variant import Coordinate, Given, Law, Time, Variant
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from coursework.drawing.lengths import lengths
-from coursework.groups import group_kind
-from coursework.mechanism import Mechanism
+from coursework.mechanism.groups import group_kind
+from coursework.mechanism.mechanism import Mechanism
 from coursework.report.drive_meanings import drive_meanings
 from coursework.report.text_runs import LONGEST_NAME
 from coursework.variant.formula.tree import terms

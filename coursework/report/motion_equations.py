@@ -10,10 +10,10 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
-from coursework.derivation.contours import Contour, contours_of
-from coursework.derivation.derive import Combination, Derivation, Numbered, derive
-from coursework.derivation.paths import Path, Term
-from coursework.derivation.segments import ZERO, Angle
+from coursework.mechanism.derivation.contours import Contour, contours_of
+from coursework.mechanism.derivation.derive import Combination, Derivation, Numbered, derive
+from coursework.mechanism.derivation.paths import Path, Term
+from coursework.mechanism.derivation.segments import ZERO, Angle
 from coursework.reduction.solution import ShownEquation
 from coursework.report import equations as setting
 from coursework.report.display import display

@@ -9,7 +9,7 @@ import re
 from dataclasses import replace
 
 from coursework.checks.summary import summary
-from coursework.mechanism import Mechanism
+from coursework.mechanism.mechanism import Mechanism
 from coursework.quantities import CHECKS, TABLE
 from coursework.report.closeness import largest_errors, splits, unreturned
 from coursework.report.data_meanings import coordinate_meanings, meanings

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.groups import GroupMotion, Pair, crank, rrr
+from coursework.mechanism.groups import GroupMotion, Pair, crank, rrr
 from tests.benchmarks.timer import ratio
 
 Array = NDArray[np.float64]

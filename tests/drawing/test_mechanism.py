@@ -14,7 +14,7 @@ from coursework.drawing.outline import Outline
 from coursework.drawing.record import Drawing
 from coursework.drawing.sheet import Sheet
 from coursework.drawing.tracing import read_outline
-from coursework.mechanism import build
+from coursework.mechanism.mechanism import build
 from coursework.run import Run
 from coursework.variant.catalogue import names
 from coursework.variant.formula.tree import spelled

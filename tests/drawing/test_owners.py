@@ -10,7 +10,7 @@ from coursework import load, solve
 from coursework.drawing.lengths import lengths
 from coursework.drawing.symbols import length_text, name_word
 from coursework.drawing.tracing import read_outline
-from coursework.mechanism import build
+from coursework.mechanism.mechanism import build
 from coursework.variant.catalogue import names
 from tests.drawing import measured
 from tests.drawing.test_mechanism import drawing_of

@@ -6,8 +6,8 @@ import time
 import numpy as np
 import pytest
 
-from coursework import groups
-from coursework.groups import CannotAssemble, Pair
+from coursework.mechanism import groups
+from coursework.mechanism.groups import CannotAssemble, Pair
 from coursework.singular.change_point import distinct
 from tests.hard.scenes import check, expected, four_bar, scene, solve
 

@@ -8,7 +8,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from coursework.groups import GroupMotion, Pair, crank, rrr
 from coursework.kinematics.analogs import (
     acceleration_analog,
     in_analogs,
@@ -17,6 +16,7 @@ from coursework.kinematics.analogs import (
     true_velocity,
     velocity_analog,
 )
+from coursework.mechanism.groups import GroupMotion, Pair, crank, rrr
 
 Array = NDArray[np.float64]
 PHI = np.linspace(0.0, 2 * np.pi, 25)

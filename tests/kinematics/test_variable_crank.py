@@ -12,7 +12,6 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from coursework.five_point import derivative, second_derivative
-from coursework.groups import AtDeadPoint, CannotAssemble, Guide, Pair, crank, rrp
 from coursework.kinematics.variable_crank import (
     CrankLaw,
     SliderAnalogs,
@@ -20,6 +19,7 @@ from coursework.kinematics.variable_crank import (
     outer_position,
     slider_crank,
 )
+from coursework.mechanism.groups import AtDeadPoint, CannotAssemble, Guide, Pair, crank, rrp
 
 Array = NDArray[np.float64]
 PASIKA = json.loads((Path(__file__).parents[1] / "reference" / "pasika.json").read_text())

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from coursework.codegen.tabulated import OutsideTable, TableLaw
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.numbers import value_of
-from coursework.mechanism import build
+from coursework.mechanism.mechanism import build
 from coursework.variant.record.variant import Law, Variant
 
 Array = NDArray[np.float64]

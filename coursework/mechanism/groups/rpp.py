@@ -3,7 +3,7 @@
 Enters: pair B, the guide, the angle between the slides.  Leaves: both slides, and the motion of D on block j.
 Dead when the slides are parallel, and then without a position too.  Source: [deck] 5-5 with the sign of b put
 right, [library] 2PG5V.
-Used by `groups/__init__.py` and `procedures.py`.
+Used by `mechanism/groups/__init__.py` and `procedures.py`.
 """
 
 from __future__ import annotations
@@ -14,12 +14,12 @@ from functools import partial
 import numpy as np
 from numpy.typing import ArrayLike
 
-from coursework.groups.assembly import numbers, require_crossing
-from coursework.groups.joint import PRISMATIC, REVOLUTE, Joint
-from coursework.groups.kind import QUARTER, Closed, GroupKind, Known, Shape, along, plus, unknowns
-from coursework.groups.line import Line
-from coursework.groups.pairs import GroupMotion, Guide, Pair, count_rows, group_motion
-from coursework.groups.plane import cross, direction, vectors
+from coursework.mechanism.groups.assembly import numbers, require_crossing
+from coursework.mechanism.groups.joint import PRISMATIC, REVOLUTE, Joint
+from coursework.mechanism.groups.kind import QUARTER, Closed, GroupKind, Known, Shape, along, plus, unknowns
+from coursework.mechanism.groups.line import Line
+from coursework.mechanism.groups.pairs import GroupMotion, Guide, Pair, count_rows, group_motion
+from coursework.mechanism.groups.plane import cross, direction, vectors
 from coursework.variant.formula.tree import Formula
 from coursework.variant.record.variant import Group
 

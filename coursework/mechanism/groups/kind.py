@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from coursework.groups.assembly import Array
-from coursework.groups.joint import Joint
-from coursework.groups.pairs import GroupMotion, Guide, Pair
+from coursework.mechanism.groups.assembly import Array
+from coursework.mechanism.groups.joint import Joint
+from coursework.mechanism.groups.pairs import GroupMotion, Guide, Pair
 from coursework.variant.formula.tree import Formula, number
 from coursework.variant.record.variant import Group
 
@@ -54,7 +54,7 @@ class GroupKind:
     which holds where nothing tells; `meaning` is the key of the sentence about a dead point that its determinant alone does
     not show; `joints` joins its bodies, of which `carries` says which one each coordinate moves.
 
-    >>> from coursework.groups import group_kind
+    >>> from coursework.mechanism.groups import group_kind
     >>> group_kind("PRP").shape.guides, group_kind("PRP").driven, group_kind("crank").driven
     (2, False, True)
     """
@@ -73,7 +73,7 @@ class GroupKind:
         return self.name
 
     def __reduce__(self) -> tuple[Callable[[str], GroupKind], tuple[str]]:
-        from coursework.groups import group_kind  # a kind travels between processes by its name
+        from coursework.mechanism.groups import group_kind  # a kind travels between processes by its name
 
         return group_kind, (self.name,)
 

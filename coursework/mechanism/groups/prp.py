@@ -3,7 +3,7 @@
 Enters: two guides with their offsets.  Leaves: both slides and the motion of the hinge C.
 Dead when the guides are parallel, and then without a position too.  Source: [deck], PRP, with b5 put back;
 [library] 2PG4V.
-Used by `groups/__init__.py` and `procedures.py`.
+Used by `mechanism/groups/__init__.py` and `procedures.py`.
 """
 
 from __future__ import annotations
@@ -13,12 +13,12 @@ from functools import partial
 
 import numpy as np
 
-from coursework.groups.assembly import require_crossing
-from coursework.groups.joint import PRISMATIC, REVOLUTE, Joint
-from coursework.groups.kind import Closed, GroupKind, Known, Shape, across, along, plus, unknowns
-from coursework.groups.line import Line
-from coursework.groups.pairs import GroupMotion, Guide, count_rows, group_motion
-from coursework.groups.plane import cross
+from coursework.mechanism.groups.assembly import require_crossing
+from coursework.mechanism.groups.joint import PRISMATIC, REVOLUTE, Joint
+from coursework.mechanism.groups.kind import Closed, GroupKind, Known, Shape, across, along, plus, unknowns
+from coursework.mechanism.groups.line import Line
+from coursework.mechanism.groups.pairs import GroupMotion, Guide, count_rows, group_motion
+from coursework.mechanism.groups.plane import cross
 from coursework.variant.record.variant import Group
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from coursework.derivation.segments import Angle, Known, PointGraph, Segment
+from coursework.mechanism.derivation.segments import Angle, Known, PointGraph, Segment
 from coursework.variant.formula.tree import Formula
 
 MOST_PATHS = 12

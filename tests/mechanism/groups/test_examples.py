@@ -14,12 +14,12 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from coursework.groups import GroupMotion, Guide, Pair, crank, prp, rpp, rpr, rrp, rrr
+from coursework.mechanism.groups import GroupMotion, Guide, Pair, crank, prp, rpp, rpr, rrp, rrr
 
 Array = NDArray[np.float64]
 Levels = tuple[Array, Array, Array]
 Solved = dict[str, Levels]
-REFERENCE = Path(__file__).parents[1] / "reference"
+REFERENCE = Path(__file__).parents[2] / "reference"
 A = Pair((0.0, 0.0))
 TOLERANCE = 1e-12  # of the largest value in a column; the files hold 15 digits
 

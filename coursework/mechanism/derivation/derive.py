@@ -14,9 +14,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.derivation.paths import Path, Projection, paths_of, projections_of
-from coursework.derivation.segments import ZERO, PointGraph, point_graph
-from coursework.mechanism import Mechanism
+from coursework.mechanism.derivation.paths import Path, Projection, paths_of, projections_of
+from coursework.mechanism.derivation.segments import ZERO, PointGraph, point_graph
+from coursework.mechanism.mechanism import Mechanism
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate
 
 Array = NDArray[np.float64]

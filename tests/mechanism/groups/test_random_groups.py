@@ -15,7 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from coursework.groups import GroupMotion, Guide, Pair, crank, prp, rpp, rpr, rrp, rrr
+from coursework.mechanism.groups import GroupMotion, Guide, Pair, crank, prp, rpp, rpr, rrp, rrr
 
 Array = NDArray[np.float64]
 Draw = Callable[[st.SearchStrategy[float]], float]

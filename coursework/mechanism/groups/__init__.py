@@ -10,15 +10,15 @@ To add a group: write one file with its function and its `GroupKind`, and add th
 
 from __future__ import annotations
 
-from coursework.groups.assembly import AtDeadPoint, CannotAssemble
-from coursework.groups.crank import CRANK, crank
-from coursework.groups.kind import GroupKind
-from coursework.groups.pairs import GroupMotion, Guide, Pair
-from coursework.groups.prp import PRP, prp
-from coursework.groups.rpp import RPP, rpp
-from coursework.groups.rpr import RPR, rpr
-from coursework.groups.rrp import RRP, rrp
-from coursework.groups.rrr import RRR, rrr
+from coursework.mechanism.groups.assembly import AtDeadPoint, CannotAssemble
+from coursework.mechanism.groups.crank import CRANK, crank
+from coursework.mechanism.groups.kind import GroupKind
+from coursework.mechanism.groups.pairs import GroupMotion, Guide, Pair
+from coursework.mechanism.groups.prp import PRP, prp
+from coursework.mechanism.groups.rpp import RPP, rpp
+from coursework.mechanism.groups.rpr import RPR, rpr
+from coursework.mechanism.groups.rrp import RRP, rrp
+from coursework.mechanism.groups.rrr import RRR, rrr
 
 GROUPS: tuple[GroupKind, ...] = (CRANK, RRR, RRP, RPR, RPP, PRP)
 

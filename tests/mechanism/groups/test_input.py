@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from coursework.groups import Guide, Pair, crank, rpp, rpr, rrp, rrr
+from coursework.mechanism.groups import Guide, Pair, crank, rpp, rpr, rrp, rrr
 
 ORIGIN = Pair((0.0, 0.0))
 X_AXIS = Guide(ORIGIN, 0.0)

@@ -12,8 +12,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from coursework import groups
-from coursework.groups import (
+from coursework.mechanism import groups
+from coursework.mechanism.groups import (
     GROUPS,
     AtDeadPoint,
     CannotAssemble,
@@ -27,10 +27,10 @@ from coursework.groups import (
     rrp,
     rrr,
 )
-from coursework.groups.plane import angle_of
+from coursework.mechanism.groups.plane import angle_of
 from coursework.variant.record.vocabulary import GROUP_KINDS
 
-REFERENCE = Path(__file__).parents[1] / "reference"
+REFERENCE = Path(__file__).parents[2] / "reference"
 ORIGIN = Pair((0.0, 0.0))
 X_AXIS = Guide(ORIGIN, 0.0)
 

@@ -2,7 +2,7 @@
 
 Enters: the pivot A, length, angle, angular velocity and acceleration.  Leaves: the motion of the pin B.
 Source: [deck], crank; a length that varies in time as in [Pasika].
-Used by `groups/__init__.py` and `procedures.py`.
+Used by `mechanism/groups/__init__.py` and `procedures.py`.
 """
 
 from __future__ import annotations
@@ -12,12 +12,12 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from coursework.groups import assembly
-from coursework.groups.assembly import Length, numbers
-from coursework.groups.joint import REVOLUTE, Joint
-from coursework.groups.kind import Closed, GroupKind, Shape, along, plus, unknowns
-from coursework.groups.pairs import GroupMotion, Pair, count_rows, group_motion
-from coursework.groups.plane import direction, vectors
+from coursework.mechanism.groups import assembly
+from coursework.mechanism.groups.assembly import Length, numbers
+from coursework.mechanism.groups.joint import REVOLUTE, Joint
+from coursework.mechanism.groups.kind import Closed, GroupKind, Shape, along, plus, unknowns
+from coursework.mechanism.groups.pairs import GroupMotion, Pair, count_rows, group_motion
+from coursework.mechanism.groups.plane import direction, vectors
 from coursework.variant.record.variant import Group
 
 

@@ -8,12 +8,12 @@ from pathlib import Path
 import pytest
 
 import coursework
-from coursework import groups
 from coursework.drawing.tracing import read_outline
-from coursework.groups import GROUPS, group_kind, joint
-from coursework.groups.joint import PRISMATIC, REVOLUTE, Joint, JointKind
-from coursework.joints import FRAME, linkage
-from coursework.mechanism import build
+from coursework.mechanism import groups
+from coursework.mechanism.groups import GROUPS, group_kind, joint
+from coursework.mechanism.groups.joint import PRISMATIC, REVOLUTE, Joint, JointKind
+from coursework.mechanism.joints import FRAME, linkage
+from coursework.mechanism.mechanism import build
 from coursework.plans.sketch import with_links
 from coursework.variant.catalogue import names
 
@@ -106,12 +106,15 @@ KINDS = {name: kind for name, kind in vars(joint).items() if isinstance(kind, Jo
 def test_no_kind_is_named_where_it_is_not_made():
     """Others ask the record: no text is the name of a kind, and no constant of one stands outside the files that make joints."""
     package = Path(coursework.__file__).parent
-    makers = {"joints.py", *(f"groups/{path.name}" for path in (package / "groups").glob("*.py"))}
+    makers = {
+        "mechanism/joints.py",
+        *(f"mechanism/groups/{path.name}" for path in (package / "mechanism" / "groups").glob("*.py")),
+    }
     told = {kind.name for kind in KINDS.values()}
     for path in package.rglob("*.py"):
         place, text = path.relative_to(package).as_posix(), path.read_text(encoding="utf-8")
         nodes = [*ast.walk(ast.parse(text))]
-        if place != "groups/joint.py":
+        if place != "mechanism/groups/joint.py":
             assert told.isdisjoint(node.value for node in nodes if isinstance(node, ast.Constant)), place
         if place not in makers:
             assert not re.search(rf"\b({'|'.join(KINDS)})\b", text), place

@@ -2,7 +2,7 @@
 
 Enters: pair B, the guide, the rod, assembly mode.  Leaves: angle of the rod, slide, and motion of the pin C.
 Dead when the rod stands perpendicular to the guide.  Source: [deck] 5-3, [library] 2PG2V with its offset.
-Used by `groups/__init__.py` and `procedures.py`.
+Used by `mechanism/groups/__init__.py` and `procedures.py`.
 """
 
 from __future__ import annotations
@@ -12,13 +12,13 @@ from functools import partial
 
 import numpy as np
 
-from coursework.groups import assembly
-from coursework.groups.assembly import Length, at, dead, metres, refuse, rows_where
-from coursework.groups.joint import PRISMATIC, REVOLUTE, Joint
-from coursework.groups.kind import Closed, GroupKind, Known, Shape, across, along, plus, unknowns
-from coursework.groups.line import Line
-from coursework.groups.pairs import GroupMotion, Guide, Pair, count_rows, group_motion
-from coursework.groups.plane import angle_of, cross, dot, vectors
+from coursework.mechanism.groups import assembly
+from coursework.mechanism.groups.assembly import Length, at, dead, metres, refuse, rows_where
+from coursework.mechanism.groups.joint import PRISMATIC, REVOLUTE, Joint
+from coursework.mechanism.groups.kind import Closed, GroupKind, Known, Shape, across, along, plus, unknowns
+from coursework.mechanism.groups.line import Line
+from coursework.mechanism.groups.pairs import GroupMotion, Guide, Pair, count_rows, group_motion
+from coursework.mechanism.groups.plane import angle_of, cross, dot, vectors
 from coursework.variant.record.variant import Group
 from coursework.words.sentences import say
 

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from coursework.groups.assembly import numbers
-from coursework.groups.plane import Array, Vectors, rows_of, vectors
+from coursework.mechanism.groups.assembly import numbers
+from coursework.mechanism.groups.plane import Array, Vectors, rows_of, vectors
 
 STILL = (0.0, 0.0)
 

@@ -8,10 +8,10 @@ from typing import Any
 import pytest
 
 import coursework
-from coursework.derivation.constants import named_angles
-from coursework.derivation.contours import contours_of
-from coursework.derivation.derive import Derivation, derive
-from coursework.derivation.segments import point_graph
+from coursework.mechanism.derivation.constants import named_angles
+from coursework.mechanism.derivation.contours import contours_of
+from coursework.mechanism.derivation.derive import Derivation, derive
+from coursework.mechanism.derivation.segments import point_graph
 from coursework.variant.formula.reader import parse
 from coursework.variant.formula.tree import spelled
 from tests.report.real import changed

@@ -2,7 +2,7 @@
 
 Enters: pairs B, D, lengths, assembly mode.  Leaves: angles of both links and the motion of C.
 Dead when the two links lie on one line.  Source: [deck] 5-2, [library] 2PG1V with equation (1).
-Used by `groups/__init__.py` and `procedures.py`.
+Used by `mechanism/groups/__init__.py` and `procedures.py`.
 """
 
 from __future__ import annotations
@@ -12,12 +12,12 @@ from functools import partial
 
 import numpy as np
 
-from coursework.groups import assembly
-from coursework.groups.assembly import Array, CannotAssemble, Length, at, dead, metres, refuse, rows_where
-from coursework.groups.joint import REVOLUTE, Joint
-from coursework.groups.kind import Closed, GroupKind, Known, Shape, along, plus, unknowns
-from coursework.groups.pairs import GroupMotion, Pair, count_rows, group_motion
-from coursework.groups.plane import Vectors, angle_of, dot, vectors
+from coursework.mechanism.groups import assembly
+from coursework.mechanism.groups.assembly import Array, CannotAssemble, Length, at, dead, metres, refuse, rows_where
+from coursework.mechanism.groups.joint import REVOLUTE, Joint
+from coursework.mechanism.groups.kind import Closed, GroupKind, Known, Shape, along, plus, unknowns
+from coursework.mechanism.groups.pairs import GroupMotion, Pair, count_rows, group_motion
+from coursework.mechanism.groups.plane import Vectors, angle_of, dot, vectors
 from coursework.variant.record.variant import Group
 from coursework.words.sentences import say
 
@@ -40,7 +40,7 @@ def rrr(b: Pair, d: Pair, *, lengths: tuple[Length, Length], mode: int, position
     >>> rrr(Pair([0.0, 0.0]), Pair([0.8, 0.0]), lengths=(0.4, 0.3), mode=1)
     Traceback (most recent call last):
         ...
-    coursework.groups.assembly.CannotAssemble: RRR cannot be assembled at row 0:
+    coursework.mechanism.groups.assembly.CannotAssemble: RRR cannot be assembled at row 0:
     B and D are 0.8000 m apart, the two links reach 0.7000 m; together they are 0.1000 m too short.
     """
     assembly.require_mode("RRR", mode, MODES)

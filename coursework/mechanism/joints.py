@@ -11,8 +11,8 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
-from coursework.groups import group_kind
-from coursework.groups.joint import PIN_IN_GUIDE, PRISMATIC, REVOLUTE, ROLLING, Joint
+from coursework.mechanism.groups import group_kind
+from coursework.mechanism.groups.joint import PIN_IN_GUIDE, PRISMATIC, REVOLUTE, ROLLING, Joint
 from coursework.variant.formula.tree import Formula
 from coursework.variant.record.variant import Group, Variant
 

@@ -2,7 +2,7 @@
 
 Enters: pairs B, D, the offset of the hinge, the rod.  Leaves: angle of the rod, slide, motion of its end E.
 Dead when the block is level with the pivot, s = 0.  Source: [deck] 5-4, [library] 2PG3V with its offset.
-Used by `groups/__init__.py` and `procedures.py`.
+Used by `mechanism/groups/__init__.py` and `procedures.py`.
 """
 
 from __future__ import annotations
@@ -13,12 +13,12 @@ from functools import partial
 import numpy as np
 from numpy.typing import ArrayLike
 
-from coursework.groups import assembly
-from coursework.groups.assembly import at, dead, metres, numbers, refuse, rows_where
-from coursework.groups.joint import PRISMATIC, REVOLUTE, Joint
-from coursework.groups.kind import Closed, GroupKind, Known, Shape, across, along, plus, unknowns
-from coursework.groups.pairs import GroupMotion, Pair, count_rows, group_motion
-from coursework.groups.plane import angle_of, cross, dot, vectors
+from coursework.mechanism.groups import assembly
+from coursework.mechanism.groups.assembly import at, dead, metres, numbers, refuse, rows_where
+from coursework.mechanism.groups.joint import PRISMATIC, REVOLUTE, Joint
+from coursework.mechanism.groups.kind import Closed, GroupKind, Known, Shape, across, along, plus, unknowns
+from coursework.mechanism.groups.pairs import GroupMotion, Pair, count_rows, group_motion
+from coursework.mechanism.groups.plane import angle_of, cross, dot, vectors
 from coursework.variant.record.variant import Group
 from coursework.words.sentences import say
 

@@ -10,8 +10,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from graphlib import CycleError, TopologicalSorter
 
-from coursework.groups import group_kind
-from coursework.joints import Linkage, Mobility, linkage
+from coursework.mechanism.groups import group_kind
+from coursework.mechanism.joints import Linkage, Mobility, linkage
 from coursework.variant.formula.tree import Formula
 from coursework.variant.record.variant import Constraint, Group, Variant
 from coursework.words.errors import Fault, InputError

@@ -11,14 +11,14 @@ from pathlib import Path
 import pytest
 
 import coursework
-from coursework.groups import GROUPS
+from coursework.mechanism.groups import GROUPS
 
 # A second name for the dyad RRP, whose dead point means something else; the tool has never heard of it.
 DUMMY = """
 import json
 from dataclasses import replace
-from coursework import groups
-from coursework.groups.rrp import RRP
+from coursework.mechanism import groups
+from coursework.mechanism.groups.rrp import RRP
 from coursework.variant.record import vocabulary
 vocabulary.GROUP_KINDS["LIFT"] = 1
 groups.GROUPS = (*groups.GROUPS, replace(RRP, name="LIFT", meaning="determinant.parallel"))
@@ -87,9 +87,9 @@ def strings(path):
 @pytest.mark.parametrize("kind", GROUPS, ids=repr)
 def test_no_kind_is_named_outside_its_file(kind):
     package = Path(coursework.__file__).parent
-    home = f"groups/{kind.name.lower()}.py"
+    home = f"mechanism/groups/{kind.name.lower()}.py"
     naming = {path.relative_to(package).as_posix() for path in package.rglob("*.py") if kind.name in strings(path)}
-    assert naming - {"groups/__init__.py", "procedures.py"} == {
+    assert naming - {"mechanism/groups/__init__.py", "procedures.py"} == {
         home,
         "variant/record/vocabulary.py",
     }  # there the procedure is exported

@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from coursework.groups import GroupMotion, Guide, Pair, crank, prp, rpp, rpr, rrr
+from coursework.mechanism.groups import GroupMotion, Guide, Pair, crank, prp, rpp, rpr, rrr
 
 Array = NDArray[np.float64]
-REFERENCE = Path(__file__).parents[1] / "reference"
+REFERENCE = Path(__file__).parents[2] / "reference"
 A = Pair((0.0, 0.0))
 QUARTER = np.pi / 2
 

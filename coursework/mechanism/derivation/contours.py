@@ -10,8 +10,8 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from coursework.derivation.segments import ZERO
-from coursework.mechanism import Mechanism
+from coursework.mechanism.derivation.segments import ZERO
+from coursework.mechanism.mechanism import Mechanism
 from coursework.variant.formula.tree import Formula, constant, evaluate
 
 Pair = tuple[Formula, Formula]
