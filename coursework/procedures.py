@@ -33,7 +33,7 @@ True
 
 from __future__ import annotations
 
-from coursework.five_point import best_spacing, derivative, noise, rounding_error, second_derivative, truncation
+from coursework.equations.five_point import best_spacing, derivative, noise, rounding_error, second_derivative, truncation
 from coursework.kinematics.analogs import (
     acceleration_analog,
     in_analogs,

@@ -14,7 +14,9 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 
 from coursework import asked
-from coursework.codegen.programs import SYMPY_VERSION
+from coursework.equations.codegen.programs import SYMPY_VERSION
+from coursework.equations.reduction.blocks import Reduction
+from coursework.equations.reduction.solution import ShownEquation, Solution, shown_equations
 from coursework.integration.motion import Motion, Stop
 from coursework.motion_results import MotionResults
 from coursework.quantities import (
@@ -26,8 +28,6 @@ from coursework.quantities import (
     all_needs,
     quantities_for,
 )
-from coursework.reduction.blocks import Reduction
-from coursework.reduction.solution import ShownEquation, Solution, shown_equations
 from coursework.scene import Scene
 from coursework.schemes import SCHEMES, Scheme, title_of
 from coursework.settings import Settings

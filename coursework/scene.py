@@ -14,8 +14,13 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.codegen.straight_line import FormulaRefused
-from coursework.codegen.tabulated import OutsideTable
+from coursework.equations.codegen.straight_line import FormulaRefused
+from coursework.equations.codegen.tabulated import OutsideTable
+from coursework.equations.reduction.blocks import Reduction, angles_in_determinants, reduce
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.solution import Solution
+from coursework.equations.reduction.solution import solutions as solve_blocks
+from coursework.equations.reduction.structure import Structure, structure_of
 from coursework.geometry.agreement import require_agreement
 from coursework.geometry.chain import chain_positions, is_chain
 from coursework.geometry.closure import Closure, compile_closure, require_start
@@ -30,11 +35,6 @@ from coursework.integration.passage import through
 from coursework.integration.rates import Rates, compile_rates
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion_results import MotionResults
-from coursework.reduction.blocks import Reduction, angles_in_determinants, reduce
-from coursework.reduction.equations import VelocityEquations
-from coursework.reduction.solution import Solution
-from coursework.reduction.solution import solutions as solve_blocks
-from coursework.reduction.structure import Structure, structure_of
 from coursework.settings import Settings
 from coursework.singular.event import Event, NotFollowed
 from coursework.singular.explain import explain, explain_passage

@@ -10,7 +10,6 @@ import pytest
 import coursework
 from coursework import procedures
 
-
 MODULES = [m.name for m in pkgutil.walk_packages(coursework.__path__, "coursework.") if not m.name.endswith("__main__")]
 
 

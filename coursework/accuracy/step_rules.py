@@ -11,10 +11,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from coursework.checks.rows import AT_ROW, ROWS_A_PERIOD
+from coursework.equations.reduction.equations import VelocityEquations
 from coursework.geometry.drive import breaks
 from coursework.geometry.swings import drive_frequency, turning_cranks
 from coursework.integration.integrate import WIDEST_STEP
-from coursework.reduction.equations import VelocityEquations
 from coursework.singular.search import Search
 
 # A break that no row is at with so many parts of the run is left to the error.

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.assigning.ranges import Limits
+from coursework.equations.reduction.magnitude import largest
 from coursework.grading.marking.key import gap_of
 from coursework.many import feasible
 from coursework.model.data import Data
@@ -24,7 +25,6 @@ from coursework.model.one_set import with_numbers
 from coursework.model.rows import rows_of
 from coursework.model.sets import prepare
 from coursework.model.start import start_of
-from coursework.reduction.magnitude import largest
 from coursework.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
 from coursework.singular.scaled_flow import compile_flow
 from coursework.singular.search import search_event

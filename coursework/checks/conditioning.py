@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 
 from coursework.checks.evidence import Evidence
 from coursework.checks.result import Finding, floored, skipped
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.magnitude import largest
+from coursework.equations.reduction.system import compile_system
+from coursework.equations.reduction.tidy import as_formula
 from coursework.integration.integrate import WIDEST_STEP
-from coursework.reduction.equations import VelocityEquations
-from coursework.reduction.magnitude import largest
-from coursework.reduction.system import compile_system
-from coursework.reduction.tidy import as_formula
 from coursework.variant.formula.tree import Formula
 from coursework.words.sentences import joined, say
 

@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 from coursework.checks.drift import shortest_length
 from coursework.checks.evidence import LIMIT, Evidence, scales_of
 from coursework.checks.result import Finding, percent, skipped
-from coursework.codegen.programs import as_columns
-from coursework.codegen.tabulated import TableLaw
-from coursework.reduction.symbolic import symbol
-from coursework.reduction.system import compile_system, compile_values
+from coursework.equations.codegen.programs import as_columns
+from coursework.equations.codegen.tabulated import TableLaw
+from coursework.equations.reduction.symbolic import symbol
+from coursework.equations.reduction.system import compile_system, compile_values
 from coursework.variant.record.variant import Law
 from coursework.words.sentences import joined, say
 

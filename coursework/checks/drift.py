@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from coursework.checks.evidence import LIMIT, Evidence
 from coursework.checks.result import Finding, Verdict, percent
+from coursework.equations.reduction.system import compile_values
 from coursework.geometry.closure import Closure
-from coursework.reduction.system import compile_values
 from coursework.variant.formula.tree import Formula, evaluate, spelled
 from coursework.variant.record.variant import Variant
 

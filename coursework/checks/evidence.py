@@ -14,13 +14,13 @@ from typing import TypeVar, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.system import compile_system
 from coursework.geometry.closure import Closure
 from coursework.integration.motion import Motion, Stop
 from coursework.integration.passage import Passage
 from coursework.integration.rates import Rates
 from coursework.integration.replay import Replay
-from coursework.reduction.equations import VelocityEquations
-from coursework.reduction.system import compile_system
 from coursework.variant.record.variant import Variant
 from coursework.words.sentences import say
 

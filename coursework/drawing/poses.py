@@ -13,10 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.drawing.outline import Outline, Rail, Slot
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.symbolic import symbol
 from coursework.geometry.time_derivatives import compile_rows
 from coursework.integration.motion import Motion
-from coursework.reduction.equations import VelocityEquations
-from coursework.reduction.symbolic import symbol
 
 Complex = NDArray[np.complex128]
 Array = NDArray[np.float64]

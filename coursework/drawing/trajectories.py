@@ -22,10 +22,10 @@ from coursework.drawing.record import Drawing
 from coursework.drawing.sheet import ITALIC, number
 from coursework.drawing.symbols import decimal, short
 from coursework.drawing.tracing import read_outline
+from coursework.equations.reduction.equations import VelocityEquations
 from coursework.integration.motion import Motion
 from coursework.kinematics.points import point_rows
 from coursework.mechanism.mechanism import Mechanism
-from coursework.reduction.equations import VelocityEquations
 from coursework.words.sentences import say
 
 POSITIONS = 12

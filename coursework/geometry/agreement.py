@@ -13,9 +13,9 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.system import compile_system
 from coursework.geometry.closure import Closure, compile_closure
-from coursework.reduction.equations import VelocityEquations
-from coursework.reduction.system import compile_system
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 

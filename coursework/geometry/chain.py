@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.symbolic import Symbols
 from coursework.geometry.drive import integrals
 from coursework.geometry.time_derivatives import compile_rows
 from coursework.mechanism import groups
 from coursework.mechanism.groups import Guide, Pair, group_kind
 from coursework.mechanism.groups.kind import Known
-from coursework.reduction.equations import VelocityEquations
-from coursework.reduction.symbolic import Symbols
 from coursework.variant.formula.tree import Formula, constant, spelled
 from coursework.variant.record.variant import Group, Variant
 from coursework.words.errors import Fault, InputError

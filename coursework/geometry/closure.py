@@ -13,13 +13,13 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from coursework.codegen.programs import as_columns
+from coursework.equations.codegen.programs import as_columns
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.matching import blocks as block_order
+from coursework.equations.reduction.matching import match
+from coursework.equations.reduction.symbolic import expanded, symbol
+from coursework.equations.reduction.system import compile_values
 from coursework.geometry.drive import integrals
-from coursework.reduction.equations import VelocityEquations
-from coursework.reduction.matching import blocks as block_order
-from coursework.reduction.matching import match
-from coursework.reduction.symbolic import expanded, symbol
-from coursework.reduction.system import compile_values
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 

@@ -11,11 +11,11 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from coursework.codegen.programs import as_columns
-from coursework.codegen.tabulated import TableLaw
-from coursework.reduction.equations import VelocityEquations
-from coursework.reduction.symbolic import TIME, symbol
-from coursework.reduction.system import compile_values
+from coursework.equations.codegen.programs import as_columns
+from coursework.equations.codegen.tabulated import TableLaw
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.symbolic import TIME, symbol
+from coursework.equations.reduction.system import compile_values
 from coursework.variant.record.variant import MAX_ROWS, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say

@@ -12,9 +12,9 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from coursework.reduction.equations import VelocityEquations
-from coursework.reduction.symbolic import TIME, symbol
-from coursework.reduction.system import compile_values
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.symbolic import TIME, symbol
+from coursework.equations.reduction.system import compile_values
 
 Array = NDArray[np.float64]
 # A harmonic counts from this part of the power of the largest one on: of abs(sin) the first, of sin cubed the third.

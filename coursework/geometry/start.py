@@ -9,9 +9,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from coursework.equations.reduction.equations import VelocityEquations
 from coursework.geometry.chain import chain_positions
 from coursework.geometry.closure import MAX_NEWTON, Closure, compile_closure
-from coursework.reduction.equations import VelocityEquations
 from coursework.variant.record.variant import Coordinate, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence

@@ -13,10 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 from sympy.core.function import AppliedUndef
 
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.symbolic import symbol
 from coursework.geometry.drive import breaks, drive_values
 from coursework.geometry.oscillation import fastest, written_out
-from coursework.reduction.equations import VelocityEquations
-from coursework.reduction.symbolic import symbol
 
 Array = NDArray[np.float64]
 # A swing counts from this part of the law's range on: of two waves the smaller then has about a twentieth of the power of the

@@ -12,11 +12,11 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from coursework.codegen.names import acceleration, private
-from coursework.codegen.programs import Assign, Program, as_columns, compile_function
-from coursework.reduction.equations import VelocityEquation, VelocityEquations
-from coursework.reduction.symbolic import TIME, constants, local, symbol
-from coursework.reduction.system import scene_program
+from coursework.equations.codegen.names import acceleration, private
+from coursework.equations.codegen.programs import Assign, Program, as_columns, compile_function
+from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
+from coursework.equations.reduction.symbolic import TIME, constants, local, symbol
+from coursework.equations.reduction.system import scene_program
 
 Array = NDArray[np.float64]
 RowFunction = Callable[..., Any]

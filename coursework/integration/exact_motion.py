@@ -12,13 +12,13 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from coursework.equations.reduction.equations import VelocityEquations
 from coursework.geometry.closure import Closure
 from coursework.integration.following import follow_closure
 from coursework.integration.loops import generate_loop
 from coursework.integration.motion import Motion
 from coursework.integration.passage import Passage
 from coursework.integration.rates import Rates
-from coursework.reduction.equations import VelocityEquations
 from coursework.schemes import PRECISE, title_of
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.sentences import say

@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.codegen.tabulated import OutsideTable
+from coursework.equations.codegen.tabulated import OutsideTable
 from coursework.integration.exact_motion import refine
 from coursework.integration.motion import Motion
 from coursework.integration.rates import Rates

@@ -12,7 +12,7 @@ from contextlib import suppress
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.codegen.tabulated import OutsideTable
+from coursework.equations.codegen.tabulated import OutsideTable
 from coursework.geometry.closure import Closure
 from coursework.integration.loops import generate_rows
 from coursework.integration.rates import Rates

@@ -14,9 +14,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 
-from coursework.codegen.names import private
-from coursework.codegen.programs import build, renamed, with_numbers
-from coursework.codegen.straight_line import Line
+from coursework.equations.codegen.names import private
+from coursework.equations.codegen.programs import build, renamed, with_numbers
+from coursework.equations.codegen.straight_line import Line
 from coursework.integration.rates import Rates
 from coursework.schemes import Scheme, Sum
 

@@ -14,7 +14,7 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.codegen.programs import Bound, build
+from coursework.equations.codegen.programs import Bound, build
 
 Array = NDArray[np.float64]
 Field = Callable[..., Sequence[float]]

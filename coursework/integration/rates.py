@@ -13,14 +13,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.codegen.names import private
-from coursework.codegen.programs import Assign, Bound, Program, as_columns, compile_function, compile_later
+from coursework.equations.codegen.names import private
+from coursework.equations.codegen.programs import Assign, Bound, Program, as_columns, compile_function, compile_later
+from coursework.equations.reduction.blocks import Reduction
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.statements import block_statements
+from coursework.equations.reduction.symbolic import constants, local, symbol
+from coursework.equations.reduction.system import scene_program
 from coursework.geometry.drive import breaks
-from coursework.reduction.blocks import Reduction
-from coursework.reduction.equations import VelocityEquations
-from coursework.reduction.statements import block_statements
-from coursework.reduction.symbolic import constants, local, symbol
-from coursework.reduction.system import scene_program
 
 if TYPE_CHECKING:
     import sympy as sp

@@ -12,13 +12,13 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from coursework.equations.reduction.blocks import Reduction
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.symbolic import TIME, symbol
+from coursework.equations.reduction.system import compile_system
 from coursework.geometry.time_derivatives import acceleration_rest, compile_rows
 from coursework.integration.motion import Motion
 from coursework.integration.passage import WEIGHTS, Passage
-from coursework.reduction.blocks import Reduction
-from coursework.reduction.equations import VelocityEquations
-from coursework.reduction.symbolic import TIME, symbol
-from coursework.reduction.system import compile_system
 
 Array = NDArray[np.float64]
 

@@ -9,9 +9,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from coursework.equations.reduction.equations import VelocityEquations
 from coursework.geometry.time_derivatives import jets
 from coursework.integration.motion import Motion
-from coursework.reduction.equations import VelocityEquations
 
 Array = NDArray[np.float64]
 

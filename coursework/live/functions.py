@@ -10,12 +10,12 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from coursework.codegen.javascript import called_tables, javascript_function
-from coursework.codegen.names import private
-from coursework.codegen.programs import Assign, Bound, Statement
-from coursework.reduction.statements import block_statements
-from coursework.reduction.symbolic import constants, local, symbol
-from coursework.reduction.system import scene_program
+from coursework.equations.codegen.javascript import called_tables, javascript_function
+from coursework.equations.codegen.names import private
+from coursework.equations.codegen.programs import Assign, Bound, Statement
+from coursework.equations.reduction.statements import block_statements
+from coursework.equations.reduction.symbolic import constants, local, symbol
+from coursework.equations.reduction.system import scene_program
 from coursework.scene import Scene
 from coursework.variant.record.changes import follow_from
 

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from typing import Any
 
+from coursework.equations.reduction.blocks import angles_in_determinants
 from coursework.geometry.drive import breaks
 from coursework.integration.integrate import WIDEST_STEP
 from coursework.live.functions import Functions
-from coursework.reduction.blocks import angles_in_determinants
 from coursework.run import Run
 from coursework.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, Scheme, Sum
 

@@ -1,7 +1,7 @@
 """Variant -> Mechanism: points in the order they can be computed, chains of groups written as closures, mobility.
 
 Enters: a `Variant`.  Leaves: a frozen `Mechanism`, still in formulas.  Raises `InputError`.
-Used by `reduction/structure.py` and `reduction/equations.py`.
+Used by `equations/reduction/structure.py` and `equations/reduction/equations.py`.
 """
 
 from __future__ import annotations

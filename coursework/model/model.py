@@ -14,18 +14,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from coursework.codegen.names import private
-from coursework.codegen.programs import Assign, Statement, compile_function
+from coursework.equations.codegen.names import private
+from coursework.equations.codegen.programs import Assign, Statement, compile_function
+from coursework.equations.reduction.blocks import Block, Reduction, angles_in_determinants, reduce
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.statements import block_statements
+from coursework.equations.reduction.structure import structure_of
+from coursework.equations.reduction.symbolic import constants, local, symbol
+from coursework.equations.reduction.system import scene_program
 from coursework.exact_scene import scene_of
 from coursework.geometry.drive import breaks
 from coursework.geometry.start import start_values
 from coursework.model.data import Data, read_data
-from coursework.reduction.blocks import Block, Reduction, angles_in_determinants, reduce
-from coursework.reduction.equations import VelocityEquations
-from coursework.reduction.statements import block_statements
-from coursework.reduction.structure import structure_of
-from coursework.reduction.symbolic import constants, local, symbol
-from coursework.reduction.system import scene_program
 from coursework.scene import Scene
 from coursework.settings import Settings
 from coursework.variant.record.changes import follow_from

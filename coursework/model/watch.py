@@ -21,8 +21,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from coursework.equations.reduction.symbolic import TIME, symbol
 from coursework.model.model import Columns, Model
-from coursework.reduction.symbolic import TIME, symbol
 from coursework.schemes import PRECISE
 
 Array = NDArray[np.float64]

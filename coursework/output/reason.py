@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.codegen.tabulated import OutsideTable, TableLaw
+from coursework.equations.codegen.tabulated import OutsideTable, TableLaw
 from coursework.integration.motion import Motion
 from coursework.output.nodes import Components, Moving, applied
 from coursework.variant.formula.tree import Formula, spelled

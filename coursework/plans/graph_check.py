@@ -17,6 +17,7 @@ import numpy as np
 from coursework.drawing.lengths import stretching
 from coursework.drawing.record import Drawing
 from coursework.drawing.tracing import read_outline
+from coursework.equations.reduction.equations import VelocityEquations
 from coursework.geometry.time_derivatives import jets
 from coursework.integration.motion import Motion
 from coursework.mechanism.mechanism import Mechanism
@@ -26,7 +27,6 @@ from coursework.plans.layout import lay_out
 from coursework.plans.pose import Body
 from coursework.plans.readings import Reading, read_off
 from coursework.plans.sketch import Sketch, read_sketch
-from coursework.reduction.equations import VelocityEquations
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say

@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.drawing.outline import Bar, Outline
+from coursework.equations.reduction.equations import VelocityEquations
 from coursework.geometry.time_derivatives import jets
 from coursework.integration.motion import Motion
-from coursework.reduction.equations import VelocityEquations
 
 Complex = NDArray[np.complex128]
 Array = NDArray[np.float64]

@@ -17,11 +17,11 @@ from coursework.drawing.outline import Outline
 from coursework.drawing.poses import all_rows
 from coursework.drawing.record import Drawing
 from coursework.drawing.tracing import read_outline
+from coursework.equations.reduction.equations import VelocityEquations
 from coursework.integration.motion import Motion
 from coursework.mechanism.mechanism import Mechanism
 from coursework.plans.graph_check import USUAL_ROW
 from coursework.plans.polygons import ACCELERATION, UNITS, VELOCITY, Polygons, polygons
-from coursework.reduction.equations import VelocityEquations
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 

@@ -14,9 +14,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from coursework.drawing.outline import Bar, Outline
+from coursework.equations.reduction.equations import VelocityEquations
 from coursework.integration.motion import Motion
 from coursework.plans.moving import Array, Complex, Kinematics, Moving
-from coursework.reduction.equations import VelocityEquations
 
 POLE = "pole"
 VELOCITY, ACCELERATION = "velocity", "acceleration"

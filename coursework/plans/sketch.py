@@ -15,14 +15,14 @@ from typing import Any
 from coursework.drawing.outline import Outline
 from coursework.drawing.poses import Poses, read_poses
 from coursework.drawing.tracing import read_outline
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.symbolic import symbol
 from coursework.geometry.time_derivatives import compile_rows
 from coursework.integration.motion import Motion
 from coursework.mechanism.joints import FRAME, linkage
 from coursework.mechanism.mechanism import Mechanism
 from coursework.plans.instant_centres import cross
 from coursework.plans.pose import Body, Pose
-from coursework.reduction.equations import VelocityEquations
-from coursework.reduction.symbolic import symbol
 from coursework.variant.formula.tree import Formula
 from coursework.variant.record.variant import Link, Variant
 from coursework.words.sentences import say

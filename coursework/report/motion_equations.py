@@ -10,11 +10,11 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
+from coursework.equations.reduction.solution import ShownEquation
 from coursework.mechanism.derivation.contours import Contour, contours_of
 from coursework.mechanism.derivation.derive import Combination, Derivation, Numbered, derive
 from coursework.mechanism.derivation.paths import Path, Term
 from coursework.mechanism.derivation.segments import ZERO, Angle
-from coursework.reduction.solution import ShownEquation
 from coursework.report import equations as setting
 from coursework.report.display import display
 from coursework.report.page_context import PageContext

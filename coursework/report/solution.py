@@ -5,9 +5,9 @@ Enters: a `PageContext`.  Leaves: displayed equations with the words around them
 
 from __future__ import annotations
 
-from coursework.reduction.blocks import Block
-from coursework.reduction.cramer import Cramer, cramer
-from coursework.reduction.solution import Solution
+from coursework.equations.reduction.blocks import Block
+from coursework.equations.reduction.cramer import Cramer, cramer
+from coursework.equations.reduction.solution import Solution
 from coursework.report import equations as setting
 from coursework.report.display import display, marked_text
 from coursework.report.first_step import first_step

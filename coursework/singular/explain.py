@@ -8,12 +8,12 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
+from coursework.equations.reduction.blocks import Block, Reduction
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.meaning import meaning as meaning_of
+from coursework.equations.reduction.meaning import vanishing
 from coursework.integration.motion import AT_EVENT, Stop, rows_before
 from coursework.integration.passage import Passage
-from coursework.reduction.blocks import Block, Reduction
-from coursework.reduction.equations import VelocityEquations
-from coursework.reduction.meaning import meaning as meaning_of
-from coursework.reduction.meaning import vanishing
 from coursework.singular.event import Event
 from coursework.variant.formula.tree import spelled
 from coursework.words.sentence import Sentence

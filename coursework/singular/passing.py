@@ -15,7 +15,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.codegen.tabulated import OutsideTable
+from coursework.equations.codegen.tabulated import OutsideTable
 from coursework.integration.adaptive import integrate_adaptive
 from coursework.integration.passage import FLANKS, Passage, State
 from coursework.singular.change_point import branches_at

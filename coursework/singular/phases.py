@@ -11,9 +11,9 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 
+from coursework.equations.reduction.blocks import Reduction
+from coursework.equations.reduction.equations import VelocityEquations
 from coursework.geometry.drive import breaks
-from coursework.reduction.blocks import Reduction
-from coursework.reduction.equations import VelocityEquations
 from coursework.singular.scaled_flow import compile_flow
 from coursework.singular.search import search_event
 from coursework.variant.formula.tree import Formula

@@ -15,15 +15,15 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.codegen.names import private
-from coursework.codegen.programs import Program, compile_function
-from coursework.codegen.tabulated import OutsideTable
+from coursework.equations.codegen.names import private
+from coursework.equations.codegen.programs import Program, compile_function
+from coursework.equations.codegen.tabulated import OutsideTable
+from coursework.equations.reduction.blocks import Reduction
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.statements import clock_statements
+from coursework.equations.reduction.symbolic import constants
+from coursework.equations.reduction.system import LinearSystem, compile_system, scene_program
 from coursework.integration.order_eight import SLOPES, dormand_prince_8
-from coursework.reduction.blocks import Reduction
-from coursework.reduction.equations import VelocityEquations
-from coursework.reduction.statements import clock_statements
-from coursework.reduction.symbolic import constants
-from coursework.reduction.system import LinearSystem, compile_system, scene_program
 
 Array = NDArray[np.float64]
 # Positions and times at which a determinant without a known largest value is looked at; any positive scale of its size does.

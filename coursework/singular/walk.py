@@ -18,7 +18,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.codegen.tabulated import OutsideTable
+from coursework.equations.codegen.tabulated import OutsideTable
 from coursework.integration.adaptive import next_length
 from coursework.integration.passage import Passage
 from coursework.singular.change_point import nearest_change_point

@@ -11,8 +11,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 import coursework
+from coursework.equations.reduction.structure import forget_structures
 from coursework.output.tables import table_csv
-from coursework.reduction.structure import forget_structures
 from coursework.system.whole_files import write_bytes
 
 

@@ -8,8 +8,8 @@ from pathlib import Path
 import sympy as sp
 
 import coursework
+from coursework.equations.reduction.blocks import reduce
 from coursework.integration.loops import generate_loop
-from coursework.reduction.blocks import reduce
 from coursework.schemes import SCHEMES
 from tests.benchmarks import test_many as many
 from tests.benchmarks import test_march as march

@@ -3,7 +3,7 @@
 import numpy as np
 
 import coursework
-from coursework.reduction.structure import forget_structures
+from coursework.equations.reduction.structure import forget_structures
 from tests.benchmarks.timer import ratio, spent
 
 SETS = 1000

@@ -11,10 +11,10 @@ import pytest
 import sympy as sp
 
 import coursework
+from coursework.equations.reduction.blocks import reduce
 from coursework.integration.exact_motion import exact_motion
 from coursework.integration.integrate import march
 from coursework.integration.loops import generate_loop
-from coursework.reduction.blocks import reduce
 from coursework.schemes import SCHEMES
 from tests.benchmarks.timer import ratio
 

@@ -6,7 +6,7 @@ import shutil
 import pytest
 
 import coursework
-from coursework.reduction.structure import forget_structures
+from coursework.equations.reduction.structure import forget_structures
 from coursework.words.data_folders import folder
 from tests.benchmarks.timer import ratio
 

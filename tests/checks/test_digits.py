@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework import five_point
 from coursework.checks import digits
+from coursework.equations import five_point
 from coursework.variant.reading.reader import read_variant
 from tests.checks.scenes import evidence_of, finding, found
 
@@ -40,7 +40,7 @@ def test_the_weights_of_the_five_point_rule():
 
 
 def test_the_weights_of_a_spline_bound_what_rounding_does():
-    from coursework.codegen.tabulated import TableLaw
+    from coursework.equations.codegen.tabulated import TableLaw
 
     random = np.random.default_rng(3)
     nodes = np.linspace(0, 1, 31)

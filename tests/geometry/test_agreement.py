@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 
 import coursework
+from coursework.equations.reduction.structure import forget_structures
 from coursework.geometry import agreement
-from coursework.reduction.structure import forget_structures
 
 PAGE = (Path(__file__).parent.parent / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
 RIGHT = "VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3)"

@@ -6,7 +6,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from coursework.five_point import AMPLIFICATION, best_spacing, derivative, noise, rounding_error
+from coursework.equations.five_point import AMPLIFICATION, best_spacing, derivative, noise, rounding_error
 from coursework.words.errors import InputError
 from tests.hard.scenes import CASES, check, expected, four_bar, numbers, scene, solve
 from tests.hard.test_change_points import chain

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from coursework.five_point import derivative, second_derivative
+from coursework.equations.five_point import derivative, second_derivative
 from coursework.kinematics.variable_crank import (
     CrankLaw,
     SliderAnalogs,

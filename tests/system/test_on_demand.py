@@ -11,9 +11,9 @@ import pytest
 
 import coursework
 from coursework.asked import gather
+from coursework.equations.reduction.symbolic import symbol
 from coursework.motion_results import MotionResults
 from coursework.quantities import POINT_ACCELERATIONS, QUANTITIES, all_needs, quantities_for
-from coursework.reduction.symbolic import symbol
 from coursework.scene import Scene
 from coursework.system.on_demand import Computed, Ledger, computed, make_plan, needs_of
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.codegen.tabulated import OutsideTable, TableLaw
+from coursework.equations.codegen.tabulated import OutsideTable, TableLaw
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.numbers import value_of
 from coursework.mechanism.mechanism import build

@@ -10,10 +10,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from coursework.reduction.blocks import Block, Reduction
-from coursework.reduction.equations import VelocityEquations
-from coursework.reduction.symbolic import expanded, symbol
-from coursework.reduction.tidy import Order, as_sum, product, quotient
+from coursework.equations.reduction.blocks import Block, Reduction
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.symbolic import expanded, symbol
+from coursework.equations.reduction.tidy import Order, as_sum, product, quotient
 from coursework.variant.formula.tree import Formula, number
 
 Rows = tuple[tuple[Formula, Formula], tuple[Formula, Formula]]

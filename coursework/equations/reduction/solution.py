@@ -10,10 +10,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from coursework.reduction.blocks import Reduction
-from coursework.reduction.equations import VelocityEquations
-from coursework.reduction.symbolic import expanded, symbol
-from coursework.reduction.tidy import product, quotient
+from coursework.equations.reduction.blocks import Reduction
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.symbolic import expanded, symbol
+from coursework.equations.reduction.tidy import product, quotient
 from coursework.variant.formula.tree import Formula, number, spelled
 
 Solution = tuple[tuple[str, Formula], ...]

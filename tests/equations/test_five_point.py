@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import minimize_scalar
 
-from coursework.five_point import (
+from coursework.equations.five_point import (
     COEFFICIENTS,
     NODES,
     TRUNCATION,

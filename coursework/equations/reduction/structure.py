@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections import OrderedDict
 from dataclasses import dataclass, replace
 
+from coursework.equations.reduction.equations import VelocityEquations, differentiate
 from coursework.mechanism.mechanism import Mechanism, build
-from coursework.reduction.equations import VelocityEquations, differentiate
 from coursework.variant.record.variant import Coordinate, Given, Law, Time, Variant
 
 MOST_KEPT = 32  # structures kept at once; a class has one or a few

@@ -9,8 +9,8 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 
-from coursework.codegen.programs import Bound
-from coursework.codegen.straight_line import Line
+from coursework.equations.codegen.programs import Bound
+from coursework.equations.codegen.straight_line import Line
 
 _SOLVED = re.compile(r"_solve\(\((.*)\)\)")
 _NAME = re.compile(r"[A-Za-z_]\w*")
@@ -22,7 +22,7 @@ def javascript_function(name: str, arguments: Mapping[str, Sequence[str]], body:
     `arguments`: the name of each array that is handed over, with the private names of what lies in it; an empty sequence
     is a number that bears its own name.
 
-    >>> from coursework.codegen.programs import Bound
+    >>> from coursework.equations.codegen.programs import Bound
     >>> line = Line(("v_w",), "v_w = v_p*cos(t)")
     >>> print(javascript_function("rate", {"t": (), "d": ("v_r", "v_p")}, Bound((line,), {}, {}), ["v_w"]))
     const rate = (t, d, out) => {

@@ -21,8 +21,8 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from coursework.codegen.straight_line import CALLS, Line, StraightLine
-from coursework.codegen.tabulated import TableLaw
+from coursework.equations.codegen.straight_line import CALLS, Line, StraightLine
+from coursework.equations.codegen.tabulated import TableLaw
 
 SYMPY_VERSION: str = sp.__version__
 _NAME = re.compile(r"(?<![\w.])[A-Za-z_]\w*")

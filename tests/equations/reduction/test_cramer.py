@@ -12,15 +12,15 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 import coursework
-from coursework.reduction.cramer import cramer
-from coursework.reduction.sums import gathered
-from coursework.reduction.system import compile_system
+from coursework.equations.reduction.cramer import cramer
+from coursework.equations.reduction.sums import gathered
+from coursework.equations.reduction.system import compile_system
 from coursework.variant.formula.tree import evaluate, spelled
 from coursework.variant.reading.reader import parse_variant
 
 CASES = {
     case["id"]: case
-    for case in json.loads((Path(__file__).parent.parent / "reference" / "hard_cases.json").read_text(encoding="utf-8"))["cases"]
+    for case in json.loads((Path(__file__).parents[2] / "reference" / "hard_cases.json").read_text(encoding="utf-8"))["cases"]
 }
 HEAD = """[given]
 a = "0.7 m"

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.reduction.system import compile_system
+from coursework.equations.reduction.system import compile_system
 from coursework.variant.formula.tree import evaluate, spelled
 from coursework.variant.reading.reader import parse_variant
 
-PAGE = (Path(__file__).parent.parent / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
+PAGE = (Path(__file__).parents[2] / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
 WRITTEN = PAGE[: PAGE.index("# --- geometry")]
 SHOWN = {
     "w3": "VMy/(r3*(2*cos(phi3) + sin(phi3)))",

@@ -110,7 +110,7 @@ class TableLaw:
 
 def _levels(values: Array, step: float) -> list[Array]:
     """Return the values of a table, their derivatives, and those of these."""
-    from coursework.five_point import five_point_derivative
+    from coursework.equations.five_point import five_point_derivative
 
     first = five_point_derivative(values, step)
     return [values, first, five_point_derivative(first, step)]
@@ -118,7 +118,7 @@ def _levels(values: Array, step: float) -> list[Array]:
 
 def _quartics(values: Array, step: float) -> list[Array]:
     """Return the quartics through five nodes around each interval: of the values, their derivatives, and those of these."""
-    from coursework.five_point import NODES
+    from coursework.equations.five_point import NODES
 
     intervals = np.arange(len(values) - 1)
     # The five nodes begin one before the interval, at the ends as far from them as must be.

@@ -11,10 +11,10 @@ from dataclasses import replace
 
 import sympy as sp
 
-from coursework.codegen.names import private
-from coursework.codegen.programs import Assign, Solve, Statement
-from coursework.reduction.blocks import Block
-from coursework.reduction.symbolic import local, symbol
+from coursework.equations.codegen.names import private
+from coursework.equations.codegen.programs import Assign, Solve, Statement
+from coursework.equations.reduction.blocks import Block
+from coursework.equations.reduction.symbolic import local, symbol
 
 
 def block_statements(block: Block, index: int, targets: Sequence[sp.Symbol] = ()) -> list[Statement]:

@@ -11,7 +11,7 @@ import pytest
 
 import coursework
 from coursework.accuracy.trace import trace
-from coursework.codegen import names as private_names
+from coursework.equations.codegen import names as private_names
 from coursework.integration.loops import generate_loop
 from coursework.report.equations import text
 from coursework.schemes import SCHEMES

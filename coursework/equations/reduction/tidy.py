@@ -15,9 +15,9 @@ from math import gcd
 
 import sympy as sp
 
-from coursework.codegen.names import private, public
-from coursework.reduction.sums import Term, gathered, written_sums
-from coursework.reduction.symbolic import expanded
+from coursework.equations.codegen.names import private, public
+from coursework.equations.reduction.sums import Term, gathered, written_sums
+from coursework.equations.reduction.symbolic import expanded
 from coursework.variant.formula.tree import Formula, number
 from coursework.variant.record.variant import Variant
 

@@ -8,9 +8,9 @@ import pytest
 from scipy.interpolate import CubicSpline
 
 import coursework
-from coursework.codegen import tabulated
-from coursework.codegen.tabulated import OutsideTable, TableLaw, spline_slopes
-from coursework.reduction.structure import forget_structures
+from coursework.equations.codegen import tabulated
+from coursework.equations.codegen.tabulated import OutsideTable, TableLaw, spline_slopes
+from coursework.equations.reduction.structure import forget_structures
 from coursework.words.data_folders import folder
 from coursework.words.errors import InputError
 from tests.benchmarks.timer import ratio

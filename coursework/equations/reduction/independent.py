@@ -13,9 +13,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.reduction.equations import VelocityEquations
-from coursework.reduction.matching import match, over_and_under
-from coursework.reduction.system import LinearSystem, compile_system
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.matching import match, over_and_under
+from coursework.equations.reduction.system import LinearSystem, compile_system
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say, say_count

@@ -5,7 +5,7 @@ from itertools import combinations, permutations
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from coursework.reduction.matching import blocks, match, over_and_under
+from coursework.equations.reduction.matching import blocks, match, over_and_under
 
 SIZE = 5
 

@@ -3,7 +3,7 @@
 import pytest
 import sympy as sp
 
-from coursework.codegen.straight_line import MOST_OPERATIONS, FormulaRefused, StraightLine
+from coursework.equations.codegen.straight_line import MOST_OPERATIONS, FormulaRefused, StraightLine
 
 
 def chain(count: int) -> StraightLine:

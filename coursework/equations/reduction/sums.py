@@ -11,7 +11,7 @@ from itertools import combinations_with_replacement
 
 import sympy as sp
 
-from coursework.reduction.symbolic import symbol
+from coursework.equations.reduction.symbolic import symbol
 from coursework.variant.formula.tree import Formula
 
 Term = tuple[Fraction, tuple[tuple[sp.Expr, int], ...]]

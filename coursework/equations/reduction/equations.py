@@ -13,10 +13,10 @@ from typing import TypeVar, cast
 
 import sympy as sp
 
-from coursework.codegen.tabulated import TableLaw
+from coursework.equations.codegen.tabulated import TableLaw
+from coursework.equations.reduction.symbolic import TIME, Symbols, placed, symbol
+from coursework.equations.reduction.tidy import Order, as_sum
 from coursework.mechanism.mechanism import Mechanism
-from coursework.reduction.symbolic import TIME, Symbols, placed, symbol
-from coursework.reduction.tidy import Order, as_sum
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, on_axes, spelled
 from coursework.variant.record.variant import Constraint, Variant
 from coursework.words.errors import Fault, InputError

@@ -14,10 +14,10 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from coursework.codegen.names import private
-from coursework.codegen.programs import Assign, Program, Statement, as_columns, compile_later, program
-from coursework.reduction.equations import VelocityEquation, VelocityEquations
-from coursework.reduction.symbolic import constants, local, symbol
+from coursework.equations.codegen.names import private
+from coursework.equations.codegen.programs import Assign, Program, Statement, as_columns, compile_later, program
+from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
+from coursework.equations.reduction.symbolic import constants, local, symbol
 
 Array = NDArray[np.float64]
 

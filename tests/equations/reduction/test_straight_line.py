@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from coursework import InputError
-from coursework.codegen.programs import Assign, Solve, compile_function, program
+from coursework.equations.codegen.programs import Assign, Solve, compile_function, program
 
 x, y, c = (sp.Symbol(name, real=True) for name in ("x", "y", "c"))
 CONSTANTS = {"c": -0.75}

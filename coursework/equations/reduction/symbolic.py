@@ -15,7 +15,7 @@ from math import comb
 
 import sympy as sp
 
-from coursework.codegen.names import derivative, private, public
+from coursework.equations.codegen.names import derivative, private, public
 from coursework.mechanism.mechanism import Mechanism
 from coursework.variant.formula.tree import Formula, FormulaFault, bounded, division_by_zero, no_number
 from coursework.variant.record.variant import Law, Variant

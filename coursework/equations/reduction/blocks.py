@@ -12,14 +12,14 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from coursework.reduction.equations import VelocityEquation, VelocityEquations
-from coursework.reduction.independent import choose
-from coursework.reduction.magnitude import largest
-from coursework.reduction.matching import blocks as block_order
-from coursework.reduction.matching import match
-from coursework.reduction.meaning import meaning
-from coursework.reduction.symbolic import symbol
-from coursework.reduction.tidy import as_formula
+from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
+from coursework.equations.reduction.independent import choose
+from coursework.equations.reduction.magnitude import largest
+from coursework.equations.reduction.matching import blocks as block_order
+from coursework.equations.reduction.matching import match
+from coursework.equations.reduction.meaning import meaning
+from coursework.equations.reduction.symbolic import symbol
+from coursework.equations.reduction.tidy import as_formula
 from coursework.variant.formula.tree import Formula, number
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from coursework.reduction import solution
+from coursework.equations.reduction import solution
 from coursework.report import build_model
 from coursework.report.html import render_html
 from coursework.variant.formula.tree import spelled
