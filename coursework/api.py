@@ -15,9 +15,9 @@ import numpy as np
 from coursework.asked import gather
 from coursework.exact_scene import scene_of
 from coursework.model.model import Model, model_of
+from coursework.motion.settings import Settings, scheme_for
 from coursework.quantities import TABLE, known_quantities, quantities_for
 from coursework.run import Run
-from coursework.settings import Settings, scheme_for
 from coursework.variant.catalogue import find
 from coursework.variant.reading.reader import read_variant
 from coursework.variant.record.variant import MAX_ROWS, Variant

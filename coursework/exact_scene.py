@@ -11,13 +11,13 @@ from functools import cached_property
 
 import numpy as np
 
-from coursework.geometry.chain import is_chain
-from coursework.geometry.drive import refuse_aliasing
-from coursework.integration.motion import Motion
+from coursework.motion.geometry.chain import is_chain
+from coursework.motion.geometry.drive import refuse_aliasing
+from coursework.motion.integration.motion import Motion
+from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE
+from coursework.motion.settings import Settings
 from coursework.motion_results import MotionResults
 from coursework.scene import Scene
-from coursework.schemes import DEFAULT_SCHEME, PRECISE
-from coursework.settings import Settings
 from coursework.system.on_demand import computed
 from coursework.variant.record.variant import Variant
 from coursework.variant.record.vocabulary import EXACT

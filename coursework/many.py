@@ -18,15 +18,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.api import compile_model, load, solve, timed
-from coursework.integration.motion import Stop
 from coursework.model.data import Data
 from coursework.model.model import Model
 from coursework.model.one_set import horizons
 from coursework.model.rows import rows_of
 from coursework.model.sets import prepare
+from coursework.motion.integration.motion import Stop
+from coursework.motion.schemes import SCHEMES
+from coursework.motion.settings import Settings, scheme_for
 from coursework.scene import Scene
-from coursework.schemes import SCHEMES
-from coursework.settings import Settings, scheme_for
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import CourseworkError, InputError
 from coursework.words.sentences import joined, say

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.integration.motion import Motion
-from coursework.schemes import SCHEMES
+from coursework.motion.integration.motion import Motion
+from coursework.motion.schemes import SCHEMES
 from coursework.system.on_demand import Ledger, computed
 from coursework.variant.record.vocabulary import scheme_names
 
@@ -71,7 +71,7 @@ class MotionResults:
     @computed("motion", "stop", "rates", "reduction", "start", "search")
     def extended_precision(self) -> Array | None:
         """The same rows in extended numbers: what round-off did to them.  None where that cannot be had."""
-        from coursework.integration.extended_precision import has_extended, march_in
+        from coursework.motion.integration.extended_precision import has_extended, march_in
 
         motion, scene = self.motion, self.scene
         small = len(motion.t) <= MOST_EXTENDED and all(block.size <= 2 for block in scene.reduction.blocks)
@@ -87,8 +87,8 @@ class MotionResults:
     def evidence(self) -> Evidence:
         """What the checks may look at: the rows beside the exact ones, and ways to make them again."""
         from coursework.checks.evidence import Evidence
-        from coursework.geometry.swings import drive_frequency
-        from coursework.integration.replay import Replay
+        from coursework.motion.geometry.swings import drive_frequency
+        from coursework.motion.integration.replay import Replay
 
         scene, motion = self.scene, self.motion
         replay, rerun = None, None

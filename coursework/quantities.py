@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
 
 import numpy as np
 
-from coursework.integration.motion import Motion
+from coursework.motion.integration.motion import Motion
 from coursework.motion_results import MotionResults, Named
 from coursework.scene import Scene
 from coursework.system.on_demand import Computed, computed, needs_of

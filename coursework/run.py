@@ -17,7 +17,9 @@ from coursework import asked
 from coursework.equations.codegen.programs import SYMPY_VERSION
 from coursework.equations.reduction.blocks import Reduction
 from coursework.equations.reduction.solution import ShownEquation, Solution, shown_equations
-from coursework.integration.motion import Motion, Stop
+from coursework.motion.integration.motion import Motion, Stop
+from coursework.motion.schemes import SCHEMES, Scheme, title_of
+from coursework.motion.settings import Settings
 from coursework.motion_results import MotionResults
 from coursework.quantities import (
     ACCURACY,
@@ -29,8 +31,6 @@ from coursework.quantities import (
     quantities_for,
 )
 from coursework.scene import Scene
-from coursework.schemes import SCHEMES, Scheme, title_of
-from coursework.settings import Settings
 from coursework.system.on_demand import Plan, make_plan
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import visible

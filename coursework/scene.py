@@ -21,25 +21,25 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.solution import Solution
 from coursework.equations.reduction.solution import solutions as solve_blocks
 from coursework.equations.reduction.structure import Structure, structure_of
-from coursework.geometry.agreement import require_agreement
-from coursework.geometry.chain import chain_positions, is_chain
-from coursework.geometry.closure import Closure, compile_closure, require_start
-from coursework.geometry.drive import breaks, refuse_aliasing, refuse_endless, refuse_short_tables
-from coursework.geometry.oscillation import fastest
-from coursework.geometry.start import start_values
-from coursework.integration.exact_motion import NoVelocities, exact_motion, no_rows, passing_motion
-from coursework.integration.following import NotReached
-from coursework.integration.integrate import Correction, march
-from coursework.integration.motion import Motion, Stop, rows_before
-from coursework.integration.passage import through
-from coursework.integration.rates import Rates, compile_rates
 from coursework.mechanism.mechanism import Mechanism
+from coursework.motion.geometry.agreement import require_agreement
+from coursework.motion.geometry.chain import chain_positions, is_chain
+from coursework.motion.geometry.closure import Closure, compile_closure, require_start
+from coursework.motion.geometry.drive import breaks, refuse_aliasing, refuse_endless, refuse_short_tables
+from coursework.motion.geometry.oscillation import fastest
+from coursework.motion.geometry.start import start_values
+from coursework.motion.integration.exact_motion import NoVelocities, exact_motion, no_rows, passing_motion
+from coursework.motion.integration.following import NotReached
+from coursework.motion.integration.integrate import Correction, march
+from coursework.motion.integration.motion import Motion, Stop, rows_before
+from coursework.motion.integration.passage import through
+from coursework.motion.integration.rates import Rates, compile_rates
+from coursework.motion.settings import Settings
+from coursework.motion.singular.event import Event, NotFollowed
+from coursework.motion.singular.explain import explain, explain_passage
+from coursework.motion.singular.scaled_flow import Flow, compile_flow
+from coursework.motion.singular.search import Search, search_event
 from coursework.motion_results import MotionResults
-from coursework.settings import Settings
-from coursework.singular.event import Event, NotFollowed
-from coursework.singular.explain import explain, explain_passage
-from coursework.singular.scaled_flow import Flow, compile_flow
-from coursework.singular.search import Search, search_event
 from coursework.system.on_demand import Ledger, computed
 from coursework.variant.judging.bounds import refuse_unbounded
 from coursework.variant.record.no_value import law_without_value, without_value
@@ -140,7 +140,7 @@ class Scene:
         event = self.search.event
         if event is None:
             return None
-        from coursework.singular.change_point import branches_at
+        from coursework.motion.singular.change_point import branches_at
 
         at = (event.block, event.time, event.position.tolist())
         branches = branches_at(self.flow, *at) if event.kind == "change point" else ()
@@ -151,7 +151,7 @@ class Scene:
         """For a motion that stops: the phases of the drive with which the whole motion would be possible, in a sentence."""
         if self.search.event is None:
             return ""
-        from coursework.singular.phases import phase_sentence
+        from coursework.motion.singular.phases import phase_sentence
 
         return phase_sentence(self.equations, self.reduction, self.start)
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.schemes import SCHEMES
+from coursework.motion.schemes import SCHEMES
 from coursework.variant.reading.reader import parse_variant
 
 REFERENCE = json.loads((Path(__file__).parent / "reference" / "variant31.json").read_text(encoding="utf-8"))

@@ -16,11 +16,11 @@ from numpy.typing import NDArray
 
 from coursework.accuracy.problem import TIMED, Bounds, Problem
 from coursework.accuracy.trace import trace
-from coursework.integration.adaptive import integrate_adaptive
-from coursework.integration.following import follow_closure
-from coursework.integration.integrate import Correction, march
-from coursework.integration.loops import Loop, generate_loop
-from coursework.schemes import DEFAULT_SCHEME, SCHEMES, title_of
+from coursework.motion.integration.adaptive import integrate_adaptive
+from coursework.motion.integration.following import follow_closure
+from coursework.motion.integration.integrate import Correction, march
+from coursework.motion.integration.loops import Loop, generate_loop
+from coursework.motion.schemes import DEFAULT_SCHEME, SCHEMES, title_of
 from coursework.words.sentences import say, say_count
 
 Array = NDArray[np.float64]

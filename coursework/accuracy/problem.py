@@ -18,9 +18,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.geometry.closure import Closure
-from coursework.integration.rates import Rates
-from coursework.schemes import SCHEMES
+from coursework.motion.geometry.closure import Closure
+from coursework.motion.integration.rates import Rates
+from coursework.motion.schemes import SCHEMES
 
 Array = NDArray[np.float64]
 _OPERATION = re.compile(r"[-+*/(]")

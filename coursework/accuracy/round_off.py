@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.integration.extended_precision import march_in
-from coursework.integration.rates import Rates
+from coursework.motion.integration.extended_precision import march_in
+from coursework.motion.integration.rates import Rates
 
 Array = NDArray[np.float64]
 # Steps a row: from the coursework's step to where single precision loses more than the scheme gains, also with t = i*h.
@@ -34,8 +34,8 @@ def round_off_curve(
     rates: Rates, scheme: str, start: Sequence[float], step: float, rows: int, end: Array
 ) -> Iterator[RoundOffRow]:
     """Yield the curve, coarse to fine; some seconds in all."""
-    from coursework.integration.loops import generate_loop
-    from coursework.schemes import SCHEMES
+    from coursework.motion.integration.loops import generate_loop
+    from coursework.motion.schemes import SCHEMES
 
     loop = generate_loop(SCHEMES[scheme], rates)
     for substeps in SUBSTEPS:

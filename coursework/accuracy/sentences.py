@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 
 from coursework.accuracy.methods import projected_title
 from coursework.accuracy.record import StudyRow
-from coursework.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, title_of
+from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, title_of
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 

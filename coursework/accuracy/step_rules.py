@@ -12,10 +12,10 @@ from fractions import Fraction
 
 from coursework.checks.rows import AT_ROW, ROWS_A_PERIOD
 from coursework.equations.reduction.equations import VelocityEquations
-from coursework.geometry.drive import breaks
-from coursework.geometry.swings import drive_frequency, turning_cranks
-from coursework.integration.integrate import WIDEST_STEP
-from coursework.singular.search import Search
+from coursework.motion.geometry.drive import breaks
+from coursework.motion.geometry.swings import drive_frequency, turning_cranks
+from coursework.motion.integration.integrate import WIDEST_STEP
+from coursework.motion.singular.search import Search
 
 # A break that no row is at with so many parts of the run is left to the error.
 _MOST_PARTS = 1000

@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 
 from coursework.accuracy.step_rules import StepRules
 from coursework.accuracy.timing import seconds
-from coursework.integration.loops import Loop, generate_loop
-from coursework.integration.rates import Rates
-from coursework.schemes import PRECISE, SCHEMES, Scheme, title_of
+from coursework.motion.integration.loops import Loop, generate_loop
+from coursework.motion.integration.rates import Rates
+from coursework.motion.schemes import PRECISE, SCHEMES, Scheme, title_of
 from coursework.variant.record.variant import MAX_ROWS
 from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence

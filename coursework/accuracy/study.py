@@ -22,10 +22,10 @@ from coursework.accuracy.record import AccuracyStudy, StudyRow
 from coursework.accuracy.sentences import sentences_of
 from coursework.accuracy.timing import seconds
 from coursework.accuracy.trace import errors, slope
-from coursework.integration.exact_motion import refine
-from coursework.integration.following import NotReached, follow_closure
-from coursework.integration.motion import Motion
-from coursework.schemes import SCHEMES, title_of
+from coursework.motion.integration.exact_motion import refine
+from coursework.motion.integration.following import NotReached, follow_closure
+from coursework.motion.integration.motion import Motion
+from coursework.motion.schemes import SCHEMES, title_of
 from coursework.words.sentences import say
 
 Array = NDArray[np.float64]

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.integration.loops import Loop
+from coursework.motion.integration.loops import Loop
 
 Array = NDArray[np.float64]
 

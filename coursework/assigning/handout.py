@@ -17,13 +17,13 @@ from coursework.drawing.record import Drawing
 from coursework.grading.marking.key import decimals_asked
 from coursework.grading.names import file_stem
 from coursework.grading.platforms.roster import Student
-from coursework.integration.integrate import march
-from coursework.integration.motion import Motion
+from coursework.motion.integration.integrate import march
+from coursework.motion.integration.motion import Motion
+from coursework.motion.schemes import DEFAULT_SCHEME
+from coursework.motion.settings import Settings
 from coursework.plans.graph_check import GraphCheck, check_graph
 from coursework.report.data_meanings import meanings
 from coursework.scene import Scene
-from coursework.schemes import DEFAULT_SCHEME
-from coursework.settings import Settings
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import InputError
 

@@ -25,9 +25,9 @@ from coursework.model.one_set import with_numbers
 from coursework.model.rows import rows_of
 from coursework.model.sets import prepare
 from coursework.model.start import start_of
-from coursework.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
-from coursework.singular.scaled_flow import compile_flow
-from coursework.singular.search import search_event
+from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
+from coursework.motion.singular.scaled_flow import compile_flow
+from coursework.motion.singular.search import search_event
 from coursework.variant.record.variant import MAX_ROWS, Variant
 from coursework.words.errors import CourseworkError
 

@@ -19,8 +19,8 @@ from coursework.assigning.reader import determined, ranges_file, ranges_of, read
 from coursework.grading.names import file_stem
 from coursework.model.model import Model
 from coursework.model.variant_text import variant_text
-from coursework.schemes import DEFAULT_SCHEME
-from coursework.settings import Settings, scheme_for
+from coursework.motion.schemes import DEFAULT_SCHEME
+from coursework.motion.settings import Settings, scheme_for
 from coursework.variant.reading.reader import parse_variant
 from coursework.variant.record.variant import Variant
 from coursework.variant.toml.rewriting import SAID_OF_NUMBERS, rewritten

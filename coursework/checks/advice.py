@@ -15,9 +15,9 @@ import numpy as np
 from coursework.checks.evidence import LIMIT, Evidence
 from coursework.checks.result import Finding, percent
 from coursework.checks.rows import parts_at_breaks
-from coursework.integration.finer import finer
-from coursework.integration.motion import Motion
-from coursework.schemes import SCHEMES
+from coursework.motion.integration.finer import finer
+from coursework.motion.integration.motion import Motion
+from coursework.motion.schemes import SCHEMES
 from coursework.variant.record.variant import MAX_ROWS, whole_steps
 from coursework.variant.record.vocabulary import EXACT, scheme_names
 from coursework.words.sentence import Sentence

@@ -9,8 +9,8 @@ import numpy as np
 
 from coursework.checks.evidence import Evidence
 from coursework.checks.result import Finding, skipped
-from coursework.geometry.closure import closed_start
-from coursework.integration.integrate import TOO_LARGE
+from coursework.motion.geometry.closure import closed_start
+from coursework.motion.integration.integrate import TOO_LARGE
 from coursework.words.sentences import joined, say
 
 START_LIMIT = 1e-6  # of the largest length: five digits in the start values are enough to pass

@@ -16,7 +16,7 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.magnitude import largest
 from coursework.equations.reduction.system import compile_system
 from coursework.equations.reduction.tidy import as_formula
-from coursework.integration.integrate import WIDEST_STEP
+from coursework.motion.integration.integrate import WIDEST_STEP
 from coursework.variant.formula.tree import Formula
 from coursework.words.sentences import joined, say
 

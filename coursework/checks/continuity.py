@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from coursework.checks.evidence import LIMIT, NO_ERROR, Evidence, turns, worst
 from coursework.checks.result import Finding, percent, skipped
 from coursework.equations.codegen.tabulated import OutsideTable
-from coursework.geometry.drive import breaks
-from coursework.integration.exact_motion import refine
+from coursework.motion.geometry.drive import breaks
+from coursework.motion.integration.exact_motion import refine
 
 Array = NDArray[Any]
 HALVINGS = 20

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from coursework.checks.evidence import LIMIT, Evidence
 from coursework.checks.result import Finding, Verdict, percent
 from coursework.equations.reduction.system import compile_values
-from coursework.geometry.closure import Closure
+from coursework.motion.geometry.closure import Closure
 from coursework.variant.formula.tree import Formula, evaluate, spelled
 from coursework.variant.record.variant import Variant
 

@@ -16,11 +16,11 @@ from numpy.typing import NDArray
 
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.system import compile_system
-from coursework.geometry.closure import Closure
-from coursework.integration.motion import Motion, Stop
-from coursework.integration.passage import Passage
-from coursework.integration.rates import Rates
-from coursework.integration.replay import Replay
+from coursework.motion.geometry.closure import Closure
+from coursework.motion.integration.motion import Motion, Stop
+from coursework.motion.integration.passage import Passage
+from coursework.motion.integration.rates import Rates
+from coursework.motion.integration.replay import Replay
 from coursework.variant.record.variant import Variant
 from coursework.words.sentences import say
 

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 
 from coursework.checks.evidence import LIMIT, NO_ERROR, Evidence, turns
 from coursework.checks.result import Finding, percent, skipped
-from coursework.integration.finer import exact_at, prolonged
-from coursework.integration.motion import Motion
+from coursework.motion.integration.finer import exact_at, prolonged
+from coursework.motion.integration.motion import Motion
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 

@@ -9,9 +9,9 @@ import numpy as np
 
 from coursework.checks.evidence import Evidence
 from coursework.checks.result import Finding, skipped
-from coursework.integration.motion import Motion
-from coursework.schemes import SCHEMES, title_of
-from coursework.settings import scheme_for
+from coursework.motion.integration.motion import Motion
+from coursework.motion.schemes import SCHEMES, title_of
+from coursework.motion.settings import scheme_for
 from coursework.variant.record.variant import Quote
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.sentences import say

@@ -9,8 +9,8 @@ import numpy as np
 
 from coursework.checks.evidence import Evidence
 from coursework.checks.result import Finding, skipped
-from coursework.geometry.drive import breaks
-from coursework.geometry.swings import turning_cranks
+from coursework.motion.geometry.drive import breaks
+from coursework.motion.geometry.swings import turning_cranks
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.sentences import joined
 

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from coursework.checks.evidence import NEAR_PERIOD, Evidence
 from coursework.checks.result import Finding, Verdict, floored, skipped
-from coursework.geometry.drive import frequencies
-from coursework.integration.finer import finer
-from coursework.integration.motion import Motion
+from coursework.motion.geometry.drive import frequencies
+from coursework.motion.integration.finer import finer
+from coursework.motion.integration.motion import Motion
 
 Array = NDArray[np.float64]
 # In a benign mechanism the first three harmonics carry more than this part of an oscillation (catalogue: 0.984 to 1.000).

@@ -10,7 +10,7 @@ from pathlib import Path
 from click import Context, Parameter
 from click.shell_completion import CompletionItem
 
-from coursework.schemes import SCHEMES
+from coursework.motion.schemes import SCHEMES
 from coursework.variant.catalogue import entries
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.data_folders import folder

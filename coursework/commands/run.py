@@ -12,11 +12,11 @@ from typing import Any
 from coursework.api import load, solve
 from coursework.checks.result import GROUPS, never_more
 from coursework.commands.screen import in_language, tell, title_of
+from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
 from coursework.output.formats import FORMATS, PAGES, Format, chosen
 from coursework.output.results import Results
 from coursework.output.write import write_set
 from coursework.run import Run
-from coursework.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
 from coursework.system.file_set import files_of, working_folder
 from coursework.variant.reading.set_values import with_set
 from coursework.variant.record.variant import Variant

@@ -25,8 +25,8 @@ from coursework.drawing.sheet import ITALIC, Sheet, inside
 from coursework.drawing.symbols import lowered_name, name_word, rate_word, short
 from coursework.drawing.tracing import read_outline
 from coursework.equations.reduction.equations import VelocityEquations
-from coursework.integration.motion import Motion, Stop
 from coursework.mechanism.mechanism import Mechanism
+from coursework.motion.integration.motion import Motion, Stop
 from coursework.variant.formula.tree import Formula, terms
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from coursework.drawing.outline import Outline, Rail, Slot
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import symbol
-from coursework.geometry.time_derivatives import compile_rows
-from coursework.integration.motion import Motion
+from coursework.motion.geometry.time_derivatives import compile_rows
+from coursework.motion.integration.motion import Motion
 
 Complex = NDArray[np.complex128]
 Array = NDArray[np.float64]

@@ -16,9 +16,9 @@ from coursework.equations.reduction.blocks import Reduction
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import TIME, symbol
 from coursework.equations.reduction.system import compile_system
-from coursework.geometry.time_derivatives import acceleration_rest, compile_rows
-from coursework.integration.motion import Motion
-from coursework.integration.passage import WEIGHTS, Passage
+from coursework.motion.geometry.time_derivatives import acceleration_rest, compile_rows
+from coursework.motion.integration.motion import Motion
+from coursework.motion.integration.passage import WEIGHTS, Passage
 
 Array = NDArray[np.float64]
 

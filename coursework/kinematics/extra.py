@@ -12,9 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.integration.motion import Motion
 from coursework.kinematics.analogs import acceleration_analog, velocity_analog
 from coursework.kinematics.invariants import from_true
+from coursework.motion.integration.motion import Motion
 from coursework.variant.record.variant import Coordinate, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.equations.reduction.equations import VelocityEquations
-from coursework.geometry.time_derivatives import jets
-from coursework.integration.motion import Motion
+from coursework.motion.geometry.time_derivatives import jets
+from coursework.motion.integration.motion import Motion
 
 Array = NDArray[np.float64]
 

@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from coursework.geometry.time_derivatives import compile_rows
-from coursework.integration.motion import Motion
 from coursework.live.drawn import Drawn
+from coursework.motion.geometry.time_derivatives import compile_rows
+from coursework.motion.integration.motion import Motion
 from coursework.run import Run
 
 # A number takes a digit and a comma at least.  Rows twice as far apart take about half the room: so near to what is needed

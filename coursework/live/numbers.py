@@ -9,11 +9,11 @@ from __future__ import annotations
 from typing import Any
 
 from coursework.equations.reduction.blocks import angles_in_determinants
-from coursework.geometry.drive import breaks
-from coursework.integration.integrate import WIDEST_STEP
 from coursework.live.functions import Functions
+from coursework.motion.geometry.drive import breaks
+from coursework.motion.integration.integrate import WIDEST_STEP
+from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, Scheme, Sum
 from coursework.run import Run
-from coursework.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, Scheme, Sum
 
 
 def live_numbers(run: Run, functions: Functions) -> dict[str, Any]:

@@ -16,8 +16,8 @@ from coursework.live.functions import live_functions
 from coursework.live.numbers import live_numbers
 from coursework.live.script import embedded, hash_of, script_of
 from coursework.live.sliders import sliders_of
+from coursework.motion.schemes import SCHEMES, title_of
 from coursework.run import Run
-from coursework.schemes import SCHEMES, title_of
 from coursework.words.line_ends import marked
 from coursework.words.sentences import Phrases, load_phrases
 

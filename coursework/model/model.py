@@ -23,11 +23,11 @@ from coursework.equations.reduction.structure import structure_of
 from coursework.equations.reduction.symbolic import constants, local, symbol
 from coursework.equations.reduction.system import scene_program
 from coursework.exact_scene import scene_of
-from coursework.geometry.drive import breaks
-from coursework.geometry.start import start_values
 from coursework.model.data import Data, read_data
+from coursework.motion.geometry.drive import breaks
+from coursework.motion.geometry.start import start_values
+from coursework.motion.settings import Settings
 from coursework.scene import Scene
-from coursework.settings import Settings
 from coursework.variant.record.changes import follow_from
 from coursework.variant.record.variant import Variant
 

@@ -14,12 +14,12 @@ from numpy.typing import NDArray
 
 from coursework.equations.codegen.programs import as_columns
 from coursework.equations.reduction.symbolic import symbol
-from coursework.geometry.chain import dyad
-from coursework.geometry.closure import OPEN
-from coursework.geometry.start import START_TOLERANCE
 from coursework.mechanism.groups import CannotAssemble, group_kind
 from coursework.model.data import Data
 from coursework.model.model import Columns, Model
+from coursework.motion.geometry.chain import dyad
+from coursework.motion.geometry.closure import OPEN
+from coursework.motion.geometry.start import START_TOLERANCE
 from coursework.variant.record.variant import Group
 
 if TYPE_CHECKING:

@@ -7,8 +7,8 @@ Used by `commands/new.py` and by individual variants.
 from __future__ import annotations
 
 from coursework.equations.reduction.equations import differentiate
-from coursework.geometry.start import START_TOLERANCE, start_values
 from coursework.mechanism.mechanism import build
+from coursework.motion.geometry.start import START_TOLERANCE, start_values
 from coursework.variant.record.variant import Path, Variant
 from coursework.variant.toml.rewriting import SAID_OF_NUMBERS, rewritten
 

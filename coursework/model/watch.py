@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 
 from coursework.equations.reduction.symbolic import TIME, symbol
 from coursework.model.model import Columns, Model
-from coursework.schemes import PRECISE
+from coursework.motion.schemes import PRECISE
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.equations.codegen.tabulated import OutsideTable, TableLaw
-from coursework.integration.motion import Motion
+from coursework.motion.integration.motion import Motion
 from coursework.output.nodes import Components, Moving, applied
 from coursework.variant.formula.tree import Formula, spelled
 from coursework.variant.record.no_value import in_order

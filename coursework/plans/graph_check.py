@@ -18,9 +18,9 @@ from coursework.drawing.lengths import stretching
 from coursework.drawing.record import Drawing
 from coursework.drawing.tracing import read_outline
 from coursework.equations.reduction.equations import VelocityEquations
-from coursework.geometry.time_derivatives import jets
-from coursework.integration.motion import Motion
 from coursework.mechanism.mechanism import Mechanism
+from coursework.motion.geometry.time_derivatives import jets
+from coursework.motion.integration.motion import Motion
 from coursework.plans.graph_words import centre_letter, drift, how_found, omega_name
 from coursework.plans.instant_centres import Findings, construct
 from coursework.plans.layout import lay_out

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from coursework.drawing.outline import Bar, Outline
 from coursework.equations.reduction.equations import VelocityEquations
-from coursework.geometry.time_derivatives import jets
-from coursework.integration.motion import Motion
+from coursework.motion.geometry.time_derivatives import jets
+from coursework.motion.integration.motion import Motion
 
 Complex = NDArray[np.complex128]
 Array = NDArray[np.float64]

@@ -18,8 +18,8 @@ from coursework.drawing.poses import all_rows
 from coursework.drawing.record import Drawing
 from coursework.drawing.tracing import read_outline
 from coursework.equations.reduction.equations import VelocityEquations
-from coursework.integration.motion import Motion
 from coursework.mechanism.mechanism import Mechanism
+from coursework.motion.integration.motion import Motion
 from coursework.plans.graph_check import USUAL_ROW
 from coursework.plans.polygons import ACCELERATION, UNITS, VELOCITY, Polygons, polygons
 from coursework.words.errors import Fault, InputError

@@ -15,7 +15,7 @@ import numpy as np
 
 from coursework.drawing.outline import Bar, Outline
 from coursework.equations.reduction.equations import VelocityEquations
-from coursework.integration.motion import Motion
+from coursework.motion.integration.motion import Motion
 from coursework.plans.moving import Array, Complex, Kinematics, Moving
 
 POLE = "pole"

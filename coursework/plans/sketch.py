@@ -17,10 +17,10 @@ from coursework.drawing.poses import Poses, read_poses
 from coursework.drawing.tracing import read_outline
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import symbol
-from coursework.geometry.time_derivatives import compile_rows
-from coursework.integration.motion import Motion
 from coursework.mechanism.joints import FRAME, linkage
 from coursework.mechanism.mechanism import Mechanism
+from coursework.motion.geometry.time_derivatives import compile_rows
+from coursework.motion.integration.motion import Motion
 from coursework.plans.instant_centres import cross
 from coursework.plans.pose import Body, Pose
 from coursework.variant.formula.tree import Formula

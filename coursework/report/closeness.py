@@ -13,8 +13,8 @@ import numpy as np
 
 from coursework.checks.evidence import Evidence
 from coursework.checks.period import Split, mismatch
+from coursework.motion.schemes import SCHEMES, title_of
 from coursework.report.page_context import PageContext
-from coursework.schemes import SCHEMES, title_of
 
 SEEN = 1e-9  # of the scale of a column: a smaller error is none to speak of
 ALIKE = 1e-4  # of the largest error: one that is less beside it is as large, to the digits shown
@@ -103,7 +103,7 @@ def largest_errors(context: PageContext) -> list[LargestError]:
 
 
 def _title(context: PageContext, own: bool) -> str:
-    from coursework.schemes import DEFAULT_SCHEME
+    from coursework.motion.schemes import DEFAULT_SCHEME
 
     return context.run.scheme_title if own else title_of(DEFAULT_SCHEME)
 

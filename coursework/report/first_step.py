@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
+from coursework.motion.schemes import title_of
 from coursework.report import lecture
 from coursework.report.numbers import MINUS, first_of
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Display, Equations, Paragraph, Part
-from coursework.schemes import title_of
 
 DECIMALS = 5  # of a result
 DIGITS, MOST_DIGITS = 6, 15  # of a factor: as many as give the printed result

@@ -14,7 +14,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from coursework.integration.motion import Array
+from coursework.motion.integration.motion import Array
 from coursework.report.numbers import Numbers
 from coursework.report.symbols import Symbol
 

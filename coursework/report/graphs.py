@@ -11,7 +11,8 @@ from html import escape
 
 import numpy as np
 
-from coursework.integration.motion import Array, Motion
+from coursework.motion.integration.motion import Array, Motion
+from coursework.motion.schemes import DEFAULT_SCHEME, title_of
 from coursework.report import graph_paper
 from coursework.report.graph_paper import (
     EXACT_PEN,
@@ -29,7 +30,6 @@ from coursework.report.graph_paper import (
 )
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Panel, Panels, Part
-from coursework.schemes import DEFAULT_SCHEME, title_of
 
 SIZE = (82.0, 42.0)  # mm; two stand beside each other in 170 mm
 MOST_PANELS = 8  # of one figure: as many as a page holds

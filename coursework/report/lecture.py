@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from coursework.schemes import Scheme, Sum
+from coursework.motion.schemes import Scheme, Sum
 
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _A_LINE = 2  # slopes

@@ -19,13 +19,13 @@ import numpy as np
 from coursework.drawing.outline import Outline
 from coursework.drawing.poses import Poses, read_poses
 from coursework.drawing.tracing import read_outline
-from coursework.integration.motion import Motion
+from coursework.motion.integration.motion import Motion
+from coursework.motion.schemes import title_of
 from coursework.report.graph_paper import SCHEME_INK
 from coursework.report.moving_shape import Shape, draw_ground
 from coursework.report.numbers import unit_text
 from coursework.report.symbols import Symbol, symbol
 from coursework.run import Run
-from coursework.schemes import title_of
 from coursework.words.data_folders import folder
 from coursework.words.errors import InputError
 from coursework.words.sentences import Phrases, say

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-from coursework.integration.motion import Motion
+from coursework.motion.integration.motion import Motion
 
 POINT = "."  # the decimal sign of formulas, CSV and most languages
 MINUS = "−"

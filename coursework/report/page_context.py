@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from coursework.integration.motion import Motion
 from coursework.mechanism.derivation.constants import NamedAngles, named_angles
+from coursework.motion.integration.motion import Motion
 from coursework.quantities import PLOTS
 from coursework.report.numbers import Numbers, unit_text, with_unit
 from coursework.report.parts import Runs

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from coursework.geometry.time_derivatives import jets
+from coursework.motion.geometry.time_derivatives import jets
 from coursework.quantities import GRAPH_CHECK
 from coursework.report.numbers import TIGHT
 from coursework.report.page_context import PageContext

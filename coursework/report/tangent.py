@@ -10,7 +10,7 @@ from html import escape
 
 import numpy as np
 
-from coursework.integration.motion import Array
+from coursework.motion.integration.motion import Array
 from coursework.report import graph_paper
 from coursework.report.closeness import LocalError, evidence
 from coursework.report.graph_paper import EXACT_PEN, SCHEME_INK, Field, axes, field_for, letters, sheet, smooth, words

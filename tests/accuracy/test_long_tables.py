@@ -10,10 +10,10 @@ from coursework.accuracy import study
 from coursework.accuracy.methods import left_out, trials
 from coursework.accuracy.problem import PAGE, TIMED, Bounds, Problem
 from coursework.accuracy.trace import errors, trace
-from coursework.integration.loops import generate_loop
+from coursework.motion.integration.loops import generate_loop
+from coursework.motion.schemes import SCHEMES
 from coursework.report import build_model
 from coursework.report.html import render_html
-from coursework.schemes import SCHEMES
 from tests.hard.scenes import scene, solve
 from tests.report.reading import html_text
 

@@ -8,8 +8,8 @@ from coursework.accuracy import step_search
 from coursework.accuracy.round_off import RoundOffRow, round_off_curve
 from coursework.accuracy.step_rules import StepRules, step_rules
 from coursework.accuracy.step_search import choose_step
-from coursework.integration.extended_precision import march_in
-from coursework.schemes import SCHEMES
+from coursework.motion.integration.extended_precision import march_in
+from coursework.motion.schemes import SCHEMES
 from coursework.words.data_folders import folder
 from coursework.words.errors import InputError
 

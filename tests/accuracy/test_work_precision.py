@@ -12,9 +12,9 @@ from coursework.accuracy.methods import trials
 from coursework.accuracy.problem import Problem
 from coursework.accuracy.study import make_study
 from coursework.accuracy.trace import errors, trace
-from coursework.integration.following import follow_closure
-from coursework.integration.loops import generate_loop
-from coursework.schemes import SCHEMES
+from coursework.motion.integration.following import follow_closure
+from coursework.motion.integration.loops import generate_loop
+from coursework.motion.schemes import SCHEMES
 
 REFERENCE = json.loads((Path(__file__).parent.parent / "reference" / "work_precision_v31.json").read_text(encoding="utf-8"))
 TITLES = {"Euler": "explicit Euler", "Heun": "Heun", "RK4": "Runge-Kutta 4"}

@@ -9,8 +9,8 @@ import sympy as sp
 
 import coursework
 from coursework.equations.reduction.blocks import reduce
-from coursework.integration.loops import generate_loop
-from coursework.schemes import SCHEMES
+from coursework.motion.integration.loops import generate_loop
+from coursework.motion.schemes import SCHEMES
 from tests.benchmarks import test_many as many
 from tests.benchmarks import test_march as march
 from tests.benchmarks import test_whole_process as whole

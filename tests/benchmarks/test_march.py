@@ -12,10 +12,10 @@ import sympy as sp
 
 import coursework
 from coursework.equations.reduction.blocks import reduce
-from coursework.integration.exact_motion import exact_motion
-from coursework.integration.integrate import march
-from coursework.integration.loops import generate_loop
-from coursework.schemes import SCHEMES
+from coursework.motion.integration.exact_motion import exact_motion
+from coursework.motion.integration.integrate import march
+from coursework.motion.integration.loops import generate_loop
+from coursework.motion.schemes import SCHEMES
 from tests.benchmarks.timer import ratio
 
 STEPS = 20_000

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from coursework.integration.motion import Motion
+from coursework.motion.integration.motion import Motion
 
 R1, R2, R3, V, P, ALPHA, H, STEPS = 0.953, 0.847, 0.457, 4.5, 13.08, 4.35, 0.02, 24
 START = (1.63, 3.37, 2.87)

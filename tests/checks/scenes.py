@@ -10,7 +10,7 @@ import coursework
 from coursework.checks.check import CHECKS, check_motion
 from coursework.checks.evidence import Evidence
 from coursework.checks.result import Finding
-from coursework.integration.motion import Motion
+from coursework.motion.integration.motion import Motion
 from coursework.variant.reading.reader import parse_variant
 
 V31 = (Path(__file__).parents[2] / "variants" / "31.toml").read_text(encoding="utf-8")

@@ -9,7 +9,7 @@ import coursework
 from coursework.checks import advice
 from coursework.checks.advice import with_advice
 from coursework.checks.check import motion_findings
-from coursework.integration.finer import finer
+from coursework.motion.integration.finer import finer
 from tests.checks.scenes import V31, found, solve, verdicts
 from tests.hard.scenes import scene
 

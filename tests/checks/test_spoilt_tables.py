@@ -8,7 +8,7 @@ import pytest
 import coursework
 from coursework.checks import check as records
 from coursework.checks.check import check_motion
-from coursework.integration.integrate import march
+from coursework.motion.integration.integrate import march
 from tests.checks.scenes import CODES, V31, evidence_of, finding, found, solve, spoil, verdicts
 
 DEAD = V31.replace('alpha = "4.35 rad"', 'alpha = "0.02 rad"')

@@ -14,7 +14,7 @@ from random import Random
 from typing import Any
 
 import coursework
-from coursework.schemes import DEFAULT_SCHEME, SCHEMES
+from coursework.motion.schemes import DEFAULT_SCHEME, SCHEMES
 from coursework.variant.catalogue import entries
 from coursework.variant.reading.reader import parse_variant
 from coursework.variant.record.vocabulary import EXACT

@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-from coursework.schemes import SCHEMES
+from coursework.motion.schemes import SCHEMES
 from coursework.variant.catalogue import names
 
 

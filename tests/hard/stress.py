@@ -18,8 +18,8 @@ import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
 import coursework
-from coursework.integration.integrate import march
-from coursework.integration.motion import Motion
+from coursework.motion.integration.integrate import march
+from coursework.motion.integration.motion import Motion
 from coursework.run import Run
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.errors import InputError

@@ -8,7 +8,7 @@ import pytest
 
 from coursework.mechanism import groups
 from coursework.mechanism.groups import CannotAssemble, Pair
-from coursework.singular.change_point import distinct
+from coursework.motion.singular.change_point import distinct
 from tests.hard.scenes import check, expected, four_bar, scene, solve
 
 LOCATED = 1e-8

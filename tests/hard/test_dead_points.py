@@ -6,8 +6,8 @@ import math
 import numpy as np
 import pytest
 
-from coursework.schemes import SCHEMES
-from coursework.singular.search import search_event
+from coursework.motion.schemes import SCHEMES
+from coursework.motion.singular.search import search_event
 from tests.hard.scenes import CASES, REFERENCE, V31_IMPOSSIBLE, expected, scene, solve
 
 LOCATED = 1e-8

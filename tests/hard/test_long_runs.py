@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.integration.following import NotReached, follow_closure
+from coursework.motion.integration.following import NotReached, follow_closure
 from coursework.words.errors import InputError
 from tests.hard.scenes import CASES, check, expected, scene, solve
 

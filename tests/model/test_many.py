@@ -6,7 +6,7 @@ import pytest
 
 import coursework
 from coursework.model.sets import prepare
-from coursework.schemes import SCHEMES
+from coursework.motion.schemes import SCHEMES
 from coursework.variant.catalogue import find, names
 
 MODELS = {}

@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 
 from coursework.api import solve
 from coursework.equations.reduction.equations import differentiate
-from coursework.geometry.closure import Closure, closed_start, compile_closure
-from coursework.geometry.start import start_values
 from coursework.mechanism.mechanism import build
-from coursework.schemes import DEFAULT_SCHEME
+from coursework.motion.geometry.closure import Closure, closed_start, compile_closure
+from coursework.motion.geometry.start import start_values
+from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import CourseworkError
 

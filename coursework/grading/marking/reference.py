@@ -16,12 +16,12 @@ from numpy.typing import NDArray
 
 from coursework.api import solve
 from coursework.equations.reduction.structure import without_data
-from coursework.geometry.drive import breaks
 from coursework.grading.marking.branches import other_assemblies
 from coursework.grading.marking.key import Key
 from coursework.many import Solutions, solve_many
 from coursework.model.model import Model, model_of
-from coursework.schemes import DEFAULT_SCHEME
+from coursework.motion.geometry.drive import breaks
+from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.variant.formula.tree import Formula, number
 from coursework.variant.record.variant import Law, Variant
 from coursework.words.errors import CourseworkError

@@ -1,7 +1,7 @@
 """What a group of a chain is: one record holds all that the house knows of its kind.
 
 Enters: a group as a file writes it, in formulas, or its known side in numbers.  Leaves: `GroupKind`.
-Used by the files of the kinds and `geometry/chain.py`; others meet it as the kind of a group.
+Used by the files of the kinds and `motion/geometry/chain.py`; others meet it as the kind of a group.
 """
 
 from __future__ import annotations

@@ -12,9 +12,9 @@ import pytest
 import coursework
 from coursework.accuracy.trace import trace
 from coursework.equations.codegen import names as private_names
-from coursework.integration.loops import generate_loop
+from coursework.motion.integration.loops import generate_loop
+from coursework.motion.schemes import SCHEMES
 from coursework.report.equations import text
-from coursework.schemes import SCHEMES
 from coursework.variant.formula.reader import FUNCTION_WORDS
 from coursework.variant.formula.tree import Formula
 from coursework.variant.reading.reader import parse_variant

@@ -1,0 +1,1 @@
+"""Rows by a scheme, exact rows, and where a motion ends and why."""

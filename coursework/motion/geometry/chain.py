@@ -1,0 +1,152 @@
+"""A chain of groups along a whole motion in closed form: positions, and the start values a file leaves out.
+
+Enters: the chain's formulas and times.  Leaves: coordinates (n, m); velocities follow from the reduction.
+Raises `CannotAssemble` (groups) with the row at which a group cannot be put together.
+Used by `geometry/`, `exact_scene.py`, `scene.py`, `settings.py` and `model/`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.symbolic import Symbols
+from coursework.mechanism import groups
+from coursework.mechanism.groups import Guide, Pair, group_kind
+from coursework.mechanism.groups.kind import Known
+from coursework.motion.geometry.drive import integrals
+from coursework.motion.geometry.time_derivatives import compile_rows
+from coursework.variant.formula.tree import Formula, constant, spelled
+from coursework.variant.record.variant import Group, Variant
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
+
+if TYPE_CHECKING:
+    import sympy as sp
+
+Array = NDArray[np.float64]
+
+
+def is_chain(variant: Variant) -> bool:
+    """Return whether groups give every coordinate that is not driven."""
+    given = _given_by_groups(variant)
+    return bool(given) and all(c.name in given or c.rate in variant.known_rates for c in variant.coordinates)
+
+
+def _given_by_groups(variant: Variant) -> set[str]:
+    return {name for group in variant.groups for name in group.coordinates}
+
+
+def chain_positions(equations: VelocityEquations, times: Array) -> Array:
+    """Return the coordinates (n, m) at `times` (s, growing from 0), angles continuous, group after group.
+
+    What neither a drive nor a group gives keeps its start value: that is right for all times in a chain, else at t = 0 only.
+    """
+    variant = equations.variant
+    names = [c.name for c in variant.coordinates]
+    q = np.tile([coordinate.guess or 0.0 for coordinate in variant.coordinates], (len(times), 1))
+    driven = [place for place, coordinate in enumerate(variant.coordinates) if coordinate.rate in variant.known_rates]
+
+    def values(wanted: list[sp.Expr]) -> Array:
+        return compile_rows(equations, wanted, 0)(times, q)
+
+    q[:, driven] += integrals(equations, [variant.coordinates[place].rate for place in driven], times)
+    for number, group in enumerate(variant.groups, start=1):
+        places = [names.index(name) for name in group.coordinates]
+        if group_kind(group.kind).driven:
+            continue
+        try:
+            mode = _mode(equations, group, q[:1])
+            if mode is None:
+                plus, minus = (say(group_kind(group.kind).modes[sign]) for sign in (1, -1))
+                raise _fault(say("fault.V307", kind=group.kind, plus=plus, minus=minus), number, group, variant)
+            found = dyad(equations.symbols, group, mode, values).coordinates
+        except groups.CannotAssemble as error:
+            named = _letters(group)
+            known = {"kind": group.kind, "time": float(times[error.row]), "reason": error.reason}
+            told = say("fault.V306", **known, letters=named) if named else say("fault.V305", **known)
+            raise _fault(told, number, group, variant) from error
+        except ValueError as error:
+            raise _fault(say("fault.V308", reason=str(error)), number, group, variant) from error
+        for column, place in enumerate(places):
+            coordinate = variant.coordinates[place]
+            angle = coordinate.unit == "rad"
+            q[:, place] = _continued(found[:, column], coordinate.guess) if angle else found[:, column]
+    return q
+
+
+def _fault(told: Sentence, number: int, group: Group, variant: Variant) -> InputError:
+    place = say("place.group_of", number=number, names=", ".join(group.coordinates))
+    return InputError([Fault(told, variant.file, group.line, 0, place)])
+
+
+def _letters(group: Group) -> str:
+    """Return which points of the file the letters of a group's sentences stand for."""
+    named = [(letter, spelled(point)) for letter, point in zip("BD", group.start_points, strict=False)]
+    return ", ".join(f"{letter} = {point}" for letter, point in named if letter != point)
+
+
+def _continued(angles: Array, start: float | None) -> Array:
+    """Return the angles without jumps, the first one in the turn of `start`."""
+    smooth = np.unwrap(angles)
+    if start is not None and len(smooth):
+        smooth = smooth + 2 * np.pi * np.round((start - smooth[0]) / (2 * np.pi))
+    return np.asarray(smooth)
+
+
+def _mode(equations: VelocityEquations, group: Group, q: Array) -> int | None:
+    """Return the assembly mode: the one written, else the one nearest to the start values, else the kind's usual one, if any."""
+    kind = group_kind(group.kind)
+    if group.mode or not kind.modes:
+        return group.mode
+    chosen = [c for name in group.coordinates for c in equations.variant.coordinates if c.name == name]
+    starts = [(c.guess, c.unit) for c in chosen if c.guess is not None]
+    if len(starts) == len(chosen):
+
+        def values(wanted: list[sp.Expr]) -> Array:
+            return compile_rows(equations, wanted, 0)(np.zeros(1), q)
+
+        def distance(mode: int) -> float:
+            closed = dyad(equations.symbols, group, mode, values).coordinates[0].tolist()
+            return max(abs(_nearest(value, start, unit) - start) for value, (start, unit) in zip(closed, starts, strict=True))
+
+        return min((1, -1), key=distance)
+    if kind.usual_mode:
+        return kind.usual_mode
+    return None
+
+
+def _nearest(value: float, start: float, unit: str) -> float:
+    """Return an angle in the turn of `start`, anything else as it is."""
+    return value + 2 * np.pi * round((start - value) / (2 * np.pi)) if unit == "rad" else value
+
+
+def dyad(symbols: Symbols, group: Group, mode: int, values: Callable[[list[sp.Expr]], Array]) -> groups.GroupMotion:
+    """Return the positions of one dyad, row by row; `values` gives the numbers (n, k) of k expressions.
+
+    Raises `CannotAssemble` with the first row at which it cannot be put together.
+    """
+
+    def pair(formula: Formula) -> Pair:
+        return Pair(values(list(symbols.vector(formula))), None, None)
+
+    def scalar(formula: Formula) -> Array:
+        if (value := constant(formula)) is not None:
+            return np.array([float(value)])
+        return np.asarray(values([symbols.scalar(formula)])[:, 0])
+
+    known = Known(
+        [pair(formula) for formula in group.start_points],
+        [scalar(formula) for formula in group.lengths],
+        [Guide(pair(g.through), scalar(g.angle), offset=scalar(g.offset)) for g in group.guides],
+        scalar(group.offset),
+        scalar(group.angle) if group.angle else None,
+    )
+    solve = group_kind(group.kind).solve
+    assert solve is not None
+    return solve(known, mode)

@@ -1,0 +1,139 @@
+"""The motion without a scheme's error: closed-form chain, Newton on the closure, or a scheme refined until it stands.
+
+Enters: a scene.  Leaves: a `Motion` on the coursework's own rows, labelled with the way it was found.
+Used by `accuracy/study.py`, `checks/continuity.py`, `finer.py` and `scene.py`.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.motion.geometry.closure import Closure
+from coursework.motion.integration.following import follow_closure
+from coursework.motion.integration.loops import generate_loop
+from coursework.motion.integration.motion import Motion
+from coursework.motion.integration.passage import Passage
+from coursework.motion.integration.rates import Rates
+from coursework.motion.schemes import PRECISE, title_of
+from coursework.variant.record.vocabulary import EXACT
+from coursework.words.sentences import say
+
+Array = NDArray[np.float64]
+# Two results of one interval must agree to this (rad or m) where no position is known; what is used is the extrapolated one.
+AGREEMENT = 1e-13
+# With half the step the error is smaller by this and 1: what is left of the difference of two results.
+_GAIN = 2**PRECISE.order - 1
+_MOST_HALVINGS = 30
+
+
+class NoVelocities(ArithmeticError):
+    """There are no velocities between two `times` (s), from a `position` (rad, m) on."""
+
+    def __init__(self, times: tuple[float, float], position: Sequence[float]) -> None:
+        super().__init__(f"the velocities cannot be computed between t = {times[0]:.9g} s and {times[1]:.9g} s")
+        self.times, self.position = times, position
+
+
+def refine(rates: Rates, start: Sequence[float], times: Array) -> tuple[Array, float, int]:
+    """Return positions (n, m) by the precise scheme, the sum of the differences that are left, and the steps taken.
+
+    Where eight and sixteen steps of an interval do not agree it is halved, so that a dead point ahead costs its own interval
+    only.  No step reaches across a time at which the drive changes its formula.
+    """
+    loop = generate_loop(PRECISE, rates)
+    rows = [np.array(start, dtype=float)]
+    gap, steps = 0.0, 0
+    for begin, end in itertools.pairwise(times.tolist()):
+        edges = [begin, *[b for b in rates.breaks if begin < b < end], end]
+        q = rows[-1]
+        for a, b in itertools.pairwise(edges):
+            q, left, taken = _halved(loop, a, min(b, rates.latest(b)), q)
+            gap, steps = gap + left, steps + taken
+        rows.append(q)
+    return np.array(rows), gap, steps
+
+
+def _halved(
+    loop: Callable[..., tuple[float, ...]], begin: float, end: float, q: Array, depth: int = 0
+) -> tuple[Array, float, int]:
+    """Return the position after an interval, extrapolated from two results, their difference and the steps."""
+    try:
+        coarse, fine = (np.array(loop(begin, count, (end - begin) / count, *q.tolist())) for count in (8, 16))
+        gap = float(np.max(np.abs(fine - coarse), initial=0.0)) / _GAIN
+    except (ArithmeticError, ValueError):
+        coarse = fine = q
+        gap = np.inf
+    if gap < AGREEMENT or depth >= _MOST_HALVINGS:
+        if not np.isfinite(gap):
+            raise NoVelocities((begin, end), q.tolist())
+        return fine + (fine - coarse) / _GAIN, gap, 24
+    middle = (begin + end) / 2
+    q, left, steps = _halved(loop, begin, middle, q, depth + 1)
+    after, right, more = _halved(loop, middle, end, q, depth + 1)
+    return after, left + right, steps + more + 24
+
+
+def passing_motion(
+    rates: Rates, start: Sequence[float], times: Array, passages: Sequence[Passage], notes: tuple[str, ...]
+) -> Motion:
+    """Return the exact motion at `times` through singular positions: refined between them, on their polynomials about them.
+
+    `rates` are those that know the limits there (`passage.through`).
+    """
+    positions = np.empty((len(times), len(start)))
+    begin, q, gap, steps = 0.0, np.array(start, dtype=float), 0.0, 0
+    for passage in (*passages, None):
+        first, last = (passage.flanks[1], passage.flanks[2]) if passage else (None, None)
+        before = (times >= begin) & ((times < first.time) if first else True)
+        found, left, taken = refine(rates, q.tolist(), np.array([begin, *times[before]]))
+        positions[before] = found[1:]
+        gap, steps = gap + left, steps + taken
+        if passage and first and last:
+            about = (times >= first.time) & (times <= last.time)
+            positions[about] = passage.positions(times[about])
+            begin, q = last.time, last.position
+    velocities, determinants = rates.table(times, positions)
+    return Motion(
+        times, positions, velocities, determinants, np.zeros((len(times), 0)), rates.coordinates, rates.velocities, EXACT,
+        float(times[1] - times[0]) if len(times) > 1 else 0.0, PRECISE.slopes * steps,
+        label=say("exact.refined", gap=gap, scheme=title_of(PRECISE)), notes=notes,
+    )  # fmt: skip
+
+
+def exact_motion(
+    equations: VelocityEquations, rates: Rates, closure: Closure | None, start: Sequence[float], times: Array,
+    blocks: int, chain: Callable[[Array], Array] | None = None,
+) -> Motion:  # fmt: skip
+    """Return the exact motion at `times` (rows up to a dead point only).
+
+    Raises `NotReached` where a closure cannot be followed although no dead point was found before.
+    """
+    evaluations = 0
+    if chain is not None:
+        positions, label = chain(times), say("exact.groups")
+    elif closure is not None and closure.complete:
+        positions, label = follow_closure(closure, rates, times), say("exact.closure")
+    else:
+        positions, gap, steps = refine(rates, start, times)
+        evaluations = PRECISE.slopes * steps
+        label = say("exact.refined", gap=gap, scheme=title_of(PRECISE))
+    velocities, determinants = rates.table(times, positions)
+    return Motion(
+        times, positions, velocities, determinants, np.zeros((len(times), 0)),
+        rates.coordinates, rates.velocities, EXACT, float(times[1] - times[0]) if len(times) > 1 else 0.0, evaluations,
+        label=label,
+    )  # fmt: skip
+
+
+def no_rows(rates: Rates) -> Motion:
+    """Return the exact motion of a mechanism that cannot begin to move."""
+    empty = np.zeros((0, 0))
+    return Motion(
+        np.zeros(0), np.zeros((0, len(rates.coordinates))), np.zeros((0, len(rates.velocities))), empty, empty.copy(),
+        rates.coordinates, rates.velocities, EXACT, 0.0, 0, label=say("exact.nothing"),
+    )  # fmt: skip

@@ -1,0 +1,141 @@
+"""The positions of a closure at many times: one Newton over all rows, and single steps where that is not certain.
+
+Enters: a `Closure`, the `Rates` of the same mechanism, times growing from 0.  Leaves: closed positions (n, m).
+Used by `exact_motion.py` and the accuracy study.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import suppress
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.equations.codegen.tabulated import OutsideTable
+from coursework.motion.geometry.closure import Closure
+from coursework.motion.integration.loops import generate_rows
+from coursework.motion.integration.rates import Rates
+from coursework.motion.schemes import PRECISE
+
+Array = NDArray[np.float64]
+# A guess further than this from the closed position (rad or m) is not trusted to be the same assembly.
+FAR = 0.05
+# Rows guessed in one go: the guess drifts from row to row, and a failure costs no more than these.
+MOST_AT_ONCE = 1024
+_MOST_HALVINGS = 30
+# Parts of one row after which a closure counts as not to be followed: a dead point takes about 60, a wrong motion all there are.
+_MOST_PARTS = 1000
+_SUBSTEPS = 4
+
+
+class NotReached(Exception):
+    """The closure could not be followed beyond row `row` (counted from 0)."""
+
+    def __init__(self, row: int, time: float) -> None:
+        super().__init__(f"the position could not be followed beyond t = {time:.9g} s")
+        self.row = row
+        self.time = time
+
+
+def follow_closure(closure: Closure, rates: Rates, times: Array, spent: Callable[[int], object] | None = None) -> Array:
+    """Return the positions (n, m) at equally spaced `times`, each closed to round-off.
+
+    The assembly is kept by a guess along the motion for each row and by the signs of the determinants, which change at a dead
+    point only.  Where this leaves a row in doubt, its interval is followed by itself and halved until nothing is.  `spent` is
+    told how many slopes a guess took.  Raises `NotReached` where the mechanism cannot follow.
+    """
+    kept, known = closure.targets(times)
+    first = closure.newton(0.0, _placed(closure.start, closure, known[0]), kept[0])
+    if first is None:
+        raise NotReached(0, 0.0)
+    positions = np.empty((len(times), len(first)))
+    positions[0] = first
+    follower = _Follower(closure, rates, _signs(rates, first))
+    row, at_once = 0, MOST_AT_ONCE
+    while row < len(times) - 1:
+        guess = follower.guess(row, min(row + at_once, len(times) - 1), times, positions[row])
+        if spent:
+            spent(PRECISE.slopes * len(guess))
+        rows = slice(row + 1, row + 1 + len(guess))
+        certain = follower.certain(times[rows], _placed(guess, closure, known[rows]), kept[rows])
+        positions[row + 1 : row + 1 + len(certain)] = certain
+        row += len(certain)
+        at_once = min(2 * at_once, MOST_AT_ONCE)
+        if len(certain) < len(guess) or not len(guess):
+            begin, end = times[row : row + 2].tolist()
+            found = follower.single(begin, end, positions[row], kept[row + 1], known[row + 1])
+            if found is None:
+                raise NotReached(row + 1, end)
+            positions[row + 1] = found
+            row, at_once = row + 1, max(1, len(certain))
+    return positions
+
+
+class _Follower:
+    """One assembly of a closure: `signs` are those of its determinants."""
+
+    def __init__(self, closure: Closure, rates: Rates, signs: Array) -> None:
+        self.closure, self.rates, self.signs = closure, rates, signs
+        self.march = generate_rows(PRECISE, rates, (), 0.0)
+
+    def guess(self, row: int, last: int, times: Array, q: Array) -> Array:
+        """Return rows of the precise scheme after `row`, where it stands at q, up to `last` or to where the scheme fails."""
+        rows: list[tuple[float, ...]] = []
+        with suppress(ArithmeticError, ValueError, OutsideTable):
+            self.march(row, last, float(times[1]), self.rates.latest, rows.append, *q.tolist())
+        return np.array([found[: len(q)] for found in rows[1:]]).reshape(-1, len(q))
+
+    def certain(self, times: Array, guess: Array, targets: Array) -> Array:
+        """Return the closed positions of the rows before the first one that is in doubt."""
+        with suppress(np.linalg.LinAlgError, OutsideTable), np.errstate(all="ignore"):
+            found, is_closed = self.closure.newton_rows(times, guess, targets)
+            _, determinants = self.rates.table(times, found)
+            doubtful = ~is_closed | np.any(np.sign(determinants) != self.signs, axis=1)
+            doubtful |= ~(np.max(np.abs(found - guess), axis=1, initial=0.0) < FAR)
+            return np.asarray(found[: int(np.argmax(doubtful)) if np.any(doubtful) else len(found)])
+        return guess[:0]
+
+    def single(self, begin: float, end: float, q: Array, target: Array, known: Array) -> Array | None:
+        """Return the closed position at `end` (s) from the one at `begin`, None where none can be reached."""
+        parts = 0
+
+        def advance(begin: float, end: float, q: Array, target: Array, known: Array, depth: int = 0) -> Array | None:
+            nonlocal parts
+            parts += 1
+            with suppress(ArithmeticError, ValueError):  # where the guess meets a dead point a shorter one does not
+                guess = _placed(self._predicted(begin, end - begin, q), self.closure, known)
+                found = self.closure.newton(end, guess, target)
+                if found is not None and np.max(np.abs(found - guess)) < FAR and np.all(self._signs(end, found) == self.signs):
+                    return found
+            if depth == _MOST_HALVINGS or parts > _MOST_PARTS:
+                return None
+            middle = (begin + end) / 2
+            inner_target, inner_known = self.closure.targets(np.array([0.0, middle]))
+            half = advance(begin, middle, q, inner_target[1], inner_known[1], depth + 1)
+            return None if half is None else advance(middle, end, half, target, known, depth + 1)
+
+        return advance(begin, end, q, target, known)
+
+    def _predicted(self, t: float, h: float, q: Array) -> Array:
+        """Return the position after four steps of the precise scheme over h (s)."""
+        for part in range(_SUBSTEPS):
+            q = PRECISE.step(self._slopes, t + part * h / _SUBSTEPS, q, h / _SUBSTEPS)
+        return q
+
+    def _slopes(self, t: float, q: Array) -> Array:
+        return np.array(self.rates.evaluate(t, *q.tolist())[: len(q)])
+
+    def _signs(self, t: float, q: Array) -> Array:
+        return _signs(self.rates, q, t)
+
+
+def _signs(rates: Rates, q: Array, t: float = 0.0) -> Array:
+    return np.sign(rates.evaluate(t, *q.tolist())[len(rates.velocities) :])
+
+
+def _placed(q: Array, closure: Closure, known: Array) -> Array:
+    """Return positions (m,) or (n, m) with the driven coordinates where the drive has them."""
+    q = q.copy()
+    q[..., list(closure.driven)] = known
+    return q

@@ -1,0 +1,140 @@
+"""Reduction -> plain functions for the march: every velocity and determinant at (t, q), and whole loops in one piece.
+
+Enters: a `Reduction`.  Leaves: `Rates`.  Used by `integrate.py`, `exact_motion.py`, the accuracy study.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.equations.codegen.names import private
+from coursework.equations.codegen.programs import Assign, Bound, Program, as_columns, compile_function, compile_later
+from coursework.equations.reduction.blocks import Reduction
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.statements import block_statements
+from coursework.equations.reduction.symbolic import constants, local, symbol
+from coursework.equations.reduction.system import scene_program
+from coursework.motion.geometry.drive import breaks
+
+if TYPE_CHECKING:
+    import sympy as sp
+
+Array = NDArray[np.float64]
+# Part of its time by which a step ends before a break of the drive: its last slope must still see the old formula.
+_BEFORE_BREAK = 1e-13
+
+
+@dataclass(frozen=True, slots=True)
+class Rates:
+    """The right-hand side of a scene.
+
+    `evaluate(t, *q)` -> velocities then determinants, floats; `rows` the same over arrays (n,).  `coordinates` integrated;
+    `velocities` returned (rates of the coordinates first); `blocks` indices evaluated; `body` the program behind them;
+    `breaks` the times (s) at which the drive changes its formula.
+    """
+
+    coordinates: tuple[str, ...]
+    velocities: tuple[str, ...]
+    blocks: tuple[int, ...]
+    evaluate: Callable[..., tuple[float, ...]]
+    rows: Callable[..., Any]
+    body: Bound
+    breaks: tuple[float, ...] = ()
+
+    def latest(self, end: float) -> float:
+        """Return how far (s) a step that ends at `end` may look: up to a break of the drive that lies there, else any time."""
+        return latest(self.breaks, end)
+
+    def table(self, t: Array, q: Array) -> tuple[Array, Array]:
+        """Return velocities (n, k) and determinants (n, blocks) for rows of coordinates (n, m)."""
+        values = as_columns(self.rows(t, *q.T), np.shape(t))
+        return values[:, : len(self.velocities)], values[:, len(self.velocities) :]
+
+
+def latest(breaks: Sequence[float], end: float) -> float:
+    """Return how far (s) a step that ends at `end` may look: up to a break that lies there, else any time."""
+    at_break = any(abs(end - time) <= _BEFORE_BREAK * time for time in breaks)
+    return end * (1 - _BEFORE_BREAK) if at_break else math.inf
+
+
+def compile_rates(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[str] | None = None) -> Rates:
+    """Return the right-hand side for all columns, or only for what `wanted` columns need.
+
+    The coordinates integrated are those wanted and those their velocities depend on.
+    """
+    blocks = tuple((block.equations, block.unknowns) for block in reduction.blocks)
+    key = ("rates", tuple(wanted or ()), blocks)
+    parts = equations.once(key, lambda: _parts(equations, reduction, wanted))
+    body = parts.program.bind(constants(equations.variant))
+    arguments = [private(name) for name in ("t", *parts.coordinates)]
+    return Rates(
+        parts.coordinates, parts.velocities, parts.blocks,
+        compile_function("rates", arguments, body, parts.results),
+        compile_later("rates", arguments, body, parts.results, numpy=True), body, breaks(equations.variant),
+    )  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class _Parts:
+    """`Rates` as far as no datum changes them."""
+
+    coordinates: tuple[str, ...]
+    velocities: tuple[str, ...]
+    blocks: tuple[int, ...]
+    results: tuple[str, ...]
+    program: Program
+
+
+def _parts(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[str] | None) -> _Parts:
+    variant = equations.variant
+    every = (*variant.rates, *(name for name, _ in variant.unknowns))
+    coordinates, velocities = _closure(equations, reduction, wanted) if wanted else (None, every)
+    kept = tuple(c.name for c in variant.coordinates if coordinates is None or c.name in coordinates)
+    first = tuple(c.rate for c in variant.coordinates if c.name in kept)
+    listed = first + tuple(name for name in every if name in velocities and name not in first)
+    blocks = reduction.needed(listed)
+    statements = [statement for index in blocks for statement in block_statements(reduction.blocks[index], index)]
+    statements += [Assign(local(_result(name)), symbol(name)) for name in listed]
+    results = (*map(_result, listed), *(f"_det{index}" for index in blocks))
+    return _Parts(kept, listed, blocks, results, scene_program(equations, statements))
+
+
+def _result(velocity: str) -> str:
+    return f"_{private(velocity)}"
+
+
+def _closure(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[str]) -> tuple[set[str], set[str]]:
+    """Return the coordinates to integrate and the velocities to compute so that `wanted` columns come out."""
+    variant = equations.variant
+    rate_of = {c.name: c.rate for c in variant.coordinates}
+    definitions = equations.symbols.definitions
+    coordinates = {name for name in wanted if name in rate_of}
+    coordinates |= {name for name, rate in rate_of.items() if rate in wanted}
+    velocities = {name for name in wanted if name not in rate_of}
+    while True:
+        velocities |= {rate_of[name] for name in coordinates}
+        blocks = reduction.needed(tuple(velocities))
+        inside = _behind({s for index in blocks for s in reduction.blocks[index].symbols}, definitions)
+        needed = {name for name in rate_of if symbol(name) in inside}
+        if needed <= coordinates:
+            return coordinates, velocities
+        coordinates |= needed
+
+
+def _behind(symbols: set[sp.Symbol], definitions: Mapping[sp.Symbol, sp.Expr]) -> set[sp.Symbol]:
+    """Return some symbols and all that their definitions need."""
+    found: set[sp.Symbol] = set()
+    todo = list(symbols)
+    while todo:
+        symbol = todo.pop()
+        if symbol not in found:
+            found.add(symbol)
+            if symbol in definitions:
+                todo.extend(definitions[symbol].free_symbols)
+    return found

@@ -1,0 +1,63 @@
+"""Whether rows follow from each other: each row made anew from the row before it.
+
+Enters: rates, a scheme, a correction, a motion.  Leaves: the rows as they must be.  Used by the checks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.motion.integration.integrate import Correction, corrected
+from coursework.motion.integration.motion import Motion
+from coursework.motion.integration.rates import Rates
+from coursework.motion.schemes import Scheme
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Replay:
+    """The way the rows of a run were made: `scheme` from `start` (rad, m), with the run's own `correction`."""
+
+    rates: Rates
+    scheme: Scheme
+    start: Sequence[float]
+    correction: Correction | None = None
+
+    def rows(self, motion: Motion) -> Array:
+        """Return all rows (n, m + k): coordinates by one step from the row before, velocities from the row's own coordinates."""
+        if self.correction is not None:
+            return np.array([self.row(motion, index) for index in range(len(motion.t))])
+        t, q, ends = motion.t[:-1], motion.coordinates[:-1], motion.t[1:]
+        latest = np.array([self.rates.latest(end) for end in ends.tolist()]) if self.rates.breaks else np.inf
+        size = len(self.rates.coordinates)
+
+        def slopes(at: Array, position: Array) -> Array:
+            return self.rates.table(np.minimum(at, latest), position)[0][:, :size]
+
+        with np.errstate(all="ignore"):
+            moved = self.scheme.step(slopes, t, q, motion.step) if len(t) else q
+            velocities, _ = self.rates.table(motion.t, motion.coordinates)
+        return np.hstack([np.vstack([np.array(self.start, dtype=float)[None, :], moved]), velocities])
+
+    def row(self, motion: Motion, index: int) -> Array:
+        """Return one row (m + k,) in the arithmetic of the march itself, one number at a time."""
+        rates, size = self.rates, len(self.rates.coordinates)
+        own = rates.evaluate(float(motion.t[index]), *motion.coordinates[index].tolist())[: len(rates.velocities)]
+        if index == 0:
+            return np.array([*self.start, *own])
+        t, q, step = float(motion.t[index - 1]), motion.coordinates[index - 1], motion.step
+        latest = rates.latest(index * step)
+
+        def slopes(at: float, position: Array) -> Array:
+            return np.array(rates.evaluate(min(at, latest), *position.tolist())[:size])
+
+        moved = self.scheme.step(slopes, t, q, step)
+        if self.correction is not None and self.correction.closure is not None:
+            targets = self.correction.closure.targets(motion.t)
+            moved = corrected(self.correction, targets, index - 1, step, t, q, moved)
+        return np.array([*moved, *own])

@@ -1,0 +1,54 @@
+"""How one run is to be made: scheme, step, end, correction, and what is asked for.
+
+Enters: options of the command line or arguments of `solve`.  Leaves: frozen `Settings`.
+Used by `api.py`, `exact_scene.py`, `many.py`, `assigning/`, `checks/` and `model/`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from coursework.motion.geometry.chain import is_chain
+from coursework.motion.integration.integrate import refuse_gain
+from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE
+from coursework.variant.record.variant import Variant
+from coursework.variant.record.vocabulary import EXACT, scheme_names
+from coursework.words.errors import InputError
+from coursework.words.sentences import closest, say
+
+MOST_CORRECTIONS = 20  # Newton's method has settled long before
+
+
+def scheme_for(variant: Variant, scheme: str | None = None) -> str:
+    """Return the scheme of a run: the one asked for, else that of the file, else the exact motion where a chain gives it."""
+    return scheme or variant.time.scheme or (EXACT if is_chain(variant) else DEFAULT_SCHEME.name)
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """`project` Newton corrections a step; `gain` Baumgarte's gain (1/s); `columns` of the table asked for, () for all.
+
+    `order` of the highest derivative of the motion that is asked for: 1 velocities, 2 accelerations.
+    """
+
+    scheme: str = DEFAULT_SCHEME.name
+    project: int = 0
+    gain: float = 0.0
+    columns: tuple[str, ...] = ()
+    single: bool = False
+    order: int = 1
+
+    def checked(self, step: float) -> Settings:
+        """Return the settings.  Raises `InputError` for a scheme that does not exist and gains that grow the error."""
+        if self.scheme not in scheme_names():
+            known = ", ".join(scheme_names())
+            raise InputError(say("fault.C003", scheme=self.scheme, hint=closest(self.scheme, scheme_names()), known=known))
+        if not (isinstance(self.project, int) and 0 <= self.project <= MOST_CORRECTIONS):
+            raise InputError(say("fault.C004", most_corrections=MOST_CORRECTIONS, project=self.project))
+        if self.scheme == EXACT and (self.project or self.gain):
+            raise InputError(say("fault.C006", scheme=PRECISE.name))
+        if self.gain:
+            refuse_gain(self.gain, step)
+        if self.gain and self.project:
+            raise InputError(say("fault.C005"))
+        return self

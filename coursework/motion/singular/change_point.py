@@ -1,0 +1,152 @@
+"""Change points: where A u = b loses rank and stays solvable, so that two motions meet; and the velocities possible there.
+
+Enters: the flow and a state near such a point.  Leaves: the point itself, or None; then its branches.  Used by
+`search.py` and `scene.py`.
+
+Near a change point the true motion is one arm of a crossing, and a motion that is off by 1e-12 m passes it at 1e-6 rad on
+either side.  So it is not waited for until a determinant vanishes: Newton goes to the crossing itself, and how far the
+motion would miss it decides.  Source: hard cases H03, H04 (tangent cone of the loop closure), H06.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.motion.singular.scaled_flow import Flow
+
+Array = NDArray[np.float64]
+MAX_NEWTON = 12
+_CLOSE = 1e-13  # rad or m; Newton's last correction
+_NUDGE = 1e-6  # rad or m of the differences in Newton's matrix
+_STEP = 1e-5  # s along the motion; central difference, error about 1e-10
+_SAME = 1e-6  # rad/s or m/s between two motions that are one
+_FLAT = 1e-6  # a coefficient of the quadratic below this part of the largest is zero
+# Two-point Gauss rule: the closure error between two positions, right to the fourth order of their distance.
+_GAUSS = (0.5 - 3**-0.5 / 2, 0.5 + 3**-0.5 / 2)
+
+
+@dataclass(frozen=True, slots=True)
+class Crossing:
+    """A change point: `time` (s), `position`; `distance` from the state asked about, and by how much the motion misses it."""
+
+    time: float
+    position: Array
+    distance: float
+    miss: float
+
+
+def nearest_change_point(flow: Flow, t: float, q: Array, block: int, rates: Array) -> Crossing | None:
+    """Return the change point of `block` near (t, q), None where Newton finds none.
+
+    `rates` (m,) of the motion at (t, q).  Unknowns are the time and the displacement of the block's own unknowns; they make
+    the determinant and the demand of the drive zero and keep every equation of the block but the one that is lost.
+    """
+    place = flow.places[block]
+    size = len(place.unknowns)
+    own = [(i, place.unknowns.index(c)) for i, (driven, c) in enumerate(flow.rates) if not driven and c in place.unknowns]
+    pace = max(float(np.max(np.abs(rates), initial=0.0)), 1e-9)
+    first, _, velocities = flow.part(t, q.tolist(), block)
+    left, sizes, _ = np.linalg.svd(first)
+    scale = (float(sizes[0]) if size > 1 else flow.largest[block]) or 1.0
+    earlier = velocities != 0
+
+    def moved(part: float, x: Array, base: Array) -> tuple[float, list[float]]:
+        shifted = q + part * x[-1] / pace * base
+        for coordinate, unknown in own:
+            shifted[coordinate] = q[coordinate] + part * x[unknown]
+        return t + part * x[-1] / pace, shifted.tolist()
+
+    def at(x: Array) -> tuple[Array, Array, Array]:
+        middle, right, now = flow.part(*moved(0.5, x, rates), block)
+        base = np.where(earlier, now, rates)
+        matrix, end, _ = flow.part(*moved(1.0, x, base), block)
+        lost = np.linalg.svd(matrix)[0][:, -1]
+        lost = lost if lost @ left[:, -1] >= 0 else -lost
+        kept = left[:, :-1].T @ (middle @ x[:-1] - right * x[-1] / pace)
+        return np.array([np.linalg.det(matrix) / scale**size, lost @ end / (scale * pace), *kept / scale]), lost, base
+
+    x = np.zeros(size + 1)
+    try:
+        for _ in range(MAX_NEWTON):
+            value, lost, base = at(x)
+            nudges = _NUDGE * np.eye(size + 1)
+            jacobian = np.array([(at(x + d)[0] - at(x - d)[0]) / (2 * _NUDGE) for d in nudges]).T
+            step = np.linalg.lstsq(jacobian, -value, rcond=1e-9)[0]
+            x = x + step
+            if not np.all(np.isfinite(x)) or np.max(np.abs(x)) > 1.0:
+                return None
+            if np.max(np.abs(step)) < _CLOSE:
+                break
+        else:
+            if np.max(np.abs(step)) > 1e3 * _CLOSE:
+                return None
+        value, lost, base = at(x)
+        if np.max(np.abs(value[:2])) > 1e-9:
+            return None
+        gap = 0.0
+        for part in _GAUSS:
+            matrix, right, _ = flow.part(*moved(part, x, base), block)
+            gap += float(lost @ (matrix @ x[:-1] - right * x[-1] / pace)) / 2
+    except (ArithmeticError, ValueError):
+        return None
+    time, position = moved(1.0, x, base)
+    return Crossing(float(time), np.array(position), float(np.max(np.abs(x))), abs(gap) / scale)
+
+
+def branches_at(flow: Flow, block: int, time: float, position: Sequence[float]) -> tuple[dict[str, float], ...]:
+    """Return the velocities possible at a change point, or nothing where they cannot be told apart.
+
+    There A u = b has a line of solutions u + x v; of these the second derivative of the closure keeps
+    w (dA/dt u - db/dt) = 0 with w A = 0: quadratic in x.
+    """
+    start = np.array(position, dtype=float)
+    matrix, right, velocities = flow.part(time, start.tolist(), block)
+    left, sizes, directions = np.linalg.svd(matrix)
+    scale = float(np.max(np.abs(matrix)))
+    if len(sizes) > 1 and sizes[-2] < 1e-6 * sizes[0]:
+        return ()
+    w, v = left[:, -1], directions[-1]
+    inverse = np.where(sizes > 1e-4 * scale, 1.0 / np.where(sizes > 0, sizes, 1.0), 0.0) if len(sizes) > 1 else np.zeros(1)
+    particular = directions.T @ (inverse * (left.T @ right))
+    place = flow.places[block]
+    own = [(i, place.unknowns.index(c)) for i, (driven, c) in enumerate(flow.rates) if not driven and c in place.unknowns]
+
+    def demand(u: Array) -> float:
+        motion = velocities.copy()
+        for coordinate, unknown in own:
+            motion[coordinate] = u[unknown]
+        after, before = (flow.part(time + side * _STEP, (start + side * _STEP * motion).tolist(), block)[:2] for side in (1, -1))
+        return float(w @ ((after[0] - before[0]) @ u - (after[1] - before[1])) / (2 * _STEP))
+
+    at = {x: demand(particular + x * v) for x in (-1.0, 0.0, 1.0)}
+    square, slope, constant = (at[1.0] + at[-1.0]) / 2 - at[0.0], (at[1.0] - at[-1.0]) / 2, at[0.0]
+    largest = max(abs(square), abs(slope), abs(constant), 1e-300)
+    if abs(square) < _FLAT * largest:
+        roots = [-constant / slope] if abs(slope) > _FLAT * largest else []
+    else:
+        inside = slope**2 - 4 * square * constant
+        if inside < 0:
+            return ()
+        roots = [(-slope + sign * np.sqrt(inside)) / (2 * square) for sign in (1, -1)]
+    found = []
+    for x in roots:
+        every = flow.velocities(time, start.tolist(), block, (particular + x * v).tolist())
+        found.append({n: float(value) for n, value in zip(flow.system.unknowns, every, strict=True) if value is not None})
+    return distinct(found)
+
+
+def distinct(found: Sequence[dict[str, float]]) -> tuple[dict[str, float], ...]:
+    """Return the motions that differ: two whose velocities are the same to 1e-6 are one, and there is nothing to choose.
+
+    >>> distinct([{"w": 1.0}, {"w": 1.0 + 5e-7}])
+    ({'w': 1.0},)
+    """
+    kept: list[dict[str, float]] = []
+    for branch in found:
+        if all(any(abs(value - other.get(name, np.inf)) > _SAME for name, value in branch.items()) for other in kept):
+            kept.append(branch)
+    return tuple(kept)

@@ -1,0 +1,110 @@
+"""An event of the true motion -> a `Stop` with its cause and its meaning for the mechanism.
+
+Enters: an `Event`, the reduction.  Leaves: words with units.  Used by `scene.py`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from coursework.equations.reduction.blocks import Block, Reduction
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.meaning import meaning as meaning_of
+from coursework.equations.reduction.meaning import vanishing
+from coursework.motion.integration.motion import AT_EVENT, Stop, rows_before
+from coursework.motion.integration.passage import Passage
+from coursework.motion.singular.event import Event
+from coursework.variant.formula.tree import spelled
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say
+
+# Branches come from differences that are right to 1e-10, coordinates from a search that is better.
+_ROUNDING = 1e-9
+
+
+def explain(
+    event: Event, equations: VelocityEquations, reduction: Reduction, step: float, branches: tuple[dict[str, float], ...] = ()
+) -> Stop:
+    """Return the stop of a dead or change point.  `step` (s) places it between rows; `branches` are velocities there."""
+    block = reduction.blocks[event.block]
+    coordinates = {c.name: float(value) for c, value in zip(equations.variant.coordinates, event.position, strict=True)}
+    row = event.time / step
+    rows = rows_before(event.time, step)
+    at_row = abs(row - rows) <= AT_EVENT * (1 + rows)
+    where = say("event.at_row" if at_row else "event.between", time=event.time, row=rows + at_row, next=rows + 1)
+    if not rows:
+        where = say("event.at_start")
+    which = joined([_equation(block, equations, coordinates), _angles(block, equations, coordinates)], "join.nothing")
+    cause = joined([say("event.cause", where=where, unknowns=block.unknowns, which=which), _together(event, reduction)])
+    holds = block.meaning
+    if block.determinant is not None:
+        holds = meaning_of(block.determinant, equations.variant, block.equations, coordinates)
+    kept = say("event.kept", row=rows) if rows else say("event.none_kept")
+    if event.kind == "dead point":
+        demanded = say(_unit(block, equations), value=event.demanded)
+        meaning = say("event.dead", holds=holds, demanded=demanded, kept=kept)
+    else:
+        key = "event.removable" if len(branches) == 1 else "event.change"
+        meaning = say(key, holds=holds, branches=_branches(branches), kept=kept)
+    return Stop(event.kind, event.time, row, block.unknowns, coordinates, cause, meaning, branches)
+
+
+def explain_passage(passage: Passage, equations: VelocityEquations, reduction: Reduction) -> str:
+    """Return what is told of a singular position that the motion goes through."""
+    block, middle = reduction.blocks[passage.block], passage.middle
+    coordinates = {c.name: float(value) for c, value in zip(equations.variant.coordinates, middle.position, strict=True)}
+    which = joined([_equation(block, equations, coordinates), _angles(block, equations, coordinates)], "join.nothing")
+    velocities = {name: middle.velocities[name] for name in block.unknowns}
+    return say("event.passed", time=middle.time, unknowns=block.unknowns, which=which, branch=_velocities(velocities))
+
+
+def _together(event: Event, reduction: Reduction) -> str:
+    """Say how far the rank drops where several blocks become singular at once."""
+    others = [reduction.blocks[index] for index in event.together if index != event.block]
+    if not others:
+        return ""
+    size = sum(block.size for block in reduction.blocks)
+    names = [f"({', '.join(block.unknowns)})" for block in others[:3]] + ([say("event.others")] if len(others) > 3 else [])
+    rank = size - len(event.together)
+    return say("event.together", number=len(others), names=tuple(names), size=size, rank=rank)
+
+
+def _unit(block: Block, equations: VelocityEquations) -> str:
+    """Return the key of a velocity in m/s, or in the author's unit where the equations are a scalar closure."""
+    scalars = {constraint.name for constraint in equations.variant.constraints if constraint.is_closure}
+    return "event.in_own_unit" if scalars & set(block.equations) else "event.in_m_per_s"
+
+
+def _equation(block: Block, equations: VelocityEquations, coordinates: dict[str, float]) -> str:
+    if block.determinant is None:
+        return ""
+    return say("event.equation", equation=spelled(vanishing(block.determinant, equations.variant, coordinates)))
+
+
+def _angles(block: Block, equations: VelocityEquations, coordinates: dict[str, float]) -> str:
+    """Name the coordinates in the determinant with their values there."""
+    inside = block.determinant.names() if block.determinant is not None else ()
+    shown = []
+    for coordinate in equations.variant.coordinates:
+        if coordinate.name in inside:
+            value = _tidied(coordinates[coordinate.name])
+            key = "event.angle" if coordinate.unit == "rad" else "event.length"
+            shown.append(say(key, name=coordinate.name, value=value, degrees=math.degrees(value)))
+    return say("event.with", values=tuple(shown)) if shown else ""
+
+
+def _branches(branches: tuple[dict[str, float], ...]) -> str:
+    told = [_velocities(branch) for branch in branches]
+    if len(told) == 1:
+        return say("event.one_branch", branch=told[0])
+    return say("event.branches", told=joined(told, "join.or_else")) if told else ""
+
+
+def _velocities(branch: Mapping[str, float]) -> Sentence:
+    return joined([say("event.velocity", name=name, value=_tidied(value)) for name, value in branch.items()], "join.numbers")
+
+
+def _tidied(value: float) -> float:
+    """Return a value with what rounding leaves of a zero taken off (rad, m, or per second)."""
+    return 0.0 if abs(value) < _ROUNDING else value

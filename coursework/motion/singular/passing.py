@@ -1,0 +1,117 @@
+"""Whether a motion goes on through a change point: one motion only, and the flow on both sides of it.
+
+Enters: the flow, an event, the way that led to it.  Leaves: a `Passage`, or None where the motion ends there.
+Used by `walk.py`.
+
+The flow comes to rest where a determinant and the demand of the drive vanish together, so nobody walks through.  With one
+pair of velocities there the motion has a second derivative too: a jump of `_JUMP` past the point is right to its cube, and
+what it is off in the singular block decays behind it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.equations.codegen.tabulated import OutsideTable
+from coursework.motion.integration.adaptive import integrate_adaptive
+from coursework.motion.integration.passage import FLANKS, Passage, State
+from coursework.motion.singular.change_point import branches_at
+from coursework.motion.singular.event import Event
+from coursework.motion.singular.scaled_flow import Flow
+
+Array = NDArray[np.float64]
+# The determinant at the inner flanks, and where the walk goes on (both of its largest value).
+_FLANK, _JUMP = 1e-2, 1e-6
+# A determinant that grows by less than this part of its largest value in the whole run is not seen to change its sign.
+_FLAT = 1e-3
+# The determinant at a flank is what its slope says, to this factor; else another singular position is near.
+_STRAIGHT = 2.0
+_SMALLEST = 1e-5
+_NUDGE = 1e-6
+_TOLERANCE = 1e-13
+
+
+def passage_at(flow: Flow, event: Event, way: Sequence[Array], end: float, within: tuple[float, float]) -> Passage | None:
+    """Return the passage through a change point, None where two motions meet or it is not known what goes on.
+
+    `way`: states (position, then t) of the walk up to the event; `end` (s) of the run; `within` (s, s): from when and how far
+    the drive keeps its formula.
+    """
+    if event.kind != "change point" or len(event.together) > 1:
+        return None
+    branches = branches_at(flow, event.block, event.time, event.position.tolist())
+    if len(branches) != 1 or set(branches[0]) != set(flow.system.unknowns):
+        return None
+    middle = _state(flow, event.time, event.position, branches[0], event.block)
+    moving = np.array([middle.velocities[name] for name in _rates(flow)])
+    slope = _slope(flow, event, moving, end)
+    if abs(slope) * end < _FLAT:
+        return None
+    flank = _FLANK / abs(slope)
+    while flank > _SMALLEST * end:
+        try:
+            if found := _flanked(flow, middle, moving, way, flank, slope, event.block, within):
+                return found
+        except (ArithmeticError, ValueError, OutsideTable):
+            pass
+        flank /= 4
+    return None
+
+
+def _slope(flow: Flow, event: Event, moving: Array, end: float) -> float:
+    """Return how fast the determinant grows along the one motion (1/s)."""
+    nudge = _NUDGE * end
+    after, before = (
+        flow.scaled(event.time + side * nudge, (event.position + side * nudge * moving).tolist())[event.block] for side in (1, -1)
+    )
+    return (after - before) / (2 * nudge)
+
+
+def _flanked(
+    flow: Flow, middle: State, moving: Array, way: Sequence[Array], flank: float, slope: float, block: int,
+    within: tuple[float, float],
+) -> Passage | None:  # fmt: skip
+    """Return the passage with flanks so far apart (s), None where the motion between them is not that of one simple zero."""
+    times = [middle.time + part * flank for part in FLANKS]
+    begun = next((state for state in reversed(way) if within[0] <= state[-1] <= times[0]), None)
+    if begun is None or times[-1] > within[1]:
+        return None
+
+    def field(t: float, q: Array) -> Array:
+        *motion, clock = flow.slopes(t, q.tolist(), block)
+        return np.array(motion) / clock
+
+    before = integrate_adaptive(field, begun[:-1], np.array([begun[-1], *times[:2]]), _TOLERANCE)[0][1:]
+    # Where the motion was two flanks before, it has changed its velocities at this rate (an error of a cube in the jump).
+    bent = (moving - field(times[1], before[1])) / flank
+    jump = _JUMP / abs(slope)
+    beyond = middle.position + jump * moving + jump**2 / 2 * bent
+    after = integrate_adaptive(field, beyond, np.array([middle.time + jump, *times[2:]]), _TOLERANCE)[0][1:]
+    positions = [*before, *after]
+    found = np.array([flow.scaled(t, q.tolist()) for t, q in zip(times, positions, strict=True)])
+    straight = found[:, block] / (np.array(FLANKS) * flank * slope)
+    others = np.delete(np.sign(found), block, axis=1)
+    if np.any(others != others[0]) or not np.all((straight > 1 / _STRAIGHT) & (straight < _STRAIGHT)):
+        return None
+    flanks = tuple(_state(flow, t, q) for t, q in zip(times, positions, strict=True))
+    return Passage(block, middle, flanks, flank, _rates(flow))
+
+
+def _rates(flow: Flow) -> tuple[str, ...]:
+    """Return the names of the rates of the coordinates."""
+    system = flow.system
+    return tuple((system.known if is_driven else system.unknowns)[place] for is_driven, place in flow.rates)
+
+
+def _state(flow: Flow, t: float, q: Array, known: dict[str, float] | None = None, block: int = 0) -> State:
+    """Return a moment with all velocities: those `known`, else those of blocks none of which is singular."""
+    found = dict(known or {})
+    if known is None:
+        every = zip(flow.system.unknowns, flow.velocities(t, q.tolist(), -1, ()), strict=True)
+        found = {name: value for name, value in every if value is not None}
+    driven = flow.part(t, q.tolist(), block)[2].tolist()
+    given = {name: value for (is_driven, _), name, value in zip(flow.rates, _rates(flow), driven, strict=True) if is_driven}
+    return State(t, q, found | given)

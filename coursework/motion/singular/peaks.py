@@ -1,0 +1,120 @@
+"""The largest rate of every coordinate of the true motion: seen at the steps of a walk, then sought between them.
+
+Enters: the steps of a walk along the flow.  Leaves: (rate, when) per coordinate.  Used by `search.py`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.motion.singular.scaled_flow import Clock
+from coursework.words.errors import CourseworkError
+
+Array = NDArray[np.float64]
+# A bracket shrinks to this part of itself a trial, and to 1e-4 in so many; the rate is then right to the square of that.
+_GOLDEN, _TRIALS = (5**0.5 - 1) / 2, 19
+# Between two steps of the walk a rate rises by less than a twentieth: only rates so near to the largest are sought.
+_NEAR = 0.95
+# So far into a step it is looked whether a rate rises.
+_GLANCE = 1e-3
+# A rate that changes by less than this part of itself is constant, and has no moment at which it is largest.
+_CONSTANT = 1e-9
+
+
+@dataclass(slots=True)
+class Piece:
+    """One step of a walk: the `state` (position, then t) it begins at, its `slope` there, the `clock`, the `length` in s."""
+
+    state: Array
+    slope: Array
+    clock: Clock
+    length: float
+
+    def rate(self, part: float, coordinate: int) -> tuple[float, float]:
+        """Return |dq/dt| of a coordinate a `part` of the length into the step, and the time there (s)."""
+        state = self.clock.step(self.state, self.slope, part * self.length)[0]
+        slope = self.clock.slope(state)
+        return abs(float(slope[coordinate] / slope[-1])), float(state[-1])
+
+
+@dataclass(slots=True)
+class Peaks:
+    """The largest and smallest rates seen, and the two steps beside each largest one."""
+
+    largest: list[float]
+    smallest: list[float]
+    when: list[float]
+    beside: list[tuple[Piece, ...]]
+    last: Piece | None = field(default=None)
+
+    @staticmethod
+    def of(count: int) -> Peaks:
+        """Return the record of a walk that has not begun, for so many coordinates."""
+        return Peaks([-1.0] * count, [math.inf] * count, [0.0] * count, [()] * count)
+
+    def see(self, piece: Piece) -> None:
+        """Take note of a step that was made; one that is made again, shorter, takes the place of its first try."""
+        if self.last is not None and self.last.state is piece.state:
+            self.last.length = piece.length
+            return
+        *moved, pace = piece.slope.tolist()
+        for coordinate, move in enumerate(moved):
+            rate = abs(move / pace) if pace else math.inf
+            self.smallest[coordinate] = min(rate, self.smallest[coordinate])
+            if rate > self.largest[coordinate]:
+                self.largest[coordinate], self.when[coordinate] = rate, float(piece.state[-1])
+                self.beside[coordinate] = (piece,) if self.last is None else (self.last, piece)
+        self.last = piece
+
+    def found(self, end: float, turning: Sequence[int]) -> tuple[tuple[float, float | None], ...]:
+        """Return per coordinate the largest |rate| up to `end` (s) and its time, None for a rate that is constant.
+
+        Of the `turning` coordinates those that may be the fastest are sought between the steps of the walk too.
+        """
+        most = max((self.largest[coordinate] for coordinate in turning), default=0.0)
+        listed: list[tuple[float, float | None]] = []
+        for coordinate, (rate, least) in enumerate(zip(self.largest, self.smallest, strict=True)):
+            if rate - least <= _CONSTANT * rate:
+                listed.append((rate, None))
+                continue
+            seen = [(rate, self.when[coordinate])]
+            if coordinate in turning and rate >= _NEAR * most:
+                seen += [_highest(piece, coordinate, end) for piece in self._rising(coordinate)]
+            listed.append(max(seen))
+        return tuple(listed)
+
+    def _rising(self, coordinate: int) -> list[Piece]:
+        """Return the step, of the two beside the largest rate seen, in which the rate is larger still."""
+        *before, after = self.beside[coordinate]
+        inside = after.rate(_GLANCE, coordinate)[0] > self.largest[coordinate]
+        return [after] if inside else before
+
+
+def _highest(piece: Piece, coordinate: int, end: float) -> tuple[float, float]:
+    """Return the largest rate inside a step and its time, by golden section; the further beyond `end`, the less it counts."""
+
+    def seen(part: float) -> tuple[float, float]:
+        try:
+            rate, time = piece.rate(part, coordinate)
+        except (ArithmeticError, ValueError, CourseworkError):
+            return -np.inf, end
+        return (rate, time) if time <= end else (end - time, end)
+
+    low, high = 0.0, 1.0
+    left, right = 1 - _GOLDEN, _GOLDEN
+    at_left, at_right = seen(left), seen(right)
+    for _ in range(_TRIALS):
+        if at_left > at_right:
+            high, right, at_right = right, left, at_left
+            left = high - _GOLDEN * (high - low)
+            at_left = seen(left)
+        else:
+            low, left, at_left = left, right, at_right
+            right = low + _GOLDEN * (high - low)
+            at_right = seen(right)
+    return max(at_left, at_right)

@@ -1,0 +1,84 @@
+"""With which phase of the drive the whole motion would be possible.
+
+Enters: a scene whose motion stops.  Leaves: a sentence, or nothing where the drive has no phase among the data.
+Only for the reader of a stop: some fifty searches with a coarser tolerance than the stop itself.
+Used by `scene.py`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+
+from coursework.equations.reduction.blocks import Reduction
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.motion.geometry.drive import breaks
+from coursework.motion.singular.scaled_flow import compile_flow
+from coursework.motion.singular.search import search_event
+from coursework.variant.formula.tree import Formula
+from coursework.variant.record.variant import Variant
+from coursework.words.sentences import joined, say
+
+# Coarser than this, a motion that passes close by a dead point would be taken for one that meets it.
+TOLERANCE = 1e-9
+_SAMPLES = 24
+_HALVINGS = 12
+
+
+def phase_sentence(equations: VelocityEquations, reduction: Reduction, start: list[float]) -> str:
+    """Return e.g. "The whole motion is possible for 1.5929 < alpha < 4.6903 (rad, modulo 2π)."."""
+    variant = equations.variant
+    name = _phase_of(variant)
+    if not name:
+        return ""
+
+    def possible(value: float) -> bool:
+        changed = replace(variant, given=tuple(replace(g, value=value) if g.name == name else g for g in variant.given))
+        flow = compile_flow(replace(equations, variant=changed), reduction, start)
+        return search_event(flow, start, variant.time.end, tolerance=TOLERANCE, breaks=breaks(variant)).event is None
+
+    intervals = _intervals(possible)
+    if not intervals:
+        return say("phase.none", name=name)
+    ranges = joined([say("phase.range", low=low, name=name, high=high) for low, high in intervals], "join.or")
+    now = next(g.value for g in variant.given if g.name == name)
+    return say("phase.possible", ranges=ranges, name=name, now=now)
+
+
+def _phase_of(variant: Variant) -> str:
+    """Return the given angle that is added to the time's part inside a sine or cosine of the drive, if there is one."""
+    angles = {g.name for g in variant.given if g.si in {"rad", ""}}
+    for law in variant.drive:
+        for formula in law.formulas:
+            for node in formula.walk():
+                if node.op == "call" and node.name in {"sin", "cos"} and "t" in node.names():
+                    for part in _terms(node.args[0]):
+                        if part.op == "name" and part.name in angles:
+                            return part.name
+    return ""
+
+
+def _terms(tree: Formula) -> list[Formula]:
+    return [leaf for arg in tree.args for leaf in _terms(arg)] if tree.op in {"+", "-"} else [tree]
+
+
+def _intervals(possible: Callable[[float], bool]) -> list[tuple[float, float]]:
+    turn = 2 * math.pi
+    values = [turn * (i + 0.5) / _SAMPLES for i in range(_SAMPLES)]
+    verdicts = [possible(value) for value in values]
+    if all(verdicts) or not any(verdicts):
+        return [(0.0, turn)] if all(verdicts) else []
+    edges = []
+    for i, verdict in enumerate(verdicts):
+        if verdict != verdicts[i - 1]:
+            bad, good = values[i - 1] - (turn if i == 0 else 0.0), values[i]
+            if not verdict:
+                bad, good = good, bad
+            for _ in range(_HALVINGS):
+                middle = (bad + good) / 2
+                bad, good = (bad, middle) if possible(middle) else (middle, good)
+            edges.append((good, verdict))
+    lows = [edge for edge, rising in edges if rising]
+    highs = [edge for edge, rising in edges if not rising]
+    return [(low, min((high if high > low else high + turn) for high in highs)) for low in lows]

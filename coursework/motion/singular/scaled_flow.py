@@ -1,0 +1,248 @@
+"""The determinant-scaled flow: the motion with the nearest determinant for its clock instead of time.
+
+Enters: the linear system and its blocks.  Leaves: `Flow`.  Used by `search.py`, `change_point.py`, the rows' determinants.
+
+Near a dead point the velocities grow without bound, so time is the wrong parameter.  With dt/ds = D (the determinant of one
+block, dimensionless) and dq/ds = D u = adj(A) b nothing is divided by D.  Source: numerics.md 3.1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.equations.codegen.names import private
+from coursework.equations.codegen.programs import Program, compile_function
+from coursework.equations.codegen.tabulated import OutsideTable
+from coursework.equations.reduction.blocks import Reduction
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.statements import clock_statements
+from coursework.equations.reduction.symbolic import constants
+from coursework.equations.reduction.system import LinearSystem, compile_system, scene_program
+from coursework.motion.integration.order_eight import SLOPES, dormand_prince_8
+
+Array = NDArray[np.float64]
+# Positions and times at which a determinant without a known largest value is looked at; any positive scale of its size does.
+_LOOKS = 16
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where one block stands in the values of the linear system.
+
+    `entries` of its matrix row by row (-1, the zero behind all values, where there is none); `rights` of its right side;
+    `earlier` per row the terms (entry, unknown) of velocities found before, empty without any; `unknowns` the columns it gives.
+    """
+
+    entries: tuple[int, ...]
+    rights: tuple[int, ...]
+    earlier: tuple[tuple[tuple[int, int], ...], ...]
+    unknowns: tuple[int, ...]
+
+
+@dataclass(slots=True)
+class Flow:
+    """The determinant-scaled flow of one scene.
+
+    `largest` scales the determinant of each block; `rates` says per coordinate whether its rate is driven, and its place
+    among the driven or the unknown ones; `compile_clock(block)` gives (pace, *q, t) -> the flow whose clock is the determinant
+    of a block times a pace; `evaluations` counts right-hand sides.
+    """
+
+    system: LinearSystem
+    places: tuple[Place, ...]
+    largest: tuple[float, ...]
+    rates: tuple[tuple[bool, int], ...]
+    compile_clock: Callable[[int], Callable[..., tuple[float, ...]]]
+    clocks: dict[int, Callable[..., tuple[float, ...]]] = field(default_factory=dict)
+    evaluations: int = field(default=0)
+
+    @property
+    def known(self) -> int:
+        """Return the place of the first driven rate among the values."""
+        return len(self.system.entries) + len(self.system.names)
+
+    def _values(self, t: float, q: Sequence[float]) -> tuple[float, ...]:
+        return (*self.system.scalar(t, *q), 0.0)
+
+    def scaled(self, t: float, q: Sequence[float]) -> list[float]:
+        """Return the dimensionless determinants of all blocks at one time (s) and position."""
+        values = self._values(t, q)
+        return [_determinant(values, place) / size for place, size in zip(self.places, self.largest, strict=True)]
+
+    def slopes(self, t: float, q: Sequence[float], block: int) -> tuple[float, ...]:
+        """Return dq/ds, with dt/ds last, for the clock of `block`.  Raises `ArithmeticError` where another one is singular."""
+        self.evaluations += 1
+        return self._field(block, 1)(*q, t)
+
+    def clock(self, block: int, sign: int) -> Clock:
+        """Return the flow by the clock of `block`, turned round with a `sign` of -1."""
+        return Clock(self, self._field(block, sign))
+
+    def _field(self, block: int, sign: int) -> Callable[..., tuple[float, ...]]:
+        if block not in self.clocks:
+            self.clocks[block] = self.compile_clock(block)
+        return partial(self.clocks[block], sign / self.largest[block])
+
+    def part(self, t: float, q: Sequence[float], block: int) -> tuple[Array, Array, Array]:
+        """Return A (k, k) and b (k,) of one block with earlier velocities moved over, and the velocities (m,) known so far."""
+        values = self._values(t, q)
+        u = [0.0] * len(self.system.unknowns)
+        for place in self.places[:block]:
+            for column, value in zip(place.unknowns, _solve(values, place, _rest(values, place, u)), strict=True):
+                u[column] = value
+        place = self.places[block]
+        size = len(place.unknowns)
+        matrix = np.array([values[entry] for entry in place.entries]).reshape(size, size)
+        known = values[self.known : -1]
+        velocities = np.array([known[index] if driven else u[index] for driven, index in self.rates])
+        return matrix, np.array(_rest(values, place, u)), velocities
+
+    def velocities(self, t: float, q: Sequence[float], block: int, chosen: Sequence[float]) -> list[float | None]:
+        """Return every unknown velocity where those of `block` are `chosen`; None from a later block that is singular."""
+        values = self._values(t, q)
+        u: list[float | None] = [0.0] * len(self.system.unknowns)
+        for index, place in enumerate(self.places):
+            involved = [u[column] for row in place.earlier for _, column in row]
+            found: Sequence[float | None] = chosen
+            if index != block:
+                try:
+                    known = [value or 0.0 for value in u]
+                    size = abs(_determinant(values, place)) / self.largest[index]
+                    solvable = None not in involved and size > 1e-6
+                    found = _solve(values, place, _rest(values, place, known)) if solvable else [None] * len(place.unknowns)
+                except ArithmeticError:
+                    found = [None] * len(place.unknowns)
+            for column, value in zip(place.unknowns, found, strict=True):
+                u[column] = value
+        return u
+
+    def demand(self, t: float, q: Sequence[float], block: int) -> float:
+        """Return how much the drive asks of a singular block that its links cannot give (in the units of the equations)."""
+        matrix, right, _ = self.part(t, q, block)
+        left = np.linalg.svd(matrix)[0][:, -1]
+        return float(abs(left @ right))
+
+
+@dataclass(frozen=True, slots=True)
+class Clock:
+    """The flow by one clock: `field`(*state) -> d(state)/ds, where a state is a position and then t."""
+
+    flow: Flow
+    field: Callable[..., tuple[float, ...]]
+
+    def slope(self, state: Array) -> Array:
+        """Return d(state)/ds.  Raises `ArithmeticError` where another block than that of the clock is singular."""
+        self.flow.evaluations += 1
+        return np.array(self.field(*state.tolist()))
+
+    def step(self, state: Array, slope: Array, length: float) -> tuple[Array, list[float]]:
+        """Return the state a `length` of the clock (s) further, from its known `slope`, and the error of that."""
+        self.flow.evaluations += SLOPES
+        return dormand_prince_8(self.field, state, slope, length)
+
+
+def compile_flow(equations: VelocityEquations, reduction: Reduction, start: Sequence[float] | None = None) -> Flow:
+    """Return the flow of a scene; `start` (that of the file if None) scales determinants whose largest value is unknown."""
+    used = [equation for equation in equations.equations if equation.name in reduction.used]
+    system = compile_system(equations, used)
+    names = list(system.names)
+    entry_at = {place: entry for entry, place in enumerate(system.entries)}
+    count = len(system.entries)
+    places = []
+    for block in reduction.blocks:
+        rows = [names.index(name) for name in block.equations]
+        columns = [system.unknowns.index(unknown) for unknown in block.unknowns]
+        entries = tuple(entry_at.get((row, column), -1) for row in rows for column in columns)
+        earlier = tuple(
+            tuple((entry, column) for (other, column), entry in entry_at.items() if other == row and column not in columns)
+            for row in rows
+        )
+        places.append(Place(entries, tuple(count + row for row in rows), earlier if any(earlier) else (), tuple(columns)))
+    rates = tuple(
+        (rate in system.known, (system.known if rate in system.known else system.unknowns).index(rate))
+        for rate in equations.variant.rates
+    )
+    begin = list(start) if start is not None else [c.guess or 0.0 for c in equations.variant.coordinates]
+    largest = tuple(
+        block.largest or _largest_seen(system, place, begin, equations.variant.time.end)
+        for block, place in zip(reduction.blocks, places, strict=True)
+    )
+    return Flow(system, tuple(places), largest, rates, lambda block: _compile_clock(equations, reduction, block))
+
+
+def _compile_clock(equations: VelocityEquations, reduction: Reduction, clock: int) -> Callable[..., tuple[float, ...]]:
+    """Return (pace, *q, t) -> pace D dq/dt and pace D, where D is the determinant of block `clock`; nothing is divided by it."""
+    variant = equations.variant
+    results = [f"_out{place}" for place in range(len(variant.rates) + 1)]
+
+    def written() -> Program:
+        return scene_program(equations, clock_statements(reduction.blocks, clock, variant.rates, results))
+
+    names = tuple((block.equations, block.unknowns) for block in reduction.blocks)
+    body = equations.once(("clock", clock, names), written).bind(constants(variant))
+    arguments = ["_pace", *(private(name) for name in (*(c.name for c in variant.coordinates), "t"))]
+    return compile_function("clock", arguments, body, [f"_pace * {result}" for result in results])
+
+
+def _largest_seen(system: LinearSystem, place: Place, begin: Sequence[float], end: float) -> float:
+    """Return the largest |determinant| at the start and at some positions and times around it, 1 where none is found."""
+    found = 0.0
+    for look in range(_LOOKS):
+        # Any fixed irrational shifts do; the first look is the start itself.
+        q = [value + 0.5 * look * (0.618 * (i + 1) % 1.0) / _LOOKS for i, value in enumerate(begin)]
+        try:
+            found = max(found, abs(_determinant((*system.scalar(look / _LOOKS * end, *q), 0.0), place)))
+        except (ArithmeticError, ValueError, OutsideTable):
+            continue
+    return found if 0.0 < found < float("inf") else 1.0
+
+
+def _rest(values: Sequence[float], place: Place, u: Sequence[float]) -> list[float]:
+    if not place.earlier:
+        return [values[right] for right in place.rights]
+    return [
+        values[right] - sum([values[entry] * u[column] for entry, column in earlier])
+        for right, earlier in zip(place.rights, place.earlier, strict=True)
+    ]
+
+
+def _determinant(values: Sequence[float], place: Place) -> float:
+    if len(place.unknowns) > 3:
+        return float(np.linalg.det(_matrix(values, place)))
+    return _cramer(values, place, (0.0,) * len(place.unknowns))[1]
+
+
+def _matrix(values: Sequence[float], place: Place) -> Array:
+    size = len(place.unknowns)
+    return np.array([values[entry] for entry in place.entries]).reshape(size, size)
+
+
+def _solve(values: Sequence[float], place: Place, rest: Sequence[float]) -> Sequence[float]:
+    above, below = _cramer(values, place, rest)
+    return [value / below for value in above]
+
+
+def _cramer(values: Sequence[float], place: Place, rest: Sequence[float]) -> tuple[Sequence[float], float]:
+    """Return adj(A) rest and det A; for four unknowns and more A^-1 rest and 1."""
+    entries = [values[entry] for entry in place.entries]
+    if len(rest) == 1:
+        return rest, entries[0]
+    if len(rest) == 2:
+        a, b, c, d = entries
+        x, y = rest
+        return (d * x - b * y, a * y - c * x), a * d - b * c
+    if len(rest) == 3:
+        a, b, c, d, e, f, g, h, i = entries
+        x, y, z = rest
+        first, second, third = e * i - f * h, f * g - d * i, d * h - e * g
+        return (
+            first * x + (c * h - b * i) * y + (b * f - c * e) * z,
+            second * x + (a * i - c * g) * y + (c * d - a * f) * z,
+            third * x + (b * g - a * h) * y + (a * e - b * d) * z,
+        ), a * first + b * second + c * third
+    return np.linalg.solve(_matrix(values, place), np.array(rest)).tolist(), 1.0

@@ -1,0 +1,56 @@
+"""Whether the whole motion is possible, and where it ends if not.
+
+Enters: the determinant-scaled flow, the start.  Leaves: `Search`, located without regard to any scheme or step.
+Used by the scene, `phases.py` and whoever asks only whether a motion is possible.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from coursework.motion.integration.passage import Passage
+from coursework.motion.singular.event import Event
+from coursework.motion.singular.peaks import Peaks
+from coursework.motion.singular.scaled_flow import Flow
+from coursework.motion.singular.walk import Walk
+
+# The event time is wanted to 1e-8 s; the local tolerance leaves three digits for the sum of all steps.
+TOLERANCE = 1e-12
+
+
+@dataclass(frozen=True, slots=True)
+class Search:
+    """The true motion followed up to `end` (s): the first `event`, if any, the `peaks` of the rates, and the
+    `passages` on the way: singular positions through which one motion only goes on.
+    """
+
+    event: Event | None
+    peaks: Peaks | None = None
+    end: float = 0.0
+    passages: tuple[Passage, ...] = ()
+
+    def fastest(self, turning: Sequence[int]) -> tuple[tuple[float, float | None], ...]:
+        """Return per coordinate the largest |rate| with its time (s), None for a constant one; nothing for one that stops.
+
+        `turning` are the coordinates among which the fastest is wanted exactly.
+        """
+        return self.peaks.found(self.end, turning) if self.peaks is not None and self.event is None else ()
+
+
+def search_event(
+    flow: Flow, start: Sequence[float], end: float, *, tolerance: float = TOLERANCE, breaks: Sequence[float] = ()
+) -> Search:
+    """Follow the true motion from `start` at t = 0 until `end` (s), or to its first dead or change point.
+
+    `breaks` are the times at which the drive changes its formula.  Raises `InputError` where the motion cannot be followed.
+    """
+    if not len(flow.largest):
+        return Search(None)  # every velocity is given, so nothing can become singular
+    walk = Walk(flow, np.array([*start, 0.0], dtype=float), end, tolerance)
+    event = None
+    for goal in [*(b for b in breaks if 0 < b < end), end]:
+        event = event or walk.at_start() or walk.until(goal)
+    return Search(event, walk.peaks, end, tuple(walk.passages))

@@ -1,0 +1,270 @@
+"""A walk along the true motion to its first dead or change point.
+
+Enters: the determinant-scaled flow, a state.  Leaves: `Event`, passages on the way, the peaks of the rates.
+Used by `search.py`.
+
+The flow is smooth through a fold, and a dead point is the maximum of t(s): a determinant changes its sign.  Two changes
+inside one step leave no trace at its ends, so a step in whose middle a determinant is smallest is looked into.  A change
+point is where the flow comes to rest; it is searched for as soon as the flow comes near (`change_point.py`), and where one
+motion only goes on the walk goes on with it (`passing.py`).
+Source: numerics.md 3.1.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.equations.codegen.tabulated import OutsideTable
+from coursework.motion.integration.adaptive import next_length
+from coursework.motion.integration.passage import Passage
+from coursework.motion.singular.change_point import nearest_change_point
+from coursework.motion.singular.event import Event, NotFollowed
+from coursework.motion.singular.passing import passage_at
+from coursework.motion.singular.peaks import Peaks, Piece
+from coursework.motion.singular.scaled_flow import Clock, Flow
+from coursework.words.sentences import say
+
+Array = NDArray[np.float64]
+# A start whose determinant is this small leaves fewer than six digits of any velocity.
+SINGULAR = 1e-10
+# Followed to a local tolerance e, a motion passes a change point about sqrt(100 e) off: it is searched from 100 sqrt(e) on,
+# and no further than FAR (rad or m) away.
+NEAR, FAR = 100.0, 1e-2
+# The part of a length by which a motion may miss a change point and still be at it: nobody cuts a link to 1e-9.
+MISSED = 1e-9
+# The flow has stalled in a dead point that time alone approaches (the determinant depends on t only).
+STALLED = 1e-10
+# Determinants below the first are looked at for a smallest value inside a step; one below the second is zero.
+DIP, TOUCH = 0.1, 1e-12
+# Part of the run before a break of the drive at which its old formula is left; part of it that counts as the end.
+BEFORE_BREAK, AT_END = 1e-12, 1e-9
+# Determinants that are this small at an event vanish there together.
+TOGETHER = 1e-6
+# A part of the first determinant, or of the run: positions are right to it, the time of a fold to its square.
+ROOT = 1e-13
+MAX_STEPS = 20_000
+_HALVINGS = 30
+
+
+class Walk:
+    """A walk along the flow: `state` (position, then t), `scaled` determinants there, `length` of the next step in s."""
+
+    def __init__(self, flow: Flow, state: Array, end: float, tolerance: float) -> None:
+        self.flow, self.state, self.end, self.tolerance = flow, state, end, tolerance
+        self.scaled = self._determinants(state)
+        self.slope = state
+        self.length = 0.0
+        self.near = NEAR * tolerance**0.5
+        self.tried = np.inf  # the determinant at which a change point was searched last
+        self.peaks = Peaks.of(len(state) - 1)
+        self.way, self.since = [state], 0.0  # the states that may be begun from again; the last break of the drive
+        self.passages: list[Passage] = []
+
+    def at_start(self) -> Event | None:
+        """Return the event of a start, of the run or behind a break of the drive, that is singular itself."""
+        singular = [block for block, size in enumerate(self.scaled) if abs(size) < SINGULAR]
+        return self._event(self.state, singular[0]) if singular else None
+
+    def until(self, goal: float) -> Event | None:
+        """Walk to time `goal`, a break of the drive or the end; return the first event on the way, if any."""
+        with np.errstate(all="ignore"):  # what is no number is a step too long
+            event = self._until(goal)
+        self.since = goal
+        return event
+
+    def _until(self, goal: float) -> Event | None:
+        latest = goal * (1 + AT_END) if goal == self.end else goal
+        for _ in range(MAX_STEPS):
+            sizes = [abs(size) for size in self.scaled]
+            block = sizes.index(min(sizes))
+            self.length = self.length or self.end / 200 / sizes[block]
+            clock = self._clock(block)
+            taken = self._step(clock)
+            if taken is None:
+                return None
+            state, reach, following = taken
+            after = self._determinants(state)
+            crossed = [k for k, (now, then) in enumerate(zip(after, self.scaled, strict=True)) if now * then <= 0]
+            if crossed and not self._at_once(crossed, block, after):
+                self.length = reach / 4
+                continue
+            event, part = self._inside(clock, reach, state, after, block, bool(crossed))
+            if event is not None and event.time < latest:
+                if self._pass(event, goal):
+                    continue
+                return event
+            if part or state[-1] >= goal:
+                self._arrive(clock, part or reach, goal)
+                return None
+            nearer = abs(after[block]) < min(abs(self.scaled[block]), self.near)
+            self.state, self.scaled, self.length = state, after, following
+            self.way.append(self.state)
+            if nearer and (event := self._at_rest(block)) is not None and not (event.time < latest and self._pass(event, goal)):
+                return event if event.time < latest else None
+        raise NotFollowed(say("fault.V511", time=float(self.state[-1])), float(self.state[-1]))
+
+    def _pass(self, event: Event, goal: float) -> bool:
+        """Go on behind a change point where one motion only does; return whether there is one."""
+        # A law may change its formula at a break; behind the end of the run it usually goes on.
+        passage = passage_at(self.flow, event, self.way, self.end, (self.since, goal if goal < self.end else np.inf))
+        if passage is None:
+            return False
+        self.passages.append(passage)
+        self._begin(np.append(passage.flanks[2].position, passage.flanks[2].time))
+        self.tried = np.inf
+        return True
+
+    def _begin(self, state: Array) -> None:
+        self.state, self.scaled, self.length, self.way = state, self._determinants(state), 0.0, [state]
+
+    def _determinants(self, state: Array) -> list[float]:
+        *q, t = state.tolist()
+        return self.flow.scaled(t, q)
+
+    def _clock(self, block: int) -> Clock:
+        return self.flow.clock(block, 1 if self.scaled[block] > 0 else -1)
+
+    def _step(self, clock: Clock) -> tuple[Array, float, float] | None:
+        """Return the next state that is accurate enough, its distance and the next length; None where the law of a table ends."""
+        t = float(self.state[-1])
+        slope = self.slope = clock.slope(self.state)
+        allowed = [self.tolerance * (1.0 + abs(value)) for value in self.state.tolist()]
+        allowed[-1] = self.tolerance * self.end
+        while True:
+            try:
+                after, error = clock.step(self.state, slope, self.length)
+            except (OutsideTable, ArithmeticError, ValueError) as fault:
+                # A law need not exist beyond the end of the run: come closer to the end in shorter steps.
+                self.length /= 4
+                if self.length * slope[-1] > AT_END * self.end:
+                    continue
+                if self.end - t < 100 * AT_END * self.end:
+                    return None
+                why = fault.faults[0].message if isinstance(fault, OutsideTable) else say("event.no_value")
+                ahead = [(self.state + slope * self.length * 4.0**further).tolist() for further in range(1, 12)]
+                raise NotFollowed(say("fault.V512", time=t, reason=why), t, ahead) from fault
+            shares = [abs(off) / most for off, most in zip(error, allowed, strict=True)]
+            ratio = math.inf if math.isnan(sum(shares)) else max(shares)
+            if ratio <= 1.0:
+                self.peaks.see(Piece(self.state, slope, clock, self.length))
+                return after, self.length, next_length(self.length, ratio, 8)
+            self.length = next_length(self.length, min(ratio, 1e10), 8)
+
+    def _reached(self, clock: Clock, part: float) -> Array:
+        return clock.step(self.state, self.slope, part)[0]
+
+    def _at_once(self, crossed: list[int], block: int, after: Sequence[float]) -> bool:
+        """Return whether only the clock's determinant changes its sign, or several so close together that they do it at once."""
+        return crossed == [block] or (block in crossed and max(abs(after[k]) + abs(self.scaled[k]) for k in crossed) < 1e-9)
+
+    def _inside(
+        self, clock: Clock, reach: float, ahead: Array, after: Sequence[float], block: int, crossed: bool
+    ) -> tuple[Event | None, float]:  # fmt: skip
+        """Return the event inside a step and its part of the step, (None, 0) where there is none.
+
+        `ahead` is the state at its end, `after` the determinants there.
+        """
+        if not crossed and min(abs(after[block]), abs(self.scaled[block])) > DIP:
+            return None, 0.0
+
+        def value(state: Array) -> float:
+            return self._determinants(state)[block] / self.scaled[block]
+
+        lowest = reach if crossed else self._lowest(clock, reach, ahead, block)
+        if not lowest:
+            return None, 0.0
+        bottom = self._reached(clock, lowest)
+        smallest = value(bottom) * abs(self.scaled[block])
+        if smallest <= TOUCH:
+            state, part = self._root(clock, lowest, value)
+            return self._event(state, block), part
+        return (self._change_point(bottom, block) if smallest < self.near else None), 0.0
+
+    def _lowest(self, clock: Clock, reach: float, ahead: Array, block: int) -> float:
+        """Return the part of a step at which a determinant is smallest in the middle, 0 where it is smallest at an end."""
+
+        def falls(state: Array) -> bool:
+            nudged = self._determinants(state + 1e-4 * reach * clock.slope(state))[block]
+            return bool((nudged - self._determinants(state)[block]) * self.scaled[block] < 0)
+
+        if not falls(self.state) or falls(ahead):
+            return 0.0
+        low, high = 0.0, reach
+        for _ in range(_HALVINGS):
+            middle = (low + high) / 2
+            low, high = (middle, high) if falls(self._reached(clock, middle)) else (low, middle)
+        return (low + high) / 2
+
+    def _root(self, clock: Clock, reach: float, value: Callable[[Array], float]) -> tuple[Array, float]:
+        """Return the state inside a step at which `value`, positive at its begin, is zero, and its part (Illinois)."""
+        low, high, middle, kept = 0.0, reach, reach, ""
+        state = self._reached(clock, high)
+        at_low, at_high = value(self.state), value(state)
+        for _ in range(80 if at_high < 0 else 0):
+            middle = (low * at_high - high * at_low) / (at_high - at_low)
+            state = self._reached(clock, middle)
+            found = value(state)
+            if abs(found) < ROOT or high - low < ROOT * reach:
+                break
+            if found > 0:
+                low, at_low, at_high, kept = middle, found, at_high / (2 if kept == "high" else 1), "high"
+            else:
+                high, at_high, at_low, kept = middle, found, at_low / (2 if kept == "low" else 1), "low"
+        return state, middle
+
+    def _arrive(self, clock: Clock, reach: float, goal: float) -> None:
+        """Go to a break of the drive at time `goal`: with the flow to just before it, then straight on."""
+        if goal == self.end:
+            return
+        wanted = goal - BEFORE_BREAK * self.end
+        state, _ = self._root(clock, reach, lambda y: (wanted - float(y[-1])) / self.end)
+        slope = clock.slope(state)
+        self._begin(np.append(state[:-1] + (goal - state[-1]) / slope[-1] * slope[:-1], goal))
+
+    def _at_rest(self, block: int) -> Event | None:
+        """Return the change point, or the dead point that only time approaches, at which the flow comes to rest."""
+        size = abs(self.scaled[block])
+        if size < STALLED:
+            return self._event(self._ahead(block), block)
+        if size > self.tried / 2:
+            return None
+        self.tried = size
+        return self._change_point(self.state, block)
+
+    def _ahead(self, block: int) -> Array:
+        """Return the state at which a determinant that time alone moves is zero: a simple zero, or a touch."""
+        *q, t = self.state.tolist()
+        now, nudge = self.scaled[block], 1e-6 * self.end
+        rate = (self.flow.scaled(t + nudge, q)[block] - self.flow.scaled(t - nudge, q)[block]) / (2 * nudge)
+        times = [t - order * now / rate for order in (1, 2)] if rate else [t]
+        return np.array([*q, min(times, key=lambda at: abs(self.flow.scaled(at, q)[block]))])
+
+    def _change_point(self, state: Array, block: int) -> Event | None:
+        """Return the change point that the motion meets near a state, if there is one."""
+        *q, t = state.tolist()
+        sizes = [abs(size) for size in self._determinants(state)]
+        block = next(k for k, size in enumerate(sizes) if size <= 10 * sizes[block])
+        slope = np.array(self.flow.slopes(t, q, block))
+        rates = slope[:-1] / slope[-1] if abs(slope[-1]) > 1e-9 else self.flow.part(t, q, block)[2]
+        found = nearest_change_point(self.flow, t, state[:-1], block, rates)
+        if found is None or found.distance > max(FAR, self.near) or found.miss > max(MISSED, 1e3 * self.tolerance):
+            return None
+        return self._named("change point", found.time, found.position, block)
+
+    def _event(self, state: Array, block: int) -> Event:
+        """Return the event at a state with a determinant of zero: a change point where one is there, else a dead point."""
+        try:
+            event = self._change_point(state, block)
+        except ArithmeticError:
+            event = None
+        return event or self._named("dead point", float(state[-1]), state[:-1], block)
+
+    def _named(self, kind: str, time: float, position: Array, block: int) -> Event:
+        sizes = self.flow.scaled(time, position.tolist())
+        together = tuple(k for k, size in enumerate(sizes) if abs(size) < TOGETHER or k == block)
+        demanded = self.flow.demand(time, position.tolist(), together[0])
+        return Event(kind, together[0], time, position, demanded, together)

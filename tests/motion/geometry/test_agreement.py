@@ -1,0 +1,77 @@
+"""What the geometry confirms is found once for a template, and never from data that make a wrong equation look right."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+import coursework
+from coursework.equations.reduction.structure import forget_structures
+from coursework.motion.geometry import agreement
+
+PAGE = (Path(__file__).parents[2] / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
+RIGHT = "VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3)"
+
+
+def confirmed(text):
+    closure = coursework.solve(coursework.parse_variant(text, "v.toml"), quantities=["table"]).scene.closure
+    return closure.agreed
+
+
+def with_datum(value, left, text=PAGE):
+    """Return the file with one datum more, r9, and another left side of equation 11."""
+    return text.replace("[given]", f'[given]\nr9 = "{value} m"', 1).replace(RIGHT, left)
+
+
+@pytest.fixture
+def looked_at(monkeypatch):
+    """Return a list of the data that the positions were looked at with."""
+    forget_structures()
+    seen = []
+    confirm = agreement._confirmed
+
+    def counted(equations, *found):
+        seen.append(equations.variant.values)
+        return confirm(equations, *found)
+
+    monkeypatch.setattr(agreement, "_confirmed", counted)
+    return seen
+
+
+def test_variants_that_differ_in_their_data_are_looked_at_once(looked_at):
+    for length in (0.953, 0.96, 0.94):
+        assert confirmed(PAGE.replace("0.953 m", f"{length} m")) == ("11", "12", "16", "18")
+    (data,) = looked_at
+    assert all(data[name] != value for name, value in coursework.parse_variant(PAGE).values.items())
+
+
+def length_of(name):
+    return re.search(rf'^{name} *= *"([\d.]+) m"', PAGE, re.MULTILINE)[1]
+
+
+def test_an_equation_that_is_right_for_one_set_of_data_only(looked_at):
+    """A length in the place of another one of the same size: right by chance, and wrong for the next student."""
+    wrong = RIGHT.replace("r3*w3*sin", "r9*w3*sin")
+    same = length_of("r3")
+    assert confirmed(with_datum(same, wrong)) == ("11", "12", "16", "18")
+    for other in ("0.5", "0.0"):
+        with pytest.raises(coursework.InputError, match=r"V302 v\.toml:\d+  equation 11 contradicts"):
+            confirmed(with_datum(other, wrong))
+    assert confirmed(with_datum(same, wrong)) == ("11", "12", "16", "18")
+
+
+def test_a_factor_that_is_zero_hides_a_term_in_its_own_files_only(looked_at):
+    wrong = f"{RIGHT} + r9*w3*sin(phi1)"
+    assert confirmed(with_datum("0", wrong)) == ("11", "12", "16", "18")
+    with pytest.raises(coursework.InputError, match="V302"):
+        confirmed(with_datum("0.2", wrong))
+
+
+def test_roots_are_looked_at_for_each_set_of_data(looked_at):
+    """sqrt((r3 - r9)^2) is r3 - r9 as long as that is positive."""
+    root = f"{RIGHT} + (sqrt((r3 - r9)^2) - (r3 - r9))*w3*sin(phi1)"
+    short, long = float(length_of("r3")) / 2, 2 * float(length_of("r3"))
+    assert confirmed(with_datum(short, root)) == ("11", "12", "16", "18")
+    with pytest.raises(coursework.InputError, match="V302"):
+        confirmed(with_datum(long, root))
+    assert [data["r9"] for data in looked_at] == [short, long]

@@ -1,0 +1,87 @@
+"""One Newton over all rows finds the rows that following step by step finds, and leaves a row in doubt to it."""
+
+import numpy as np
+import pytest
+
+import coursework
+from coursework.motion.integration.following import NotReached, _Follower, follow_closure
+from coursework.variant.catalogue import entries
+from coursework.variant.reading.reader import parse_variant
+from tests.hard.scenes import V31_IMPOSSIBLE
+
+CLOSED = [
+    entry.name for entry in entries() if (closure := coursework.solve(entry.name).scene.closure) is not None and closure.complete
+]
+
+
+@pytest.fixture
+def singles(monkeypatch):
+    """Return the list of the intervals that were followed by themselves."""
+    found, single = [], _Follower.single
+
+    def noted(self, begin, end, *rest):
+        found.append((begin, end))
+        return single(self, begin, end, *rest)
+
+    monkeypatch.setattr(_Follower, "single", noted)
+    return found
+
+
+def step_by_step(closure, rates, times, monkeypatch):
+    """Return the rows when every one of them is in doubt."""
+    with monkeypatch.context() as changed:
+        changed.setattr(_Follower, "certain", lambda _self, _times, guess, _targets: guess[:0])
+        return follow_closure(closure, rates, times)
+
+
+@pytest.mark.parametrize("name", CLOSED)
+@pytest.mark.parametrize("stride", [1, 3])
+def test_the_rows_are_those_found_step_by_step(name, stride, monkeypatch):
+    scene = coursework.solve(name).scene
+    time = scene.variant.time
+    times = np.arange(int(time.end / time.step / stride) + 1) * (time.step * stride)
+    found = follow_closure(scene.closure, scene.rates, times)
+    assert np.max(np.abs(found - step_by_step(scene.closure, scene.rates, times, monkeypatch))) < 1e-12
+
+
+def test_no_row_of_many_is_followed_by_itself(singles):
+    scene = coursework.solve("31").scene
+    follow_closure(scene.closure, scene.rates, np.arange(5001) * 0.48 / 5000)
+    assert singles == []
+
+
+def test_a_guess_that_is_far_off_is_followed_in_parts(singles):
+    """Half a turn of the drive a row: what one step of the scheme guesses is another position."""
+    scene = coursework.solve("31").scene
+    coarse, fine = np.arange(5) * 0.2, np.arange(401) * 0.002
+    found = follow_closure(scene.closure, scene.rates, coarse)
+    assert len(singles) > 0
+    assert np.max(np.abs(found - follow_closure(scene.closure, scene.rates, fine)[::100])) < 1e-12
+
+
+@pytest.mark.parametrize("step", [0.02, 0.01, 0.001])
+def test_it_ends_in_the_row_before_a_dead_point(step):
+    """t* = 0.116889254610302 s (reference): the row before it is reached, the row behind it is not."""
+    scene = coursework.solve(parse_variant(V31_IMPOSSIBLE)).scene
+    with pytest.raises(NotReached) as stopped:
+        follow_closure(scene.closure, scene.rates, np.arange(int(0.2 / step)) * step)
+    assert stopped.value.row == int(0.116889254610302 / step) + 1
+
+
+def test_rows_of_the_wrong_assembly_are_in_doubt(singles, monkeypatch):
+    """A Newton that lands in the other assembly is noticed by the sign of the determinant."""
+    scene = coursework.solve("31").scene
+    closure, times = scene.closure, np.arange(25) * 0.02
+    right = follow_closure(closure, scene.rates, times)
+    newton_rows = type(closure).newton_rows
+
+    def elsewhere(self, at, guess, targets):
+        found, is_closed = newton_rows(self, at, guess, targets)
+        # The mirror image of the dyad: its links change places about the line between their outer ends.
+        found[7:, 0], found[7:, 1] = found[7:, 1] + np.pi, found[7:, 0] - np.pi
+        return found, is_closed
+
+    monkeypatch.setattr(type(closure), "newton_rows", elsewhere)
+    found = follow_closure(closure, scene.rates, times)
+    assert len(singles) > 0
+    assert np.max(np.abs(found - right)) < 1e-12

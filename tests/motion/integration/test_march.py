@@ -1,0 +1,79 @@
+"""The generated rows of a table are those of steps made one by one, to the last bit, and end for the same reason."""
+
+import numpy as np
+import pytest
+
+import coursework
+from coursework.motion.integration.integrate import Correction, march
+from coursework.motion.integration.loops import generate_rows
+from coursework.motion.schemes import SCHEMES
+from coursework.variant.reading.reader import parse_variant
+from tests.hard.scenes import V31_IMPOSSIBLE
+
+
+def both(run, scheme, step, end, start=None, guarded=()):
+    """Return the motion by generated rows and the one by single steps (a correction that corrects nothing)."""
+    rates, start = run.scene.rates, start or run.scene.start
+    return [march(rates, scheme, start, step, end, correction, None, guarded) for correction in (None, Correction())]
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+@pytest.mark.parametrize("name", ["31", "v105", "example-1", "example-3", "jansen", "variable-crank-table"])
+def test_every_row_is_the_same_to_the_last_bit(name, scheme):
+    run = coursework.solve(name, quantities=["table"])
+    rows, steps = both(run, scheme, run.step, run.end)
+    for field in ("t", "coordinates", "velocities", "determinants"):
+        assert np.array_equal(getattr(rows, field), getattr(steps, field))
+    assert (rows.evaluations, rows.stop) == (steps.evaluations, steps.stop)
+    assert rows.stop is None
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_a_step_up_to_a_break_of_the_drive_does_not_look_beyond_it(scheme):
+    text = (coursework.load("31").path).read_text(encoding="utf-8")
+    old = 'VMy = "V1*sin(p*t + alpha)"'
+    assert old in text
+    run = coursework.solve(
+        parse_variant(text.replace(old, 'VMy = { pieces = [["0 s", "V1*sin(p*t + alpha)"], ["0.1 s", "0.2*V1"]] }')),
+        quantities=["table"],
+    )
+    rows, steps = both(run, scheme, 0.02, 0.2)
+    assert run.scene.rates.breaks == (0.1,)
+    assert np.array_equal(rows.coordinates, steps.coordinates)
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+@pytest.mark.parametrize("step", [0.02, 0.01, 0.005, 0.0013])
+def test_both_end_in_the_same_row_for_the_same_reason(scheme, step):
+    """An impossible motion marched without knowing where it ends: a determinant changes its sign, or a link turns too far."""
+    run = coursework.solve(parse_variant(V31_IMPOSSIBLE), quantities=["table"])
+    rows, steps = both(run, scheme, step, 0.48, guarded=[0, 1, 2])
+    assert rows.stop == steps.stop
+    assert rows.stop is not None
+    assert np.array_equal(rows.coordinates, steps.coordinates)
+    assert len(rows.t) < 0.48 / step
+
+
+@pytest.mark.parametrize(("guarded", "said"), [([0, 1, 2], "would turn phi3 by"), ([], None)])
+def test_both_refuse_a_step_that_turns_a_link_too_far(guarded, said):
+    rows, steps = both(coursework.solve("31", quantities=["table"]), "euler", 0.6, 0.6, guarded=guarded)
+    assert rows.stop == steps.stop
+    assert np.array_equal(rows.coordinates, steps.coordinates)
+    assert said is None or said in rows.stop.cause
+
+
+def test_a_determinant_that_is_a_number_is_not_watched():
+    """Variant 31: the block of w4 is the radius, the two others change."""
+    rates = coursework.solve("31", quantities=["table"]).scene.rates
+    source = generate_rows(SCHEMES["euler"], rates, (), 1.0).__doc__
+    assert len(rates.blocks) == 3
+    assert source.count("_old") == 2 * 4  # set, multiplied, compared with nothing before, kept
+
+
+def test_a_start_at_a_dead_point_leaves_no_row():
+    run = coursework.solve("31", quantities=["table"])
+    start = [1.0, 1.0, 2.87]
+    rows, steps = both(run, "euler", 0.02, 0.48, start)
+    assert len(rows.t) == len(steps.t) == 0
+    assert rows.stop == steps.stop
+    assert rows.stop.kind == "not finite"
