@@ -17,7 +17,7 @@ from coursework.quantities import Columns, Listing, OwnFigure, OwnTable, Quantit
 
 if TYPE_CHECKING:
     from coursework.drawing.record import Drawing
-    from coursework.kinematics.extra import ExtraTable
+    from coursework.results.kinematics.extra import ExtraTable
 
 Names = tuple[str, ...]
 

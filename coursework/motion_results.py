@@ -18,8 +18,8 @@ from coursework.system.on_demand import Ledger, computed
 from coursework.variant.record.vocabulary import scheme_names
 
 if TYPE_CHECKING:
-    from coursework.checks.evidence import Evidence
-    from coursework.checks.result import Finding
+    from coursework.results.checks.evidence import Evidence
+    from coursework.results.checks.result import Finding
     from coursework.scene import Scene
 
 Array = NDArray[np.float64]
@@ -44,21 +44,21 @@ class MotionResults:
     @computed("motion", "equations", "reduction", "search")
     def accelerations(self) -> Array:
         """The accelerations (n, k) of every row, from the differentiated equations (rad/s², m/s²)."""
-        from coursework.kinematics.accelerations import accelerations as compute
+        from coursework.results.kinematics.accelerations import accelerations as compute
 
         return compute(self.scene.equations, self.scene.reduction, self.motion, self.scene.search.passages)
 
     @computed("motion", "equations")
     def points(self) -> Named:
         """Positions and velocities of the named points (m, m/s)."""
-        from coursework.kinematics.points import point_rows
+        from coursework.results.kinematics.points import point_rows
 
         return point_rows(self.scene.equations, self.motion)
 
     @computed("motion", "equations", "accelerations")
     def point_accelerations(self) -> Named:
         """Positions, velocities and accelerations of the named points (m, m/s, m/s²)."""
-        from coursework.kinematics.points import point_rows
+        from coursework.results.kinematics.points import point_rows
 
         return point_rows(self.scene.equations, self.motion, self.accelerations)
 
@@ -86,9 +86,9 @@ class MotionResults:
     )
     def evidence(self) -> Evidence:
         """What the checks may look at: the rows beside the exact ones, and ways to make them again."""
-        from coursework.checks.evidence import Evidence
         from coursework.motion.geometry.swings import drive_frequency
         from coursework.motion.integration.replay import Replay
+        from coursework.results.checks.evidence import Evidence
 
         scene, motion = self.scene, self.motion
         replay, rerun = None, None
@@ -107,14 +107,14 @@ class MotionResults:
     @computed("evidence")
     def checks(self) -> tuple[Finding, ...]:
         """The checks of the page."""
-        from coursework.checks.check import check_motion
+        from coursework.results.checks.check import check_motion
 
         return check_motion(self.evidence)
 
     @computed("evidence", "motion")
     def mismatch(self) -> Mismatch:
         """Last row minus first row of every coordinate: scheme error + period mismatch + round-off."""
-        from coursework.checks.period import mismatch
+        from coursework.results.checks.close_to_motion.period import mismatch
 
         splits = mismatch(self.evidence) or ()
         names = self.motion.coordinate_names

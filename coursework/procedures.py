@@ -34,7 +34,8 @@ True
 from __future__ import annotations
 
 from coursework.equations.five_point import best_spacing, derivative, noise, rounding_error, second_derivative, truncation
-from coursework.kinematics.analogs import (
+from coursework.mechanism.groups import AtDeadPoint, CannotAssemble, GroupMotion, Guide, Pair, crank, prp, rpp, rpr, rrp, rrr
+from coursework.results.kinematics.analogs import (
     acceleration_analog,
     in_analogs,
     in_seconds,
@@ -42,7 +43,7 @@ from coursework.kinematics.analogs import (
     true_velocity,
     velocity_analog,
 )
-from coursework.kinematics.invariants import (
+from coursework.results.kinematics.invariants import (
     Invariants,
     Stroke,
     crank_stroke,
@@ -51,7 +52,7 @@ from coursework.kinematics.invariants import (
     to_analogs,
     to_true,
 )
-from coursework.kinematics.variable_crank import (
+from coursework.results.kinematics.variable_crank import (
     CrankLaw,
     SliderAnalogs,
     constant_speed_crank,
@@ -64,7 +65,6 @@ from coursework.kinematics.variable_crank import (
     slider_crank,
     slider_velocity,
 )
-from coursework.mechanism.groups import AtDeadPoint, CannotAssemble, GroupMotion, Guide, Pair, crank, prp, rpp, rpr, rrp, rrr
 
 __all__ = [
     "AtDeadPoint", "CannotAssemble", "CrankLaw", "GroupMotion", "Guide", "Invariants", "Pair", "SliderAnalogs", "Stroke",

@@ -24,11 +24,11 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 if TYPE_CHECKING:
-    from coursework.accuracy.record import AccuracyStudy
     from coursework.drawing.record import Drawing
-    from coursework.kinematics.extra import ExtraTable
     from coursework.plans.graph_check import GraphCheck
     from coursework.plans.plans import Plans
+    from coursework.results.accuracy.record import AccuracyStudy
+    from coursework.results.kinematics.extra import ExtraTable
 
 T = TypeVar("T")
 
@@ -127,7 +127,7 @@ def plots(results: MotionResults) -> tuple[Motion, Motion]:
 @computed("exact", "exact_accelerations")
 def analogs(results: MotionResults) -> ExtraTable:
     """Velocity and acceleration analogs of a crank-driven mechanism."""
-    from coursework.kinematics.extra import analog_table
+    from coursework.results.kinematics.extra import analog_table
 
     scene = results.scene
     return analog_table(scene.variant, scene.exact, scene.exact_accelerations)
@@ -136,7 +136,7 @@ def analogs(results: MotionResults) -> ExtraTable:
 @computed("exact", "exact_accelerations")
 def invariants(results: MotionResults) -> ExtraTable:
     """The invariants a_k, b_k, c_k of the slider."""
-    from coursework.kinematics.extra import invariant_table
+    from coursework.results.kinematics.extra import invariant_table
 
     scene = results.scene
     return invariant_table(scene.variant, scene.exact, scene.exact_accelerations)
@@ -153,8 +153,8 @@ def graph_check(results: MotionResults) -> GraphCheck | None:
 @computed("stop", "rates", "start", "exact", "closure", "mismatch", "motion", "search")
 def accuracy(results: MotionResults) -> AccuracyStudy | None:
     """What accuracy costs in evaluations: every scheme, projections, an adaptive pair, the exact closure (not timed)."""
-    from coursework.accuracy.problem import Problem
-    from coursework.accuracy.study import make_study
+    from coursework.results.accuracy.problem import Problem
+    from coursework.results.accuracy.study import make_study
 
     scene = results.scene
     if scene.stop is not None or scene.settings.columns or scene.search.passages:
@@ -201,7 +201,7 @@ def _plans_listing(drawn: Plans) -> Listing:
 
 
 def _acceleration_columns(results: MotionResults, rows: Any) -> ExtraTable:
-    from coursework.kinematics.extra import ExtraTable
+    from coursework.results.kinematics.extra import ExtraTable
 
     names, unit_of = results.motion.velocity_names, results.scene.variant.unit_of
     units = tuple(f"{unit_of(name)}²".replace("/s²", "/s²") for name in names)
@@ -212,7 +212,7 @@ def _acceleration_columns(results: MotionResults, rows: Any) -> ExtraTable:
 
 
 def _point_columns(results: MotionResults, named: Named) -> ExtraTable:
-    from coursework.kinematics.extra import ExtraTable
+    from coursework.results.kinematics.extra import ExtraTable
 
     names, rows = named
     units = tuple({"v": "m/s", "a": "m/s²"}.get(name.partition(".")[2][0], "m") for name in names)
@@ -221,7 +221,7 @@ def _point_columns(results: MotionResults, named: Named) -> ExtraTable:
 
 def _moving(table: ExtraTable) -> ExtraTable:
     """Return the columns of the points that move: a page of zeros for a fixed pivot helps nobody."""
-    from coursework.kinematics.extra import ExtraTable
+    from coursework.results.kinematics.extra import ExtraTable
 
     points = [name.partition(".")[0] for name in table.names]
     moving = {

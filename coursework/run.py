@@ -39,12 +39,12 @@ from coursework.words.sentences import say
 if TYPE_CHECKING:
     import pandas as pd
 
-    from coursework.accuracy.record import AccuracyStudy
-    from coursework.checks.closeness import Lesson
-    from coursework.checks.result import Finding
     from coursework.drawing.record import Drawing
-    from coursework.kinematics.extra import ExtraTable
     from coursework.plans.graph_check import GraphCheck
+    from coursework.results.accuracy.record import AccuracyStudy
+    from coursework.results.checks.close_to_motion.closeness import Lesson
+    from coursework.results.checks.result import Finding
+    from coursework.results.kinematics.extra import ExtraTable
 
 T = TypeVar("T")
 
@@ -113,7 +113,7 @@ class Run:
     @property
     def summary(self) -> str:
         """Return the findings in two or three sentences, "" where no checks were asked for."""
-        from coursework.checks.summary import summary
+        from coursework.results.checks.summary import summary
 
         return summary(self.checks, is_motion=self.tableau is None) if self.asks(CHECKS) else ""
 
@@ -190,7 +190,7 @@ class Run:
     @property
     def lesson(self) -> Lesson | None:
         """Return how far the coursework's scheme is from a table that is exact, None where a scheme has made the table."""
-        from coursework.checks.closeness import lesson
+        from coursework.results.checks.close_to_motion.closeness import lesson
 
         return lesson(self.scene.by_scheme.evidence) if self.scene.lesson is not None else None
 

@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 
 import coursework
-from coursework.checks.check import CHECKS
 from coursework.cli import main
+from coursework.results.checks.check import CHECKS
 from coursework.variant.catalogue import entries
 from tests.command import call
 
@@ -86,7 +86,7 @@ def test_three_where_the_tool_cannot_judge(monkeypatch):
     def broken(_evidence):
         raise RuntimeError("by us")
 
-    monkeypatch.setattr("coursework.checks.check.CHECKS", (replace(CHECKS[0], judge=broken), *CHECKS[1:]))
+    monkeypatch.setattr("coursework.results.checks.check.CHECKS", (replace(CHECKS[0], judge=broken), *CHECKS[1:]))
     result = call("run", "31", *QUICK)
     assert result.exit_code == 3
     assert "! ERROR  STOP" in result.stdout

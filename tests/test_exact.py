@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.checks.evidence import worst
 from coursework.report import build_model
+from coursework.results.checks.evidence import worst
 from coursework.variant.catalogue import entries
 from coursework.variant.reading.reader import parse_variant
 from coursework.variant.record.vocabulary import EXACT

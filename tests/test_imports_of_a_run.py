@@ -22,8 +22,8 @@ with contextlib.redirect_stdout(io.StringIO()):
 """
 HEAVY = {"numpy", "sympy", "pydantic", "pandas", "scipy", "matplotlib", "jinja2", "typst"}
 PAGES = {"pandas", "scipy", "matplotlib", "jinja2", "typst", "coursework.report"}
-EXTRA = {"coursework.kinematics.accelerations", "coursework.kinematics.points", "coursework.plans.graph_check",
-         "coursework.checks.check", "coursework.accuracy.study"}  # fmt: skip
+EXTRA = {"coursework.results.kinematics.accelerations", "coursework.results.kinematics.points", "coursework.plans.graph_check",
+         "coursework.results.checks.check", "coursework.results.accuracy.study"}  # fmt: skip
 
 
 def imported(code, folder):
@@ -45,10 +45,13 @@ def command(*arguments):
         (command("variants"), HEAVY),
         (command("run", "31", "--quantities", "table", "--format", "csv"), PAGES | EXTRA),
         (command("run", "31", "--quantities", "phi3", "--format", "csv"), PAGES | EXTRA),
-        (command("run", "31", "--quantities", "table,checks", "--format", "csv"), PAGES | EXTRA - {"coursework.checks.check"}),
+        (
+            command("run", "31", "--quantities", "table,checks", "--format", "csv"),
+            PAGES | EXTRA - {"coursework.results.checks.check"},
+        ),
         (
             command("run", "31", "--quantities", "accelerations", "--format", "csv"),
-            PAGES | EXTRA - {"coursework.kinematics.accelerations"},
+            PAGES | EXTRA - {"coursework.results.kinematics.accelerations"},
         ),
         (command("run", "31", "--quantities", "table,plots", "--format", "html"), {"pandas", "scipy", *EXTRA}),
         (command("check", "31"), PAGES | EXTRA),

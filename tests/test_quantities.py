@@ -14,11 +14,11 @@ import coursework
 from coursework import quantities
 from coursework.cli import main
 from coursework.drawing.record import Drawing
-from coursework.kinematics.extra import ExtraTable
 from coursework.quantities import QUANTITIES, Columns, OwnFigure, OwnSection, OwnTable, Quantity
 from coursework.report import build_model, sections
 from coursework.report.parts import Paragraph
 from coursework.report.sections import APPENDIX, NUMBERED, PAPER
+from coursework.results.kinematics.extra import ExtraTable
 from coursework.system.on_demand import computed
 from coursework.variant.record.variant import Variant
 from coursework.words.data_folders import folder

@@ -14,9 +14,9 @@ from pathlib import Path
 from click.testing import CliRunner
 
 import coursework
-from coursework.accuracy import round_off
-from coursework.accuracy.timing import seconds
 from coursework.cli import main
+from coursework.results.accuracy import round_off
+from coursework.results.accuracy.timing import seconds
 from tests.grading.batch import classroom
 from tests.grading.marking import students
 
@@ -28,9 +28,9 @@ COMMANDS = [line.split("#")[0].strip() for line in re.search(r"```sh\n(.*?)```",
 def test_commands_run_as_written_one_after_the_other(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     # Each trial of the study is timed once: no word of README hangs on how exactly.
-    monkeypatch.setattr("coursework.accuracy.study.seconds", partial(seconds, repeats=1, shortest=0.0))
-    # The finest steps of the curve of single precision are looked at in tests/accuracy.
-    monkeypatch.setattr("coursework.accuracy.round_off.SUBSTEPS", round_off.SUBSTEPS[:5])
+    monkeypatch.setattr("coursework.results.accuracy.study.seconds", partial(seconds, repeats=1, shortest=0.0))
+    # The finest steps of the curve of single precision are looked at in tests/results/accuracy.
+    monkeypatch.setattr("coursework.results.accuracy.round_off.SUBSTEPS", round_off.SUBSTEPS[:5])
     for command in COMMANDS:
         words = shlex.split(command)
         assert words[0] == "coursework"

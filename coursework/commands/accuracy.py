@@ -12,14 +12,14 @@ from pathlib import Path
 
 import click
 
-from coursework.accuracy.problem import Problem
-from coursework.accuracy.record import AccuracyStudy
-from coursework.accuracy.study import make_study, time_of
 from coursework.api import load, solve
 from coursework.commands.screen import in_language, tell, title_of
 from coursework.output.formats import chosen
 from coursework.output.results import StudyResults
 from coursework.output.write import write_set
+from coursework.results.accuracy.problem import Problem
+from coursework.results.accuracy.record import AccuracyStudy
+from coursework.results.accuracy.study import make_study, time_of
 from coursework.run import Run
 from coursework.system.file_set import working_folder
 from coursework.words.errors import InputError

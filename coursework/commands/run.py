@@ -10,12 +10,12 @@ from pathlib import Path
 from typing import Any
 
 from coursework.api import load, solve
-from coursework.checks.result import GROUPS, never_more
 from coursework.commands.screen import in_language, tell, title_of
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
 from coursework.output.formats import FORMATS, PAGES, Format, chosen
 from coursework.output.results import Results
 from coursework.output.write import write_set
+from coursework.results.checks.result import GROUPS, never_more
 from coursework.run import Run
 from coursework.system.file_set import files_of, working_folder
 from coursework.variant.reading.set_values import with_set
@@ -100,8 +100,8 @@ def auto_step(run: Run, error: float | None) -> float:
     """Return the step for `--step auto --error WISH`, and say what it costs."""
     if error is None:
         raise InputError(say("fault.C030"))
-    from coursework.accuracy.step_rules import step_rules
-    from coursework.accuracy.step_search import choose_step
+    from coursework.results.accuracy.step_rules import step_rules
+    from coursework.results.accuracy.step_search import choose_step
 
     scene = run.scene
     choice = choose_step(
@@ -115,7 +115,7 @@ def auto_step(run: Run, error: float | None) -> float:
 
 def tell_round_off(run: Run) -> int:
     """Print the V-curve of single precision."""
-    from coursework.accuracy.round_off import round_off_curve
+    from coursework.results.accuracy.round_off import round_off_curve
 
     if run.stop is not None:
         return tell_stop(run, say("screen.no_error"))

@@ -21,7 +21,6 @@ from typing import Any, get_args
 import click
 
 from coursework.api import load
-from coursework.checks.result import Verdict
 from coursework.commands.run import make_run, run_variant, step_of
 from coursework.commands.screen import in_language, tell, tell_last
 from coursework.commands.templates import with_templates
@@ -30,6 +29,7 @@ from coursework.output.formats import PAGES, chosen
 from coursework.output.results import Results
 from coursework.output.write import write_set
 from coursework.quantities import CHECKS
+from coursework.results.checks.result import Verdict
 from coursework.system.budget import Budget, watched
 from coursework.system.file_set import clear_leftovers, working_folder
 from coursework.system.whole_files import write_bytes

@@ -23,9 +23,9 @@ from coursework.drawing.sheet import ITALIC, number
 from coursework.drawing.symbols import decimal, short
 from coursework.drawing.tracing import read_outline
 from coursework.equations.reduction.equations import VelocityEquations
-from coursework.kinematics.points import point_rows
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.integration.motion import Motion
+from coursework.results.kinematics.points import point_rows
 from coursework.words.sentences import say
 
 POSITIONS = 12

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.checks.result import Finding
 from coursework.output.reason import Formulas, Reason
 from coursework.quantities import CHECKS, PLOTS
+from coursework.results.checks.result import Finding
 from coursework.run import Run
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from coursework.run import Run
 
 if TYPE_CHECKING:
-    from coursework.accuracy.record import AccuracyStudy
+    from coursework.results.accuracy.record import AccuracyStudy
 
 STUDY_HEAD = (
     "method", "steps_or_tolerance", "evaluations", "max_error", "unit", "end_error", "end_unit", "seconds",

@@ -7,7 +7,6 @@ Used by `sections.py`.
 
 from __future__ import annotations
 
-from coursework.accuracy.record import AccuracyStudy, StudyRow
 from coursework.report.accuracy_figures import Method, Panels, bars, panels
 from coursework.report.figures import WIDTH
 from coursework.report.numbers import NOTHING
@@ -15,6 +14,7 @@ from coursework.report.page_context import PageContext
 from coursework.report.parts import Bullets, Cell, Column, Figure, Paragraph, Part, Table
 from coursework.report.tables import MARK, ONE_PAGE
 from coursework.report.text_runs import LONGEST_NAME, numeral, printed, runs
+from coursework.results.accuracy.record import AccuracyStudy, StudyRow
 
 RATIO_DIGITS = 2  # of a ratio of times, which differs from run to run
 MOST_LINES = 12  # of the table; the figure shows every setting

@@ -9,13 +9,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from coursework.checks.evidence import NO_ERROR
-from coursework.checks.result import DIGITS_LEFT, GROUPS, VERDICTS, Finding, never_more
 from coursework.report.numbers import ROUND_OFF, TIGHT
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Cell, Checks, Judged, Paragraph, Part, Runs
 from coursework.report.tables import thinned
 from coursework.report.text_runs import numeral
+from coursework.results.checks.evidence import NO_ERROR
+from coursework.results.checks.result import DIGITS_LEFT, GROUPS, VERDICTS, Finding, never_more
 from coursework.words.sentence import Sentence
 from coursework.words.templates import clean
 

@@ -11,10 +11,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from coursework.checks.evidence import Evidence
-from coursework.checks.period import Split, mismatch
 from coursework.motion.schemes import SCHEMES, title_of
 from coursework.report.page_context import PageContext
+from coursework.results.checks.close_to_motion.period import Split, mismatch
+from coursework.results.checks.evidence import Evidence
 
 SEEN = 1e-9  # of the scale of a column: a smaller error is none to speak of
 ALIKE = 1e-4  # of the largest error: one that is less beside it is as large, to the digits shown

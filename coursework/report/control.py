@@ -5,12 +5,12 @@ Enters: a `PageContext`.  Leaves: `Claims`.  Used by `sections.py`; codes and li
 
 from __future__ import annotations
 
-from coursework.checks.result import OF_POWER, Finding
 from coursework.report.checks import counted
 from coursework.report.numbers import ROUND_OFF
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Cell, Claims, Paragraph, Part
 from coursework.report.text_runs import numeral
+from coursework.results.checks.result import OF_POWER, Finding
 from coursework.words.sentence import Sentence
 
 DIGITS = 3

@@ -5,7 +5,6 @@ Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
 
 from __future__ import annotations
 
-from coursework.checks.period import Split
 from coursework.motion.schemes import SCHEMES, Scheme, title_of
 from coursework.quantities import CHECKS
 from coursework.report.closeness import LocalError, evidence, largest_step_error, splits, unreturned
@@ -15,6 +14,7 @@ from coursework.report.parts import Cell, Column, Paragraph, Part, Table
 from coursework.report.tables import motion_parts, pieces
 from coursework.report.tangent import tangent_figure
 from coursework.report.text_runs import numeral, runs
+from coursework.results.checks.close_to_motion.period import Split
 
 ROWS = ("first", "last", "total")
 CAUSES = ("scheme", "period")  # what a difference is made of; of rows that are the motion itself there is nothing to tell apart

@@ -8,7 +8,6 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from coursework.checks.summary import summary
 from coursework.mechanism.mechanism import Mechanism
 from coursework.quantities import CHECKS, TABLE
 from coursework.report.closeness import largest_errors, splits, unreturned
@@ -20,6 +19,7 @@ from coursework.report.page_context import STOP_DIGITS, PageContext
 from coursework.report.parts import Beside, Cell, Column, Paragraph, Part, Result, Runs, Table, TitleBlock
 from coursework.report.sought import sought
 from coursework.report.text_runs import LONGEST_NAME, runs
+from coursework.results.checks.summary import summary
 from coursework.variant.formula.tree import Formula, constant, terms
 from coursework.variant.record.variant import Variant
 from coursework.words.templates import clean

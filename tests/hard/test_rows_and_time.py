@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.accuracy.trace import trace
 from coursework.motion.integration.extended_precision import march_in
 from coursework.motion.integration.integrate import march
 from coursework.motion.integration.loops import generate_loop
 from coursework.motion.schemes import SCHEMES
+from coursework.results.accuracy.trace import trace
 from coursework.variant.record.variant import whole_steps
 from coursework.words.errors import InputError
 from tests.hard.scenes import CASES, V31, check, expected, numbers, scene, solve

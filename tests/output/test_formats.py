@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 
 import coursework
-from coursework.accuracy.timing import seconds
 from coursework.output import formats
 from coursework.output.formats import FORMATS, Format, formats_for
 from coursework.output.tables import STUDY_HEAD
+from coursework.results.accuracy.timing import seconds
 from coursework.words.errors import OutputError
 from tests.command import call
 
@@ -41,7 +41,7 @@ def study(tmp_path_factory):
     folder = tmp_path_factory.mktemp("study")
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(formats, "FORMATS", (*FORMATS, DUMMY))
-        patch.setattr("coursework.accuracy.study.seconds", partial(seconds, repeats=1, shortest=0.0))
+        patch.setattr("coursework.results.accuracy.study.seconds", partial(seconds, repeats=1, shortest=0.0))
         return call("accuracy", "31", "--format", "csv,dummy", "--out", folder), folder
 
 

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.checks import check
 from coursework.output.gate import pass_gate
+from coursework.results.checks import check
 from coursework.words.data_folders import folder as data_folder
 from coursework.words.errors import InputError
 from tests.command import call

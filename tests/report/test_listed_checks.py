@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 import coursework
-from coursework.checks.result import Finding
 from coursework.report.checks import counted
+from coursework.results.checks.result import Finding
 from coursework.words.sentences import say
 
 

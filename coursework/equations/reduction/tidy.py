@@ -3,7 +3,7 @@
 Enters: expressions of a small block.  Leaves: `Formula` for a page.  Nothing numeric reads it.
 A rewrite of our own: common factors out, cos a cos b + sin a sin b -> cos(a - b) and its three sisters.
 SymPy's own simplifiers take seconds where this takes a millisecond, and shuffle the author's terms.
-Used by `checks/conditioning.py`, `blocks.py`, `equations.py` and `solution.py`.
+Used by `conditioning.py`, `blocks.py`, `equations.py` and `solution.py`.
 """
 
 from __future__ import annotations

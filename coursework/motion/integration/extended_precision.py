@@ -1,7 +1,7 @@
 """The same march in another arithmetic: single, double or extended numbers, t = i*h or a running sum.
 
 Enters: rates, a scheme, a kind of number.  Leaves: positions.  Shows what round-off does; nothing else needs it.
-Used by `accuracy/round_off.py` and `motion_results.py`.
+Used by `results/accuracy/round_off.py` and `motion_results.py`.
 """
 
 from __future__ import annotations

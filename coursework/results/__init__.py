@@ -1,0 +1,1 @@
+"""What follows from a motion: accelerations, points, analogs; verdicts; what accuracy costs."""

@@ -1,0 +1,130 @@
+"""The ways to the motion that are compared, each with its settings, evaluations and rows.
+
+Enters: a problem.  Leaves: trials to run.  To add one, add a function here and a line in `trials`.
+Used by `sentences.py` and `study.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.motion.integration.adaptive import integrate_adaptive
+from coursework.motion.integration.following import follow_closure
+from coursework.motion.integration.integrate import Correction, march
+from coursework.motion.integration.loops import Loop, generate_loop
+from coursework.motion.schemes import DEFAULT_SCHEME, SCHEMES, title_of
+from coursework.results.accuracy.problem import TIMED, Bounds, Problem
+from coursework.results.accuracy.trace import trace
+from coursework.words.sentences import say, say_count
+
+Array = NDArray[np.float64]
+# Steps a row; the first order needs more of them to show itself.
+USUAL_SUBSTEPS = (1, 2, 4, 8, 16, 64)
+FIRST_ORDER_SUBSTEPS = (*USUAL_SUBSTEPS, 256, 1024, 4096)
+# A step with Newton corrections costs as much as this many generated steps, and so many operations.
+PROJECTED_COST, _CORRECTION = 128, 2500
+PROJECTED_SUBSTEPS = (1, 2, 4, 8)
+NEWTONS = (1, 2)
+# A step of the pair ends at each row, so that a coarser tolerance changes nothing.
+TOLERANCES = (1e-5, 1e-7, 1e-9, 1e-11)
+
+
+@dataclass(frozen=True, slots=True)
+class Trial:
+    """One method at one setting; `run` returns rows (n, m) and the evaluations of the right-hand side.
+
+    The rows are those looked at; with `fine` every row of a table with so many steps a row.  A Newton correction counts as
+    one evaluation (residual and Jacobian).  `closed`: the method is the one by which the exact motion itself is found.
+    """
+
+    method: str
+    setting: str
+    fine: int
+    run: Callable[[], tuple[Array, int]]
+    closed: bool = False
+
+
+def projected_title(newton: int) -> str:
+    """Return what the coursework's scheme with so many Newton projections a step is called."""
+    return say_count("study.projected", newton)
+
+
+def trials(problem: Problem, bounds: Bounds = TIMED) -> Iterator[Trial]:
+    """Yield every trial inside the bounds, method after method; that with the table's own step for each scheme."""
+    rows = problem.rows
+    for scheme in SCHEMES.values():
+        loop = generate_loop(scheme, problem.rates)
+        for substeps in FIRST_ORDER_SUBSTEPS if scheme.order == 1 else USUAL_SUBSTEPS:
+            count, cost = rows * substeps, scheme.slopes * problem.operations
+            if substeps == 1 or (substeps <= bounds.substeps and problem.is_affordable(count, cost, bounds)):
+                yield Trial(title_of(scheme), f"{count}", 0, partial(_by_loop, problem, loop, substeps, count * scheme.slopes))
+    is_closed = problem.closure is not None and problem.closure.complete
+    for newton in NEWTONS if is_closed else ():
+        for substeps in (n for n in PROJECTED_SUBSTEPS if n * PROJECTED_COST <= bounds.substeps):
+            if problem.is_affordable(rows * substeps, newton * _CORRECTION, bounds):
+                setting = f"{rows * substeps}"
+                yield Trial(projected_title(newton), setting, substeps, partial(_projected, problem, newton, substeps))
+    for tolerance in TOLERANCES:
+        yield Trial(say("study.adaptive"), say("study.tolerance", value=tolerance), 0, partial(_adaptive, problem, tolerance))
+    if is_closed:
+        yield Trial(say("study.closed"), f"{rows}", 0, partial(_closed, problem), closed=True)
+
+
+def left_out(problem: Problem, bounds: Bounds) -> list[str]:
+    """Say what a long table leaves no work for, nothing for a usual one."""
+    told: list[str] = []
+    if problem.pace > 1:
+        told.append(say("study.thinned", rows=problem.rows + 1, pace=problem.pace, marks=len(problem.marks)))
+    counts = [int(trial.setting) for trial in trials(problem, bounds) if not trial.fine and trial.setting.isdecimal()]
+    if max(counts) <= problem.rows:
+        told.append(say("study.no_finer", steps=problem.rows))
+    is_closed = problem.closure is not None and problem.closure.complete
+    if is_closed and not problem.is_affordable(problem.rows, max(NEWTONS) * _CORRECTION, bounds):
+        told.append(say("study.no_projection", steps=problem.rows))
+    return told
+
+
+def _by_loop(problem: Problem, loop: Loop, substeps: int, cost: int) -> tuple[Array, int]:
+    return trace(loop, problem.start, problem.step, problem.marks, substeps, problem.rates.latest), cost
+
+
+def _projected(problem: Problem, newton: int, substeps: int) -> tuple[Array, int]:
+    correction = Correction(problem.closure, newton)
+    end = problem.step * problem.rows
+    motion = march(problem.rates, DEFAULT_SCHEME.name, problem.start, problem.step / substeps, end, correction)
+    steps = problem.rows * substeps
+    return motion.coordinates, steps * (1 + newton)
+
+
+def _adaptive(problem: Problem, tolerance: float) -> tuple[Array, int]:
+    size = len(problem.start)
+
+    def field(t: float, q: Array) -> Array:
+        return np.array(problem.rates.evaluate(t, *q.tolist())[:size])
+
+    return integrate_adaptive(field, np.array(problem.start, dtype=float), problem.times, tolerance)
+
+
+def _closed(problem: Problem) -> tuple[Array, int]:
+    """Return the closed positions, and how often slopes or residuals were computed on the way."""
+    assert problem.closure is not None
+    counts: list[int] = []
+
+    def counted(function: Callable[..., Any]) -> Callable[..., Any]:
+        def called(t: Any, *q: Any) -> Any:
+            counts.append(np.size(t))
+            return function(t, *q)
+
+        return called
+
+    closure = replace(problem.closure, function=counted(problem.closure.function), rows=counted(problem.closure.rows))
+    rates = replace(problem.rates, evaluate=counted(problem.rates.evaluate), rows=counted(problem.rates.rows))
+    every = np.arange(problem.rows + 1).astype(np.float64) * problem.step
+    positions = follow_closure(closure, rates, every, counts.append)
+    return positions[list(problem.marks)], sum(counts)

@@ -1,0 +1,110 @@
+"""What the study says to a student, in words computed from its rows.
+
+Enters: rows and orders.  Leaves: sentences.  Used by `study.py`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, title_of
+from coursework.results.accuracy.methods import projected_title
+from coursework.results.accuracy.record import StudyRow
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
+
+
+def sentences_of(
+    rows: Sequence[StudyRow], orders: Mapping[str, float], end_orders: Mapping[str, float], own: StudyRow
+) -> tuple[str, ...]:
+    """Return the findings: the own step, the better scheme at the same step, what equal accuracy costs, the end-row trap."""
+    best = _first(rows, title_of(PRECISE))
+    usual = _first(rows, title_of(DEFAULT_SCHEME))
+    reached = {"steps": best.steps_or_tolerance, "method": best.method}
+    told = [_told("study.own", _time(own), steps=own.steps_or_tolerance, method=own.method, size=_size(own.max_error, own.unit))]
+    gain = {"less": _round(usual.max_error / best.max_error), "more": best.evaluations / usual.evaluations}
+    told.append(_told("study.best", _ratio(best, usual), **reached, **gain, size=_size(best.max_error, best.unit)))
+    if steps := _steps_for(rows, best.max_error):
+        needed = {"needed": _round(steps), "more": _round(steps / best.evaluations)}
+        told.append(_told("study.equal", _predicted(rows, steps, best), **reached, **needed))
+    projected = [row for row in rows if row.method == projected_title(1) and not row.failed]
+    if projected:
+        found = {"steps": projected[0].steps_or_tolerance, "size": _size(projected[0].max_error, projected[0].unit)}
+        told.append(say("study.with_projection", **found, less=_round(usual.max_error / projected[0].max_error)))
+    closed = [row for row in rows if row.method == say("study.closed") and not row.failed]
+    if closed:
+        cost = {"evaluations": closed[0].evaluations, "more": _round(closed[0].evaluations / best.evaluations)}
+        size = _size(closed[0].max_error, closed[0].unit)
+        told.append(_told("study.by_closure", _ratio(closed[0], best), **reached, **cost, size=size))
+    understated = usual.max_error / max(usual.end_error, 1e-300)
+    if understated >= 1.1:
+        told.append(say("study.end_row", size=_size(usual.end_error, usual.end_unit), less=understated))
+    titles = [title_of(scheme) for scheme in SCHEMES.values()]
+    seeming = {name: end_orders[name] for name, order in orders.items() if end_orders.get(name, order) - order > 0.5}
+    methods = tuple(
+        say("study.seeming", method=name, seeming=high, order=orders[name]) for name, high in seeming.items() if name in titles
+    )
+    if methods:
+        told.append(say("study.end_order", methods=methods))
+    return tuple(told)
+
+
+def _first(rows: Sequence[StudyRow], method: str) -> StudyRow:
+    return next(row for row in rows if row.method == method)
+
+
+def _steps_for(rows: Sequence[StudyRow], error: float) -> float | None:
+    """Return the Euler steps that reach `error`: from the finest row on, the error falls as 1/steps."""
+    usual = [row for row in rows if row.method == title_of(DEFAULT_SCHEME) and not row.failed]
+    last = usual[-1]
+    if not (0 < error < last.max_error):
+        enough = [row for row in usual if row.max_error <= error]
+        return float(enough[0].evaluations) if enough else None
+    return last.evaluations * last.max_error / error
+
+
+def _told(key: str, time: dict[str, object], **values: object) -> Sentence:
+    """Return a finding, with the time it took where it was timed."""
+    return say(f"{key}.timed", **values, **time) if time else say(f"{key}.plain", **values)
+
+
+def _size(value: float, unit: str) -> Sentence:
+    if unit == "rad" and value >= 1e-3:
+        return say("amount.angle", value=value, degrees=math.degrees(value))
+    return say("amount.three", value=value, unit=unit)
+
+
+def _round(value: float) -> str:
+    """Return a number with two digits, thousands a narrow space apart at which no line ends."""
+    if not math.isfinite(value) or value <= 0:
+        return say("amount.many")
+    digits = max(0, math.floor(math.log10(value)) - 1)
+    return (
+        f"{round(value / 10**digits) * 10**digits:,.0f}".replace(",", "\u202f")
+        if value >= 10
+        else say("amount.bare", value=value)
+    )
+
+
+def _time(row: StudyRow) -> dict[str, object]:
+    return {"time": _clock(row.seconds)} if row.seconds is not None else {}
+
+
+def _ratio(row: StudyRow, other: StudyRow) -> dict[str, object]:
+    return {"longer": row.seconds / other.seconds} if row.seconds and other.seconds else {}
+
+
+def _predicted(rows: Sequence[StudyRow], steps: float, best: StudyRow) -> dict[str, object]:
+    finest = [row for row in rows if row.method == title_of(DEFAULT_SCHEME) and row.seconds][-1:]
+    if not finest or not best.seconds or not finest[0].seconds:
+        return {}
+    spent = steps * finest[0].seconds / finest[0].evaluations
+    return {"time": _clock(spent), "longer": _round(spent / best.seconds)}
+
+
+def _clock(value: float) -> Sentence:
+    for scale, unit in ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs")):
+        if value >= scale:
+            return say("amount.whole" if value >= 10 * scale else "amount.two", value=value / scale, unit=unit)
+    return say("amount.two", value=value / 1e-9, unit="ns")

@@ -1,0 +1,59 @@
+"""The rules that a step must keep whatever its error: rows enough for the drive and for a turn, no jump of a link.
+
+Enters: velocity equations and the search for dead points.  Leaves: `StepRules`, counted in steps of a run.
+Used by `step_search.py` and the command line; the same rules as the checks STEP and PEAK.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.motion.geometry.drive import breaks
+from coursework.motion.geometry.swings import drive_frequency, turning_cranks
+from coursework.motion.integration.integrate import WIDEST_STEP
+from coursework.motion.singular.search import Search
+from coursework.results.checks.close_to_motion.rows import AT_ROW, ROWS_A_PERIOD
+
+# A break that no row is at with so many parts of the run is left to the error.
+_MOST_PARTS = 1000
+_ROUNDING = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class StepRules:
+    """A run has at least `fewest` steps, and a multiple of `pace`, so that a row stands at each break of the drive."""
+
+    fewest: int = 1
+    pace: int = 1
+
+    def rounded(self, steps: int) -> int:
+        """Return the smallest number of steps from `steps` on that keeps the rules."""
+        return self.pace * math.ceil(max(steps, self.fewest) / self.pace)
+
+
+def step_rules(equations: VelocityEquations, search: Search) -> StepRules:
+    """Return the rules for the steps of a whole run, 0 to the end of the variant.
+
+    >>> import coursework
+    >>> scene = coursework.solve("31").scene
+    >>> step_rules(scene.equations, scene.search)
+    StepRules(fewest=20, pace=1)
+    """
+    variant = equations.variant
+    turning = [place for place, coordinate in enumerate(variant.coordinates) if coordinate.unit == "rad"]
+    rates = search.fastest(turning)
+    end = variant.time.end
+    rows = ROWS_A_PERIOD * end * max([drive_frequency(equations), *turning_cranks(equations).values()]) / (2 * math.pi)
+    turns = end * max((rates[place][0] for place in turning if rates), default=0.0) / WIDEST_STEP
+    return StepRules(max(1, *(math.ceil(count * (1 - _ROUNDING)) for count in (rows, turns))), _pace(breaks(variant), end))
+
+
+def _pace(times: tuple[float, ...], end: float) -> int:
+    """Return the number of parts of a run that puts a part's end at each time, as far as there is one."""
+    parts = [Fraction(time / end).limit_denominator(_MOST_PARTS) for time in times if time < end]
+    met = [part.denominator for part, time in zip(parts, times, strict=False) if abs(float(part) * end - time) <= AT_ROW * time]
+    whole = math.lcm(*met)
+    return whole if whole <= _MOST_PARTS else 1

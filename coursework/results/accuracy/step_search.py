@@ -1,0 +1,220 @@
+"""The smallest number of steps that keeps the error under a wish, and what the better schemes would need.
+
+Enters: a scene and a wished error (rad or m, maximum over the scheme's own rows).  Leaves: `StepChoice`.
+Raises `InputError` where the search or the run would take minutes, and says how long.
+Used by `commands/run.py`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.motion.integration.loops import Loop, generate_loop
+from coursework.motion.integration.rates import Rates
+from coursework.motion.schemes import PRECISE, SCHEMES, Scheme, title_of
+from coursework.results.accuracy.step_rules import StepRules
+from coursework.results.accuracy.timing import seconds
+from coursework.variant.record.variant import MAX_ROWS
+from coursework.words.errors import InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say
+
+Array = NDArray[np.float64]
+# Where a number of steps does not do, this part of itself more is tried, then twice this part, three times …
+_FINER = 0.1
+# As many as a table has rows.
+MOST_STEPS = MAX_ROWS
+# Trials of a search, and the steps of the one from which the time of all is foretold.
+_TRIALS, _SAMPLE = 8, 1000
+# So many times the coursework's own steps tell by their order how many a wish needs.
+_COARSE = 8
+# With so many steps and more the precise scheme is far better than any of a lower order, without smaller steps of its own.
+_FINE = 1000
+# Round-off of the precise scheme in doubles grows to 1e-13; a wish must stay well above what can be told apart.
+LEAST_ERROR = 1e-10
+
+
+@dataclass(frozen=True, slots=True)
+class Need:
+    """What one scheme needs: `steps` of h = end/steps, `evaluations`, the `error` reached.
+
+    `ruled`: fewer steps would have done for the wish, but not for the rules of a table.
+    """
+
+    title: str
+    steps: int
+    evaluations: int
+    error: float
+    ruled: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class StepChoice:
+    """`step` (s) of the scheme asked for, its `need`, and the `others`, cheapest first."""
+
+    step: float
+    need: Need
+    others: tuple[Need, ...]
+
+    @property
+    def sentences(self) -> tuple[str, ...]:
+        """Return the finding in words."""
+        own = self.need
+        told = [say("steps.own", scheme=own.title, steps=own.steps, step=self.step, error=own.error, evaluations=own.evaluations)]
+        if own.ruled:
+            told.append(say("steps.ruled"))
+        told += [
+            say(
+                "steps.other",
+                scheme=other.title,
+                steps=other.steps,
+                evaluations=other.evaluations,
+                fewer=own.evaluations / other.evaluations,
+            )
+            for other in self.others
+            if other.evaluations < own.evaluations
+        ]
+        return tuple(told)
+
+
+def choose_step(
+    rates: Rates, scheme: str, start: Sequence[float], step: float, end: float, wish: float,
+    rules: StepRules | None = None, runs: Callable[[str, float], bool] = lambda scheme, step: True,
+) -> StepChoice:  # fmt: skip
+    """Return the largest step end/N whose error over its N + 1 rows stays under `wish`, and that keeps the `rules`.
+
+    `runs(scheme, step)` tries a run of the table with a step: what does not reach its end is not advised.
+    """
+    if not (np.isfinite(wish) and wish >= LEAST_ERROR):
+        raise InputError(say("fault.C019", wish=wish, least_error=LEAST_ERROR))
+
+    def search(name: str) -> _Search:
+        return _Search(SCHEMES[name], rates, tuple(start), step, end, wish, rules or StepRules(), runs)
+
+    own: Need | TooLong
+    try:
+        own = search(scheme).need(MOST_STEPS)
+    except TooLong as refused:
+        own = refused
+    # Only a scheme of the same or a higher order can be cheaper, and only one that is cheaper is worth a search.
+    rivals = [rival for name, rival in SCHEMES.items() if name != scheme and rival.order >= SCHEMES[scheme].order]
+    others = []
+    for rival in rivals:
+        with suppress(TooLong):
+            most = MOST_STEPS if isinstance(own, TooLong) else (own.evaluations - 1) // rival.slopes
+            others.append(search(rival.name).need(most))
+    others.sort(key=lambda need: need.evaluations)
+    if isinstance(own, TooLong):
+        cheaper = [say("steps.enough", scheme=other.title, steps=other.steps) for other in others]
+        advice = say("steps.take", cheaper=joined(cheaper, "join.semicolon")) if cheaper else say("steps.ask_more")
+        raise InputError(say("fault.C020", refused=search(scheme).refused(own.steps), advice=advice))
+    return StepChoice(end / own.steps, own, tuple(others))
+
+
+class TooLong(Exception):
+    """What was wished for would take minutes: so many steps."""
+
+    def __init__(self, steps: float) -> None:
+        super().__init__(steps)
+        self.steps = steps
+
+
+@dataclass(frozen=True)
+class _Search:
+    """The search for one scheme's number of steps; `rules` and `runs` are what it must keep besides the wish."""
+
+    scheme: Scheme
+    rates: Rates
+    start: tuple[float, ...]
+    step: float
+    end: float
+    wish: float
+    rules: StepRules
+    runs: Callable[[str, float], bool]
+    found: dict[int, float] = field(default_factory=dict)  # the error with each number of steps that was tried
+
+    def need(self, most: int) -> Need:
+        """Return the fewest steps that keep the wish and the rules, and run.  Raises `TooLong` beyond `most` of them."""
+        fewest = self.fewest()
+        steps = self.rules.rounded(fewest)
+        part = _FINER
+        while steps <= most:
+            if self.error(steps) <= self.wish and self.runs(self.scheme.name, self.end / steps):
+                return Need(
+                    title_of(self.scheme), steps, steps * self.scheme.slopes, self.error(steps), ruled=steps > fewest
+                )  # fmt: skip
+            steps = self.rules.rounded(steps + math.ceil(part * steps))
+            part += _FINER
+        raise TooLong(steps)
+
+    def fewest(self) -> int:
+        """Return the smallest number of steps whose error is under the wish.  Raises `TooLong`."""
+        steps = first = min(max(1, round(self.end / self.step)), MOST_STEPS)
+        low, high = 0, MOST_STEPS + 1  # errors at `low` are above the wish, at `high` not; neither end is computed
+        while high - low > 1:
+            error = self.error(steps)
+            if not np.isfinite(error):
+                guess = 2.0 * steps
+            else:
+                guess = steps * (error / self.wish) ** (1 / self.scheme.order) if error > 0 else 1.0
+            if error <= self.wish:
+                high = steps
+                steps = min(high - 1, max(low + 1, math.floor(guess)))
+            else:
+                low = steps
+                if guess > 1.3 * MOST_STEPS:
+                    if steps > _COARSE * first:
+                        raise TooLong(guess)
+                    guess = min(_COARSE * 2 * first, MOST_STEPS)  # coarse steps foretell little: look once more
+                steps = max(low + 1, min(high - 1, math.ceil(guess)))
+        return high
+
+    def error(self, steps: int) -> float:
+        """Return the largest error (rad or m) of all rows of a run with so many steps."""
+        if steps not in self.found:
+            self.found[steps] = self.measured(steps)
+        return self.found[steps]
+
+    def measured(self, steps: int) -> float:
+        """Return the error, measured anew."""
+        own, reference = (generate_loop(scheme, self.rates) for scheme in (self.scheme, PRECISE))
+        # The precise scheme with four times the steps is the reference: 256 times less error than itself, more than any other.
+        parts = 1 if steps >= _FINE and self.scheme.order < PRECISE.order else 4
+        gap = _rows(own, self.rates, self.start, self.end, steps, 1) - _rows(
+            reference, self.rates, self.start, self.end, steps, parts
+        )
+        return float(np.max(np.abs(gap)))
+
+    def refused(self, steps: float) -> Sentence:
+        """Return the sentence for more steps than can be tried, which says how long they would take."""
+        spent = _TRIALS * steps / _SAMPLE * seconds(lambda: self.measured(_SAMPLE), repeats=1, shortest=0.0)
+        return say(
+            "steps.too_long", scheme=title_of(self.scheme), steps=float(steps), wish=self.wish, most=MOST_STEPS,
+            duration=_duration(spent),
+        )  # fmt: skip
+
+
+def _rows(loop: Loop, rates: Rates, start: Sequence[float], end: float, steps: int, inner: int) -> Array:
+    h = end / steps
+    q = tuple(start)
+    rows = [q]
+    for index in range(steps):
+        try:
+            length = min(h, rates.latest((index + 1) * h) - index * h) if rates.breaks else h
+            q = loop(index * h, inner, length / inner, *q)
+        except (ArithmeticError, ValueError):
+            return np.full((steps + 1, len(q)), np.inf if inner == 1 else 0.0)
+        rows.append(q)
+    return np.array(rows)
+
+
+def _duration(value: float) -> Sentence:
+    if value > 5400:
+        return say("steps.hours", value=value / 3600)
+    return say("steps.minutes", value=value / 60) if value > 90 else say("steps.seconds", value=value)

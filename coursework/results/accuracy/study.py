@@ -1,0 +1,139 @@
+"""The work-precision study of one problem.
+
+Enters: a problem, its exact motion, the mismatch of its period.  Leaves: frozen `AccuracyStudy`.
+Protocol (numerics.md 2.2): error = maximum over the coursework's grid and all coordinates against a reference that is
+independent of the schemes; the error of the last row alone is kept beside it because it understates.
+Used by `commands/accuracy.py` and `quantities.py`.
+"""
+
+from __future__ import annotations
+
+import os
+import platform
+import time
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.motion.integration.exact_motion import refine
+from coursework.motion.integration.following import NotReached, follow_closure
+from coursework.motion.integration.motion import Motion
+from coursework.motion.schemes import SCHEMES, title_of
+from coursework.results.accuracy.methods import left_out, trials
+from coursework.results.accuracy.problem import MOST_WORK, PAGE, TIMED, Problem
+from coursework.results.accuracy.record import AccuracyStudy, StudyRow
+from coursework.results.accuracy.sentences import sentences_of
+from coursework.results.accuracy.timing import seconds
+from coursework.results.accuracy.trace import errors, slope
+from coursework.words.sentences import say
+
+Array = NDArray[np.float64]
+# Closed positions and a refined run that differ by more (rad or m) are two motions, not two roundings of one.
+SAME = 1e-9
+
+
+def make_study(
+    problem: Problem, exact: Motion, budget: Sequence[tuple[str, str, float, float, float, float]], scheme: str,
+    *, timed: bool = False, overhead: Sequence[tuple[str, float]] = (), progress: Callable[[str], None] | None = None,
+) -> AccuracyStudy:  # fmt: skip
+    """Return the study; with `timed` every trial is also timed (some 0.4 s each)."""
+    if problem.work > MOST_WORK:
+        return _without_runs(problem, exact, budget, timed)
+    bounds = TIMED if timed else PAGE
+    reference = exact.coordinates[list(problem.marks)]
+    other, gap, _ = refine(problem.rates, problem.start, problem.times)
+    agreement = float(np.max(np.abs(other - reference)))
+    # Derivatives of a table are not those of a curve through it: there every scheme comes to rest at its own motion.
+    is_same = agreement < SAME
+    if not is_same:
+        reference = other
+    floor = 64 * float(np.finfo(float).eps) * max(1.0, float(np.max(np.abs(reference))))
+    fine = {0: reference} | ({1: reference} if problem.pace == 1 else {})
+    rows: list[StudyRow] = []
+    for trial in trials(problem, bounds):
+        if progress:
+            progress(f"{trial.method}, {trial.setting}")
+        try:
+            positions, evaluations = trial.run()
+            if trial.fine not in fine:
+                fine[trial.fine] = _finer(problem, trial.fine, closed=is_same)
+            # Compared with itself the closure would have no error at all.
+            found = errors(positions, other if trial.closed and is_same else fine[trial.fine])
+        except (ArithmeticError, ValueError, np.linalg.LinAlgError, NotReached) as error:
+            rows.append(
+                StudyRow(trial.method, trial.setting, 0, np.nan, np.nan, None, say("study.failed", kind=type(error).__name__))
+            )
+            continue
+        spent = seconds(trial.run) if timed else None
+        # The first trial is Euler with the table's own step: a ratio to it says more than seconds of one machine.
+        first = rows[0].seconds if rows else spent
+        ratio = spent / first if spent and first else None
+        units = problem.units[found.grid_at], problem.units[found.end_at]
+        rows.append(StudyRow(trial.method, trial.setting, evaluations, found.grid, found.end, spent, "", *units, ratio))
+    orders, end_orders = _orders(rows, floor), _orders(rows, floor, end=True)
+    title = title_of(SCHEMES[scheme])
+    own_row = next(row for row in rows if row.method == title)
+    own = (title, own_row.evaluations, own_row.max_error, own_row.seconds)
+    label = exact.label
+    if agreement:  # where there is no closure, the reference is such a run itself
+        key = "study.reference" if is_same else "study.own_reference"
+        label = say(key, label=label, gap=gap, agreement=agreement)
+    told = sentences_of(rows, orders, end_orders, own_row)
+    where = machine() if timed else {}
+    return AccuracyStudy(
+        tuple(rows),
+        orders,
+        end_orders,
+        own,
+        floor,
+        label,
+        tuple(budget),
+        told,
+        tuple(overhead),
+        timed,
+        where,
+        left_out(problem, bounds),
+    )
+
+
+def _without_runs(
+    problem: Problem, exact: Motion, budget: Sequence[tuple[str, str, float, float, float, float]], timed: bool
+) -> AccuracyStudy:
+    """Return the study of a table too long for any run: what the last row's difference is made of, and why no more."""
+    told = (say("study.no_runs", rows=problem.rows + 1, work=problem.work, most=MOST_WORK),)
+    return AccuracyStudy((), {}, {}, None, 0.0, exact.label, tuple(budget), (), (), timed, {}, told)
+
+
+def _finer(problem: Problem, fine: int, *, closed: bool) -> Array:
+    """Return the exact positions on the own rows of a projected run: closed ones, or those of the refined run."""
+    times = np.arange(problem.rows * fine + 1).astype(np.float64) * (problem.step / fine)
+    if closed and problem.closure is not None:
+        return follow_closure(problem.closure, problem.rates, times)
+    return refine(problem.rates, problem.start, times)[0]
+
+
+def _orders(rows: Sequence[StudyRow], floor: float, *, end: bool = False) -> dict[str, float]:
+    """Return the measured order of each fixed-step method by its cost in evaluations."""
+    found = {}
+    for method in dict.fromkeys(row.method for row in rows):
+        own = [row for row in rows if row.method == method and not row.failed and row.steps_or_tolerance.isdigit()]
+        measured = slope([row.evaluations for row in own], [row.end_error if end else row.max_error for row in own], floor)
+        if measured is not None:
+            found[method] = measured
+    return found
+
+
+def machine() -> dict[str, str]:
+    """Return on what the times were measured: they mean nothing without it."""
+    return {
+        "system": f"{platform.system()} {platform.machine()}", "processors": str(os.cpu_count() or 1),
+        "python": f"{platform.python_implementation()} {platform.python_version()}",
+    }  # fmt: skip
+
+
+def time_of(work: Callable[[], object]) -> float:
+    """Return the time of one call made once (s): for imports and reductions, which have no second first time."""
+    begun = time.perf_counter()
+    work()
+    return time.perf_counter() - begun

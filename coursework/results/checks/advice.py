@@ -1,0 +1,166 @@
+"""Which step would do: the tool runs it before it advises it.
+
+Enters: `Evidence` and findings, some of them COARSE.  Leaves: the same findings with a step, and in words what to take.
+Used by `check.py`, which lends the judging of a motion.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from coursework.motion.integration.finer import finer
+from coursework.motion.integration.motion import Motion
+from coursework.motion.schemes import SCHEMES
+from coursework.results.checks.close_to_motion.rows import parts_at_breaks
+from coursework.results.checks.evidence import LIMIT, Evidence
+from coursework.results.checks.result import Finding, percent
+from coursework.variant.record.variant import MAX_ROWS, whole_steps
+from coursework.variant.record.vocabulary import EXACT, scheme_names
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say
+
+Judge = Callable[[Evidence], Sequence[Finding]]
+# What the next step aims at: a coarse table is further off than the order of its scheme says, and each trial costs a march.
+AIM = 0.8 * LIMIT
+# Steps tried; the first is enough in nine cases of ten.
+_TRIES = 12
+
+
+@dataclass(frozen=True, slots=True)
+class Advice:
+    """`option` and `step` (s) of --step, "" and None where none was found; `scheme` that does at the run's own step, and how far
+    its table is off (share).
+    """
+
+    option: str
+    step: float | None
+    scheme: str
+    share: float
+
+    @property
+    def sentence(self) -> Sentence:
+        """Return what to take."""
+        better = say("advice.scheme", scheme=self.scheme, share=percent(self.share)) if self.scheme else ""
+        if self.step is None:
+            return say("advice.take", what=better)
+        finer = say("advice.step", option=self.option)
+        if not self.option[:1].isdigit():
+            finer = say("advice.step_seconds", option=self.option, step=self.step)
+        return say("advice.take", what=joined([finer, better], "advice.or"))
+
+
+def with_advice(evidence: Evidence, found: Iterable[Finding], judge: Judge) -> list[Finding]:
+    """Return the findings; those that a finer step cures with that step, tried and judged by `judge`."""
+    listed = list(found)
+    if not any(map(_curable, listed)) or evidence.restricted or evidence.stop is not None:
+        return listed
+    advice = _advice(evidence, [one for one in listed if _curable(one)], judge)
+    if advice is None:
+        return listed
+    option = f"--step {advice.option}" if advice.option else f"--scheme {advice.scheme}"
+    return [
+        replace(one, sentence=joined([one.sentence, advice.sentence]), step=advice.step, option=option) if _curable(one) else one
+        for one in listed
+    ]
+
+
+def _curable(finding: Finding) -> bool:
+    return finding.verdict == "COARSE" and finding.cured and (finding.group == "motion" or finding.code == "STOP")
+
+
+def _advice(evidence: Evidence, coarse: list[Finding], judge: Judge) -> Advice | None:
+    own = evidence.motion.scheme
+    if evidence.rerun is None or evidence.exact is None or own not in scheme_names():
+        return None
+    scheme, share = _better_scheme(evidence, own, judge)
+    parts = _step(evidence, own, coarse, judge)
+    if not parts:
+        return Advice("", None, scheme, share) if scheme else None
+    option, step = _spelled(evidence, parts)
+    return Advice(option, step, scheme, share)
+
+
+def _better_scheme(evidence: Evidence, own: str, judge: Judge) -> tuple[str, float]:
+    """Return the scheme of highest order where it does at the run's own step, and by how much its table is off; "" if not."""
+    assert evidence.rerun is not None
+    best = max(SCHEMES, key=lambda name: SCHEMES[name].order)
+    if own == EXACT or SCHEMES[best].order <= SCHEMES[own].order:
+        return "", 0.0
+    if (tried := _tried(evidence, best, 1, evidence.rerun(best, evidence.motion.step))) is None:
+        return "", 0.0
+    findings = judge(tried)
+    closeness = next((one.value for one in findings if one.code == "ACCURACY"), None)
+    return (best, closeness) if closeness is not None and not any(map(_curable, findings)) else ("", 0.0)
+
+
+def _step(evidence: Evidence, own: str, coarse: list[Finding], judge: Judge) -> int:
+    """Return the parts of the step with which every motion check passes, 0 where that takes more rows than are computed."""
+    assert evidence.rerun is not None
+    order = SCHEMES[own].order if own in SCHEMES else 1  # exact rows have no error: what they lack they gain row by row
+    parts = 1
+    for _ in range(_TRIES):
+        needed = max(parts + 1, math.ceil(parts * max(_growth(one, order) for one in coarse)))
+        parts = needed if own == EXACT else parts_at_breaks(evidence, needed) or needed
+        if evidence.variant.time.end / evidence.motion.step * parts > MAX_ROWS:
+            return 0
+        motion = None if own == EXACT else evidence.rerun(own, _spelled(evidence, parts)[1])
+        if motion is not None and (share := _glanced(evidence, motion, parts)) > LIMIT:
+            coarse = [Finding("COARSE", "", share, LIMIT)]
+            continue
+        tried = _tried(evidence, own, parts, motion)
+        coarse = [one for one in judge(tried) if _curable(one)] if tried is not None else [Finding("COARSE", "")]
+        if not coarse:
+            return parts
+    return 0
+
+
+def _glanced(evidence: Evidence, motion: Motion, parts: int) -> float:
+    """Return the largest share by which a finer table is off in the rows that the exact motion has already."""
+    count = evidence.compared
+    common = replace(
+        motion, t=motion.t[::parts][:count], coordinates=motion.coordinates[::parts][:count],
+        velocities=motion.velocities[::parts][:count],
+    )  # fmt: skip
+    return float(np.max(np.abs(replace(evidence, motion=common).errors), initial=0.0))
+
+
+def _growth(finding: Finding, order: int) -> float:
+    """Return how many times finer a step must be for a check to pass; 2 where its number does not say."""
+    value, limit = finding.value, finding.limit
+    if not value or not limit:
+        return 2.0
+    if finding.code == "STEP":
+        return limit / value
+    if finding.code == "PEAK":
+        return value / limit
+    return float((value / AIM) ** (1 / order)) if limit == LIMIT else 2.0
+
+
+def _tried(evidence: Evidence, scheme: str, parts: int, motion: Motion | None) -> Evidence | None:
+    """Return the evidence about a `motion` of another scheme or a part of the step, None where it does not end well.
+
+    Exact rows are none that a scheme makes: they are what a scheme would be judged against.
+    """
+    assert evidence.exact is not None
+    if motion is None and scheme != EXACT:
+        return None
+    step = evidence.motion.step if parts == 1 else _spelled(evidence, parts)[1]
+    rows = whole_steps(step, evidence.variant.time.end) + 1
+    exact = finer(evidence.exact, evidence.rates, parts, rows) if parts > 1 else evidence.exact
+    motion = motion or exact
+    if motion is None or exact is None:
+        return None
+    return replace(evidence, motion=motion, exact=exact, extended_precision=None, replay=None, rerun=None, is_trial=True)
+
+
+def _spelled(evidence: Evidence, parts: int) -> tuple[str, float]:
+    """Return a part of the run's step as --step takes it, and in seconds: h/N of the file's step where that is exact."""
+    step, own = evidence.motion.step / parts, evidence.variant.time.own_step or evidence.variant.time.step
+    whole = round(own / step)
+    if whole > 1 and abs(own / step / whole - 1) < 1e-12:
+        return f"h/{whole}", own / whole
+    return repr(step), step

@@ -1,0 +1,161 @@
+"""CONTINUITY: the exact motion has no jump, and the table changes from row to row as it does.
+
+Enters: `Evidence`.  Leaves: a `Finding`.  Used by `check.py`.
+A change that is large in one interval is a jump only if it stays large however small the interval gets.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.equations.codegen.tabulated import OutsideTable
+from coursework.motion.geometry.drive import breaks
+from coursework.motion.integration.exact_motion import refine
+from coursework.results.checks.evidence import LIMIT, NO_ERROR, Evidence, turns, worst
+from coursework.results.checks.result import Finding, percent, skipped
+
+Array = NDArray[Any]
+HALVINGS = 20
+# A smooth curve would have to be steeper than this many times its scale a step to look like a jump after 20 halvings.
+_FEWEST_ROWS = 2
+# A break this part of its time from an interval is in it.
+_AT_BREAK = 1e-9
+# Intervals that look like a jump from outside and are looked into one by one.
+_MOST_SUSPECTS = 5
+
+
+class Jump(NamedTuple):
+    """A change of `share` of the scale of `column` that is left at `time` (s), in the interval behind row `row` (from 0)."""
+
+    share: float
+    column: str
+    row: int
+    time: float
+
+
+def continuity(evidence: Evidence) -> Finding:
+    """No curve jumps, and no change between two rows is off by more than 5 % of the scale."""
+    if evidence.compared < _FEWEST_ROWS or not evidence.names:
+        return skipped(evidence.say("check.CONTINUITY.skip"))
+    unit = evidence.say("unit.of_the_scale")
+    if (jump := evidence.once("jump", lambda: jump_of_exact(evidence))) is not None:
+        sentence = evidence.say(
+            "check.CONTINUITY.fail", name=jump.column, share=percent(jump.share), time=jump.time, row=jump.row + 1
+        )
+        return Finding("FAIL", sentence, jump.share, LIMIT, unit, jump.column, jump.row + 1)
+    shares = np.abs(np.diff(evidence.errors, axis=0))
+    row, place = worst(shares)
+    name, value = evidence.names[place], float(shares[row, place])
+    found = {"name": name, "share": percent(value), "row": row + 1, "next": row + 2}
+    if value <= LIMIT:
+        sentence = evidence.say("check.CONTINUITY.pass", **found) if value else evidence.say("check.CONTINUITY.same")
+        return Finding("PASS", sentence, value, LIMIT, unit, name, row + 1)
+    return Finding("COARSE", evidence.say("check.CONTINUITY.coarse", **found), value, LIMIT, unit, name, row + 1)
+
+
+def jump_of_exact(evidence: Evidence) -> Jump | None:
+    """Return the largest jump of the exact motion that is at no break of a `pieces` law, None where it has none."""
+    exact = evidence.exact
+    if exact is None or len(exact.t) < 2 or evidence.restricted:
+        return None
+    found = _suspects(evidence)
+    begin, end = (exact.t[found.row] + part * exact.step for part in (found.left, found.right))
+    for time in breaks(evidence.variant):
+        found = found.kept(~((begin * (1 - _AT_BREAK) <= time) & (time <= end * (1 + _AT_BREAK))))
+        begin, end = (exact.t[found.row] + part * exact.step for part in (found.left, found.right))
+    order = np.argsort(-np.nan_to_num(found.shares(evidence), nan=np.inf), kind="stable")[:_MOST_SUSPECTS]
+    jumps = (_looked_into(evidence, int(found.row[place]), int(found.column[place])) for place in order)
+    return max((jump for jump in jumps if jump is not None), default=None)
+
+
+class _Brackets(NamedTuple):
+    """Parts of intervals, one for each (`row`, `column`): from `left` to `right` of the interval, values `low` and `high`."""
+
+    row: Array
+    column: Array
+    left: Array
+    right: Array
+    low: Array
+    high: Array
+
+    def kept(self, chosen: Array) -> _Brackets:
+        return _Brackets(*(part[chosen] for part in self))
+
+    def shares(self, evidence: Evidence) -> Array:
+        change = self.high - self.low
+        angles = np.array([evidence.unit(name) == "rad" for name in evidence.names])[self.column]
+        change = np.abs(np.where(angles, change - turns(change), change))
+        return np.where(change < NO_ERROR, 0.0, change / evidence.scales[self.column])
+
+
+def _suspects(evidence: Evidence) -> _Brackets:
+    """Return the changes that stay large on the curves laid through the exact rows, however often they are halved.
+
+    Those curves are cubics with the exact positions and rates at the rows; what jumps on them is at most where the motion
+    jumps.  Every interval and column is halved by itself, the half with the larger change kept.
+    """
+    exact, rates = evidence.exact, evidence.rates
+    assert exact is not None
+    places = np.array([exact.names.index(name) for name in evidence.names])
+    table = exact.rows[:, places]
+    row, column = (part.ravel() for part in np.indices((len(table) - 1, len(places))))
+    found = _Brackets(
+        row, column, np.zeros(len(row)), np.ones(len(row)), table[row, column], table[row + 1, column],
+    )  # fmt: skip
+    for _ in range(HALVINGS):
+        found = found.kept(~(found.shares(evidence) <= LIMIT))
+        if not len(found.row):
+            return found
+        middle = (found.left + found.right) / 2
+        time, position = _between(evidence, found.row, middle)
+        with np.errstate(all="ignore"):
+            try:
+                values = np.hstack([position, rates.table(time, position)[0]])[np.arange(len(time)), places[found.column]]
+            except (ArithmeticError, ValueError, OutsideTable):
+                values = np.full(len(time), np.nan)
+        first, second = found._replace(right=middle, high=values), found._replace(left=middle, low=values)
+        is_first = ~(first.shares(evidence) <= second.shares(evidence))
+        found = _Brackets(*(np.where(is_first, one, other) for one, other in zip(first, second, strict=True)))
+    return found.kept(~(found.shares(evidence) <= LIMIT))
+
+
+def _between(evidence: Evidence, row: Array, part: Array) -> tuple[Array, Array]:
+    """Return times and positions (n, m) at a part of the interval behind each row, on the cubics through the exact rows."""
+    exact = evidence.exact
+    assert exact is not None
+    size, h = exact.coordinates.shape[1], exact.step
+    x = part[:, None]
+    begin, end = exact.coordinates[row], exact.coordinates[row + 1]
+    out, into = h * exact.velocities[row, :size], h * exact.velocities[row + 1, :size]
+    cubic = begin + x * (out + x * (3 * (end - begin) - 2 * out - into + x * (out + into - 2 * (end - begin))))
+    return exact.t[row] + part * h, cubic
+
+
+def _looked_into(evidence: Evidence, row: int, place: int) -> Jump | None:
+    """Return the jump that the exact motion itself makes of one column in one interval, None where it makes none."""
+    exact, rates, name = evidence.exact, evidence.rates, evidence.names[place]
+    assert exact is not None
+    index, scale = exact.names.index(name), evidence.scales[place]
+
+    def value(time: float, q: Array) -> float:
+        return float(np.array([*q, *rates.evaluate(time, *q.tolist())])[index])
+
+    begin, end = float(exact.t[row]), float(exact.t[row + 1])
+    q, low, high = exact.coordinates[row], float(exact.rows[row, index]), float(exact.rows[row + 1, index])
+    try:
+        for _ in range(HALVINGS):
+            middle = (begin + end) / 2
+            there = refine(rates, q.tolist(), np.array([begin, middle]))[0][-1]
+            between = value(middle, there)
+            if abs(between - low) > abs(high - between):
+                end, high = middle, between
+            else:
+                begin, q, low = middle, there, between
+            if abs(high - low) <= LIMIT * scale:
+                return None
+    except (ArithmeticError, ValueError, OutsideTable):
+        return None  # no value there: the motion is not known inside this interval, so nothing is said against it
+    return Jump(abs(high - low) / scale, name, row, begin)

@@ -1,0 +1,106 @@
+"""DRIFT: how far the position equations of the table's rows are open, as a share of the shortest length.
+
+Enters: `Evidence`.  Leaves: a `Finding`.  Used by `check.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.equations.reduction.system import compile_values
+from coursework.motion.geometry.closure import Closure
+from coursework.results.checks.evidence import LIMIT, Evidence
+from coursework.results.checks.result import Finding, Verdict, percent
+from coursework.variant.formula.tree import Formula, evaluate, spelled
+from coursework.variant.record.variant import Variant
+
+Array = NDArray[np.float64]
+# A length below this part of the longest is none: it stands for a point that coincides with another.
+_NO_LENGTH = 1e-9
+# An equation open by less, in parts of the shortest length, is open by round-off only.
+ROUND_OFF = 1e-12
+
+
+def drift(evidence: Evidence) -> Finding:
+    """The position equations stay satisfied to 5 % of the shortest length."""
+    closure = evidence.closure
+    assert closure is not None
+    motion = evidence.motion
+    residual, _ = closure.residual(motion.t, motion.coordinates, closure.targets(motion.t)[0])
+    shortest = evidence.once("shortest length", lambda: shortest_length(evidence))
+    angles = np.array([position.unit == "rad" for position in evidence.equations.positions])
+    shares = np.abs(residual) / np.where(angles, 1.0, shortest)
+    row, equation = (int(i) for i in np.unravel_index(int(np.argmax(shares)), shares.shape))
+    value, name = float(shares[row, equation]), closure.names[equation]
+    called = [position.told for position in evidence.equations.positions]
+    unit = "rad" if angles[equation] else "m"
+    lines = tuple(
+        (evidence.say("check.largest", name=name), float(size), "rad" if angle else "m")
+        for name, size, angle in zip(called, np.max(np.abs(residual), axis=0), angles, strict=True)
+    )
+    size = float(abs(residual[row, equation]))
+    if (jump := evidence.once("opened", lambda: _jump(evidence, closure, np.where(angles, 1.0, shortest)))) is not None:
+        at, which = jump
+        sentence = evidence.say("check.DRIFT.jump", name=called[which], row=at, next=at + 1, time=float(motion.t[at]))
+        return Finding(
+            "FAIL", sentence, value, LIMIT, evidence.say("unit.of_the_scale"), closure.names[which], at + 1, rows=lines
+        )
+    found = {"name": called[equation], "row": row + 1, "size": size, "unit": unit, "share": percent(value), "shortest": shortest}
+    verdict: Verdict = "PASS" if value <= LIMIT else "COARSE" if float(np.max(shares[0])) <= LIMIT else "FAIL"
+    if value < ROUND_OFF:
+        sentence = evidence.say("check.DRIFT.same")
+    else:
+        kind = "angle" if verdict == "COARSE" and angles[equation] else verdict.lower()
+        sentence = evidence.say(f"check.DRIFT.{kind}", **found)
+    return Finding(verdict, sentence, value, LIMIT, evidence.say("unit.of_the_scale"), name, row + 1, rows=lines)
+
+
+def _jump(evidence: Evidence, closure: Closure, scales: Array) -> tuple[int, int] | None:
+    """Return the first row (from 0) and the equation that the motion of the velocities itself leaves open, None if all hold."""
+    exact = evidence.exact
+    if exact is None or not len(exact.t):
+        return None
+    residual, _ = closure.residual(exact.t, exact.coordinates, closure.targets(exact.t)[0])
+    open_rows = np.abs(residual) / scales > LIMIT
+    if open_rows[0].any() or not open_rows.any():
+        return None
+    row = int(np.argmax(open_rows.any(axis=1)))
+    return row, int(np.argmax(open_rows[row]))
+
+
+def shortest_length(evidence: Evidence) -> float:
+    """Return the shortest length (m) of a vector or group, over the rows where it changes; of the data where there is none."""
+    variant, motion = evidence.variant, evidence.motion
+    trees = {tree for formula in _formulas(variant) for tree in _lengths(formula)}
+    trees |= {length for group in variant.groups for length in group.lengths}
+    sliding = {coordinate.name for coordinate in variant.coordinates if coordinate.unit == "m"}
+    fixed = {*variant.values, "pi"}
+    sizes = [abs(evaluate(tree, variant.values)) for tree in trees if set(tree.names()) <= fixed]
+    changing = [tree for tree in trees if not (set(tree.names()) <= fixed or sliding & set(tree.names()))]
+    if changing:
+        scalars = [evidence.equations.symbols.scalar(tree) for tree in sorted(changing, key=spelled)]
+        values = compile_values(evidence.equations, scalars)[1](motion.t, *motion.coordinates.T)
+        sizes += [float(np.min(np.abs(value))) for value in values]
+    data = [abs(given.value) for given in variant.given if given.si == "m"]
+    return _shortest(sizes) or _shortest(data) or 1.0
+
+
+def _shortest(sizes: list[float]) -> float:
+    longest = max(sizes, default=0.0)
+    return min((size for size in sizes if size > _NO_LENGTH * longest), default=0.0)
+
+
+def _formulas(variant: Variant) -> Iterator[Formula]:
+    for constraint in variant.constraints:
+        if constraint.is_closure:
+            yield from (constraint.left, constraint.right)
+    yield from (formula for _, formula in variant.points)
+    yield from variant.holds
+
+
+def _lengths(formula: Formula) -> Iterator[Formula]:
+    """Yield L of every `L @ angle`."""
+    return (node.args[0] for node in formula.walk() if node.op == "@")

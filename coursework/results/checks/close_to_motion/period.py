@@ -1,0 +1,232 @@
+"""PERIOD-POSITION, PERIOD-VELOCITY, PERIOD-ASSEMBLY: the last row against the first, and what the difference is made of.
+
+Enters: `Evidence`.  Leaves: a `Finding` each, and `Split`, which the accuracy study shows.
+total = scheme error + (T is not a whole number of steps) + round-off, signed, per column.
+Used by `check.py`, `motion_results.py`, `report/closeness.py` and `report/results.py`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.motion.integration.finer import exact_at, prolonged
+from coursework.motion.integration.motion import Motion
+from coursework.results.checks.evidence import LIMIT, NO_ERROR, Evidence, turns
+from coursework.results.checks.result import Finding, percent, skipped
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say
+
+Array = NDArray[np.float64]
+# Part of the scale by which the exact motion may miss its start after the stated period.  Measured over 38 stated periods:
+# T off by 0.2 % (three digits of it) moves the exact motion by at most 0.021, T off by 2 % by at least 0.031.
+RETURNS = 0.03
+
+# Where the exact motion alone is this part of the limit beside its start, a finer step does not bring the row inside it.
+NEARLY = 0.9
+
+# The stated period is looked for up to so many times the length of the run: behind the end as much work again as in it.
+FURTHEST = 2.0
+
+
+@dataclass(frozen=True, slots=True)
+class Split:
+    """The mismatch of one column, signed: `total` = `scheme` + `period` + `roundoff` = `last` - `first` without `turns`."""
+
+    name: str
+    unit: str
+    turns: int
+    first: float
+    last: float
+    total: float
+    scheme: float
+    period: float
+    roundoff: float
+
+
+def mismatch(evidence: Evidence) -> tuple[Split, ...] | None:
+    """Return the split of every column, None where the run does not reach a period or stopped before."""
+    row, motion, exact = evidence.period_row, evidence.motion, evidence.exact
+    if row is None or motion.stop is not None or exact is None or row >= evidence.compared:
+        return None
+    rows = motion.rows
+    angles = np.array([evidence.unit(name) == "rad" for name in motion.names])
+    turned = np.where(angles, turns(rows[row] - rows[0]), 0.0)
+    last = rows[row] - turned
+    true = np.array([exact.column(name)[row] - exact.column(name)[0] for name in motion.names])
+    period = true - np.where(angles, turns(true), 0.0)
+    roundoff = np.zeros(len(last))
+    if evidence.extended_precision is not None:
+        count = len(motion.coordinate_names)
+        roundoff[:count] = (rows[row, :count] - evidence.extended_precision[row, :count]).astype(float)
+    total = last - rows[0]
+    scheme = total - period - roundoff
+    columns = zip(
+        motion.names, np.round(turned / (2 * np.pi)).astype(int).tolist(),
+        *(part.tolist() for part in (rows[0], last, total, scheme, period, roundoff)), strict=True,
+    )  # fmt: skip
+    return tuple(Split(name, evidence.unit(name), *parts) for name, *parts in columns)
+
+
+def position(evidence: Evidence) -> Finding:
+    """The last row repeats the first in every coordinate (whole turns taken off)."""
+    return _judge(evidence, "PERIOD-POSITION", evidence.motion.coordinate_names)
+
+
+def velocity(evidence: Evidence) -> Finding:
+    """The last row repeats the first in every velocity."""
+    return _judge(evidence, "PERIOD-VELOCITY", evidence.motion.velocity_names)
+
+
+def _judge(evidence: Evidence, code: str, names: tuple[str, ...]) -> Finding:
+    splits = evidence.once_of_rows("mismatch", lambda: mismatch(evidence))
+    if splits is None:
+        return _behind_the_end(evidence, [name for name in names if name in evidence.names])
+    scale, unit = evidence.scale, evidence.say("unit.of_the_scale")
+    judged = {split.name: split for split in splits if split.name in evidence.names}
+    chosen = [split for name, split in judged.items() if name in names]
+    if not chosen:
+        return skipped(evidence.say("check.PERIOD.driven"))
+    if evidence.variant.time.period is None:
+        if any(abs(split.period) > RETURNS * scale[name] for name, split in judged.items()):
+            return skipped(evidence.say("check.PERIOD.unstated"))
+    elif (wrong := _wrong(evidence, [split.name for split in chosen])) is not None:
+        return wrong
+    shares = {split.name: _share(split.total, scale[split.name]) for split in chosen}
+    worst = max(chosen, key=lambda split: shares[split.name])
+    value, row = shares[worst.name], evidence.period_row
+    assert row is not None
+    first, last = (0.0 if abs(end) < NO_ERROR else end for end in (worst.first, worst.last))
+    found = {
+        "which": evidence.say(f"check.{code}.which", name=worst.name), "share": percent(value), "row": row + 1, "first": first,
+        "last": last, "unit": worst.unit, "scale": scale[worst.name],
+    }  # fmt: skip
+    if value == 0:
+        told = [evidence.say("check.PERIOD.same", row=row + 1)]
+    else:
+        told = [evidence.say("check.PERIOD.pass" if value <= LIMIT else "check.PERIOD.coarse", **found)]
+    late = _share(worst.period, scale[worst.name])
+    if cannot_return := value > LIMIT and late > NEARLY * LIMIT and _is_beyond(evidence, worst.name):
+        told.append(evidence.say("check.PERIOD.due", share=percent(late), period=evidence.period))
+    if turned := [evidence.say("check.PERIOD.turns", number=split.turns, name=split.name) for split in chosen if split.turns]:
+        told.append(evidence.say("check.PERIOD.taken_off", turned=joined(turned, "join.semicolon")))
+    lines = tuple((_label(split.name, part), getattr(split, part), split.unit) for split in chosen for part in _PARTS)
+    return Finding(
+        "PASS" if value <= LIMIT else "COARSE", joined(told), value, LIMIT, unit, worst.name, row + 1, worst.first, worst.last,
+        rows=lines, cured=not cannot_return,
+    )  # fmt: skip
+
+
+@cache
+def _label(name: str, part: str) -> Sentence:
+    """Return how one part of a column's mismatch is called; every step tried for an advice asks again."""
+    return say("check.line", name=name, part=say(f"check.PERIOD.part.{part}"))
+
+
+_PARTS = ("first", "last", "total", "scheme", "period", "roundoff")
+
+
+def _share(size: float, scale: float) -> float:
+    return 0.0 if abs(size) < NO_ERROR else abs(size) / scale
+
+
+def _behind_the_end(evidence: Evidence, names: list[str]) -> Finding:
+    """Return what is known of a period no row is at: where it ends behind the run, the exact motion may be followed there."""
+    exact, period = evidence.exact, evidence.period
+    stated = evidence.variant.time.period is not None and not evidence.restricted
+    judged = stated and evidence.motion.stop is None and evidence.stop is None and evidence.period_row is None
+    if exact is None or not (judged and names and len(exact.t) > 1 and period <= FURTHEST * float(exact.t[-1])):
+        return skipped(_why_skipped(evidence))
+    longer = evidence.once(f"exact up to {period!r}", lambda: prolonged(exact, evidence.rates, period))
+    if longer is None:
+        return skipped(_why_skipped(evidence))
+    # The scale is that of a whole period, of which the run has only a part.
+    wrong = _wrong(replace(evidence, exact=longer), names)
+    return wrong or skipped(evidence.say("check.PERIOD.due_later", end=float(evidence.motion.t[-1]), period=period))
+
+
+def _wrong(evidence: Evidence, names: list[str]) -> Finding | None:
+    """Return that the stated period is wrong, None where the exact motion is back after it."""
+    if (strayed := _strayed(evidence, names)) is None:
+        return None
+    name, share, first, last = strayed
+    sentence = evidence.say(
+        "check.PERIOD.period", period=evidence.period, name=name, share=percent(share), first=first, last=last
+    )
+    return Finding("FAIL", sentence, share, RETURNS, evidence.say("unit.of_the_scale"), name, None, first, last)
+
+
+def _strayed(evidence: Evidence, names: list[str]) -> tuple[str, float, float, float] | None:
+    """Return (column, share, start, value after the stated period) where the exact motion is not back, None where it is."""
+    exact = evidence.exact
+    assert exact is not None
+    if evidence.restricted or (after := _after(evidence, exact, evidence.period)) is None:
+        return None
+    found = []
+    for name in names:
+        first, last = float(exact.column(name)[0]), float(after[exact.names.index(name)])
+        if evidence.unit(name) == "rad":
+            last -= float(turns(np.array(last - first)))
+        found.append((name, _share(last - first, evidence.scale[name]), first, last))
+    worst = max(found, key=lambda entry: entry[1])
+    return worst if worst[1] > RETURNS else None
+
+
+def _after(evidence: Evidence, exact: Motion, time: float) -> Array | None:
+    return evidence.once(f"exact at {time!r}", lambda: exact_at(exact, evidence.rates, time))
+
+
+def _is_beyond(evidence: Evidence, name: str) -> bool:
+    """Return whether the exact motion is not back at the moment nearest to a whole period that any step can reach."""
+    exact, row = evidence.exact, evidence.period_row
+    assert exact is not None and row is not None
+    whole = round(float(evidence.motion.t[row]) / evidence.period) * evidence.period
+    after = _after(evidence, exact, min(whole, evidence.variant.time.end))
+    if after is None:
+        return True
+    gap = float(after[exact.names.index(name)] - exact.column(name)[0])
+    return _share(gap - float(turns(np.array(gap))) * (evidence.unit(name) == "rad"), evidence.scale[name]) > NEARLY * LIMIT
+
+
+def _why_skipped(evidence: Evidence) -> str:
+    motion = evidence.motion
+    if motion.stop is not None:
+        return evidence.say("check.PERIOD.stopped", time=motion.stop.time)
+    if evidence.compared < len(motion.t):
+        return evidence.say("check.unknown")
+    return evidence.say("check.PERIOD.short", end=float(motion.t[-1]), period=evidence.period)
+
+
+def assembly(evidence: Evidence) -> Finding:
+    """Every determinant keeps its sign: the mechanism stays in one assembly over the whole run."""
+    motion, exact = evidence.motion, evidence.exact
+    determinants = motion.determinants
+    if len(determinants) < 2 or not determinants.shape[1]:
+        return skipped(evidence.say("check.PERIOD-ASSEMBLY.skip"))
+    unit = evidence.say("unit.relative")
+    smallest = float(np.min(np.abs(motion.scaled))) if motion.scaled.size else None
+    row = _changed(motion, evidence)
+    if exact is not None and (true := _changed(exact, evidence)) is not None:
+        return Finding("FAIL", evidence.say("check.PERIOD-ASSEMBLY.fail", row=true + 1), smallest, None, unit, None, true + 1)
+    if row is not None:
+        return Finding("COARSE", evidence.say("check.PERIOD-ASSEMBLY.coarse", row=row + 1), smallest, None, unit, None, row + 1)
+    return Finding("PASS", evidence.say("check.PERIOD-ASSEMBLY.pass"), smallest, None, unit)
+
+
+def _changed(motion: Motion, evidence: Evidence) -> int | None:
+    """Return the first row (from 0) with another sign than the first row has, passages counted; None where there is none."""
+    if not motion.determinants.size:
+        return None
+    signs = np.sign(motion.determinants)
+    for passage in evidence.passages:
+        own = [place for place, block in enumerate(evidence.rates.blocks) if block == passage.block]
+        # A scheme that is a little off is through a row early or late.
+        near = np.abs(motion.t - passage.middle.time) < motion.step
+        for place in own:
+            signs[motion.t > passage.middle.time, place] *= -1
+            signs[near, place] = signs[0, place]
+    changed = np.flatnonzero(np.any(signs != signs[0], axis=1))
+    return int(changed[0]) if len(changed) else None

@@ -1,0 +1,96 @@
+"""SINUSOID: under a sinusoidal drive the velocities are clearly sinusoidal, and so is the table.
+
+Enters: `Evidence`.  Leaves: a `Finding`.  Used by `check.py`.
+Least squares on a constant, t, and cos, sin of every k w, k = 1, 2, 3, w the frequencies of the drive.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.motion.geometry.drive import frequencies
+from coursework.motion.integration.finer import finer
+from coursework.motion.integration.motion import Motion
+from coursework.results.checks.evidence import NEAR_PERIOD, Evidence
+from coursework.results.checks.result import Finding, Verdict, floored, skipped
+
+Array = NDArray[np.float64]
+# In a benign mechanism the first three harmonics carry more than this part of an oscillation (catalogue: 0.984 to 1.000).
+SHARE = 0.9
+HARMONICS = (1, 2, 3)
+# Rows the exact motion is judged on, a period of the fastest sine in the drive.
+_ROWS_A_PERIOD = 16
+# Part of a column's largest size below which its oscillation is round-off.
+_QUIET = 1e-12
+
+
+def sinusoid(evidence: Evidence) -> Finding:
+    """The first three harmonics of the drive carry at least nine tenths of the oscillation of every velocity."""
+    found = evidence.once("frequencies", lambda: frequencies(evidence.equations))
+    if not found:
+        return skipped(evidence.say("check.SINUSOID.drive"))
+    motion = evidence.motion
+    slowest = 2 * np.pi / found[0]
+    near = max(motion.step / 2, NEAR_PERIOD * slowest)
+    periods = int((motion.t[-1] + near) / slowest) if len(motion.t) else 0
+    names = tuple(name for name in evidence.names if name in motion.velocity_names)
+    if motion.stop is not None or periods < 1 or evidence.compared < len(motion.t) or not names:
+        return skipped(evidence.say("check.SINUSOID.rows", period=slowest))
+    window = periods * slowest + near
+    true = evidence.once("sinusoid", lambda: _of_exact(evidence, names, found, window))
+    if not true:
+        return skipped(evidence.say("check.unknown"))
+    name = min(names, key=lambda key: true[key])
+    unit = evidence.say("unit.of_power")
+    if true[name] < SHARE:
+        return skipped(evidence.say("check.SINUSOID.not", name=name, share=floored(true[name])))
+    if int(np.sum(motion.t <= window)) <= _terms(found):
+        return skipped(evidence.say("check.SINUSOID.few", rows=int(np.sum(motion.t <= window)), least=_terms(found) + 1))
+    own = shares(motion, names, found, window)
+    column = min(names, key=lambda key: own[key])
+    rows = tuple((name, own[name], unit) for name in names)
+    verdict: Verdict = "PASS" if own[column] >= SHARE else "COARSE"
+    sentence = evidence.say(
+        f"check.SINUSOID.{verdict.lower()}", name=column, share=floored(own[column]), exact=floored(true[column])
+    )
+    return Finding(verdict, sentence, own[column], SHARE, unit, column, rows=rows)
+
+
+def _of_exact(evidence: Evidence, names: tuple[str, ...], found: tuple[float, ...], window: float) -> dict[str, float]:
+    """Return the shares of the exact motion, on rows that are close enough; none where it cannot be followed between rows."""
+    exact = evidence.exact
+    assert exact is not None
+    parts = int(np.ceil(_ROWS_A_PERIOD * exact.step * found[-1] / (2 * np.pi) * (1 - 1e-9)))
+    dense = finer(exact, evidence.rates, parts, parts * (len(exact.t) - 1) + 1) if parts > 1 else exact
+    return shares(dense, names, found, window) if dense is not None else {}
+
+
+def _terms(found: tuple[float, ...]) -> int:
+    return 2 + 2 * len(HARMONICS) * len(found)
+
+
+def shares(motion: Motion, names: tuple[str, ...], found: tuple[float, ...], window: float) -> dict[str, float]:
+    """Return the part of each column's oscillation that the harmonics of `found` (rad/s) carry, up to `window` (s)."""
+    t = motion.t[motion.t <= window]
+    turning = [shape(k * w * t) for w in found for k in HARMONICS for shape in (np.cos, np.sin)]
+    columns = np.array([motion.column(name)[: len(t)] for name in names]).T
+    without_trend = _left_by_a_line(t, columns)
+    unexplained = _left(np.column_stack([np.ones_like(t), t, *turning]), columns)
+    quiet = (_QUIET * np.max(np.abs(columns), axis=0)) ** 2 * len(t)
+    carried = np.where(without_trend <= quiet, 1.0, 1 - unexplained / np.where(without_trend > 0, without_trend, 1.0))
+    return dict(zip(names, carried.tolist(), strict=True))
+
+
+def _left_by_a_line(t: Array, columns: Array) -> Array:
+    """Return the sum of squares (k,) that the best straight line over t (n,) leaves of each column (n, k)."""
+    middle = t - np.mean(t)
+    level = columns - np.mean(columns, axis=0)
+    slope = middle @ level / (middle @ middle or 1.0)
+    return np.asarray(np.sum((level - middle[:, None] * slope) ** 2, axis=0))
+
+
+def _left(terms: Array, columns: Array) -> Array:
+    """Return the sum of squares (k,) that least squares on `terms` (n, j) leaves of each column (n, k)."""
+    coefficients = np.linalg.lstsq(terms, columns, rcond=None)[0]
+    return np.asarray(np.sum((columns - terms @ coefficients) ** 2, axis=0))

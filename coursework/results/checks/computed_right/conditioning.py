@@ -1,0 +1,106 @@
+"""CONDITION and PEAK: how many digits the equations leave, and whether the step is short enough for the fastest angle.
+
+Enters: `Evidence`.  Leaves: a `Finding` each.  Used by `check.py`.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.magnitude import largest
+from coursework.equations.reduction.system import compile_system
+from coursework.equations.reduction.tidy import as_formula
+from coursework.motion.integration.integrate import WIDEST_STEP
+from coursework.results.checks.evidence import Evidence
+from coursework.results.checks.result import Finding, floored, skipped
+from coursework.variant.formula.tree import Formula
+from coursework.words.sentences import joined, say
+
+if TYPE_CHECKING:
+    import sympy as sp
+
+Array = NDArray[np.float64]
+# A double has sixteen digits; six of them are more than any table of the coursework shows.
+DIGITS, FEWEST = 16.0, 6.0
+# Ruiz' scaling has settled to a few percent after this many rounds, and the condition number wants no more.
+_ROUNDS = 8
+
+
+def condition(evidence: Evidence) -> Finding:
+    """The equations leave at least six of sixteen digits in every row: 16 - log10 of their condition number."""
+    motion, variant = evidence.motion, evidence.variant
+    used = [equation for equation in evidence.equations.equations if equation.name in evidence.used]
+    if not used:
+        return skipped(say("check.CONDITION.nothing"))
+    system = compile_system(evidence.equations, used)
+    matrix, _, _ = system.matrices(motion.t, motion.coordinates)
+    sizes = np.max(np.abs(matrix), axis=0)
+    for row, equation in enumerate(used):
+        for name, coefficient in equation.coefficients.items():
+            column = system.unknowns.index(name)
+            sizes[row, column] = max(sizes[row, column], largest(_formula(coefficient, evidence.equations), variant))
+    numbers = np.linalg.cond(equilibrated(matrix, sizes))
+    for passage in evidence.passages:  # there the limit is known, and nothing is solved
+        numbers[passage.is_at(motion.t)] = 1.0
+    worst = int(np.argmax(numbers))
+    digits = float(np.clip(DIGITS - np.log10(numbers[worst]), 0.0, DIGITS)) if np.isfinite(numbers[worst]) else 0.0
+    largest_number, first_number = float(numbers[worst]), float(numbers[0])
+    when = float(motion.t[worst])
+    told = floored(digits, 1)  # never more than there are: what is told as 6.0 passes, what fails is told as 5.9
+    sentence = say("check.CONDITION.found", digits=told, row=worst + 1, time=when, number=largest_number)
+    rows = (say("check.CONDITION.worst"), largest_number, ""), (say("check.CONDITION.first"), first_number, "")
+    unit = say("unit.digits", number=digits)
+    if digits >= FEWEST:
+        return Finding("PASS", sentence, digits, FEWEST, unit, None, worst + 1, rows=rows)
+    return Finding("FAIL", joined([sentence, say("check.CONDITION.close")]), digits, FEWEST, unit, None, worst + 1, rows=rows)
+
+
+def _formula(coefficient: sp.Expr, equations: VelocityEquations) -> Formula:
+    return equations.once(("formula", coefficient), lambda: as_formula(coefficient, equations.order))
+
+
+def equilibrated(matrix: Array, sizes: Array) -> Array:
+    """Return the matrices (r, n, n) with rows and columns scaled alike in all r of them.
+
+    `sizes` (n, n): the largest values the entries can take, not those they have: a micrometre beside a metre (hard case H17)
+    is no bad condition, and a row that vanishes (a dead point) is.  Source: D. Ruiz, RAL-TR-2001-034.
+    """
+    down, across = np.ones(sizes.shape[0]), np.ones(sizes.shape[1])
+    for _ in range(_ROUNDS):
+        scaled = sizes / down[:, None] / across
+        down = down * np.sqrt(_or_one(np.max(scaled, axis=1)))
+        across = across * np.sqrt(_or_one(np.max(scaled, axis=0)))
+    return np.asarray(matrix / down[:, None] / across)
+
+
+def _or_one(sizes: Array) -> Array:
+    return np.where(sizes > 0, sizes, 1.0)
+
+
+def peak(evidence: Evidence) -> Finding:
+    """No angle that is integrated changes by more than one radian in one step, also where it is fastest between two rows.
+
+    A wheel whose angle nobody adds up may turn faster: no row steps over anything with it.
+    """
+    variant, step = evidence.variant, evidence.motion.step
+    if evidence.stop is not None or not evidence.fastest:
+        return skipped(evidence.say("check.PEAK.stopped"))
+    turning = [
+        (rate, when, coordinate)
+        for (rate, when), coordinate in zip(evidence.fastest, variant.coordinates, strict=True)
+        if coordinate.unit == "rad"
+    ]
+    if not turning:
+        return skipped(evidence.say("check.PEAK.no_angle"))
+    rate, when, coordinate = max(turning, key=lambda entry: entry[0])
+    turned = rate * step
+    moment = evidence.say("check.PEAK.constant") if when is None else evidence.say("check.PEAK.moment", time=when)
+    found = {"rate": coordinate.rate, "moment": moment, "value": rate, "turned": turned, "name": coordinate.name}
+    if turned <= WIDEST_STEP:
+        return Finding("PASS", evidence.say("check.PEAK.pass", **found), turned, WIDEST_STEP, "rad", coordinate.rate)
+    sentence = evidence.say("check.PEAK.coarse", **found, step=WIDEST_STEP / rate)
+    return Finding("COARSE", sentence, turned, WIDEST_STEP, "rad", coordinate.rate)

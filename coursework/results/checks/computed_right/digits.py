@@ -1,0 +1,200 @@
+"""TABLE-DIGITS: what the last printed digit of a tabulated law does to the velocities and accelerations.
+
+Enters: `Evidence`.  Leaves: a `Finding`.  Used by `check.py`.
+A value rounded to the place q lies up to q/2 beside the true one; a derivative is a weighted sum of values, so in the worst
+case it is off by q/2 times the sum of the sizes of its weights.  The weights are read off tables of zeros with a single one.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.equations.codegen.programs import as_columns
+from coursework.equations.codegen.tabulated import TableLaw
+from coursework.equations.reduction.symbolic import symbol
+from coursework.equations.reduction.system import compile_system, compile_values
+from coursework.results.checks.close_to_motion.drift import shortest_length
+from coursework.results.checks.evidence import LIMIT, Evidence, scales_of
+from coursework.results.checks.result import Finding, percent, skipped
+from coursework.variant.record.variant import Law
+from coursework.words.sentences import joined, say
+
+Array = NDArray[np.float64]
+# A table with more decimals than this was computed, not rounded for print.
+_MOST_DECIMALS = 12
+# A number read and converted lies this part of itself beside the decimal it was printed as.
+_ROUND_OFF = 1e-14
+# Nodes of the tables of weights: the middle one is beyond the reach of both ends.
+_NODES = 25
+_MIDDLE = _NODES // 2
+
+
+@dataclass(frozen=True, slots=True)
+class Noise:
+    """What the rounding of the law `name` allows one column to be off: `inside` the table, at its `end`, and where the rows
+    are (`worst`, in row `row` from 0), in `unit`; `scale` of the column.
+    """
+
+    name: str
+    decimals: int
+    column: str
+    unit: str
+    inside: float
+    end: float
+    worst: float
+    row: int
+    scale: float
+
+    @property
+    def share(self) -> float:
+        """Return the worst case as a share of the column's scale."""
+        return self.worst / self.scale
+
+
+def table_digits(evidence: Evidence) -> Finding:
+    """The printed digits of every tabulated law leave velocities and accelerations within 5 % of their scales."""
+    laws = [law for law in (*evidence.variant.drive, *evidence.variant.functions) if law.table]
+    if not laws:
+        return skipped(say("check.TABLE-DIGITS.skip"))
+    if evidence.exact is None or not len(evidence.exact.t) or evidence.restricted:
+        return skipped(say("check.unknown"))
+    found = [noise for law in laws for noise in _noises(evidence, law)]
+    if not found:
+        return Finding("PASS", say("check.TABLE-DIGITS.all", names=tuple(law.name for law in laws)))
+    worst = max(found, key=lambda noise: noise.share)
+    told = [
+        say(
+            "check.TABLE-DIGITS.allows", decimals=noise.decimals, name=noise.name, column=noise.column, inside=noise.inside,
+            end=noise.end, unit=noise.unit, share=percent(noise.share),
+        )
+        for noise in found
+    ]  # fmt: skip
+    verdict = "PASS" if worst.share <= LIMIT else "COARSE"
+    if verdict == "COARSE":
+        told.append(say("check.TABLE-DIGITS.coarse"))
+    return Finding(
+        "PASS" if verdict == "PASS" else "COARSE", joined(told), worst.share, LIMIT, say("unit.of_the_scale"), worst.column,
+        worst.row + 1, cured=False,
+    )  # fmt: skip
+
+
+def decimals(law: Law) -> int | None:
+    """Return the decimals that all values of a table share, None where they are too many to have been printed."""
+    values = np.array([value for _, value in law.table])
+    for count in range(_MOST_DECIMALS + 1):
+        scaled = values * 10.0**count
+        if np.all(np.abs(scaled - np.round(scaled)) <= _ROUND_OFF * np.maximum(1.0, np.abs(scaled))):
+            return count
+    return None
+
+
+@cache
+def amplification(method: str, order: int) -> tuple[float, ...]:
+    """Return for the nodes of a table, the nearest end first, half the sum of the sizes of the weights of its derivative.
+
+    Times q/d^order, q the last place and d the spacing, that is the worst case of the derivative of `order` 0, 1 or 2: 0.5 of
+    the value itself; for the five-point formulas 0.75 inside and 5.33 at the end; applied twice 1.125 and 16.4.  The last
+    entry holds inside.
+    """
+    columns = []
+    for place in range(_NODES):
+        rows = tuple((float(node), float(node == place)) for node in range(_NODES))
+        pieces = TableLaw("", rows, method).pieces[order]
+        columns.append(np.append(pieces[:, 0], np.sum(pieces[-1])))
+    sums = 0.5 * np.sum(np.abs(np.array(columns)), axis=0)
+    return tuple(float(max(sums[place], sums[-1 - place])) for place in range(_MIDDLE + 1))
+
+
+def _noises(evidence: Evidence, law: Law) -> list[Noise]:
+    """Return what rounding does to the velocities that the law moves, and to their accelerations.
+
+    A law of position has them as its first and second derivative; a drive is a velocity, so its table is one derivative
+    further: the velocities have its own rounding, the accelerations that of its first derivative.
+    """
+    is_drive = law in evidence.variant.drive
+    count = decimals(law)
+    exact = evidence.exact
+    assert exact is not None
+    if count is None or law.of not in {"t", *exact.names}:
+        return []
+    first, last = law.table[0][0], law.table[-1][0]
+    spacing = (last - first) / (len(law.table) - 1)
+    place = (exact.column(law.of) - first) / spacing
+    from_end = np.clip(np.floor(np.minimum(place, len(law.table) - 1 - place)), 0, _MIDDLE).astype(int)
+    rate = np.abs(_rate(evidence, law.of))
+    moved = _moved_by(evidence, law.name) if is_drive else {}
+    found = []
+    for order in range(1, min(evidence.order, 2) + 1):
+        derivative = order - 1 if is_drive else order
+        weights = np.array(amplification(law.method, derivative))
+        sizes = 10.0**-count / spacing**derivative * rate**derivative
+        scales = _scales(evidence, order)
+        if not scales:
+            continue
+        if is_drive:
+            largest_of = {name: float(np.max(weights[from_end] * sizes * moved[name])) for name in scales if name in moved}
+            column = max(largest_of, key=lambda name: largest_of[name] / scales[name], default="")
+            if not column or not largest_of[column]:
+                continue
+            sizes = sizes * moved[column]
+        else:
+            column, lever = _touched(evidence, scales)
+            sizes = sizes / lever
+        worst = weights[from_end] * sizes
+        row, largest = int(np.argmax(worst)), float(np.max(sizes))
+        shown, unit = ("d" * (order - 1)) + column, evidence.unit(column) + ("²" if order == 2 else "")
+        inside, end = float(weights[-1]) * largest, float(weights[0]) * largest
+        found.append(Noise(law.name, count, shown, unit, inside, end, float(worst[row]), row, scales[column]))
+    return found
+
+
+def _rate(evidence: Evidence, argument: str) -> Array:
+    """Return d argument/dt (n,)."""
+    exact = evidence.exact
+    assert exact is not None
+    rates = {coordinate.name: coordinate.rate for coordinate in evidence.variant.coordinates}
+    return exact.column(rates[argument]) if argument in rates else np.gradient(exact.column(argument), exact.step)
+
+
+def _scales(evidence: Evidence, order: int) -> dict[str, float]:
+    """Return the scales of the velocities that are judged (`order` 1), or of their derivatives (2), which the same rule gives."""
+    exact = evidence.exact
+    assert exact is not None
+    names = [name for name in evidence.names if name in exact.velocity_names]
+    if order == 1:
+        return {name: evidence.scale[name] for name in names}
+    columns = [np.gradient(exact.column(name), exact.step) for name in names]
+    spreads, sizes = [float(np.ptp(column)) for column in columns], [float(np.max(np.abs(column))) for column in columns]
+    return dict(zip(names, scales_of(spreads, sizes, [evidence.unit(name) for name in names], 1e-300), strict=True))
+
+
+def _touched(evidence: Evidence, scales: dict[str, float]) -> tuple[str, float]:
+    """Return the column that a length off by so much shows in most, and the lever (m) in between.
+
+    A speed is off by as much; where no column is a speed, an angular velocity by that over the shortest length.
+    """
+    speeds = [name for name in scales if evidence.unit(name) == "m/s"]
+    column = min(speeds or scales, key=lambda name: scales[name])
+    return column, 1.0 if speeds else shortest_length(evidence)
+
+
+def _moved_by(evidence: Evidence, drive: str) -> dict[str, Array]:
+    """Return by how much each unknown velocity changes with a drive, in size, in the exact rows (n,) each.
+
+    The equations are linear in both: A u = b gives du = A⁻¹ db, and the accelerations change with the drive's derivative alike.
+    That the positions drift with the drive's integral moves them less, and is left out.
+    """
+    exact, equations = evidence.exact, evidence.equations
+    assert exact is not None
+    system = compile_system(equations, equations.equations)
+    matrix, right, _ = system.matrices(exact.t, exact.coordinates)
+    slopes = [equations.symbols.partial(equation.right_side, symbol(drive)) for equation in equations.equations]
+    change = as_columns(compile_values(equations, slopes)[1](exact.t, *exact.coordinates.T), exact.t.shape)
+    found = np.abs(np.linalg.pinv(matrix) @ change.reshape(right.shape)[..., None])[..., 0]
+    for passage in evidence.passages:  # there the equations say 0 = 0
+        found[passage.is_at(exact.t)] = 0.0
+    return dict(zip(system.unknowns, found.T, strict=True))

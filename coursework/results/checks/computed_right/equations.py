@@ -1,0 +1,76 @@
+"""INITIAL, RESIDUAL, AGREEMENT: the velocities satisfy every equation, and the equations say what the geometry says.
+
+Enters: `Evidence`.  Leaves: a `Finding` each.  Used by `check.py`.
+Velocities solved from an equation satisfy it whatever its signs: only the geometry can judge the equation itself.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from coursework.results.checks.evidence import Evidence, worst
+from coursework.results.checks.result import Finding, skipped
+from coursework.words.sentences import joined, say, say_count
+
+# Relative to the sum of the absolute terms of the equation: some hundred roundings, far below any slip of a hand.
+LIMIT = 1e-11
+
+
+def initial(evidence: Evidence) -> Finding:
+    """The velocities of row 1 satisfy every equation, also those not used for solving."""
+    names, relative = evidence.residuals
+    place = int(np.argmax(relative[0]))
+    value = float(relative[0, place])
+    unit = say("unit.relative")
+    if value <= LIMIT:
+        key = "pass" if value else "exact"
+        told = joined([say(f"check.INITIAL.{key}", count=len(names), name=names[place]), _arithmetic(evidence)])
+        return Finding("PASS", told, value, LIMIT, unit, names[place], 1)
+    return Finding("FAIL", say("check.INITIAL.fail", name=names[place]), value, LIMIT, unit, names[place], 1)
+
+
+def every_row(evidence: Evidence) -> Finding:
+    """The velocities of every row satisfy every equation they were solved from."""
+    names, relative = evidence.residuals
+    places = [place for place, name in enumerate(names) if name in evidence.used]
+    others = [place for place in range(len(names)) if place not in places]
+    row, chosen = worst(relative[:, places])
+    value, name = float(relative[row, places[chosen]]), names[places[chosen]]
+    # An equation left out as redundant may hold on closed positions only, so the scheme's drift shows in it: told, not judged.
+    unit = say("unit.relative")
+    rows = tuple((say("check.RESIDUAL.unused", name=names[k]), float(np.max(relative[:, k])), unit) for k in others)
+    if value <= LIMIT:
+        told = joined([say("check.RESIDUAL.pass", rows=len(relative)), _arithmetic(evidence)])
+        return Finding("PASS", told, value, LIMIT, unit, name, row + 1, rows=rows)
+    sentence = say("check.RESIDUAL.fail", name=name, row=row + 1, time=float(evidence.motion.t[row]))
+    return Finding("FAIL", sentence, value, LIMIT, unit, name, row + 1, rows=rows)
+
+
+def _written(evidence: Evidence) -> list[str]:
+    return [equation.name for equation in evidence.equations.equations if equation.written is not None]
+
+
+def _arithmetic(evidence: Evidence) -> str:
+    """Return the sentence that a residual tests the arithmetic only, where the geometry judges no equation."""
+    return "" if _confirmed(evidence) or not _written(evidence) else say("check.AGREEMENT.arithmetic")
+
+
+def _confirmed(evidence: Evidence) -> tuple[str, ...]:
+    return evidence.closure.agreed if evidence.closure is not None else ()
+
+
+def agreement(evidence: Evidence) -> Finding:
+    """The written equations say what the geometry of the file says; a file in which they do not is refused when it is read."""
+    written = _written(evidence)
+    if not written:
+        return skipped(say("check.AGREEMENT.derived"))
+    confirmed = _confirmed(evidence)
+    if not confirmed:
+        return Finding("SKIP", say("check.AGREEMENT.no_geometry"), headline=say("summary.no_geometry"))
+    open_to_doubt = tuple(name for name in written if name not in confirmed)
+    count = {"count": len(confirmed), "all": len(written)}
+    if open_to_doubt:
+        sentence = say_count("check.AGREEMENT.some", len(open_to_doubt), names=open_to_doubt, **count)
+    else:
+        sentence = say("check.AGREEMENT.pass", **count)
+    return Finding("PASS", sentence, float(len(confirmed)), float(len(written)), say_count("unit.equations", len(written)))

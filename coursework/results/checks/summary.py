@@ -1,0 +1,66 @@
+"""The findings in two or three sentences: computed right or not, close to the motion or not, and what to take.
+
+Enters: findings.  Leaves: a `Sentence`.  Used by the page, run.json and the command line, whose first line it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from coursework.results.checks.result import Finding, percent
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say
+
+
+def _code(finding: Finding) -> str:
+    return finding.code
+
+
+def summary(findings: Sequence[Finding], *, is_motion: bool = False, named: Callable[[Finding], str] = _code) -> Sentence:
+    """Return what the checks say of a run; `is_motion`: its rows are exact; `named`: what a check is called, else its code."""
+    told = [finding.headline for finding in findings if finding.headline]
+    by_code = {finding.code: finding for finding in findings}
+    stop = by_code.get("STOP")
+    if stop is not None and stop.verdict != "PASS" and stop.value is not None:
+        told.append(say("summary.steps_out" if stop.verdict == "COARSE" else "summary.stops", time=stop.value))
+    told += [_computed([finding for finding in findings if finding.group == "computation"], named)]
+    motion = [finding for finding in findings if finding.group == "motion"]
+    told += _close(by_code.get("ACCURACY"), motion, named, is_motion=is_motion)
+    if errors := tuple(named(finding) for finding in findings if finding.verdict == "ERROR"):
+        told.append(say("summary.error", codes=errors))
+    return joined(told)
+
+
+def _computed(findings: list[Finding], named: Callable[[Finding], str]) -> Sentence:
+    judged = [finding for finding in findings if finding.verdict != "SKIP"]
+    count = {"passed": sum(finding.verdict == "PASS" for finding in judged), "all": len(judged)}
+    failed = tuple(named(finding) for finding in judged if finding.verdict == "FAIL" and finding.code != "STOP")
+    if failed:
+        return say("summary.wrong", codes=failed, **count)
+    if coarse := tuple(named(finding) for finding in judged if finding.verdict == "COARSE" and finding.code != "STOP"):
+        return say("summary.rounded", codes=coarse, **count)
+    return say("summary.right", **count)
+
+
+def _close(accuracy: Finding | None, findings: list[Finding], named: Callable[[Finding], str], *, is_motion: bool) -> list[str]:
+    coarse = [finding for finding in findings if finding.verdict == "COARSE"]
+    option = next((finding.option for finding in coarse if finding.option), "")
+    take = say("summary.take", option=option) if option else ""
+    told: list[str] = []
+    if accuracy is None or accuracy.verdict == "SKIP":
+        told.append(say("summary.unknown"))
+    elif accuracy.verdict == "FAIL":
+        told.append(accuracy.sentence)
+    elif is_motion and accuracy.value == 0:
+        told.append(say("summary.same"))
+    elif accuracy.value == 0:
+        told.append(say("summary.no_error"))
+    elif accuracy.value is not None:
+        found = {"share": percent(accuracy.value), "name": accuracy.column, "row": accuracy.row}
+        is_far = accuracy.verdict == "COARSE"
+        told.append(say("summary.far", take=take, **found) if is_far else say("summary.close", **found))
+    if failed := tuple(named(finding) for finding in findings if finding.verdict == "FAIL" and finding is not accuracy):
+        told.append(say("summary.failed", codes=failed))
+    if coarse and (accuracy is None or accuracy.verdict != "COARSE"):
+        told.append(say("summary.coarse", codes=tuple(named(finding) for finding in coarse), take=take))
+    return told

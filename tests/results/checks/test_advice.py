@@ -1,0 +1,124 @@
+"""The step advised is a whole part of the run's, was run, and is spelled as the command line reads it; else a scheme is named."""
+
+import math
+
+import numpy as np
+import pytest
+
+import coursework
+from coursework.motion.integration.finer import finer
+from coursework.results.checks import advice
+from coursework.results.checks.advice import with_advice
+from coursework.results.checks.check import motion_findings
+from tests.hard.scenes import scene
+from tests.results.checks.scenes import V31, found, solve, verdicts
+
+
+def motion_verdicts(run) -> set[str]:
+    return {one.verdict for one in run.checks if one.group == "motion"}
+
+
+@pytest.mark.parametrize(("name", "options"), [
+    ("31", {}), ("watt", {"step": 0.03}), ("example-6", {}), ("31", {"gain": 10.0}), ("v108", {"scheme": "heun", "step": 0.06}),
+])  # fmt: skip
+def test_every_nth_row_is_a_row_of_the_old_table(name, options):
+    run = solve(name, **options)
+    step = found(run, "ACCURACY").step
+    assert step is not None
+    parts = round(run.step / step)
+    again = solve(name, **{**options, "step": step})
+    assert motion_verdicts(again) <= {"PASS", "SKIP"}
+    assert np.allclose(again.motion.t[::parts][: len(run.motion.t)], run.motion.t, rtol=1e-15, atol=0)
+
+
+@pytest.mark.parametrize(("step", "option"), [(None, "h/18"), (0.02 / 2, "h/20"), (0.03, None), (0.0137, None)])
+def test_the_step_is_a_part_of_the_files_own_where_it_can_be(step, option):
+    run = solve("31", step=step)
+    accuracy = found(run, "ACCURACY")
+    if option:
+        assert accuracy.option == f"--step {option}"
+        assert accuracy.step == 0.02 / int(option[2:])
+    else:
+        assert accuracy.option == f"--step {accuracy.step!r}"
+        assert float(accuracy.option.split()[1]) == accuracy.step
+
+
+def test_a_step_that_leaves_a_row_at_every_break():
+    text = scene(
+        'phi = { start = "0 rad", rate = "w" }', given='r = "0.5 m"', step=0.02, end=0.5, equations=["r*w = v"],
+        drive='v = { pieces = [["0 s", "0"], ["0.13 s", "1"], ["0.35 s", "0"]] }',
+    )  # fmt: skip
+    run = solve(text)
+    assert found(run, "STEP").option == "--step h/2"
+    assert verdicts(solve(text, step=0.01))["STEP"] == "SKIP"
+    never = solve(text.replace("0.13 s", f"{0.1 * math.sqrt(2)!r} s"))
+    assert (found(never, "STEP").verdict, found(never, "STEP").step) == ("COARSE", None)
+
+
+def test_beyond_the_most_rows_only_a_scheme_is_named(monkeypatch):
+    monkeypatch.setattr(advice, "MAX_ROWS", 300)
+    run = solve("31")
+    accuracy = found(run, "ACCURACY")
+    assert (accuracy.step, accuracy.option) == (None, "--scheme rk4")
+    assert accuracy.sentence.endswith("Take --scheme rk4 at this step (0.005 %).")
+    assert run.summary.endswith("; take --scheme rk4.")
+    assert "FAIL" not in motion_verdicts(run)
+
+
+def test_a_thousand_periods_of_euler():
+    run = solve("31", end=100 * 0.480366)
+    accuracy = found(run, "ACCURACY")
+    assert accuracy.verdict == "COARSE"
+    assert accuracy.step is None or run.end / accuracy.step <= 200_000
+
+
+@pytest.mark.parametrize(("name", "rows"), [("31", 7), ("example-1", 11), ("robot-arm", 19), ("v110", 5)])
+def test_exact_rows_too_far_apart_are_told_a_step_that_does(name, rows):
+    """So few rows a run are exact and too far apart; the step advised passes when run, and no scheme is named."""
+    end = coursework.load(name).time.end
+    run = solve(name, "exact", step=end / rows)
+    told = [one for one in run.checks if one.verdict == "COARSE"]
+    assert {"STEP"} <= {one.code for one in told} <= {"STEP", "PEAK", "SINUSOID"}
+    assert all(one.step and f"Take {one.option}" in one.sentence and "--scheme" not in one.sentence for one in told)
+    again = solve(name, "exact", step=told[0].step)
+    assert motion_verdicts(again) <= {"PASS", "SKIP"}
+    parts = round(run.step / told[0].step)
+    assert np.allclose(again.motion.rows[::parts][: len(run.motion.t)], run.motion.rows, rtol=1e-9, atol=1e-9)
+
+
+def test_the_best_scheme_has_no_better_one():
+    run = solve("31", "rk4", step=0.06)
+    told = found(run, "STEP")
+    assert told.verdict == "COARSE"
+    assert "--scheme" not in told.sentence
+    assert motion_verdicts(solve("31", "rk4", step=told.step)) <= {"PASS", "SKIP"}
+
+
+def test_a_period_with_two_digits_over_many_periods_is_cured_by_no_step():
+    run = solve(V31.replace('"2*pi/p"', '"0.48 s"'), "rk4", end=30 * 0.48)
+    late = found(run, "PERIOD-POSITION")
+    assert (late.verdict, late.step) == ("COARSE", None)
+    assert "no step makes up for that" in late.sentence
+
+
+def test_nothing_is_advised_for_a_mechanism_that_stops():
+    dead = solve(V31.replace('alpha = "4.35 rad"', 'alpha = "0.02 rad"'))
+    assert not any(one.option for one in dead.checks)
+
+
+def test_what_passes_is_left_as_it_is():
+    run = solve("31", "rk4")
+    assert with_advice(run.results.evidence, run.checks, motion_findings) == list(run.checks)
+
+
+@pytest.mark.parametrize("name", ["31", "example-6", "engine-start", "robot-arm", "variable-crank-table"])
+@pytest.mark.parametrize("parts", [2, 3, 7])
+def test_the_exact_motion_between_its_rows(name, parts):
+    """Followed by a few steps from each row it is the one found on finer rows the usual way."""
+    run = coursework.solve(name, quantities=["table"])
+    close = coursework.solve(name, step=run.step / parts, quantities=["table"]).exact
+    made = finer(run.exact, run.scene.rates, parts, len(close.t))
+    assert made is not None
+    scale = np.ptp(close.rows, axis=0) + 0.1 * np.max(np.abs(close.rows), axis=0)
+    assert np.max(np.abs(made.rows - close.rows) / np.where(scale > 0, scale, 1.0)) < 1e-4
+    assert finer(run.exact, run.scene.rates, parts, 10 * len(close.t)) is None
