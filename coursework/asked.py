@@ -16,7 +16,7 @@ from coursework.motion_results import MotionResults
 from coursework.quantities import Columns, Listing, OwnFigure, OwnTable, Quantity, quantities_for
 
 if TYPE_CHECKING:
-    from coursework.drawing.record import Drawing
+    from coursework.drawing.paper.record import Drawing
     from coursework.results.kinematics.extra import ExtraTable
 
 Names = tuple[str, ...]

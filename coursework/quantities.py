@@ -24,9 +24,9 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 if TYPE_CHECKING:
-    from coursework.drawing.record import Drawing
-    from coursework.plans.graph_check import GraphCheck
-    from coursework.plans.plans import Plans
+    from coursework.drawing.paper.record import Drawing
+    from coursework.drawing.plans.graph_check import GraphCheck
+    from coursework.drawing.plans.plans import Plans
     from coursework.results.accuracy.record import AccuracyStudy
     from coursework.results.kinematics.extra import ExtraTable
 
@@ -145,7 +145,7 @@ def invariants(results: MotionResults) -> ExtraTable:
 @computed("mechanism", "equations", "motion", "exact")
 def graph_check(results: MotionResults) -> GraphCheck | None:
     """The check row drawn to scale: instantaneous centres and velocities beside the table."""
-    from coursework.plans.graph_check import check_graph
+    from coursework.drawing.plans.graph_check import check_graph
 
     return check_graph(results.scene.mechanism, results.scene.equations, results.motion, results.scene.exact)
 
@@ -187,7 +187,7 @@ def hodographs(results: MotionResults) -> tuple[Drawing, ...]:
 @computed("mechanism", "equations", "motion", "accelerations", "exact", "exact_accelerations")
 def plans(results: MotionResults) -> Plans:
     """Plans of velocities and accelerations of every row, one row on paper."""
-    from coursework.plans.plans import make_plans
+    from coursework.drawing.plans.plans import make_plans
 
     scene = results.scene
     table, exact = (results.motion, results.accelerations), (scene.exact, scene.exact_accelerations)
@@ -195,7 +195,7 @@ def plans(results: MotionResults) -> Plans:
 
 
 def _plans_listing(drawn: Plans) -> Listing:
-    from coursework.plans.plans import HEAD
+    from coursework.drawing.plans.plans import HEAD
 
     return Listing("polygons.csv", HEAD, drawn.rows())
 

@@ -39,8 +39,8 @@ from coursework.words.sentences import say
 if TYPE_CHECKING:
     import pandas as pd
 
-    from coursework.drawing.record import Drawing
-    from coursework.plans.graph_check import GraphCheck
+    from coursework.drawing.paper.record import Drawing
+    from coursework.drawing.plans.graph_check import GraphCheck
     from coursework.results.accuracy.record import AccuracyStudy
     from coursework.results.checks.close_to_motion.closeness import Lesson
     from coursework.results.checks.result import Finding

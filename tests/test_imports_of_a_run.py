@@ -22,7 +22,7 @@ with contextlib.redirect_stdout(io.StringIO()):
 """
 HEAVY = {"numpy", "sympy", "pydantic", "pandas", "scipy", "matplotlib", "jinja2", "typst"}
 PAGES = {"pandas", "scipy", "matplotlib", "jinja2", "typst", "coursework.report"}
-EXTRA = {"coursework.results.kinematics.accelerations", "coursework.results.kinematics.points", "coursework.plans.graph_check",
+EXTRA = {"coursework.results.kinematics.accelerations", "coursework.results.kinematics.points", "coursework.drawing.plans.graph_check",
          "coursework.results.checks.check", "coursework.results.accuracy.study"}  # fmt: skip
 
 

@@ -13,7 +13,7 @@ from click.testing import CliRunner
 import coursework
 from coursework import quantities
 from coursework.cli import main
-from coursework.drawing.record import Drawing
+from coursework.drawing.paper.record import Drawing
 from coursework.quantities import QUANTITIES, Columns, OwnFigure, OwnSection, OwnTable, Quantity
 from coursework.report import build_model, sections
 from coursework.report.parts import Paragraph

@@ -13,7 +13,8 @@ from dataclasses import dataclass
 from coursework.assigning.reader import determined
 from coursework.assigning.variants import Individual
 from coursework.drawing.figures import draw_start
-from coursework.drawing.record import Drawing
+from coursework.drawing.paper.record import Drawing
+from coursework.drawing.plans.graph_check import GraphCheck, check_graph
 from coursework.grading.marking.key import decimals_asked
 from coursework.grading.names import file_stem
 from coursework.grading.platforms.roster import Student
@@ -21,7 +22,6 @@ from coursework.motion.integration.integrate import march
 from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.motion.settings import Settings
-from coursework.plans.graph_check import GraphCheck, check_graph
 from coursework.report.data_meanings import meanings
 from coursework.scene import Scene
 from coursework.variant.record.variant import Variant

@@ -1,1 +1,1 @@
-"""A position on paper: layout, symbols, SVG in millimetres."""
+"""A position on paper, and constructions with ruler and compasses."""

@@ -11,19 +11,19 @@ from dataclasses import replace
 
 import numpy as np
 
-from coursework.drawing.angles import angle_names, draw_angles, segments_of
-from coursework.drawing.board import Board, fit
-from coursework.drawing.dimensions import ORIGIN, SEVERAL, crowded_hinges, dimension_names, draw_dimensions
-from coursework.drawing.lengths import is_origin
-from coursework.drawing.naming import link_names, link_owner, part_lengths, point_names, rate_places
-from coursework.drawing.outline import Outline
-from coursework.drawing.painter import DOT, Painter
-from coursework.drawing.placing import Owner
-from coursework.drawing.poses import Poses, all_rows, read_poses
-from coursework.drawing.record import Drawing
-from coursework.drawing.sheet import ITALIC, Sheet, inside
-from coursework.drawing.symbols import lowered_name, name_word, rate_word, short
-from coursework.drawing.tracing import read_outline
+from coursework.drawing.lettering.angles import angle_names, draw_angles, segments_of
+from coursework.drawing.lettering.dimensions import ORIGIN, SEVERAL, crowded_hinges, dimension_names, draw_dimensions
+from coursework.drawing.lettering.naming import link_names, link_owner, part_lengths, point_names, rate_places
+from coursework.drawing.outline.lengths import is_origin
+from coursework.drawing.outline.outline import Outline
+from coursework.drawing.outline.poses import Poses, all_rows, read_poses
+from coursework.drawing.outline.tracing import read_outline
+from coursework.drawing.paper.board import Board, fit
+from coursework.drawing.paper.painter import DOT, Painter
+from coursework.drawing.paper.placing import Owner
+from coursework.drawing.paper.record import Drawing
+from coursework.drawing.paper.sheet import ITALIC, Sheet, inside
+from coursework.drawing.paper.symbols import lowered_name, name_word, rate_word, short
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.integration.motion import Motion, Stop

@@ -13,15 +13,15 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.drawing.board import SPEEDS, Board, fit
 from coursework.drawing.figures import HIGHEST, VELOCITY, room
-from coursework.drawing.naming import point_names
-from coursework.drawing.painter import Painter
-from coursework.drawing.poses import read_poses
-from coursework.drawing.record import Drawing
-from coursework.drawing.sheet import ITALIC, number
-from coursework.drawing.symbols import decimal, short
-from coursework.drawing.tracing import read_outline
+from coursework.drawing.lettering.naming import point_names
+from coursework.drawing.outline.poses import read_poses
+from coursework.drawing.outline.tracing import read_outline
+from coursework.drawing.paper.board import SPEEDS, Board, fit
+from coursework.drawing.paper.painter import Painter
+from coursework.drawing.paper.record import Drawing
+from coursework.drawing.paper.sheet import ITALIC, number
+from coursework.drawing.paper.symbols import decimal, short
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.integration.motion import Motion

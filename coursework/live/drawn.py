@@ -12,10 +12,10 @@ from typing import Any
 
 import numpy as np
 
-from coursework.drawing.ground import Places, hinge_ground, inward, racks, rail_side
-from coursework.drawing.outline import Outline
-from coursework.drawing.poses import all_rows, read_poses
-from coursework.drawing.tracing import read_outline
+from coursework.drawing.outline.ground import Places, hinge_ground, inward, racks, rail_side
+from coursework.drawing.outline.outline import Outline
+from coursework.drawing.outline.poses import all_rows, read_poses
+from coursework.drawing.outline.tracing import read_outline
 from coursework.live.spots import spots_of
 from coursework.scene import Scene
 

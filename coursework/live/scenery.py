@@ -13,10 +13,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.drawing.cover import STILL, Array
-from coursework.drawing.ground import hinge_ground, inward, racks, rail_side
-from coursework.drawing.outline import Outline, Slot
-from coursework.drawing.poses import Poses
+from coursework.drawing.outline.ground import hinge_ground, inward, racks, rail_side
+from coursework.drawing.outline.outline import Outline, Slot
+from coursework.drawing.outline.poses import Poses
+from coursework.drawing.paper.cover import STILL, Array
 
 Complex = NDArray[np.complex128]
 # As drawing.js draws them: how far a slot and a rail go on behind the last place of a rider, how deep a rack and a hatching are,

@@ -12,9 +12,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from coursework.drawing.cover import Array, clipped, shared
-from coursework.drawing.outline import Bar, Outline
-from coursework.drawing.poses import Poses
+from coursework.drawing.outline.outline import Bar, Outline
+from coursework.drawing.outline.poses import Poses
+from coursework.drawing.paper.cover import Array, clipped, shared
 from coursework.live.scenery import Complex, Scenery, pairs, scenery_of
 
 # Units across the drawing, on a wide screen and on a phone, as in drawing.js; the lengths below are units too.

@@ -18,7 +18,7 @@ from coursework.run import Run
 from coursework.words.custom_templates import stamp_of_templates
 
 if TYPE_CHECKING:
-    from coursework.plans.graph_check import GraphCheck
+    from coursework.drawing.plans.graph_check import GraphCheck
     from coursework.results.checks.result import Finding
 
 STAMP_LENGTH = 16  # letters of the hash: enough that two runs never meet by chance, short enough to compare by eye

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from coursework.plans.readings import Reading
+from coursework.drawing.plans.readings import Reading
 from coursework.report.figures import drawn_parts
 from coursework.report.numbers import NOTHING
 from coursework.report.page_context import PageContext

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from coursework.drawing.lengths import lengths
+from coursework.drawing.outline.lengths import lengths
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.mechanism import Mechanism
 from coursework.report.drive_meanings import drive_meanings

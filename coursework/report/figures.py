@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 
-from coursework.drawing import record
+from coursework.drawing.paper import record
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Figure, Paragraph, Part
 from coursework.report.text_runs import ITALIC, printed

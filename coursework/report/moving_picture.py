@@ -16,9 +16,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from coursework.drawing.outline import Outline
-from coursework.drawing.poses import Poses, read_poses
-from coursework.drawing.tracing import read_outline
+from coursework.drawing.outline.outline import Outline
+from coursework.drawing.outline.poses import Poses, read_poses
+from coursework.drawing.outline.tracing import read_outline
 from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import title_of
 from coursework.report.graph_paper import SCHEME_INK

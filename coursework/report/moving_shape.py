@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.drawing.ground import hinge_ground, inward, racks, rail_side
-from coursework.drawing.outline import Outline, Slot
-from coursework.drawing.poses import Poses
+from coursework.drawing.outline.ground import hinge_ground, inward, racks, rail_side
+from coursework.drawing.outline.outline import Outline, Slot
+from coursework.drawing.outline.poses import Poses
 from coursework.report.graph_paper import SCHEME_INK
 
 if TYPE_CHECKING:

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from coursework.drawing.cover import Lines, shared, through
+from coursework.drawing.paper.cover import Lines, shared, through
 
 BOX = np.array([[1.0, 2.0]]), np.array([[4.0, 6.0]])
 

@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 
 from coursework import load, solve
-from coursework.drawing.dimensions import HEAD, TIGHT
 from coursework.drawing.figures import draw_start
-from coursework.drawing.ground import rail_side
-from coursework.drawing.painter import Painter
-from coursework.drawing.poses import read_poses
-from coursework.drawing.sheet import Sheet
-from coursework.drawing.tracing import read_outline
+from coursework.drawing.lettering.dimensions import HEAD, TIGHT
+from coursework.drawing.outline.ground import rail_side
+from coursework.drawing.outline.poses import read_poses
+from coursework.drawing.outline.tracing import read_outline
+from coursework.drawing.paper.painter import Painter
+from coursework.drawing.paper.sheet import Sheet
 from coursework.report.symbols import symbol
 from coursework.variant.catalogue import names
 from tests.drawing import measured

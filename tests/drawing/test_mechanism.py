@@ -9,11 +9,11 @@ from functools import cache
 import pytest
 
 from coursework import load, parse_variant, solve
-from coursework.drawing.lengths import lengths
-from coursework.drawing.outline import Outline
-from coursework.drawing.record import Drawing
-from coursework.drawing.sheet import Sheet
-from coursework.drawing.tracing import read_outline
+from coursework.drawing.outline.lengths import lengths
+from coursework.drawing.outline.outline import Outline
+from coursework.drawing.outline.tracing import read_outline
+from coursework.drawing.paper.record import Drawing
+from coursework.drawing.paper.sheet import Sheet
 from coursework.mechanism.mechanism import build
 from coursework.run import Run
 from coursework.variant.catalogue import names

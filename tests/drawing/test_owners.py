@@ -7,14 +7,14 @@ from dataclasses import replace
 import pytest
 
 from coursework import load, solve
-from coursework.drawing.lengths import lengths
-from coursework.drawing.symbols import length_text, name_word
-from coursework.drawing.tracing import read_outline
+from coursework.drawing.outline.lengths import lengths
+from coursework.drawing.outline.tracing import read_outline
+from coursework.drawing.paper.symbols import length_text, name_word
 from coursework.mechanism.mechanism import build
 from coursework.variant.catalogue import names
 from tests.drawing import measured
+from tests.drawing.plans.checked import svg_of
 from tests.drawing.test_mechanism import drawing_of
-from tests.plans.checked import svg_of
 
 FARTHEST = 8.0  # mm from its line to a word that nothing leads to it
 SENSE = 6.0  # mm before a word with the arrow of a rotation

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from coursework import solve
-from coursework.drawing.record import Drawing
+from coursework.drawing.paper.record import Drawing
 from coursework.run import Run
 from coursework.variant.catalogue import names
 from tests.drawing import measured

@@ -8,13 +8,13 @@ from pathlib import Path
 import pytest
 
 import coursework
-from coursework.drawing.tracing import read_outline
+from coursework.drawing.outline.tracing import read_outline
+from coursework.drawing.plans.sketch import with_links
 from coursework.mechanism import groups
 from coursework.mechanism.groups import GROUPS, group_kind, joint
 from coursework.mechanism.groups.joint import PRISMATIC, REVOLUTE, Joint, JointKind
 from coursework.mechanism.joints import FRAME, linkage
 from coursework.mechanism.mechanism import build
-from coursework.plans.sketch import with_links
 from coursework.variant.catalogue import names
 
 

@@ -9,8 +9,8 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 import coursework
-from coursework.drawing.poses import read_poses
-from coursework.drawing.tracing import read_outline
+from coursework.drawing.outline.poses import read_poses
+from coursework.drawing.outline.tracing import read_outline
 from coursework.report.moving_picture import label_text, moving_picture
 from coursework.report.moving_shape import Shape, draw_ground
 from coursework.report.symbols import symbol

@@ -1,0 +1,1 @@
+"""What is written beside a mechanism: names, lengths, angles, offsets."""

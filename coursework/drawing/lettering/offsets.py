@@ -1,0 +1,61 @@
+"""How far guides lead beside the points they belong to: as a part of a link that is drawn, or as a dimension across the guide.
+
+Enters: a `Painter` whose mechanism is drawn, and the `Mechanism`.  Leaves: `Offset`.
+Used by `naming.py` and `dimensions.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from coursework.drawing.paper.cover import Segment
+from coursework.drawing.paper.painter import Painter
+from coursework.mechanism.mechanism import Mechanism
+from coursework.variant.formula.tree import Formula
+
+NOWHERE = 1e-9  # mm: between two points that near to each other there is no direction
+SAME = 1e-6  # of the way to its block: an offset measured and given agree within that
+
+
+@dataclass(frozen=True, slots=True)
+class Offset:
+    """A datum `length` from a `point` to the guide on which a `rider` slides, `across` it; `stub`: the part drawn so far out."""
+
+    length: Formula
+    point: str
+    rider: str
+    across: complex
+    stub: Segment | None
+
+
+def offsets(painter: Painter, mechanism: Mechanism) -> Iterator[Offset]:
+    """Yield the offsets that are data, each where a block slides at that distance."""
+    given = {datum.name for datum in mechanism.variant.given}
+    for group in mechanism.variant.groups:
+        sides = [(guide.through, guide.offset, Formula("name", name=group.meets or "")) for guide in group.guides]
+        if group.start_points:
+            sides.append((group.start_points[-1], group.offset, group.start_points[0]))
+        for through, offset, rider in sides:
+            known = through.op == offset.op == rider.op == "name" and {through.name, rider.name} <= painter.at.keys()
+            if known and offset.name in given:
+                size = abs(mechanism.variant.values[offset.name]) * painter.mm
+                yield from _beside(painter, offset, size, through.name, rider.name)
+
+
+def _beside(painter: Painter, length: Formula, size: float, point: str, rider: str) -> Iterator[Offset]:
+    way = painter.at[rider] - painter.at[point]
+    for block in painter.outline.blocks:
+        along = painter.at[block.toward] - painter.at[block.base]
+        across = 1j * along / max(abs(along), NOWHERE)
+        if block.at == rider and abs(abs((across.conjugate() * way).real) - size) <= SAME * abs(way):
+            yield Offset(length, point, rider, across, _stub(painter, point, rider))
+            return
+
+
+def _stub(painter: Painter, point: str, rider: str) -> Segment | None:
+    for slot in painter.outline.slots:
+        line = painter.slot_line(slot)
+        if slot.at == point and rider in slot.riders and len(line) > 2:
+            return line[2], line[1]
+    return None

@@ -1,0 +1,82 @@
+"""Where the ground of a mechanism is, the same on paper and on the screen: below a hinge, behind a rail, in a fixed circle.
+
+Enters: an `Outline` and places of its points (name -> x + iy in m) in one position.  Leaves: directions, sides, racks.
+Used by `painter.py`, `live/drawn.py`, `live/scenery.py` and `report/moving_shape.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from coursework.drawing.outline.outline import Outline, Rail, Track, Wheel
+
+FREE = 0.75  # cosine of the angle to a link beside which the ground of a hinge may stand
+TOUCHING = 0.02  # of its radius: a wheel within this of a fixed circle rolls on it
+ON_LINE = 1e-6  # of its way: the contact of a rack lies so near to the line of its rail
+Places = Mapping[str, complex]
+
+
+@dataclass(frozen=True, slots=True)
+class Rack:
+    """A slider of one point that a gear moves: the line of its `rail` runs through the `contact`; `side` +1: it lies left."""
+
+    link: str
+    rail: Rail
+    contact: str
+    side: int
+
+
+def hinge_ground(outline: Outline, places: Places, name: str) -> complex:
+    """Return the direction from a hinge to its ground: below, as in a textbook, unless a link hides it there."""
+    at = places[name]
+    arms = [places[p] - at for bar in outline.bars if name in bar.corners for p in bar.corners if places[p] != at]
+    near = {way: max((_dot(arm, way) / abs(arm) for arm in arms), default=0.0) for way in (-1j, -1 + 0j, 1 + 0j, 1j)}
+    return -1j if near[-1j] < FREE else min(near, key=lambda way: round(near[way], 6))
+
+
+def rail_side(outline: Outline, places: Places, rail: Rail) -> int:
+    """Return on which side of a rail nothing is, +1 to the left of its direction, -1 to the right."""
+    along = places[rail.toward] - places[rail.base]
+    wheels = [wheel.centre for wheel in outline.wheels if wheel.contact == rail.rider and rail.rolls]
+    others = [places[name] for name in wheels or outline.shown if wheels or name != rail.rider]
+    middle = sum(others, 0j) / len(others) if others else 0j
+    return 1 if others and _dot(1j * along, middle - places[rail.at]) < 0 else -1
+
+
+def wheel_on(outline: Outline, places: Places, track: Track) -> Wheel | None:
+    """Return the wheel that touches a fixed circle; asked in row 1, for later rows of a scheme drift away from it."""
+    radius = abs(places[track.rim] - places[track.centre])
+    gaps = {wheel: abs(abs(places[wheel.contact] - places[track.centre]) - radius) for wheel in outline.wheels}
+    return next((wheel for wheel, gap in gaps.items() if gap <= TOUCHING * radius), None)
+
+
+def inward(outline: Outline, places: Places, track: Track) -> int:
+    """Return +1 where a fixed circle is solid inside, -1 where it is a ring in which its wheel rolls, 0 without a wheel."""
+    wheel = wheel_on(outline, places, track)
+    if wheel is None:
+        return 0
+    middle = places[track.centre]
+    return 1 if abs(places[wheel.centre] - middle) > abs(places[track.rim] - middle) else -1
+
+
+def racks(outline: Outline, places: Places) -> list[Rack]:
+    """Return the racks: sliders of one point on a rail whose line runs through the contact of a gear on nothing fixed."""
+    found = []
+    resting = {rail.rider for rail in outline.rails if rail.rolls}
+    for wheel in outline.wheels:
+        on_track = any(wheel_on(outline, places, track) == wheel for track in outline.tracks)
+        if wheel.contact in resting or on_track or sum(wheel.contact in bar.corners for bar in outline.bars) > 1:
+            continue
+        for rail in outline.rails:
+            along = places[rail.toward] - places[rail.base]
+            way = (places[wheel.contact] - places[rail.at]) * along.conjugate()
+            links = [bar.link for bar in outline.bars if bar.corners == (rail.rider,)]
+            if links and abs(way.imag) <= ON_LINE * abs(way):
+                to_gear = places[wheel.centre] - places[wheel.contact]
+                found.append(Rack(links[0], rail, wheel.contact, 1 if _dot(1j * along, to_gear) < 0 else -1))
+    return found
+
+
+def _dot(a: complex, b: complex) -> float:
+    return (a.conjugate() * b).real

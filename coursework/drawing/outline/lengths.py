@@ -1,0 +1,82 @@
+"""Lengths that a file gives between two points, found in its formulas.
+
+Enters: a `Mechanism`.  Leaves: formulas by pairs of points.
+Used by `tracing.py`, `naming.py`, `dimensions.py` and `drawing/plans/plans.py`.
+"""
+
+from __future__ import annotations
+
+from string import ascii_uppercase
+
+from coursework.mechanism.groups import group_kind
+from coursework.mechanism.mechanism import Mechanism
+from coursework.variant.formula.tree import Formula, terms
+
+
+def arm_base(formula: Formula, coordinate: str) -> str:
+    """Return X of a point "X + L @ angle" whose angle turns with a coordinate, "" where it is built otherwise."""
+    parts = [*terms(formula)]
+    if len(parts) != 2 or parts[0].op != "name" or parts[1].op != "@":
+        return ""
+    return parts[0].name if coordinate in parts[1].args[1].names() and coordinate not in parts[1].args[0].names() else ""
+
+
+def unnamed_joints(mechanism: Mechanism) -> dict[str, tuple[Formula, Formula]]:
+    """Return both sides of each "B + r2 @ phi2 = D + r3 @ phi3" whose joint no point is, under the next letter that is free."""
+    variant, points = mechanism.variant, dict(mechanism.points)
+    taken = {*points, *variant.values, *(coordinate.name for coordinate in variant.coordinates)}
+    free = (letter for letter in ascii_uppercase if letter not in taken)
+    sides = [(one.left, one.right) for one in mechanism.constraints if one.is_closure]
+    arms = [both for both in sides if all([part.op for part in terms(side)] == ["name", "@"] for side in both)]
+    return dict(zip(free, (both for both in arms if not {*both} & {*points.values()}), strict=False))
+
+
+def lengths(mechanism: Mechanism) -> dict[frozenset[str], Formula]:
+    """Return the length between two points wherever the file says it: "B = A + r2 @ phi2", "P = C - (0, R)", a group.
+
+    Beside a point at the origin also "D = (d, 0)" says one.
+    """
+    variant = mechanism.variant
+    minus = [Formula("-", (Formula("name", name=name), formula)) for name, formula in mechanism.points]
+    for group in variant.groups:
+        met = Formula("name", name=group.meets or "")
+        minus += [Formula("-", (met, side)) for side in group_kind(group.kind).closure(group)[0] if group.meets]
+    minus += [Formula("-", (c.left, c.right)) for c in mechanism.constraints if c.is_closure]
+    for joint, sides in unnamed_joints(mechanism).items():
+        minus += [Formula("-", (Formula("name", name=joint), side)) for side in sides]
+    minus += [hold.args[0] for hold in variant.holds if hold.op == "part"]
+    found: dict[frozenset[str], Formula] = {}
+    for formula in minus:
+        parts = [*terms(formula)]
+        ends = frozenset(part.name for part in parts if part.op == "name")
+        said = [length for part in parts if part.op != "name" and (length := _length(part)) is not None]
+        if len(parts) == 3 and len(ends) == 2 and len(said) == 1:
+            found.setdefault(ends, said[0])
+    origin = next((name for name, formula in mechanism.points if is_origin(formula)), "")
+    for name, formula in mechanism.points:
+        length = _length(formula) if origin and formula.op == "pair" else None
+        if length is not None:
+            found.setdefault(frozenset((origin, name)), length.args[0] if length.op == "neg" else length)
+    return found
+
+
+def stretching(mechanism: Mechanism) -> frozenset[frozenset[str]]:
+    """Return the pairs of points whose distance the file lets change: by a coordinate or a function."""
+    variant = mechanism.variant
+    changing = {c.name for c in variant.coordinates} | {law.name for law in (*variant.functions, *variant.drive)} | {"t"}
+    return frozenset(ends for ends, length in lengths(mechanism).items() if changing & set(length.names()))
+
+
+def is_origin(formula: Formula) -> bool:
+    """Return whether a point is written as (0, 0)."""
+    return formula.op == "pair" and all(arg.op == "number" and arg.value == 0 for arg in formula.args)
+
+
+def _length(part: Formula) -> Formula | None:
+    if part.op == "@":
+        return part.args[0]
+    if part.op == "pair":
+        x, y = part.args
+        zero = [arg.op == "number" and arg.value == 0 for arg in (x, y)]
+        return None if sum(zero) != 1 else (y if zero[0] else x)
+    return None

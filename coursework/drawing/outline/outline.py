@@ -1,0 +1,113 @@
+"""What a mechanism looks like, in names of points only: bars, blocks, sleeves, slots, rails, wheels, hinges.
+
+Enters: nothing; `tracing.py` fills these records from a mechanism.  Leaves: `Outline` and its parts; positions of its
+`points` are all that a drawing or an animation needs besides.  A direction is always that from one point to another.
+Used by `tracing.py`, `painter.py`, `poses.py`, `drawing/figures.py` and `plans/`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from coursework.variant.formula.tree import Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Bar:
+    """A link drawn through points, rigid at its corners; `rate` is the name of its angular velocity."""
+
+    link: str
+    corners: tuple[str, ...]
+    rate: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Slot:
+    """The straight part of a link on which `riders` slide: the line beside its point `at`, parallel to `base` - `toward`."""
+
+    link: str
+    at: str
+    base: str
+    toward: str
+    riders: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """A slider at a point, along `base` - `toward`; an `open` one is a sleeve through which a bar goes."""
+
+    link: str
+    at: str
+    base: str
+    toward: str
+    open: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Rail:
+    """A fixed guide, the line through the first place of `at` along `base` - `toward`; `rolls`: a wheel runs on it.
+
+    `rider` is the point that slides or rolls on it, "" where the file names none.
+    """
+
+    at: str
+    base: str
+    toward: str
+    rider: str = ""
+    rolls: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Wheel:
+    """A wheel of a link about `centre` through `contact`."""
+
+    link: str
+    centre: str
+    contact: str
+
+
+@dataclass(frozen=True, slots=True)
+class Track:
+    """A fixed circle about `centre` through `rim`, on which a wheel rolls."""
+
+    centre: str
+    rim: str
+
+
+@dataclass(frozen=True, slots=True)
+class Outline:
+    """All that is drawn of a mechanism.
+
+    `points` (name, formula), each after those it needs; those whose name begins with "~" are no points of the file.
+    `driven` are points with a given velocity, `cranks` (rate, hinge) are links with a given one.  `names` are those written.
+    """
+
+    points: tuple[tuple[str, Formula], ...]
+    bars: tuple[Bar, ...]
+    slots: tuple[Slot, ...]
+    blocks: tuple[Block, ...]
+    rails: tuple[Rail, ...]
+    wheels: tuple[Wheel, ...]
+    tracks: tuple[Track, ...]
+    hinges: tuple[str, ...]
+    driven: tuple[str, ...]
+    cranks: tuple[tuple[str, str], ...]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Return the points of the file that something drawn goes through, in the order of the file."""
+        used = {name for bar in self.bars for name in bar.corners} | {*self.hinges, *self.driven}
+        used |= {block.at for block in self.blocks} | {name for wheel in self.wheels for name in (wheel.centre, wheel.contact)}
+        return tuple(name for name, _ in self.points if name in used and not name.startswith("~"))
+
+    @property
+    def shown(self) -> tuple[str, ...]:
+        """Return the points that a drawing names: those of `names`, and the middles of fixed circles."""
+        middles = (track.centre for track in self.tracks if not track.centre.startswith("~"))
+        return tuple(dict.fromkeys((*self.names, *middles)))
+
+    def plain(self) -> dict[str, Any]:
+        """Return the outline as dicts, lists and strings, without the formulas."""
+        kept = asdict(self)
+        return kept | {"points": [name for name, _ in self.points]}

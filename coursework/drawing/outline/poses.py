@@ -1,0 +1,79 @@
+"""Rows of a motion -> where the points of an outline are, what a drive asks of them, and how far sliders travel.
+
+Enters: an `Outline`, velocity equations and motions.  Leaves: `Poses`, points as complex numbers x + iy in m.
+Used by `drawing/figures.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.drawing.outline.outline import Outline, Rail, Slot
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.symbolic import symbol
+from coursework.motion.geometry.time_derivatives import compile_rows
+from coursework.motion.integration.motion import Motion
+
+Complex = NDArray[np.complex128]
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Poses:
+    """Positions `at` (name -> (n,), m) of every point of an outline, and the laws of the `drive` (name -> (n,)) at times `t`."""
+
+    t: Array
+    at: Mapping[str, Complex]
+    drive: Mapping[str, Array]
+
+    def pose(self, row: int) -> dict[str, complex]:
+        """Return the positions of one row (from 0)."""
+        return {name: complex(places[row]) for name, places in self.at.items()}
+
+    def velocity(self, name: str) -> Complex:
+        """Return the driven velocity of a point (m/s); a component that no law gives is 0."""
+        none = np.zeros(len(self.t))
+        return np.asarray(self.drive.get(f"V{name}x", none) + 1j * self.drive.get(f"V{name}y", none))
+
+    def along(self, base: str, toward: str) -> Complex:
+        """Return the unit vectors from one point to another."""
+        way = self.at[toward] - self.at[base]
+        return np.asarray(way / np.where(way == 0, 1, np.abs(way)))
+
+    def line(self, slot: Slot) -> tuple[float, float, float]:
+        """Return how far the line of a slot is beside its point (m, to the left), and between which places its riders are."""
+        along, at = self.along(slot.base, slot.toward), self.at[slot.at]
+        places = [(self.at[rider] - at) * along.conjugate() for rider in slot.riders]
+        beside = float(places[0][0].imag)
+        return beside, float(min(np.min(p.real) for p in places)), float(max(np.max(p.real) for p in places))
+
+    def travel(self, rail: Rail) -> tuple[complex, complex, float, float]:
+        """Return a place on a rail, its direction, and the least and greatest way of its rider from there (m)."""
+        start, along = complex(self.at[rail.at][0]), complex(self.along(rail.base, rail.toward)[0])
+        ways = ((self.at[rail.rider] - start) * along.conjugate()).real if rail.rider else np.zeros(1)
+        return start, along, float(ways.min()), float(ways.max())
+
+
+def read_poses(outline: Outline, equations: VelocityEquations) -> Callable[[Array, Array], Poses]:
+    """Return `read(t, coordinates)` for rows (n,) and (n, m), compiled once."""
+    symbols = equations.symbols
+    wanted = [part for name, formula in outline.points for part in symbols.vectors.get(name) or symbols.vector(formula)]
+    laws = tuple(law.name for law in equations.variant.drive)
+    names = tuple(name for name, _ in outline.points)
+    rows = compile_rows(equations, [*wanted, *map(symbol, laws)], 0)
+
+    def read(t: Array, coordinates: Array) -> Poses:
+        values = rows(t, coordinates)
+        at = {name: values[:, 2 * k] + 1j * values[:, 2 * k + 1] for k, name in enumerate(names)}
+        return Poses(t, at, dict(zip(laws, values[:, 2 * len(names) :].T, strict=True)))
+
+    return read
+
+
+def all_rows(equations: VelocityEquations, motion: Motion) -> bool:
+    """Return whether a motion has every coordinate; one restricted to some columns has not."""
+    return len(motion.coordinate_names) == len(equations.variant.coordinates)

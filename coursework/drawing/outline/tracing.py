@@ -1,0 +1,213 @@
+"""Finds what a mechanism looks like: the outline that its links, its groups or its points tell.
+
+Enters: a `Mechanism`.  Leaves: its `Outline`, None where the file places no points.
+Used by `drawing/figures.py`, `drawing/trajectories.py`, `plans/`, `live/drawn.py` and `report/moving_picture.py`.
+Where a file has [links] they are drawn as listed; else links follow from the joints of its groups, and from points such as
+"A = D + r1 @ phi1" where it has neither.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from coursework.drawing.outline.lengths import arm_base, unnamed_joints
+from coursework.drawing.outline.outline import Bar, Block, Outline, Rail, Slot, Track, Wheel
+from coursework.mechanism.joints import FRAME, Linkage, chain_of_groups, link_names
+from coursework.mechanism.mechanism import Mechanism
+from coursework.variant.formula.tree import Formula, number, terms
+from coursework.variant.record.variant import Variant
+
+
+def read_outline(mechanism: Mechanism) -> Outline | None:
+    """Return the outline of a mechanism, None where a file places no points.
+
+    >>> from coursework.api import load
+    >>> from coursework.mechanism.mechanism import build
+    >>> outline = read_outline(build(load("example-4")))
+    >>> [(bar.link, bar.corners) for bar in outline.bars], [(block.link, block.at) for block in outline.blocks]
+    ([('1', ('A', 'B')), ('3', ('D', 'E')), ('2', ('B',))], [('2', 'B')])
+    """
+    if not mechanism.points:
+        return None
+    pencil = _Pencil(mechanism)
+    if mechanism.variant.links:
+        pencil.links()
+    elif mechanism.variant.groups:
+        pencil.groups(chain_of_groups(mechanism.variant, dict(mechanism.points)))
+    pencil.arms()
+    return pencil.outline()
+
+
+class _Pencil:
+    """Collects the parts of one outline."""
+
+    def __init__(self, mechanism: Mechanism) -> None:
+        self.variant: Variant = mechanism.variant
+        self.points = dict(mechanism.points) | {joint: sides[0] for joint, sides in unnamed_joints(mechanism).items()}
+        self.closures = [(one.left, one.right) for one in mechanism.constraints if one.is_closure]
+        self.named = {formula: name for name, formula in reversed(self.points.items())}
+        self.bars: list[Bar] = []
+        self.slots: list[Slot] = []
+        self.blocks: list[Block] = []
+        self.rails: list[Rail] = []
+        self.wheels: list[Wheel] = []
+        self.hinges = [*self.variant.frame.hinges]
+        self.drawn_rates: set[str] = set()
+
+    def links(self) -> None:
+        """Draw the links as listed, with what slides or rolls on the rails of the frame."""
+        variant = self.variant
+        contacts = {link.contact for link in variant.links if link.contact}
+        for link in variant.links:
+            centre = (link.wheel,) if link.wheel else ()
+            corners = (*centre, *(name for name in link.points if name not in centre))
+            self.bars.append(Bar(link.name, corners, link.rate or ""))
+            if link.wheel and link.contact:
+                self.wheels.append(Wheel(link.name, link.wheel, link.contact))
+            self.drawn_rates.update([link.rate] if link.rate else [])
+        corners_of = {bar.link: bar.corners for bar in self.bars}
+        for link in variant.links:
+            if link.slides and link.points:
+                bar = corners_of[link.slides]
+                base, toward = (bar[0], bar[1]) if len(bar) > 1 else (bar[0], self.direction(bar[0], self.turning(link.rate)))
+                self.blocks.append(Block(link.name, link.points[0], base, toward, open=True))
+                self.slots.append(Slot(link.slides, bar[0], base, toward, (link.points[0],)))
+        for through, angle in variant.frame.rails:
+            at = self.name_of(through)
+            held = next((bar.link for bar in self.bars if bar.corners == (at,)), "")
+            on_link = any(at in bar.corners for bar in self.bars)
+            rider = at if on_link or at in contacts else ""
+            toward = self.direction(at, angle)
+            self.rails.append(Rail(at, at, toward, rider, at in contacts))
+            if rider and at not in contacts:
+                self.blocks.append(Block(held, at, at, toward))
+
+    def groups(self, linkage: Linkage) -> None:
+        """Draw the bodies of a chain by their joints."""
+        called = link_names(linkage, self.variant)
+        corners: dict[str, list[str]] = {body: [] for body in linkage.bodies}
+        for joint in linkage.joints:
+            at = self.name_of(joint.where) if joint.where is not None else ""
+            for body in joint.holders:
+                if body != FRAME and at:
+                    corners[body].append(at)
+            if joint.pins and FRAME in joint.bodies and at:
+                self.hinges.append(at)
+        for body, names in linkage.holds.items():
+            corners[body] += names
+        for body in sorted(linkage.bodies, key=int):
+            coordinate = next(c for c in self.variant.coordinates if c.name == linkage.coordinates[body])
+            self.drawn_rates.add(coordinate.rate)
+            rate = coordinate.rate if coordinate.unit == "rad" else ""
+            self.bars.append(Bar(called[body], tuple(dict.fromkeys(corners[body])), rate))
+        parallel = set()
+        for joint in linkage.joints:
+            if not joint.kind.slides or joint.where is None or joint.along is None:
+                continue
+            at = self.name_of(joint.where)
+            block, guide = joint.bodies
+            toward = self.direction(at, joint.along)
+            self.blocks.append(Block(called[block], at, at, toward, open=guide != FRAME))
+            if guide == FRAME:
+                self.rails.append(Rail(at, at, toward, at))
+                parallel.add(joint.along)
+                continue
+            through = [g.through.name for group in self.variant.groups for g in group.guides if g.angle == joint.along]
+            anchor = next((name for name in (*through, *corners[guide]) if name in corners[guide] and name != at), "")
+            if anchor:
+                self.slots.append(Slot(called[guide], anchor, at, toward, (at,)))
+        for place, angle in self.variant.frame.rails:
+            if angle not in parallel:
+                at = self.name_of(place)
+                self.rails.append(Rail(at, at, self.direction(at, angle)))
+
+    def arms(self) -> None:
+        """Draw what turns with a coordinate that no link and no group has: the arms between the points it places."""
+        contacts = {wheel.contact for wheel in self.wheels}
+        grouped = {name for group in self.variant.groups for name in group.coordinates}
+        for coordinate in self.variant.coordinates:
+            if coordinate.rate in self.drawn_rates or coordinate.name in grouped or coordinate.unit != "rad":
+                continue
+            corners = [end for base, tip in self.arms_of(coordinate.name) if tip not in contacts for end in (base, tip)]
+            if corners:
+                number_of = re.search(r"\d+$", coordinate.rate)
+                taken = {bar.link for bar in self.bars}
+                called = number_of[0] if number_of and number_of[0] not in taken else coordinate.rate
+                self.bars.append(Bar(called, tuple(dict.fromkeys(corners)), coordinate.rate))
+                if not self.moves(corners[0]):
+                    self.hinges.append(corners[0])
+
+    def arms_of(self, coordinate: str) -> list[tuple[str, str]]:
+        """Return the ends of what turns with a coordinate: A = D + r1 @ phi1, A + r2 @ phi2 = E, (E - A - r2 @ phi2).x held."""
+        named = [(name, formula) for name, formula in self.points.items() if not name.startswith("~")]
+        found = [(base, name) for name, formula in named if (base := arm_base(formula, coordinate))]
+        for left, right in self.closures:
+            bases = [base for side in (left, right) if (base := arm_base(side, coordinate))]
+            found += [(base, self.name_of(right if right.op == "name" else left)) for base in bases]
+        for hold in self.variant.holds:
+            parts = [*terms(hold.args[0])] if hold.op == "part" else []
+            if len(parts) == 3 and parts[0].op == "name" and (base := arm_base(Formula("+", (parts[1], parts[2])), coordinate)):
+                found.append((base, parts[0].name))
+        return found
+
+    def outline(self) -> Outline:
+        """Return what was collected; contacts of racks and wheels keep the order of the file."""
+        variant = self.variant
+        laws = {law.name for law in variant.drive}
+        driven = tuple(name for name in self.points if {f"V{name}x", f"V{name}y"} & laws)
+        tracks = tuple(self.tracks())
+        hinges = tuple(dict.fromkeys(self.hinges))
+        cranks = tuple(
+            (bar.rate, hinge) for bar in self.bars if bar.rate in variant.known_rates for hinge in hinges if hinge in bar.corners
+        )
+        return Outline(
+            tuple(self.points.items()), tuple(self.bars), tuple(self.slots), tuple(self.blocks), tuple(self.rails),
+            tuple(self.wheels), tracks, hinges, driven, cranks,
+        )  # fmt: skip
+
+    def tracks(self) -> Iterator[Track]:
+        for centre, radius in self.variant.frame.circles:
+            at = self.name_of(centre)
+            yield Track(at, self.beside(at, radius, number(0)))
+
+    def name_of(self, formula: Formula) -> str:
+        """Return the name of the point of a formula, a new one where the file has none."""
+        if formula.op == "name":
+            return formula.name
+        return self.named.get(formula) or self.added(formula)
+
+    def direction(self, at: str, angle: Formula) -> str:
+        """Return a point that lies from `at` in the direction of an angle."""
+        return self.beside(at, number(1), angle)
+
+    def beside(self, at: str, length: Formula, angle: Formula) -> str:
+        """Return the point at a length and angle from another; a new point is written out, so that each stands by itself."""
+        base = self.points[at] if at.startswith("~") else Formula("name", name=at)
+        return self.added(Formula("+", (base, Formula("@", (length, angle)))))
+
+    def turning(self, rate: str | None) -> Formula:
+        """Return the angle that goes with a rate, 0 where nothing does."""
+        found = next((c.name for c in self.variant.coordinates if c.rate == rate), "")
+        return Formula("name", name=found) if found else number(0)
+
+    def added(self, formula: Formula) -> str:
+        """Return the name of a new point."""
+        if formula not in self.named:
+            name = f"~{sum(known.startswith('~') for known in self.points)}"
+            self.points[name] = formula
+            self.named[formula] = name
+        return self.named[formula]
+
+    def moves(self, name: str) -> bool:
+        """Return whether a point depends on a coordinate."""
+        coordinates = {c.name for c in self.variant.coordinates}
+        waiting, seen = [name], set()
+        while waiting:
+            one = waiting.pop()
+            if one in coordinates:
+                return True
+            if one in self.points and one not in seen:
+                seen.add(one)
+                waiting += self.points[one].names()
+        return False

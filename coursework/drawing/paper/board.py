@@ -1,0 +1,74 @@
+"""What is to be drawn -> a scale from round numbers and a sheet that just holds it.
+
+Enters: boxes of the drawing at a scale.  Leaves: `Board`.
+Used by `drawing/figures.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+
+from coursework.drawing.paper.cover import Rectangle
+from coursework.drawing.paper.sheet import Sheet
+from coursework.drawing.paper.symbols import ratio
+from coursework.words.sentence import Sentence
+
+EDGE = 2.0  # mm
+COLUMN = 170.0  # mm: the text of an A4 page with margins of 20 mm
+# Denominators of scales that are easily read off a ruler; a construction takes those of the drawing standards instead.
+SCALES = tuple(sorted(m * 10.0**k for k in range(-4, 12) for m in (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0)))
+# Scales of vectors, units a mm.
+SPEEDS = tuple(sorted(m * 10.0**k for k in range(-12, 12) for m in (1.0, 2.0, 5.0)))
+
+Circle = tuple[complex, float]  # a place (mm, y down) and how much room it takes around
+
+
+@dataclass(frozen=True, slots=True)
+class Board:
+    """`scale` 10 for 1:10; a sheet of `width` by `height` mm; `origin` where the point (0, 0) lies on it."""
+
+    scale: float
+    width: float
+    height: float
+    origin: complex
+
+    @property
+    def mm(self) -> float:
+        """Return how many mm of paper 1 m is."""
+        return 1000 / self.scale
+
+    @property
+    def scale_text(self) -> Sentence:
+        """Return "1:10", or "5:1" for an enlargement."""
+        return ratio(self.scale)
+
+    def put(self, z: complex) -> complex:
+        """Return the place on the sheet (mm, y down) of a point (m)."""
+        return self.origin + (z * self.mm).conjugate()
+
+    def sheet(self) -> Sheet:
+        """Return the empty sheet."""
+        return Sheet(self.width, self.height, (EDGE, EDGE, self.width - EDGE, self.height - EDGE))
+
+
+def fit(room: Callable[[float], Iterable[Circle]], highest: float, narrowest: float = 100.0, foot: float = 0.0) -> Board:
+    """Return the board with the largest scale at which everything is within a column and `highest` mm.
+
+    `room(mm)` says what takes room at so many mm a metre; `foot` mm are kept free below.
+    """
+    for scale in SCALES:
+        left, top, right, bottom = around(room(1000 / scale))
+        if right - left <= COLUMN - 2 * EDGE and bottom - top <= highest - 2 * EDGE - foot:
+            break
+    width = max(narrowest, right - left + 2 * EDGE)
+    return Board(scale, width, bottom - top + 2 * EDGE + foot, complex((width - right - left) / 2, EDGE - top))
+
+
+def around(circles: Iterable[Circle]) -> Rectangle:
+    """Return left, top, right, bottom of places with room around them; a point where there are none."""
+    listed = list(circles) or [(0j, 0.0)]
+    return (
+        min(at.real - r for at, r in listed), min(at.imag - r for at, r in listed),
+        max(at.real + r for at, r in listed), max(at.imag + r for at, r in listed),
+    )  # fmt: skip

@@ -1,0 +1,115 @@
+"""Rectangles on a sheet -> what each of them would cover, and how far it is from lines; many rectangles at once.
+
+Enters: rectangles as corners low and high (n, 2), and what is drawn, all in mm.  Leaves: arrays.
+Used by `placing.py`, which asks a thousand times a drawing, and by `live/spots.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Segment = tuple[complex, complex]
+Rectangle = tuple[float, float, float, float]
+STILL = 1e-300  # stands for a step of 0, so that a line along an axis needs no case of its own
+
+
+def shared(low: Array, high: Array, others: Sequence[Rectangle] | Array) -> Array:
+    """Return the sides (..., n, m, 2) of what rectangles (..., n, 2) share with others, below 0 where they are apart.
+
+    The others are (left, top, right, bottom), (..., m, 4); what stands before are rows of a motion.
+    """
+    boxes = np.asarray(others).reshape(*low.shape[:-2], -1, 4)[..., None, :, :]
+    sides: Array = np.minimum(high[..., None, :], boxes[..., 2:]) - np.maximum(low[..., None, :], boxes[..., :2])
+    return sides
+
+
+def clipped(low: Array, high: Array, begin: Array, step: Array) -> Array:
+    """Return the part (..., n, m), 0 to 1, of each line from `begin` by `step` (..., m, 2) in each rectangle (..., n, 2)."""
+    with np.errstate(over="ignore"):
+        first = (low[..., None, :] - begin[..., None, :, :]) / step[..., None, :, :]
+        second = (high[..., None, :] - begin[..., None, :, :]) / step[..., None, :, :]
+    enters, leaves = np.minimum(first, second), np.maximum(first, second)
+    begins = np.maximum(np.maximum(enters[..., 0], enters[..., 1]), 0.0)
+    found: Array = np.maximum(np.minimum(np.minimum(leaves[..., 0], leaves[..., 1]), 1.0) - begins, 0.0)
+    return found
+
+
+def through(begin: Array, step: Array, boxes: Sequence[Rectangle]) -> Array:
+    """Return how many rectangles (left, top, right, bottom) each way from `begin` (n, 2) by `step` (n, 2) goes through."""
+    corners = np.array(boxes).reshape(-1, 4)
+    moved = np.where(step == 0, STILL, step)[:, None]
+    with np.errstate(over="ignore"):
+        first, second = (corners[:, :2] - begin[:, None]) / moved, (corners[:, 2:] - begin[:, None]) / moved
+    enters = np.maximum(np.minimum(first, second).max(axis=2), 0.0)
+    leaves = np.minimum(np.maximum(first, second).min(axis=2), 1.0)
+    found: Array = np.count_nonzero(leaves > enters, axis=1)
+    return found
+
+
+class Lines:
+    """The segments on a sheet; one may be a point."""
+
+    def __init__(self, segments: Sequence[Segment]) -> None:
+        ends = np.array([(a.real, a.imag, b.real, b.imag) for a, b in segments]).reshape(-1, 2, 2)
+        self.count = len(segments)
+        self.begin, self.step = ends[:, 0], ends[:, 1] - ends[:, 0]
+        self.end = ends[:, 1]
+        self.low, self.high = ends.min(axis=1), ends.max(axis=1)
+        self.length = np.hypot(*self.step.T)
+        self.step[self.step == 0] = STILL
+
+    def parts(self, low: Array, high: Array) -> Array:
+        """Return the part (n, m), 0 to 1, of each segment that lies in each rectangle."""
+        return clipped(low, high, self.begin, self.step)
+
+    def within(self, low: Array, high: Array) -> tuple[Array, Array]:
+        """Return in how many segments (n,) each rectangle has a part, and how long those parts are together."""
+        near = self.near(low, high)
+        part = near.parts(low, high)
+        return (part > 0).sum(axis=1), part @ near.length
+
+    def near(self, low: Array, high: Array) -> Lines:
+        """Return the segments that come near any of the rectangles."""
+        kept = np.flatnonzero(np.all((self.low <= high.max(axis=0)) & (self.high >= low.min(axis=0)), axis=1))
+        found = Lines.__new__(Lines)
+        found.count = len(kept)
+        for name in ("begin", "step", "end", "low", "high", "length"):
+            setattr(found, name, getattr(self, name)[kept])
+        return found
+
+    def feet(self, points: Array) -> Array:
+        """Return the point (n, m, 2) of each segment that is nearest to each point (n, 2)."""
+        square = np.maximum(self.length**2, STILL)
+        off = (points[:, None] - self.begin) * self.step
+        way = np.minimum(np.maximum((off[..., 0] + off[..., 1]) / square, 0.0), 1.0)
+        feet: Array = self.begin + way[..., None] * self.step
+        return feet
+
+    def apart(self, low: Array, high: Array) -> Array:
+        """Return the distance (n, m) of each rectangle from each segment, 0 where they meet."""
+        corners = np.concatenate([low, high, np.column_stack([low[:, 0], high[:, 1]]), np.column_stack([high[:, 0], low[:, 1]])])
+        off = self.feet(corners) - corners[:, None]
+        far = np.hypot(off[..., 0], off[..., 1]).reshape(4, len(low), self.count).min(axis=0)
+        for end in (self.begin, self.end):
+            beyond = np.maximum(np.maximum(low[:, None] - end, end - high[:, None]), 0.0)
+            far = np.minimum(far, np.hypot(beyond[..., 0], beyond[..., 1]))
+        found: Array = np.where(self.parts(low, high) > 0, 0.0, far)
+        return found
+
+    def crossed(self, begin: Array, step: Array) -> Array:
+        """Return how many segments (n,) are crossed on each way from `begin` (n, 2) by `step` (n, 2)."""
+        between = self.begin - begin[:, None]
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+            turned = _cross(step[:, None], self.step)
+            along, across = _cross(between, self.step) / turned, _cross(between, step[:, None]) / turned
+        found: Array = np.count_nonzero((along > 0) & (along < 1) & (across > 0) & (across < 1), axis=1)
+        return found
+
+
+def _cross(a: Array, b: Array) -> Array:
+    found: Array = a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
+    return found

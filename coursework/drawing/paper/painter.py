@@ -1,0 +1,247 @@
+"""A mechanism on a sheet, from what lies behind to what stands in front: rails, hinges, links, blocks, joints.
+
+Enters: an `Outline`, its `Poses` and where points of the plane lie on the sheet.  Leaves: items on the `Sheet`.
+Used by `drawing/figures.py`, `naming.py`, `dimensions.py`, `offsets.py` and `drawing/plans/drawing.py`.
+SVG elements say what they are: data-link, data-sleeve, data-rail.
+"""
+
+from __future__ import annotations
+
+import cmath
+import itertools
+import math
+from collections.abc import Callable, Iterator
+from functools import cached_property
+
+from coursework.drawing.outline.ground import hinge_ground, inward, racks, rail_side, wheel_on
+from coursework.drawing.outline.outline import Bar, Block, Outline, Rail, Slot, Track, Wheel
+from coursework.drawing.outline.poses import Poses
+from coursework.drawing.paper.cover import Rectangle
+from coursework.drawing.paper.sheet import PITCH, Sheet, inside, middle_of, plain
+
+LINK = 'stroke="black" stroke-width="0.8"'
+THIN = 'stroke="black" stroke-width="0.2"'
+FRAME = 'stroke="black" stroke-width="0.35"'
+OUTLINE = 'fill="none" stroke="black" stroke-width="0.35"'
+RING = 'fill="white" stroke="black" stroke-width="0.35"'
+DOT = 'fill="black" stroke="none"'
+BLOCK = (4.2, 2.4)  # mm, half length and half height of a slider
+BEYOND = 10.0  # mm of a bar beyond the farthest place of its sleeve
+RAIL = 9.0  # mm of a rail beyond the farthest place of its slider
+ALIGNED = 1e-9  # of the mechanism: a point within this of a line lies on it
+
+
+class Painter:
+    """One row of a mechanism drawn on a sheet; `put` takes a point (m) to the sheet (mm, y down), `mm` are those of 1 m."""
+
+    def __init__(
+        self, sheet: Sheet, outline: Outline, poses: Poses, row: int, put: Callable[[complex], complex], mm: float
+    ) -> None:
+        self.sheet, self.outline, self.poses, self.row, self.put, self.mm = sheet, outline, poses, row, put, mm
+        self.place = poses.pose(row)
+        self.at = {name: put(z) for name, z in self.place.items()}
+        self.names = outline.shown
+        self.middle = middle_of(self.at[name] for name in self.names)
+        self.grounds: list[tuple[complex, complex]] = []  # rails and hinges as they are drawn
+        self.rails: dict[Rail, tuple[complex, complex]] = {}  # the rails among them
+
+    def extent(self) -> Iterator[tuple[complex, float]]:
+        """Yield what takes room: places on the sheet (mm, y down) with the room around each."""
+        for name in self.names:
+            yield self.at[name], 11.0 if name in self.outline.hinges else 7.0
+        for wheel in self.outline.wheels:
+            yield self.at[wheel.centre], abs(self.at[wheel.contact] - self.at[wheel.centre]) + 3.0
+        for slot in self.outline.slots:
+            yield from ((end, 3.0) for end in self.slot_line(slot))
+        for rail in self.outline.rails:
+            yield from ((end, 4.0) for end in self.rail_line(rail))
+
+    def fixed(self) -> None:
+        """Draw what stands still: tracks, rails, hinges."""
+        for track in self.outline.tracks:
+            self.track(track)
+        for rail in self.outline.rails:
+            self.rail(rail)
+        for name in self.outline.hinges:
+            self.hinge(name)
+
+    def moving(self) -> None:
+        """Draw what moves: blocks, links, joints."""
+        for block in self.outline.blocks:
+            self.block(block)
+        for wheel in self.outline.wheels:
+            self.wheel(wheel)
+        for bar in self.outline.bars:
+            self.bar(bar)
+        for slot in self.outline.slots:
+            self.slot(slot)
+        for name in self.names:
+            self.joint(name)
+
+    def thin(self) -> None:
+        """Draw the links alone with thin lines, as one of many positions."""
+        for bar in self.outline.bars:
+            self.sheet.path([self.at[name] for name in bar.corners], f'fill="none" {THIN}', blocks=False)
+        for slot in self.outline.slots:
+            self.sheet.path(self.slot_line(slot), f'fill="none" {THIN}', blocks=False)
+        for wheel in self.outline.wheels:
+            radius = abs(self.at[wheel.contact] - self.at[wheel.centre])
+            self.sheet.circle(self.at[wheel.centre], radius, f'fill="none" {THIN}', rim=True, blocks=False)
+
+    # what is fixed
+
+    def rail_line(self, rail: Rail) -> tuple[complex, complex]:
+        """Return both ends of a rail (mm), as far as its slider travels and a little more."""
+        start, along, low, high = self.poses.travel(rail)
+        wheels = [w for w in self.outline.wheels if w.contact == rail.rider and rail.rolls]
+        radius = max((abs(self.place[w.contact] - self.place[w.centre]) for w in wheels), default=0.0)
+        more = max(RAIL / self.mm, 1.25 * radius)
+        return self.put(start + along * (low - more)), self.put(start + along * (high + more))
+
+    def rail(self, rail: Rail) -> None:
+        """Draw a rail, hatched on the side where nothing is."""
+        a, b = self.rail_line(rail)
+        along = (b - a) / abs(b - a)
+        side = -1j * along * rail_side(self.outline, self.poses.pose(0), rail)
+        if rail.rider and not rail.rolls:
+            a, b = a + side * BLOCK[1], b + side * BLOCK[1]
+        if part := inside(a, b, self.sheet.field):
+            self.sheet.line(*part, FRAME, ' data-rail=""')
+            self.sheet.hatch(*part, side)
+            self.grounds.append(part)
+            self.rails[rail] = part
+
+    def track(self, track: Track) -> None:
+        """Draw the part of a fixed circle near its wheel, hatched inside the solid, with the radius that leads there."""
+        middle = self.at[track.centre]
+        radius = abs(self.at[track.rim] - middle)
+        wheel = self.wheel_on(track)
+        if not radius or wheel is None:
+            return
+        out = self.at[wheel.contact] - middle
+        self.sheet.line(middle, middle + radius * out / abs(out), THIN)
+        half = min(math.pi, max(35.0 / radius, 0.5))
+        steps = math.ceil(2 * half * radius / PITCH)
+        arc = [middle + radius * out / abs(out) * cmath.exp(1j * half * (2 * k / steps - 1)) for k in range(steps + 1)]
+        kept = [p for p in arc if inside(p - 0.01, p + 0.01, self.sheet.field)]
+        self.sheet.path(kept, OUTLINE)
+        solid = inward(self.outline, self.poses.pose(0), track)
+        for a, b in itertools.pairwise(kept):
+            self.sheet.hatch(a, b, solid * (middle - a))
+
+    def wheel_on(self, track: Track) -> Wheel | None:
+        """Return the wheel that touches a fixed circle in row 1; later rows of a scheme drift away from it."""
+        return wheel_on(self.outline, self.poses.pose(0), track)
+
+    def hinge(self, name: str) -> None:
+        """Draw a hinge of the frame: a triangle on hatched ground, on the side away from the links."""
+        at, down = self.at[name], self.ground(name)
+        side = 1j * down
+        foot = at + 5.0 * down
+        self.sheet.path([at, foot + 2.9 * side, foot - 2.9 * side], RING, closed=True)
+        self.sheet.line(foot - 4.6 * side, foot + 4.6 * side, FRAME)
+        self.sheet.hatch(foot - 4.6 * side, foot + 4.6 * side, down)
+        self.grounds.append((foot - 4.6 * side, foot + 4.6 * side))
+        self.sheet.boxes.append(_around(at + 3.5 * down, 4.0))
+
+    def ground(self, name: str) -> complex:
+        """Return on which side of a hinge its ground is: below, as in a textbook, unless a link hides it there."""
+        return hinge_ground(self.outline, self.place, name).conjugate()
+
+    # what moves
+
+    def bar(self, bar: Bar) -> None:
+        """Draw a link: a line through its points, or a rack, filled where it is bent."""
+        data = f' data-link="{plain(bar.link)}"'
+        if contact := self.racks.get(bar.link):
+            self.rack(bar, contact)
+        for a, b in itertools.pairwise(bar.corners):
+            ends = f' data-from="{plain(a)}" data-to="{plain(b)}"'
+            self.sheet.line(self.at[a], self.at[b], LINK, data + ends, heavy=True)
+        for a, b, c in zip(bar.corners, bar.corners[1:], bar.corners[2:], strict=False):
+            self.corner(a, b, c)
+
+    def corner(self, a: str, b: str, c: str) -> None:
+        """Fill the angle of a bent link: it is rigid there."""
+        arms = [self.at[name] - self.at[b] for name in (a, c)]
+        if all(arms) and abs((arms[0].conjugate() * arms[1]).imag) > 0.05 * abs(arms[0]) * abs(arms[1]):
+            tips = [self.at[b] + arm / abs(arm) * min(5.0, abs(arm)) for arm in arms]
+            self.sheet.path([self.at[b], *tips], 'fill="#999" stroke="none"', closed=True)
+
+    def wheel(self, wheel: Wheel) -> None:
+        """Draw a wheel with the radius to its contact."""
+        centre, contact = self.at[wheel.centre], self.at[wheel.contact]
+        self.sheet.circle(centre, abs(contact - centre), OUTLINE, f' data-link="{plain(wheel.link)}"', rim=True)
+        self.sheet.line(centre, contact, THIN)
+
+    def slot_line(self, slot: Slot) -> list[complex]:
+        """Return the line of a slot (mm): from its point at right angles to the line, then along it past its farthest rider."""
+        beside, low, high = self.poses.line(slot)
+        at, along = self.place[slot.at], complex(self.poses.along(slot.base, slot.toward)[self.row])
+        corners = next((bar.corners for bar in self.outline.bars if bar.link == slot.link), ())
+        own = [(self.place[name] - at) * along.conjugate() for name in corners]
+        on_line = [0.0, *(p.real for p in own if abs(p.imag - beside) <= ALIGNED * max(map(abs, own), default=0.0))]
+        more = BEYOND / self.mm
+        first = min(on_line) if min(on_line) <= low else low - more
+        last = max(on_line) if max(on_line) >= high else high + more
+        foot = at + 1j * along * beside
+        ends = [self.put(foot + along * first), self.put(foot + along * last)]
+        if abs(beside) <= ALIGNED * (abs(first) + abs(last)):
+            return ends
+        return [ends[0], self.put(foot), self.put(at), self.put(foot), ends[1]]
+
+    def slot(self, slot: Slot) -> None:
+        """Draw the line on which a block slides as a part of its link."""
+        for a, b in itertools.pairwise(self.slot_line(slot)):
+            if a != b:
+                self.sheet.line(a, b, LINK, f' data-link="{plain(slot.link)}" data-slot=""', heavy=True)
+
+    def block(self, block: Block) -> None:
+        """Draw the block of a slider, or a sleeve: a block with open ends through which the bar is seen."""
+        at = self.at[block.at]
+        along = complex(self.poses.along(block.base, block.toward)[self.row]).conjugate()
+        long, high = BLOCK[0] * along, BLOCK[1] * 1j * along
+        corners = (at + long + high, at - long + high, at - long - high, at + long - high)
+        xs, ys = [z.real for z in corners], [z.imag for z in corners]
+        self.sheet.boxes.append((min(xs), min(ys), max(xs), max(ys)))
+        if not block.open:
+            self.sheet.path(corners, RING, closed=True)
+            return
+        name = f' data-sleeve="{plain(block.link)}"'
+        self.sheet.path(corners, f'fill="white" stroke="none"{name}', closed=True)
+        for side in (high, -high):
+            self.sheet.line(at - long + side, at + long + side, 'stroke="black" stroke-width="0.5"')
+
+    @cached_property
+    def racks(self) -> dict[str, str]:
+        """Return the racks, link -> contact with its gear."""
+        return {rack.link: rack.contact for rack in racks(self.outline, self.poses.pose(0))}
+
+    def rack(self, bar: Bar, contact: str) -> None:
+        """Draw a rack as a bar from its joint beyond its gear, on the side away from the gear."""
+        at, touch = self.at[bar.corners[0]], self.at[contact]
+        if at == touch:
+            return
+        along = (touch - at) / abs(touch - at)
+        gear = next(self.at[wheel.centre] for wheel in self.outline.wheels if wheel.contact == contact)
+        side = 1j * along * BLOCK[1] * (1 if _dot(1j * along, gear - touch) < 0 else -1)
+        end = touch + 12 * along
+        self.sheet.path([at, end, end + side, at + side], RING, closed=True)
+
+    def joint(self, name: str) -> None:
+        """Draw a joint as a ring, a mere point of a link as a dot."""
+        if any(name == wheel.contact for wheel in self.outline.wheels):
+            self.sheet.circle(self.at[name], 0.7, DOT)
+            return
+        members = sum(name in bar.corners for bar in self.outline.bars)
+        pinned = name in self.outline.hinges or any(name == block.at for block in self.outline.blocks)
+        ring = members > 1 or pinned or any(name == wheel.centre for wheel in self.outline.wheels)
+        self.sheet.circle(self.at[name], 1.25 if ring else 1.0, RING if ring else DOT)
+
+
+def _dot(a: complex, b: complex) -> float:
+    return (a.conjugate() * b).real
+
+
+def _around(at: complex, half: float) -> Rectangle:
+    return (at.real - half, at.imag - half, at.real + half, at.imag + half)

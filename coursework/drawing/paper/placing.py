@@ -1,0 +1,162 @@
+"""Where a word stands: beside what it names, nearer to it than to anything alike, over as little as can be.
+
+Enters: what a sheet has so far (mm, y down), the size of a word and what it belongs to.  Leaves: `Stand`.
+Used by `sheet.py`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from coursework.drawing.paper.cover import Array, Lines, Rectangle, Segment, shared, through
+
+Place = tuple[complex, complex, float]  # beside this point, rather in this direction, at this distance
+DIRECTIONS = 16  # in which a place is looked for
+RINGS = (0.0, 1.0, 2.0, 3.2, 4.5, 6.0, 8.0, 12.0, 17.0, 23.0, 30.0, 40.0)  # mm farther out; the last only where words would meet
+LOOKS = (1, 1, 1, 2, 2, 2, 3, 3, 4, 4, 4, 4)  # in which look a ring is looked at, all its places together
+FARTHER = 0.5  # mm of lines that a word rather covers than standing 1 mm farther off
+TURNED = 0.6  # the same for a quarter turn away from the direction it should have
+NEXT = 0.6  # the same for each place after the first
+MARGIN = 0.5  # mm kept free around a word
+CLEAR = 0.4  # mm more beside a heavy line, half of its width
+HEAVY = 120.0  # mm of thin lines that a word rather covers than a heavy one: a link or an arrow
+WORD_ON_WORD = 200.0  # the same for another word
+CROSSED = 4.0  # the same for every line that goes through it
+SYMBOL = (3.0, 6.0)  # the same for a mm² of a symbol, and for every symbol
+GAP, SIDE_BY_SIDE = 2.2, 20.0  # mm: words nearer on one line read as one; mm of lines that a word rather covers
+LEADING = 0.8  # mm: so do words nearer above each other
+BEYOND = 30.0  # mm of lines for each mm beyond the field
+CLEARLY = 1.0  # mm: a word is that much nearer to its own than to what it might be mistaken for
+LOST = 5.0  # mm: farther from a line or a point a word seems to belong to nothing
+LEADER, LEADER_CROSSES = 4.0, (15.0, 100.0, 3.0)  # mm of lines for such a line, and for each heavy line, word, symbol it crosses
+STEP_OFF = 0.6  # mm: it is looked at from beside the line it leads to
+ALONG = (0.35, 0.6, 0.85)  # parts of its way at which it must not lie on a heavy line
+CHEAPEST = 24  # places looked at together
+TOUCH = 1.2  # mm: a place so near a point or a line is beside that; farther off it is beside a rim or a block
+
+
+@dataclass(frozen=True, slots=True)
+class Owner:
+    """What a word belongs to: its `own` segments, and `rivals` that a reader could take instead, worth `mistaken` mm of lines."""
+
+    own: Sequence[Segment]
+    rivals: Sequence[Segment] = ()
+    mistaken: float = 8.0
+    lost: float = LOST  # mm: a word farther from it is led back by a thin line
+    breaks: bool = False  # its own thin line may be broken for the word, as a dimension line is
+
+
+@dataclass(frozen=True, slots=True)
+class Stand:
+    """The `middle` of a word beside one of its places; `leader` is the foot of the line that leads to what it names."""
+
+    middle: complex
+    place: Place
+    leader: complex | None
+
+
+@dataclass(slots=True)
+class Taken:
+    """What is on a sheet so far; the lists are those of the sheet, their arrays are made anew when there is more."""
+
+    segments: list[Segment]
+    heavy: list[Segment]
+    boxes: list[Rectangle]
+    words: list[Rectangle]
+    _lines: dict[str, Lines] = field(default_factory=dict)
+
+    def lines(self, name: str) -> Lines:
+        """Return the `segments` or the `heavy` ones as arrays."""
+        listed = self.heavy if name == "heavy" else self.segments
+        if name not in self._lines or self._lines[name].count != len(listed):
+            self._lines[name] = Lines(listed)
+        return self._lines[name]
+
+    def covered(self, middles: Array, width: float, height: float, room: Rectangle) -> Array:
+        """Return what equal rectangles cover: mm of lines, more for heavy ones, words, symbols and what is beyond `room`."""
+        half = np.array([width / 2 + MARGIN, height / 2 + MARGIN])
+        low, high = middles - half, middles + half
+        edge = np.array(room)
+        beyond = np.maximum(edge[:2] - low, 0.0) + np.maximum(high - edge[2:], 0.0)
+        symbols, words = shared(low, high, self.boxes), shared(low, high, self.words)
+        areas = np.multiply.reduce(np.maximum(symbols, 0.0), axis=2)
+        level = words[..., 1] > 0
+        over, beside = level & (words[..., 0] > 0), level & (words[..., 0] > -GAP)
+        stacked = (words[..., 0] > 0) & (words[..., 1] > -LEADING) & ~level
+        crossed, length = self.lines("segments").within(low, high)
+        heavy, _ = self.lines("heavy").within(low - CLEAR, high + CLEAR)
+        cost: Array = BEYOND * beyond.sum(axis=1) + length + CROSSED * crossed + HEAVY * heavy
+        cost += SYMBOL[0] * areas.sum(axis=1) + SYMBOL[1] * (areas > 0).sum(axis=1)
+        cost += WORD_ON_WORD * over.sum(axis=1) + SIDE_BY_SIDE * (beside | stacked).sum(axis=1)
+        return cost
+
+    def stand(self, width: float, height: float, places: Sequence[Place], owner: Owner, room: Rectangle) -> Stand:
+        """Return where a word of a width and height (mm) stands best."""
+        claimed, owned = Lines([*owner.own, *owner.rivals]), len(owner.own)
+        own = Lines(owner.own) if owner.breaks else None
+        half = np.array([width / 2, height / 2])
+        turns = math.tau * np.arange(DIRECTIONS) / DIRECTIONS
+        toward = np.array([np.angle(away) if away else -math.pi / 4 for _, away, _ in places])
+        units = np.exp(1j * (toward[:, None] + turns))
+        reach = np.minimum(half[0] / np.maximum(np.abs(units.real), 1e-9), half[1] / np.maximum(np.abs(units.imag), 1e-9))
+        near, gaps = (np.array([place[k] for place in places])[:, None] for k in (0, 2))
+        fixed = TURNED * (1 - np.cos(turns)) + NEXT * np.arange(len(places))[:, None]
+        best, found = math.inf, Stand(places[0][0], places[0], None)
+        rings = np.array(RINGS)[:, None, None]
+        leasts = (FARTHER * rings + fixed).ravel()
+        # Each rectangle touches the circle of radius `gap + ring` about its point.
+        ats = (near + units * (gaps + rings + reach)).ravel()
+        begins = np.broadcast_to(near + units * np.maximum(gaps - TOUCH, 0.0), (len(RINGS), *units.shape)).ravel()
+        group = np.repeat(LOOKS, units.size)
+        group[:DIRECTIONS] = 0  # the first place by itself: where it is good, the others need no look
+        for look in range(LOOKS[-1] + 1):
+            kept = np.flatnonzero((group == look) & (leasts < best))
+            if not kept.size:
+                continue
+            least, at = leasts[kept], ats[kept]
+            middles = np.column_stack([at.real, at.imag])
+            low, high = middles - half, middles + half
+            cost = least + self.covered(middles, width, height, room)
+            if own is not None:
+                crossed, length = own.within(low - MARGIN, high + MARGIN)
+                cost -= length + CROSSED * crossed
+            feet = begins[kept]
+            # What a reader could mistake only adds to the cost: it is looked at where the rest is cheap.
+            order = np.argsort(np.round(cost, 6), kind="stable")
+            for some in (order[k : k + CHEAPEST] for k in range(0, len(order), CHEAPEST)):
+                if cost[some[0]] >= best - 1e-9:
+                    break
+                far = claimed.apart(low[some], high[some])
+                mine, theirs = far[:, :owned].min(axis=1), far[:, owned:].min(axis=1, initial=math.inf)
+                mistaken = theirs < mine + CLEARLY
+                led = mistaken | (mine > owner.lost)
+                whole = cost[some] + owner.mistaken * mistaken
+                if led.any():
+                    foot = np.column_stack([feet[some].real, feet[some].imag])
+                    whole += led * (LEADER + self._in_the_way(foot, middles[some]))
+                k = int(np.argmin(np.round(whole, 6)))
+                if whole[k] < best - 1e-9:
+                    best, chosen = float(whole[k]), int(some[k])
+                    leader = complex(feet[chosen]) if led[k] else None
+                    found = Stand(complex(at[chosen]), places[int(kept[chosen]) % units.size // DIRECTIONS], leader)
+        return found
+
+    def _in_the_way(self, feet: Array, middles: Array) -> Array:
+        """Return the price of what each line from a foot to the middle of its word crosses."""
+        way = middles - feet
+        long = np.maximum(np.hypot(*way.T), 1e-9)[:, None]
+        begin = feet + way / long * np.minimum(STEP_OFF, long)
+        step = middles - begin
+        price: Array = LEADER_CROSSES[0] * self.lines("heavy").crossed(begin, step)
+        if self.heavy:
+            at = (feet + np.array(ALONG)[:, None, None] * way).reshape(-1, 2)
+            off = self.lines("heavy").feet(at) - at[:, None]
+            lies = np.hypot(off[..., 0], off[..., 1]).min(axis=1) < STEP_OFF
+            price = price + LEADER_CROSSES[0] * np.count_nonzero(lies.reshape(len(ALONG), -1), axis=0)
+        for boxes, worth in ((self.words, LEADER_CROSSES[1]), (self.boxes, LEADER_CROSSES[2])):
+            price = price + worth * through(begin, step, boxes)
+        return price

@@ -1,0 +1,82 @@
+"""Names of a file as a drawing writes them: "r1" is r₁, "2*r3" is 2r₃, "phi1" is φ₁.
+
+Enters: a name or a formula.  Leaves: short text.
+Used by `naming.py`, `dimensions.py`, `drawing/figures.py` and `plans/`.
+"""
+
+from __future__ import annotations
+
+import re
+
+from coursework.variant.formula.alphabet import greek
+from coursework.variant.formula.tree import Formula, spelled
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
+
+LONGEST_NAME = 12  # letters of the name of a point or link
+LONGEST_LENGTH = 14  # letters of the length beside a link; a longer formula says less than none
+_LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+_NAME = re.compile(r"(?<![^\W\d])(?<!\.)([^\W\d_]+?)(\d*)(?!\w)")
+_INDEXED = re.compile(r"([^\W\d_])(?:_?(\d+)|_(\w+)|([ij])|(?<=[xy])([^\W\d_]))")
+_RATE = re.compile(r"(?:w|omega)_?(\w*)")
+
+
+def short(name: str) -> str:
+    """Return the name of a point or link, cut where it is too long to stand beside it."""
+    return name if len(name) <= LONGEST_NAME else name[: LONGEST_NAME - 1] + "…"
+
+
+def name_word(name: str) -> tuple[str, str, str]:
+    """Return the name of a point or datum as a word with what is set lower: "P1" is P with 1, "Ki" K with i, "xF" x with F.
+
+    What stands under a point, "P1'", has a prime behind all of it.
+    """
+    plain, prime = _without_prime(name)
+    found = _INDEXED.fullmatch(plain)
+    return (
+        (found[1], next(part for part in found.groups()[1:] if part), prime) if found else (short(greek(plain)) + prime, "", "")
+    )
+
+
+def _without_prime(name: str) -> tuple[str, str]:
+    plain = name.rstrip("'")
+    return plain, "′" * (len(name) - len(plain))
+
+
+def lettered(text: str) -> str:
+    """Return a text with its names set: Greek letters, digits behind a name lowered."""
+    return _NAME.sub(lambda match: greek(match[1]) + match[2].translate(_LOWERED), text)
+
+
+def rate_word(name: str) -> tuple[str, str, str]:
+    """Return a given rate as a word with what is set lower: "w1" is ω with 1, "wpsi" is ω with ψ."""
+    found = _RATE.fullmatch(name)
+    return ("ω", greek(found[1]), "") if found else (short(name), "", "")
+
+
+def lowered_name(name: str) -> str:
+    """Return the name of a point as it stands below a letter: "P1" is P₁; "P1'", the point under it, P₁′."""
+    plain, prime = _without_prime(name)
+    return (short(lettered(plain)) if _INDEXED.fullmatch(plain) else short(plain)) + prime
+
+
+def length_text(length: Formula) -> str:
+    """Return a length as it stands beside a link, "" where it is too long for that."""
+    text = lettered(spelled(length).replace("*", "").replace(" ", "").replace("-", "−"))
+    return text if len(text) <= LONGEST_LENGTH else ""
+
+
+def length_word(length: Formula) -> tuple[str, str, str]:
+    """Return a length as a word with what is set lower: "xF" is x with F; an empty one where it is too long."""
+    named = length.op == "name" and not length.name[-1:].isdigit()
+    return name_word(length.name) if named else (length_text(length), "", "")
+
+
+def decimal(value: float) -> Sentence:
+    """Return a round number without a power of ten: 0.0002."""
+    return say("drawing.round", value=float(value))
+
+
+def ratio(scale: float) -> Sentence:
+    """Return "1:10" for a scale of 10, "5:1" for an enlargement."""
+    return say("drawing.reduced", value=float(scale)) if scale >= 1 else say("drawing.enlarged", value=1 / scale)

@@ -1,0 +1,176 @@
+"""The drawing of the graph-analytical check: mechanism, velocities, centres, true to scale, readable in black and white.
+
+Enters: a `Sketch` and the `Findings`.  Leaves: SVG text, the same on every run, one user unit = 1 mm, size in mm.
+Everything a file may name is escaped (`sheet.plain`).
+Used by `graph_check.py`.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable
+from dataclasses import replace
+
+from coursework.drawing.lettering.naming import lies_on, link_owner, link_places, point_names
+from coursework.drawing.paper.cover import Segment
+from coursework.drawing.paper.painter import Painter
+from coursework.drawing.paper.placing import Owner, Place
+from coursework.drawing.paper.record import Drawing
+from coursework.drawing.paper.sheet import BOLD, ITALIC, Sheet, Word, inside, plain
+from coursework.drawing.paper.symbols import decimal, lowered_name, short
+from coursework.drawing.plans.foot import draw_foot
+from coursework.drawing.plans.graph_words import centre_letter
+from coursework.drawing.plans.instant_centres import Centre, Findings
+from coursework.drawing.plans.layout import Layout, lay_out
+from coursework.drawing.plans.sketch import Sketch
+from coursework.words.sentences import say
+
+VELOCITY = 'stroke="black" stroke-width="0.4"'
+CONSTRUCTION = 'stroke="black" stroke-width="0.15" stroke-dasharray="2.4 1 0.4 1"'
+READ = 1e4  # 1/m: a place is read off a drawing 1:1 to 0.1 mm
+FAR = 12.0  # mm of way that the name of a centre off the sheet rather takes than standing nearer to the arrow of another
+MISTAKEN = 8.0  # mm of way that any other name rather takes
+AT_LINK = 6.0  # mm: so far the sense of a rotation still stands at its link
+CLOSE = 0.05  # of the mechanism: a centre so near a point lies almost on it
+SHORTEST = 0.5  # mm: a shorter arrow is none
+SMALL = 4.0  # mm: beside a shorter arrow its name stands farther off
+
+
+def draw(
+    sketch: Sketch, findings: Findings, row: int, time: float, written: Callable[[str], str] = str, *, blank: bool = False
+) -> Drawing:
+    """Return `figure#graph-check`, one row (from 1) at a time (s); `written` puts its sentences into the language of a page.
+
+    A `blank` sheet has the mechanism and its driven velocity, and leaves the construction to the student.
+    """
+    layout = lay_out(sketch, findings)
+    if blank:
+        given = {name: v for name, v in findings.velocities.items() if name in sketch.pose.velocities}
+        findings = replace(findings, velocities=given, omegas={}, centres={})
+    svg = _Drawing(sketch, findings, layout, written).svg(say("drawing.title", row=row, time=time))
+    alt = say("graph.alt", row=row)
+    caption = say(
+        "graph.blank" if blank else "graph.caption", row=row, time=time, scale=layout.scale_text, seen=_seen(sketch, findings)
+    )
+    return Drawing("graph-check", svg, layout.width, layout.height, caption, alt, exact=True)
+
+
+def _seen(sketch: Sketch, findings: Findings) -> str:
+    """Return what to look at: a centre on a point that therefore hardly moves, or the fastest point."""
+    size, places = sketch.pose.size, sketch.pose.positions
+    points = {body.name: body.points for body in sketch.pose.bodies}
+    for link, centre in findings.centres.items():
+        for name in points[link]:
+            if centre.at is not None and centre.lines and abs(places[name] - centre.at) < CLOSE * size:
+                return say("graph.close", link=link, point=name)
+    moving = {name: abs(v) for name, v in findings.velocities.items() if name in sketch.moving}
+    fastest = max(moving, key=lambda name: moving[name], default="")
+    return say("graph.fastest", point=fastest, speed=moving[fastest]) if fastest else ""
+
+
+class _Drawing:
+    """One sheet being drawn, from what lies behind to what stands in front."""
+
+    def __init__(self, sketch: Sketch, findings: Findings, layout: Layout, written: Callable[[str], str]) -> None:
+        self.sketch, self.findings, self.layout, self.written = sketch, findings, layout, written
+        self.bodies = {body.name: body for body in sketch.pose.bodies}
+        self.sheet = Sheet(layout.width, layout.height, layout.field)
+        self.painter = Painter(self.sheet, sketch.outline, sketch.poses, sketch.row, layout.put, 1000 / layout.scale)
+        self.at = self.painter.at
+        self.points = list(dict.fromkeys((*sketch.outline.names, *(name for body in sketch.pose.bodies for name in body.points))))
+        self.letter = centre_letter(sketch)
+        self.marks: list[tuple[Word, list[Place], Segment]] = []
+        self.far: list[tuple[Word, list[Place], list[Segment]]] = []  # of a centre off the sheet each arrow is named, one in full
+        self.middle = self.painter.middle
+
+    def svg(self, title: str) -> str:
+        for name, centre in self.findings.centres.items():
+            self.construction(name, centre)
+        self.painter.fixed()
+        self.painter.moving()
+        for name in self.points:
+            self.velocity(name)
+        for name, centre in self.findings.centres.items():
+            self.cross(name, centre)
+        self.names()
+        self.foot(title)
+        return self.sheet.svg()
+
+    # what was found
+
+    def velocity(self, name: str) -> None:
+        """Draw the velocity of a point; one too short to be seen is written beside its point."""
+        velocity = self.findings.velocities.get(name)
+        if velocity is None or name in self.sketch.pose.fixed:
+            return
+        arrow = self.layout.arrow(velocity)
+        tip = self.at[name] + arrow
+        seen = abs(arrow) > SHORTEST
+        if seen:
+            self.sheet.vector(self.at[name], tip, VELOCITY, f' data-velocity="{plain(name)}"')
+        value = self.written(say("drawing.speed", speed=abs(velocity)))
+        away = arrow or self.at[name] - self.middle
+        places = [(tip, away, 1.0 if abs(arrow) > SMALL else 2.0), (tip - arrow / 4, 1j * away, 1.0)]
+        self.marks.append((("V", lowered_name(name), value), places if seen else places[:1], (tip - arrow / 2, tip)))
+
+    def construction(self, link: str, centre: Centre) -> None:
+        """Draw the lines that lead from two points to a centre, or to where they leave the sheet."""
+        if centre.at is not None:
+            for name in centre.lines:
+                self.sheet.line(self.at[name], self.layout.put(centre.at), CONSTRUCTION)
+
+    def cross(self, link: str, centre: Centre) -> None:
+        """Mark a centre with a cross and its name; a far one with arrows at the border and its coordinates."""
+        if centre.at is None or not centre.lines:
+            return
+        layout = self.layout
+        at = layout.put(centre.at)
+        if link in layout.near:
+            for arm in (1.5 + 1.5j, 1.5 - 1.5j):
+                self.sheet.line(at - arm, at + arm, 'stroke="black" stroke-width="0.4"')
+            self.marks.append(((self.letter, short(link), ""), [(at, at - self.middle, 2.2)], (at, at)))
+            return
+        places, arrows = [], []
+        for name in centre.lines:
+            if part := inside(self.at[name], at, self.sheet.field):
+                along = (at - self.at[name]) / abs(at - self.at[name])
+                self.sheet.arrow(part[1] - 5 * along, part[1], CONSTRUCTION, head=2.6)
+                places.append((part[1] - 6 * along, self.middle - part[1], 1.4))
+                arrows.append((part[1] - 8 * along, part[1]))
+        decimals = max(0, math.ceil(math.log10(READ / layout.scale) - 1e-9))
+        where = say("drawing.place", x=round(centre.at.real, decimals) + 0.0, y=round(centre.at.imag, decimals) + 0.0)
+        if places:
+            self.far.append(((self.letter, short(link), self.written(where).replace("-", "−")), places, arrows))
+
+    # words
+
+    def names(self) -> None:
+        """Write all labels: points, velocities, centres, links with the sense and size of their rotation."""
+        point_names(self.painter)
+        owned = [*(line for *_, line in self.marks), *itertools.chain(*(lines for *_, lines in self.far))]
+
+        def owner(own: list[Segment], mistaken: float = MISTAKEN) -> Owner:
+            return Owner(own, [line for line in owned if not any(line == mine or lies_on(line, mine) for mine in own)], mistaken)
+
+        for word, places, line in self.marks:
+            self.sheet.label(word, places, ITALIC, owner=owner([line]))
+        for word, places, lines in self.far:
+            chosen = self.sheet.label(word, places, ITALIC, owner=owner(lines, FAR))
+            for place, line in zip(places, lines, strict=True):
+                if place != chosen:
+                    self.sheet.label((*word[:2], ""), [place], ITALIC, owner=owner([line], FAR))
+        for bar in self.sketch.outline.bars:
+            body, omega = self.bodies.get(bar.link), self.findings.omegas.get(bar.link)
+            turning = 0 if body is None or body.guide or not omega else (1 if omega > 0 else -1)
+            value = self.written(say("drawing.turning", omega=abs(omega))) if omega and turning else ""
+            if bar.corners:
+                belongs = replace(link_owner(self.painter, bar), lost=AT_LINK)
+                self.sheet.label((short(bar.link), "", value), link_places(self.painter, bar), BOLD, turn=turning, owner=belongs)
+
+    def foot(self, title: str) -> None:
+        """Draw the bar by which a print is checked, and say the scales."""
+        layout = self.layout
+        moving = any(self.findings.velocities.values())
+        speeds = say("drawing.speeds", speed=decimal(layout.speed)) if moving else ""
+        draw_foot(self.sheet, [say("drawing.scale", scale=layout.scale_text), speeds, title], self.written)

@@ -1,0 +1,182 @@
+"""The graph-analytical check: one row drawn to scale, angular velocities by instantaneous centres, beside the table.
+
+Enters: velocity equations, the rows of a scheme and the exact rows.  Leaves: `GraphCheck`.  Computed on request only.
+From the row it takes the positions and the driven velocity, nothing else (`instant_centres.py`); the drawing is made when
+somebody looks at it (`drawing.py`).
+Used by `assigning/handout.py`, `quantities.py` and `run.py`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from coursework.drawing.outline.lengths import stretching
+from coursework.drawing.outline.tracing import read_outline
+from coursework.drawing.paper.record import Drawing
+from coursework.drawing.plans.graph_words import centre_letter, drift, how_found, omega_name
+from coursework.drawing.plans.instant_centres import Findings, construct
+from coursework.drawing.plans.layout import lay_out
+from coursework.drawing.plans.pose import Body
+from coursework.drawing.plans.readings import Reading, read_off
+from coursework.drawing.plans.sketch import Sketch, read_sketch
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.mechanism.mechanism import Mechanism
+from coursework.motion.geometry.time_derivatives import jets
+from coursework.motion.integration.motion import Motion
+from coursework.variant.record.variant import Variant
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
+
+USUAL_ROW = 4  # of a file that names no check_row: t = (N + 1) h with N = 2, as on the task sheet of 1995
+GraphRow = tuple[str, float, float, float, str]
+
+
+@dataclass(frozen=True, slots=True)
+class GraphCheck:
+    """The check of one `row` (from 1) at `time` (s).
+
+    `rows` (name, measured, table value, measured - table, unit): angular velocities, speeds of joints, centres; nan where
+    the table has no such value.  `true` reads the same off the exact row: name -> (value, unit), nothing where there is none.
+    `notes` are sentences: how each centre was found, what the drawing does not determine, how far the row does not close.
+    """
+
+    row: int
+    time: float
+    sketch: Sketch
+    findings: Findings
+    rows: tuple[GraphRow, ...]
+    true: Callable[[], dict[str, tuple[float, str]]]
+    notes: tuple[str, ...]
+    readings: tuple[Reading, ...] = ()
+
+    @property
+    def exact(self) -> tuple[tuple[str, float, float, str], ...]:
+        """Return (name, exact value, table - exact, unit) of each: the scheme's error in that row."""
+        true = self.true()
+        return tuple((name, true[name][0], table - true[name][0], unit) for name, _, table, _, unit in self.rows if name in true)
+
+    @property
+    def centres(self) -> dict[str, complex | None]:
+        """Return the centres that were constructed by link (m), None for a link that translates."""
+        return {name: centre.at for name, centre in self.findings.centres.items() if centre.lines}
+
+    def drawing(self, written: Callable[[str], str] = str, *, blank: bool = False) -> Drawing:
+        """Return the drawing; `written` puts its sentences into the language of a page, `blank` leaves the construction out."""
+        from coursework.drawing.plans.drawing import draw
+
+        return draw(self.sketch, self.findings, self.row, self.time, written, blank=blank)
+
+    @property
+    def scale(self) -> float:
+        """Return the denominator of the drawing's scale: 10 for 1:10."""
+        return lay_out(self.sketch, self.findings).scale
+
+
+def check_graph(mechanism: Mechanism, equations: VelocityEquations, motion: Motion, exact: Motion) -> GraphCheck | None:
+    """Return the check of the variant's check row, None where the table ends before it.
+
+    Raises `InputError` where the file lacks what a drawing needs.
+    """
+    variant = equations.variant
+    row = _required_row(variant, motion)
+    if row > len(motion.t):
+        return None
+    changing = stretching(mechanism)
+    if sides := tuple("".join(sorted(pair)) for pair in changing if any(pair <= set(corners) for corners in _links(mechanism))):
+        raise InputError(say("fault.V525", sides=sides))
+    read = read_sketch(mechanism, equations)
+    sketch = read(motion, row - 1)
+    findings = construct(sketch.pose)
+    measured = _measured(sketch, findings)
+    tabled = _tabled(equations, motion, row - 1, sketch, findings)
+    rows = tuple(
+        (name, value, tabled.get(name, math.nan), value - tabled.get(name, math.nan), unit)
+        for name, (value, unit) in measured.items()
+    )
+
+    def true() -> dict[str, tuple[float, str]]:
+        perfect = read(exact, row - 1) if row <= len(exact.t) else None
+        return _measured(perfect, construct(perfect.pose)) if perfect else {}
+
+    values = {name: abs(value) for name, value in tabled.items()}
+    scale = lay_out(sketch, findings).scale
+    readings = read_off(sketch, findings, scale, values)
+    notes = (*how_found(sketch, findings), *sketch.notes, *drift(sketch))
+    return GraphCheck(row, float(motion.t[row - 1]), sketch, findings, rows, true, notes, readings)
+
+
+def _required_row(variant: Variant, motion: Motion) -> int:
+    """Return the check row.  Raises `InputError` naming all that is missing."""
+    wanted = (
+        ("[points]", variant.points or variant.groups),
+        ("[links]", variant.links or variant.groups),
+        (say("graph.frame"), variant.frame.hinges or variant.frame.rails or variant.frame.circles),
+    )
+    missing = [name for name, there in wanted if not there]
+    if missing:
+        asked = "graph_check" in variant.ask
+        line = variant.nearest_line("ask", "quantities") if asked else 0  # asked for by the command line it stands in no file
+        raise InputError([Fault(say("fault.V516", missing=tuple(missing)), variant.file, line)])
+    if len(motion.coordinate_names) < len(variant.coordinates):
+        raise InputError(say("fault.V517"))
+    return variant.time.check_row or USUAL_ROW
+
+
+def _links(mechanism: Mechanism) -> list[tuple[str, ...]]:
+    outline = read_outline(mechanism)
+    return [bar.corners for bar in outline.bars] if outline is not None else []
+
+
+def _sought(sketch: Sketch, findings: Findings) -> list[Body]:
+    """Return the links whose angular velocity the drawing yields: no sliders, no driven cranks, each rate once."""
+    named: dict[str, Body] = {}
+    for body in sketch.pose.bodies:
+        if body.name in findings.omegas and not body.guide and body.rate not in sketch.pose.rates:
+            named.setdefault(omega_name(body), body)
+    return list(named.values())
+
+
+def _drawn_centres(sketch: Sketch, findings: Findings) -> dict[str, tuple[str, complex]]:
+    """Return the centres that had to be found, link -> (name, place in m)."""
+    letter = centre_letter(sketch)
+    return {name: (letter + name, c.at) for name, c in findings.centres.items() if c.lines and c.at is not None}
+
+
+def _measured(sketch: Sketch, findings: Findings) -> dict[str, tuple[float, str]]:
+    """Return what is read off the drawing: name -> (value, unit)."""
+    found = {omega_name(body): (findings.omegas[body.name], "rad/s") for body in _sought(sketch, findings)}
+    for name in sketch.moving:
+        if name in findings.velocities and name not in sketch.pose.velocities:
+            found[f"V_{name}"] = (abs(findings.velocities[name]), "m/s")
+    for name, at in _drawn_centres(sketch, findings).values():
+        found[f"{name}.x"], found[f"{name}.y"] = (at.real, "m"), (at.imag, "m")
+    return found
+
+
+def _tabled(
+    equations: VelocityEquations, motion: Motion, row: int, sketch: Sketch, findings: Findings
+) -> dict[str, float]:  # fmt: skip
+    """Return the same quantities from the table: its rates, the speeds and centres that follow from them."""
+    names = list(sketch.moving)
+    components = [part for name in names for part in equations.symbols.vectors[name]]
+    only = slice(row, row + 1)
+    rows = (motion.t[only], motion.coordinates[only], motion.velocities[only])
+    flat = jets(equations, components, 1)[1](*rows)[0] if components else np.zeros(0)
+    velocities = {name: complex(x, y) for name, x, y in zip(names, flat[::2], flat[1::2], strict=True)}
+    found = {f"V_{name}": abs(velocity) for name, velocity in velocities.items()}
+    centres = _drawn_centres(sketch, findings)
+    for body in sketch.pose.bodies:
+        if body.rate not in motion.velocity_names or body.guide:
+            continue
+        omega = float(motion.column(body.rate or "")[row])
+        found[omega_name(body)] = omega
+        carried = next((name for name in body.points if name in velocities), None)
+        if body.name in centres and carried and omega:
+            centre = sketch.pose.positions[carried] + 1j * velocities[carried] / omega
+            name, _ = centres[body.name]
+            found[f"{name}.x"], found[f"{name}.y"] = centre.real, centre.imag
+    return found

@@ -1,0 +1,97 @@
+"""What the graph-analytical check says in words: names, how each centre was found, how far the row does not close.
+
+Enters: a `Sketch` and the `Findings`.  Leaves: sentences.  Used by `graph_check.py`.
+"""
+
+from __future__ import annotations
+
+import itertools
+import re
+from collections.abc import Mapping
+
+from coursework.drawing.plans.instant_centres import Centre, Findings
+from coursework.drawing.plans.pose import Body
+from coursework.drawing.plans.sketch import Sketch
+from coursework.words.sentences import joined, say
+
+# A link longer or shorter than at the start by less than this share of the mechanism is round-off, not drift.
+RIGID = 1e-9
+
+
+def centre_letter(sketch: Sketch) -> str:
+    """Return the letter of instantaneous centres: P, or I where a point of the file is called P or like a centre."""
+    names = sketch.pose.positions
+    wheels = {contact for _, contact in sketch.wheels.values()}
+    taken = ("P" in names and "P" not in wheels) or any(f"P{body.name}" in names for body in sketch.pose.bodies)
+    return "I" if taken else "P"
+
+
+def _centre(body: Body, letter: str) -> str:
+    """Return how the centre of a link is called in a sentence: P₃."""
+    if body.name.isascii() and body.name.isdecimal():
+        return letter + lowered(body.name)
+    return say("drawing.centre", letter=letter, link=body.name)
+
+
+def lowered(digits: str) -> str:
+    """Return digits as they stand below a letter; other letters as they are."""
+    return digits.translate(str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉"))
+
+
+def omega_name(body: Body) -> str:
+    """Return how the angular velocity of a link is called: ω₃ for the rate w3, else the name of its rate or link."""
+    short = re.fullmatch(r"(?:w|omega)_?(\d+)", body.rate or "")
+    if short or (body.rate is None and body.name.isdecimal() and body.name.isascii()):
+        digits = short[1] if short else body.name
+        return "ω" + lowered(digits)
+    return body.rate or say("drawing.omega", link=body.name)
+
+
+def how_found(sketch: Sketch, findings: Findings) -> list[str]:
+    """Return how each link was dealt with, in the order of the file."""
+    sentences: list[str] = [say("drawing.plan", point=point, a=a, b=b) for point, (a, b) in findings.plans.items()]
+    sleeves = {bar: pivot for bar, (pivot, _, _) in sketch.pose.sleeves.items()}
+    for body in sketch.pose.bodies:
+        centre = findings.centres.get(body.name)
+        if body.name in findings.planned:
+            sentences.append(say("drawing.by_plan", link=body.name))
+        elif body.name in findings.missing:
+            sentences.append(say("drawing.missing", link=body.name))
+        elif centre is not None and not body.guide:
+            sentences.append(_story(body, centre, sketch.wheels, centre_letter(sketch), sleeves))
+    return sentences
+
+
+def _story(body: Body, centre: Centre, wheels: Mapping[str, tuple[str, str]], letter: str, sleeves: Mapping[str, str]) -> str:
+    if body.name in sleeves and centre.at is not None and sleeves[body.name] in centre.lines:
+        pivot = sleeves[body.name]
+        other = next(name for name in centre.lines if name != pivot)
+        return say("drawing.sleeve", centre=_centre(body, letter), point=other, pivot=pivot)
+    if centre.lines and centre.at is None:
+        return say("drawing.translates", link=body.name, points=tuple(centre.lines))
+    if len(centre.lines) == 1:
+        return say("drawing.follows", centre=_centre(body, letter), link=body.name, point=centre.lines[0])
+    if centre.lines:
+        return say("drawing.meet", centre=_centre(body, letter), points=tuple(centre.lines))
+    if body.name in wheels and centre.point == wheels[body.name][1]:
+        return say("drawing.rolls", link=body.name, point=centre.point)
+    return say("drawing.turns", link=body.name, point=centre.point)
+
+
+def drift(sketch: Sketch) -> list[str]:
+    """Return which links and rails the row does not keep: there the drawing and the table differ by as much."""
+    now, start = sketch.pose.positions, sketch.start
+    allowed = RIGID * sketch.pose.size
+    found = []
+    for link in sketch.links:
+        joints = dict.fromkeys(name for name in (*link.points, link.wheel, link.contact) if name)
+        for a, b in itertools.combinations(joints, 2):
+            if link.contact in {a, b} and link.wheel not in {a, b}:
+                continue
+            length, first = abs(now[a] - now[b]), abs(start[a] - start[b])
+            if abs(length - first) > allowed:
+                key = "drawing.long" if length > first else "drawing.short"
+                found.append(say(key, side=f"{a}{b}", link=link.name, off=1e3 * float(abs(length - first))))
+    found += [say("drawing.beside", point=r.point, off=1e3 * float(abs(r.off))) for r in sketch.rails if abs(r.off) > allowed]
+    found += [say("drawing.off", point=t.point, off=1e3 * float(abs(t.off))) for t in sketch.tracks if abs(t.off) > allowed]
+    return [say("drawing.drifted", found=joined(found, "join.semicolon"))] if found else []

@@ -1,0 +1,249 @@
+"""One position and the driven velocity -> instantaneous centres, angular velocities, velocities of points, as on paper.
+
+Enters: a `Pose` in SI, points and vectors as complex numbers x + iy.  Leaves: `Findings`.
+It knows positions and known velocities only, none of the velocity equations: that is what makes it a check of them.
+Source: Ponomarev, coursework guide, graph-analytical check (mathematics.md section 3); Aronhold's construction link by link.
+Used by `plans/`.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from coursework.drawing.plans.by_plan import solve_plan
+from coursework.drawing.plans.pose import Body, Pose
+
+# Sine of the angle below which two lines count as parallel: positions of an Euler row are good to 1e-15, so nothing
+# that is parallel by construction comes near it, and a centre 1e9 times farther than the mechanism is a translation.
+PARALLEL = 1e-9
+FAR = 100.0  # of the mechanism: a centre farther away than this is found on no paper, the link translates
+
+
+@dataclass(frozen=True, slots=True)
+class Centre:
+    """An instantaneous centre: `at` (m), None = at infinity (translation); `lines` from these points lead to it.
+
+    `lines` is empty for a centre that is there without drawing: a hinge or a contact, named by `point`.
+    """
+
+    at: complex | None
+    lines: tuple[str, ...] = ()
+    point: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Findings:
+    """What the drawing yields, by name: `centres` and `omegas` (rad/s) of links, `velocities` (m/s) of points.
+
+    `plans` point -> the two points whose velocities gave its own by a velocity plan; `planned` links whose angular velocity
+    was solved from the plan of all links together; `missing` links that the geometry does not determine.
+    """
+
+    centres: Mapping[str, Centre]
+    omegas: Mapping[str, float]
+    velocities: Mapping[str, complex]
+    plans: Mapping[str, tuple[str, str]]
+    missing: tuple[str, ...]
+    planned: tuple[str, ...] = ()
+
+
+def cross(a: complex, b: complex) -> float:
+    """Return the z component of a x b."""
+    return (a.conjugate() * b).imag
+
+
+def dot(a: complex, b: complex) -> float:
+    """Return a . b."""
+    return (a.conjugate() * b).real
+
+
+def construct(pose: Pose) -> Findings:
+    """Return all that follows from the known velocities and directions; nothing is guessed."""
+    paper = _Paper(pose)
+    paper.draw()
+    planned: tuple[str, ...] = ()
+    if any(body.name not in paper.omegas for body in pose.bodies):
+        solved = solve_plan(pose, paper.velocities)
+        planned = tuple(body.name for body in pose.bodies if body.name not in paper.omegas and body.name in solved.omegas)
+        paper.take(solved.velocities, {name: solved.omegas[name] for name in planned})
+        paper.draw()
+    missing = tuple(body.name for body in pose.bodies if body.name not in paper.omegas)
+    centres = {name: paper.within_reach(centre) for name, centre in paper.centres.items()}
+    return Findings(centres, paper.omegas, paper.velocities, paper.plans, missing, planned)
+
+
+@dataclass(slots=True)
+class _Paper:
+    """What is on the paper so far; every step adds to it and takes nothing away."""
+
+    pose: Pose
+    centres: dict[str, Centre] = field(default_factory=dict)
+    omegas: dict[str, float] = field(default_factory=dict)
+    velocities: dict[str, complex] = field(default_factory=dict)
+    directions: dict[str, complex] = field(default_factory=dict)
+    rates: dict[str, float] = field(default_factory=dict)
+    plans: dict[str, tuple[str, str]] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self.rates.update(self.pose.rates)
+        self.directions.update(self.pose.guided)
+        for name in self.pose.fixed:
+            self.velocities[name] = 0j
+        for name, velocity in self.pose.velocities.items():
+            self._move(name, velocity)
+
+    def draw(self) -> None:
+        """Draw on until nothing new is found."""
+        known = -1
+        while known != (known := self.known()):
+            for body in self.pose.bodies:
+                self.find_centre(body)
+                self.find_omega(body)
+                self.carry_on(body)
+            if known == self.known():
+                self.plan_velocities()
+
+    def take(self, velocities: Mapping[str, complex], omegas: Mapping[str, float]) -> None:
+        """Write down what was solved elsewhere."""
+        for name, velocity in velocities.items():
+            self._move(name, velocity)
+        for body in self.pose.bodies:
+            if body.name in omegas:
+                self.omegas[body.name] = omegas[body.name]
+                if body.rate:
+                    self.rates.setdefault(body.rate, omegas[body.name])
+
+    def within_reach(self, centre: Centre) -> Centre:
+        """Return a centre, at infinity where it is too far to be told from that."""
+        if centre.at is None or not centre.lines or abs(centre.at - self._at(centre.lines[0])) <= FAR * self.pose.size:
+            return centre
+        return Centre(None, centre.lines)
+
+    def known(self) -> int:
+        return len(self.centres) + len(self.omegas) + len(self.velocities) + len(self.directions)
+
+    def _move(self, name: str, velocity: complex) -> None:
+        """Write a velocity down; what is known already stays."""
+        if name not in self.velocities:
+            self.velocities[name] = velocity
+            if velocity:
+                self.directions.setdefault(name, velocity / abs(velocity))
+
+    def _at(self, name: str) -> complex:
+        return self.pose.positions[name]
+
+    def find_centre(self, body: Body) -> None:
+        """Find the centre: a point at rest, or where the perpendiculars to two known directions meet."""
+        if body.name in self.centres:
+            return
+        if body.guide:
+            self.centres[body.name] = Centre(None)
+        elif resting := [name for name in body.points if self.velocities.get(name) == 0]:
+            held = [name for name in resting if name in self.pose.fixed]
+            self.centres[body.name] = Centre(self._at((held or resting)[0]), point=(held or resting)[0])
+        elif centre := self._by_rate(body) or self._by_directions(body) or self._by_proportion(body):
+            self.centres[body.name] = centre
+
+    def _by_rate(self, body: Body) -> Centre | None:
+        """Return the centre of a link that turns at a known rate about a point with known velocity."""
+        moving = [name for name in body.points if name in self.velocities]
+        omega = self.rates.get(body.rate or "")
+        if omega is None or not moving:
+            return None
+        return Centre(self._at(moving[0]) + 1j * self.velocities[moving[0]] / omega, (moving[0],)) if omega else Centre(None)
+
+    def _by_directions(self, body: Body) -> Centre | None:
+        ways = {name: self.directions[name] for name in body.points if name in self.directions}
+        if body.name in self.pose.sleeves:
+            pivot, along, _ = self.pose.sleeves[body.name]
+            if self.velocities.get(pivot) == 0:  # the point of the bar in a sleeve that stands moves along the bar
+                ways[pivot] = along
+        pairs = list(itertools.combinations(ways, 2))
+        pairs.sort(key=lambda pair: -abs(cross(ways[pair[0]], ways[pair[1]])))
+        for a, b in pairs:
+            along_a, along_b = ways[a], ways[b]
+            between = self._at(b) - self._at(a)
+            if abs(sine := cross(along_a, along_b)) > PARALLEL:
+                return Centre(self._at(a) + 1j * along_a * cross(between, 1j * along_b) / sine, (a, b))
+            if abs(dot(along_a, between)) > PARALLEL * abs(between):
+                return Centre(None, (a, b))
+        return None
+
+    def _by_proportion(self, body: Body) -> Centre | None:
+        """Return the centre on the common perpendicular of two parallel known velocities."""
+        moving = [name for name in body.points if name in self.velocities]
+        for a, b in itertools.combinations(moving, 2):
+            gap = self.velocities[a] - self.velocities[b]
+            between = self._at(b) - self._at(a)
+            if abs(gap) <= PARALLEL * abs(self.velocities[a]):
+                return Centre(None, (a, b))
+            if between:
+                return Centre(self._at(a) + between * dot(gap, self.velocities[a]) / abs(gap) ** 2, (a, b))
+        return None
+
+    def find_omega(self, body: Body) -> None:
+        """Find the angular velocity: velocity over distance from the centre, positive counter-clockwise."""
+        centre = self.centres.get(body.name)
+        if body.name in self.omegas:
+            return
+        omega = self.rates.get(body.rate or "")
+        if omega is None and centre is not None:
+            omega = 0.0 if centre.at is None else self._over_distance(body, centre.at, centre.point)
+        bar = next((bar for bar, (_, _, sleeve) in self.pose.sleeves.items() if sleeve == body.name), "")
+        if omega is None or bar in self.omegas:
+            omega = self.omegas.get(bar, omega)
+        if omega is not None:
+            self.omegas[body.name] = omega
+            if body.rate:
+                self.rates.setdefault(body.rate, omega)
+
+    def _over_distance(self, body: Body, centre: complex, point: str) -> float | None:
+        arms = {name: self._at(name) - centre for name in body.points if name in self.velocities}
+        far = max(arms, key=lambda name: abs(arms[name]), default="")
+        if far and abs(arms[far]) > PARALLEL * self.pose.size:
+            return cross(arms[far], self.velocities[far]) / abs(arms[far]) ** 2
+        return 0.0 if point and point not in self.pose.fixed and self._held(body, centre) else None
+
+    def _held(self, body: Body, centre: complex) -> bool:
+        """Return whether another point may not move across its arm: with the driven point at rest, so is the link."""
+        arms = ((self._at(name) - centre, self.directions[name]) for name in body.points if name in self.directions)
+        return any(abs(dot(arm, along)) > PARALLEL * abs(arm) for arm, along in arms)
+
+    def carry_on(self, body: Body) -> None:
+        """Write down what the link now says about its points: the direction, and with ω the velocity."""
+        if body.name not in self.centres:
+            return
+        at = self.centres[body.name].at
+        moving = next((name for name in body.points if name in self.velocities), None)
+        along = body.guide or next((self.directions[name] for name in body.points if name in self.directions), 0j)
+        for name in body.points:
+            arm = 0j if at is None else 1j * (self._at(name) - at)
+            if at is not None and body.name in self.omegas:
+                self._move(name, self.omegas[body.name] * arm)
+            elif at is None and moving is not None:
+                self._move(name, self.velocities[moving])
+            if (towards := along if at is None else arm) and name not in self.pose.fixed:
+                self.directions.setdefault(name, towards / abs(towards))
+
+    def plan_velocities(self) -> None:
+        """Find the inner joint X of a dyad A-X-B from two known velocities: V_A + V_XA = V_B + V_XB, each across its link.
+
+        Used where no centre can be drawn yet, because the direction of X is not known.
+        """
+        for first, second in itertools.combinations(self.pose.bodies, 2):
+            for name in first.points:
+                ends = [self._known_end(body, name) for body in (first, second)]
+                if name not in second.points or name in self.velocities or not all(ends):
+                    continue
+                a, b = ends
+                across_a, across_b = (1j * (self._at(name) - self._at(end)) for end in ends)
+                if abs(sine := cross(across_a, across_b)) > PARALLEL * abs(across_a) * abs(across_b):
+                    gap = self.velocities[b] - self.velocities[a]
+                    self._move(name, self.velocities[a] + across_a * cross(gap, across_b) / sine)
+                    self.plans[name] = (a, b)
+
+    def _known_end(self, body: Body, joint: str) -> str:
+        """Return a point of the link with known velocity, other than the joint."""
+        return next((name for name in body.points if name != joint and name in self.velocities), "")

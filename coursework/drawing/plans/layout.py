@@ -1,0 +1,150 @@
+"""How a mechanism lies on the page: scale from the row of drawing standards, scale of the velocities, page upright or lying.
+
+Enters: a `Sketch` and the `Findings`.  Leaves: `Layout`.  Used by `drawing.py`.
+Source of the row: ISO 5455, GOST 2.302 (1:1, 1:2, 1:2.5, 1:4, 1:5, 1:10 ...); the coursework of 1995 asks for 1:10.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from coursework.drawing.paper.symbols import ratio
+from coursework.drawing.plans.foot import FOOT
+from coursework.drawing.plans.instant_centres import Findings
+from coursework.drawing.plans.sketch import Sketch
+from coursework.words.sentence import Sentence
+
+PAGE = (170.0, 190.0)  # mm: the text width of A4 with margins of 20 mm, and room for a caption
+LANDSCAPE = (257.0, 138.0)  # mm: the same page lying, with room for heading and caption
+EDGE = 3.0  # mm
+SCALES = tuple(sorted(m * 10.0**k for k in range(-2, 9) for m in (1.0, 2.0, 2.5, 4.0, 5.0)))
+ARROWS = (45.0, 30.0, 20.0)  # mm: the longest velocity is at most as long
+ROUND = tuple(sorted(m * 10.0**k for k in range(-9, 9) for m in (1.0, 2.0, 5.0)))
+ROOM = {"point": 8.0, "hinge": 11.0, "tip": 6.0, "rim": 3.0}  # mm around, for symbols and labels
+CENTRE_ROOM = 6.0
+
+Box = tuple[float, float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """`scale` 10 for 1:10; `speed` m/s per mm; the sheet `width` x `height` (mm), `wide` on a lying page; `near` centres.
+
+    `near` are the links whose centre lies on the sheet.
+    """
+
+    scale: float
+    speed: float
+    wide: bool
+    width: float
+    height: float
+    origin: complex
+    near: frozenset[str]
+
+    def put(self, z: complex) -> complex:
+        """Return the place on the sheet (mm, y down) of a point (m)."""
+        return self.origin + (z * 1000 / self.scale).conjugate()
+
+    def arrow(self, velocity: complex) -> complex:
+        """Return the arrow (mm, y down) of a velocity (m/s)."""
+        return (velocity / self.speed).conjugate()
+
+    @property
+    def field(self) -> Box:
+        """Return left, top, right, bottom of the room for the drawing."""
+        return (EDGE, EDGE, self.width - EDGE, self.height - FOOT)
+
+    @property
+    def scale_text(self) -> Sentence:
+        """Return "1:10", or "5:1" for an enlargement."""
+        return ratio(self.scale)
+
+
+def lay_out(sketch: Sketch, findings: Findings) -> Layout:
+    """Return the layout with the largest scale at which links and velocities fit; of two ways, that with more centres.
+
+    Where nothing fits (a mechanism of many kilometres) the smallest scale is taken.
+    """
+    smallest = SCALES[-1]
+    for scale in _possible(sketch) if sketch.pose.size > 0 else (1.0,):
+        for longest in ARROWS:
+            found = [way for wide in (False, True) if (way := _try(sketch, findings, scale, longest, wide))]
+            if found:
+                return max(found, key=lambda way: (len(way.near), not way.wide))
+    return Layout(smallest, 1.0, False, *PAGE, complex(PAGE[0] / 2, PAGE[1] / 2), frozenset())
+
+
+def _possible(sketch: Sketch) -> Iterator[float]:
+    """Yield the scales at which the points alone would not already be longer than the longer side of a page."""
+    places = [sketch.pose.positions[name] * 1000 for name in _points(sketch)]
+    extent = max((max(way) - min(way) for way in zip(*((z.real, z.imag) for z in places), strict=True)), default=0.0)
+    return (scale for scale in SCALES if extent <= max(PAGE + LANDSCAPE) * scale)
+
+
+def _points(sketch: Sketch) -> list[str]:
+    tracks = {track.centre for track in sketch.outline.tracks if track.centre in sketch.pose.positions}
+    return sorted({name for body in sketch.pose.bodies for name in body.points} | set(sketch.hinges) | tracks)
+
+
+def _try(sketch: Sketch, findings: Findings, scale: float, longest: float, wide: bool) -> Layout | None:
+    mm = 1000 / scale
+    fastest = max((abs(v) for v in findings.velocities.values()), default=0.0)
+    speed = next((s for s in ROUND if fastest / s <= longest), ROUND[-1])
+    box = _box(sketch, findings, mm, speed)
+    most_wide, most_high = LANDSCAPE if wide else PAGE
+    room = (most_wide - 2 * EDGE, most_high - EDGE - FOOT)
+    if not _fits(box, room):
+        return None
+    near = set()
+    # The nearest first: a far one must not take the room of those that fit.
+    for name, centre in sorted(findings.centres.items(), key=lambda item: abs((item[1].at or 0j) * mm - _middle(box))):
+        if centre.at is not None and centre.lines:
+            wider = _join(box, centre.at * mm, CENTRE_ROOM)
+            if _fits(wider, room):
+                box = wider
+                near.add(name)
+    across, high = box[2] - box[0], box[3] - box[1]
+    width = max(PAGE[0], across + 2 * EDGE)
+    height = high + EDGE + FOOT
+    top = (height - FOOT + EDGE - high) / 2
+    origin = complex((width - across) / 2 - box[0], top + box[3])
+    return Layout(scale, speed, wide, width, height, origin, frozenset(near))
+
+
+def _box(sketch: Sketch, findings: Findings, mm: float, speed: float) -> Box:
+    """Return what must be on the sheet (mm, y up): left, bottom, right, top."""
+    positions = sketch.pose.positions
+    points = _points(sketch)
+    first = positions[points[0]] * mm if points else 0j
+    box = (first.real, first.imag, first.real, first.imag)
+    for name in points:
+        at = positions[name] * mm
+        box = _join(box, at, ROOM["hinge" if name in sketch.hinges else "point"])
+        if velocity := findings.velocities.get(name, 0j):
+            box = _join(box, at + velocity / speed, ROOM["tip"])
+    for slot in sketch.outline.slots:
+        beside, low, high = sketch.poses.line(slot)
+        along = complex(sketch.poses.along(slot.base, slot.toward)[sketch.row])
+        foot = sketch.poses.pose(sketch.row)[slot.at] + 1j * along * beside
+        for way in (low, high):
+            box = _join(box, (foot + along * way) * mm, ROOM["tip"] + 10)
+    for centre, contact in sketch.wheels.values():
+        radius = abs(positions[contact] - positions[centre]) * mm
+        box = _join(box, positions[centre] * mm, radius + ROOM["rim"])
+    return box
+
+
+def _join(box: Box, at: complex, around: float) -> Box:
+    return (
+        min(box[0], at.real - around), min(box[1], at.imag - around),
+        max(box[2], at.real + around), max(box[3], at.imag + around),
+    )  # fmt: skip
+
+
+def _fits(box: Box, room: tuple[float, float]) -> bool:
+    return box[2] - box[0] <= room[0] and box[3] - box[1] <= room[1]
+
+
+def _middle(box: Box) -> complex:
+    return complex(box[0] + box[2], box[1] + box[3]) / 2

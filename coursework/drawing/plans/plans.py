@@ -1,0 +1,83 @@
+"""The quantity `plans`: plans of velocities and accelerations of every row, one row of them on paper.
+
+Enters: a mechanism, its equations, the rows of a table and the exact rows with their accelerations.  Leaves: `Plans`.
+Used by `quantities.py`; the sheets are drawn when somebody looks at them (`polygon_sheet.py`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.drawing.outline.lengths import stretching
+from coursework.drawing.outline.outline import Outline
+from coursework.drawing.outline.poses import all_rows
+from coursework.drawing.outline.tracing import read_outline
+from coursework.drawing.paper.record import Drawing
+from coursework.drawing.plans.graph_check import USUAL_ROW
+from coursework.drawing.plans.polygons import ACCELERATION, UNITS, VELOCITY, Polygons, polygons
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.mechanism.mechanism import Mechanism
+from coursework.motion.integration.motion import Motion
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
+
+HEAD = ("row", "t", "motion", "plan", "kind", "from", "to", "x", "y", "unit")
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Plans:
+    """The polygons of the student's rows (`table`) and of the `exact` motion; `row` (from 1) is the one on paper.
+
+    A chain is drawn in its exact position, any other mechanism as the table has it, which is where the student checks it.
+    """
+
+    outline: Outline
+    row: int
+    table: Polygons
+    exact: Polygons
+    chain: bool
+
+    @property
+    def shown(self) -> Polygons:
+        """Return the polygons that are drawn."""
+        return self.exact if self.chain else self.table
+
+    def rows(self) -> Iterator[tuple[object, ...]]:
+        """Yield the lines of `polygons.csv` (`HEAD`), row by row; SI."""
+        for name, found in (("table", self.table), ("exact", self.exact)):
+            for row, t in enumerate(found.t.tolist()):
+                for one in found.segments:
+                    vector = complex(one.vector[row])
+                    yield row + 1, t, name, one.plan, one.kind, one.start, one.end, vector.real, vector.imag, UNITS[one.plan]
+
+    def drawings(self, written: Callable[[str], str]) -> tuple[Drawing, ...]:
+        """Return `figure#velocity-plan` and `figure#acceleration-plan`; `written` puts words into the language of a page."""
+        from coursework.drawing.plans.polygon_sheet import draw_plan
+
+        if not len(self.shown.t):
+            return ()
+        return tuple(draw_plan(self.shown, plan, self.outline.hinges, self.row, written) for plan in (VELOCITY, ACCELERATION))
+
+
+def make_plans(
+    mechanism: Mechanism, equations: VelocityEquations, table: tuple[Motion, Array], exact: tuple[Motion, Array]
+) -> Plans:
+    """Return the plans of a motion and its accelerations, of the table and exact.
+
+    Raises `InputError` where the file places no points, or the table has only some of the columns.
+    """
+    variant = equations.variant
+    outline = read_outline(mechanism)
+    if outline is None or not outline.bars:
+        raise InputError([Fault(say("fault.V523"), variant.file)])
+    if not all_rows(equations, table[0]):
+        raise InputError([Fault(say("fault.V524"), variant.file)])
+    pairs = stretching(mechanism)
+    rows, true = (polygons(outline, equations, motion, second, pairs) for motion, second in (table, exact))
+    row = min(variant.time.check_row or USUAL_ROW, max(1, min(len(rows.t), len(true.t))))
+    return Plans(outline, row, rows, true, chain=bool(variant.groups))

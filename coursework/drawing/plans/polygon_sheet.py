@@ -1,0 +1,165 @@
+"""One plan of velocities or accelerations on paper, true to its scale, with the steps in which it is drawn.
+
+Enters: `Polygons` and a row.  Leaves: `Drawing` with numbered steps.
+Used by `plans.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from coursework.drawing.lettering.naming import PARTS, lies_on
+from coursework.drawing.paper.board import COLUMN, EDGE, SPEEDS, around
+from coursework.drawing.paper.placing import Owner
+from coursework.drawing.paper.record import Drawing
+from coursework.drawing.paper.sheet import ITALIC, SMALL_LETTER, Sheet, Word
+from coursework.drawing.paper.sheet import width as width_of
+from coursework.drawing.paper.symbols import decimal, name_word, short
+from coursework.drawing.plans.foot import FOOT, draw_foot
+from coursework.drawing.plans.polygons import ACCELERATION, POLE, UNITS, VELOCITY, Polygons
+from coursework.drawing.plans.steps import image, steps
+from coursework.words.sentences import say
+
+LONGEST = 80.0  # mm of the longest vector
+SMALL = 4.0  # mm: a shorter vector is drawn again in the inset
+SEEN = 1e-7  # of the longest vector: below it a vector is nothing but round-off
+INSET, HEAD = 44.0, 9.0  # mm: the least width of the inset, and the room of its words
+PENS = {
+    "absolute": 'stroke="black" stroke-width="0.45"', "relative": 'stroke="black" stroke-width="0.3"',
+    "normal": 'stroke="black" stroke-width="0.25" stroke-dasharray="1.6 0.9"', "tangential": 'stroke="black" stroke-width="0.25"',
+    "coriolis": 'stroke="black" stroke-width="0.3" stroke-dasharray="2.4 1 0.4 1"',
+    "sliding": 'stroke="black" stroke-width="0.3" stroke-dasharray="3 1"',
+}  # fmt: skip
+NAMES = {VELOCITY: "v", ACCELERATION: "a"}
+
+
+def draw_plan(found: Polygons, plan: str, hinges: tuple[str, ...], row: int, written: Callable[[str], str]) -> Drawing:
+    """Return one plan of a row (from 1); the scale is the smallest of 1, 2, 5 · 10^k a mm with no vector over 80 mm."""
+    arrows = _arrows(found, plan, row - 1)
+    longest = max((abs(vector) for _, _, _, _, vector in arrows), default=0.0)
+    unit = next((s for s in SPEEDS if longest / s <= LONGEST * (1 + 1e-12)), SPEEDS[-1])
+    mm = [(kind, start, end, at / unit, vector / unit) for kind, start, end, at, vector in arrows]
+    small = _small(mm)
+    left, top, right, bottom = around([(0j, 9.0), *((complex(at + vector).conjugate(), 7.0) for *_, at, vector in mm)])
+    inset = None
+    if small:
+        inset = _Inset.of(
+            small, lambda times: written(say("plans.inset", times=times, scale=decimal(unit / times), unit=UNITS[plan]))
+        )
+    corner = complex(right + 3, top)
+    if inset is not None:
+        if right + 3 + inset.width - left > COLUMN - 2 * EDGE:
+            corner = complex(left, bottom + 3)
+        right, bottom = max(right, corner.real + inset.width), max(bottom, corner.imag + inset.height)
+    width = max(COLUMN, right - left + 2 * EDGE)
+    pole = complex((width - right - left) / 2, EDGE - top)
+    sheet = Sheet(width, bottom - top + 2 * EDGE + FOOT, (EDGE, EDGE, width - EDGE, bottom - top + 2 * EDGE))
+    images: dict[str, complex] = {}
+    for kind, start, end, at, vector in mm:
+        tail, tip = pole + complex(at).conjugate(), pole + complex(at + vector).conjugate()
+        if abs(vector) > 0.3:
+            data = f' data-plan="{plan}" data-kind="{kind}" data-from="{short(start)}" data-to="{short(end)}"'
+            sheet.arrow(tail, tip, PENS[kind], data, head=min(2.4, 0.6 * abs(vector)))
+        if kind == "absolute":
+            images[end] = tip
+    sheet.circle(pole, 0.8, 'fill="white" stroke="black" stroke-width="0.35"')
+    if inset is not None:
+        inset.draw(sheet, pole + corner)
+    at_pole = [name for name, tip in images.items() if abs(tip - pole) <= SEEN * LONGEST]
+    still = [image(name) for name in dict.fromkeys((*hinges, *at_pole))]
+    sheet.label(_pole(plan, "".join(f", {name}" for name in still)), [(pole, -1 + 1j, 1.2)], ITALIC)
+    tips = [(tip, tip) for tip in (pole, *images.values())]
+    for name, tip in images.items():
+        if name not in at_pole:
+            sheet.label(name_word(name.lower()), [(tip, tip - pole, 1.0)], ITALIC, owner=Owner([(tip, tip)], tips))
+    for kind, start, end, at, vector in mm:
+        if kind in {"normal", "coriolis"} and abs(vector) > SMALL:
+            tail, tip = pole + complex(at).conjugate(), pole + complex(at + vector).conjugate()
+            places = [(tail + part * (tip - tail), 1j * (tip - tail), 0.8) for part in PARTS]
+            rivals = [line for line in sheet.segments if not lies_on(line, (tail, tip))]
+            low = image(end) + ("" if start == POLE else image(start))
+            sheet.label(("n" if kind == "normal" else "k", low, ""), places, ITALIC, owner=Owner([(tail, tip)], rivals))
+    scale = say("plans.scale", scale=decimal(unit), unit=UNITS[plan])
+    time = float(found.t[row - 1])
+    draw_foot(sheet, [scale, say("drawing.title", row=row, time=time)], written)
+    caption = say(f"plans.{plan}.caption", row=row, time=time, scale=decimal(unit), unit=UNITS[plan])
+    alt = say(f"plans.{plan}.alt", row=row)
+    told = steps(found, plan, row - 1, unit)
+    letters = _letters(found, hinges)
+    return Drawing(f"{plan}-plan", sheet.svg(), sheet.width, sheet.height, caption, alt, exact=True, steps=told, letters=letters)
+
+
+def _letters(found: Polygons, hinges: tuple[str, ...]) -> tuple[str, ...]:
+    """Return the letters that steps speak of: points and their images."""
+    points = {name.rstrip("'") for s in found.segments for name in (s.start, s.end) if name != POLE}
+    points |= {*hinges, *(line.base for one in found.found for line in one.lines if line.base)}
+    return tuple(sorted({name[0] for name in points} | {image(name)[0] for name in points}))
+
+
+def _arrows(found: Polygons, plan: str, row: int) -> list[tuple[str, str, str, complex, complex]]:
+    """Return kind, from, to, where it begins and the vector: parts of an acceleration follow each other."""
+    here = [(s.kind, s.start, s.end, complex(s.vector[row])) for s in found.segments if s.plan == plan]
+    tips = {end: vector for kind, _, end, vector in here if kind == "absolute"}
+    first = {(start, end): vector for kind, start, end, vector in here if kind in {"normal", "coriolis"}}
+    arrows = []
+    for kind, start, end, vector in here:
+        at = tips.get(start, 0j)
+        if kind == "tangential" or (kind == "sliding" and plan == ACCELERATION):
+            at += first[start, end]
+        arrows.append((kind, start, end, at, vector))
+    return arrows
+
+
+def _small(mm: list[tuple[str, str, str, complex, complex]]) -> list[tuple[str, str, str, complex]]:
+    """Return the vectors that would hide in a joint of the plan: image letters and vector (mm)."""
+    longest = max((abs(vector) for *_, vector in mm), default=0.0)
+    kept = {(start, end): (kind, start, end, vector) for kind, start, end, _, vector in mm
+            if kind in {"absolute", "relative", "sliding"} and SEEN * longest < abs(vector) < SMALL}  # fmt: skip
+    return list(kept.values())
+
+
+@dataclass(frozen=True, slots=True)
+class _Inset:
+    """Short vectors drawn again, `times` enlarged, from a pole of their own at `origin` of a box (mm), below `lines` of words."""
+
+    vectors: list[tuple[str, str, str, complex]]
+    times: int
+    lines: list[str]
+    width: float
+    height: float
+    origin: complex
+
+    @classmethod
+    def of(cls, small: list[tuple[str, str, str, complex]], told: Callable[[int], str]) -> _Inset:
+        times = 10
+        while max(abs(vector) for *_, vector in small) * times < SMALL:
+            times *= 10
+        left, top, right, bottom = around([(0j, 7.0), *(((times * vector).conjugate(), 7.0) for *_, vector in small)])
+        lines = told(times).split("\n")
+        width = max(INSET, right - left, *(SMALL_LETTER * width_of(line) + 3 for line in lines))
+        return cls(small, times, lines, width, bottom - top + HEAD, complex((width - right - left) / 2, HEAD - top))
+
+    def draw(self, sheet: Sheet, corner: complex) -> None:
+        """Draw the box with its left top corner at a place of the sheet."""
+        right, bottom = corner.real + self.width, corner.imag + self.height
+        around_it = [corner, complex(right, corner.imag), complex(right, bottom), complex(corner.real, bottom)]
+        sheet.path(around_it, 'fill="none" stroke="black" stroke-width="0.2"', closed=True)
+        sheet.words.append((corner.real, corner.imag, right, corner.imag + HEAD))
+        for k, line in enumerate(self.lines):
+            sheet.text(corner + complex(1.5, 3.6 + 3.4 * k), (line, "", ""), size=SMALL_LETTER)
+        pole = corner + self.origin
+        sheet.circle(pole, 0.6, 'fill="white" stroke="black" stroke-width="0.3"')
+        tips: list[tuple[complex, str]] = []
+        for kind, start, end, vector in self.vectors:
+            tip = pole + (vector * self.times).conjugate()
+            if abs(tip - pole) > 0.4:
+                data = f' data-inset="{self.times}" data-kind="{kind}" data-from="{short(start)}" data-to="{short(end)}"'
+                sheet.arrow(pole, tip, PENS[kind], data, head=min(2.0, 0.6 * abs(tip - pole)))
+                tips.append((tip, image(end) if kind == "absolute" else image(start) + image(end)))
+        for tip, name in tips:
+            sheet.label((name, "", ""), [(tip, tip - pole, 0.8)], ITALIC)
+
+
+def _pole(plan: str, still: str) -> Word:
+    return ("p", NAMES[plan], still)

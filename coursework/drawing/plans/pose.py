@@ -1,0 +1,45 @@
+"""One position of a mechanism with what is known of its velocities, before anything is constructed.
+
+Enters: numbers from `sketch.py`.  Leaves: `Pose`, points and vectors as complex numbers x + iy in SI.
+Used by `instant_centres.py`, `by_plan.py`, `sketch.py`, `graph_words.py` and `graph_check.py`.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True, slots=True)
+class Body:
+    """A rigid link: its material points, the name of its rate; `guide` the unit direction in which a slider translates."""
+
+    name: str
+    points: tuple[str, ...]
+    rate: str | None = None
+    guide: complex = 0j
+
+
+@dataclass(frozen=True, slots=True)
+class Pose:
+    """One position (m).
+
+    `fixed` points are at rest (hinges of the frame, contacts that roll on it); `guided` points move along a unit
+    direction; `velocities` (m/s) of driven points and `rates` (rad/s) of driven links are known.  `sleeves` bar -> (pivot,
+    unit direction, sleeve): the bar slides along itself in a sleeve that turns with it about the pivot.
+    """
+
+    positions: Mapping[str, complex]
+    bodies: tuple[Body, ...]
+    fixed: frozenset[str]
+    guided: Mapping[str, complex]
+    velocities: Mapping[str, complex]
+    rates: Mapping[str, float]
+    sleeves: Mapping[str, tuple[str, complex, str]] = field(default_factory=dict)
+
+    @property
+    def size(self) -> float:
+        """Return the largest distance of two points of the links (m)."""
+        points = {self.positions[name] for body in self.bodies for name in body.points}
+        return max((abs(a - b) for a, b in itertools.combinations(points, 2)), default=0.0)

@@ -1,0 +1,87 @@
+"""The rules of the construction, one by one, on scenes of a few points."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from coursework import load, solve
+from coursework.drawing.plans.instant_centres import Centre, construct
+from coursework.drawing.plans.pose import Body
+from tests.drawing.plans.checked import scene
+
+
+def test_translation_has_its_centre_at_infinity() -> None:
+    points = {"A": 0j, "B": 2 + 1j, "C": 1 + 5j}
+    found = construct(scene(points, [Body("1", ("A", "B", "C"))], guided={"B": 1 + 0j}, velocities={"A": 3 + 0j}))
+    assert found.centres["1"] == Centre(None, ("A", "B"))
+    assert found.omegas == {"1": 0.0}
+    assert found.velocities == {"A": 3 + 0j, "B": 3 + 0j, "C": 3 + 0j}
+
+
+def test_parallel_velocities_across_one_line_are_found_by_proportion() -> None:
+    points = {"A": 0j, "B": 2 + 0j, "C": 5 + 0j}
+    found = construct(scene(points, [Body("1", ("A", "B", "C"))], velocities={"A": 1j, "B": -3j}))
+    assert found.centres["1"].at == pytest.approx(0.5)
+    assert found.omegas["1"] == pytest.approx(-2.0)
+    assert found.velocities["C"] == pytest.approx(-9j)
+
+
+def test_a_driven_point_at_rest_stops_the_link() -> None:
+    points = {"A": 0j, "B": 2 + 1j, "D": 3 + 0j}
+    bodies = [Body("1", ("A", "B")), Body("2", ("B", "D"))]
+    found = construct(scene(points, bodies, fixed="D", velocities={"A": 0j}))
+    assert found.omegas == {"1": 0.0, "2": 0.0}
+    assert found.velocities["B"] == 0
+
+
+def test_a_driven_crank_and_the_wheel_it_carries() -> None:
+    """A wheel of radius 1 rolls inside a ring of radius 3: it turns twice as fast as the arm, the other way."""
+    points = {"O": 0j, "C": 2 + 0j, "P": 3 + 0j}
+    bodies = [Body("1", ("O", "C"), "w1"), Body("2", ("C", "P"), "w2")]
+    found = construct(scene(points, bodies, fixed="OP", rates={"w1": 5.0}))
+    assert found.velocities["C"] == pytest.approx(10j)
+    assert found.omegas["2"] == pytest.approx(-10.0)
+
+
+def test_two_gears_share_the_velocity_of_their_contact() -> None:
+    points = {"O": 0j, "P": 1 + 0j, "Q": 4 + 0j}
+    bodies = [Body("1", ("O", "P"), "w1"), Body("2", ("Q", "P"), "w2")]
+    assert construct(scene(points, bodies, fixed="OQ", rates={"w1": 6.0})).omegas["2"] == pytest.approx(-2.0)
+
+
+def test_links_that_share_a_rate_turn_together() -> None:
+    points = {"O": 0j, "A": 1 + 0j, "B": 2 + 2j}
+    bodies = [Body("1", ("O", "A"), "w1"), Body("2", ("A", "B"), "w1")]
+    found = construct(scene(points, bodies, fixed="O", velocities={"A": 2j}))
+    assert found.omegas == {"1": 2.0, "2": 2.0}
+    assert found.centres["2"].at == pytest.approx(0)
+    assert found.velocities["B"] == pytest.approx(2j * (2 + 2j))
+
+
+def test_a_dyad_between_two_moving_points_takes_a_velocity_plan() -> None:
+    omega, points = (0.7, -1.3), {"A": 0j, "X": 1 + 2j, "B": 3 - 1j}
+    v_x = 0.4 + 0.2j
+    velocities = {"A": v_x - 1j * omega[0] * (points["X"] - points["A"]), "B": v_x - 1j * omega[1] * (points["X"] - points["B"])}
+    found = construct(scene(points, [Body("1", ("A", "X")), Body("2", ("X", "B"))], velocities=velocities))
+    assert found.velocities["X"] == pytest.approx(v_x)
+    assert (found.omegas["1"], found.omegas["2"]) == pytest.approx(omega)
+    assert found.plans == {"X": ("A", "B")}
+
+
+def test_a_dead_point_is_left_open() -> None:
+    """Crank and rod in one line, the driven slider moving along it: no crank velocity can be drawn."""
+    points = {"O": 0j, "A": 1 + 0j, "B": 3 + 0j}
+    bodies = [Body("1", ("O", "A")), Body("2", ("A", "B"))]
+    assert construct(scene(points, bodies, fixed="O", velocities={"B": 1 + 0j})).missing == ("1", "2")
+
+
+def test_a_rail_through_no_point_of_a_link_is_reported() -> None:
+    variant = load("v102")
+    rail = variant.frame.rails[0]
+    loose = replace(variant, frame=replace(variant.frame, rails=((load("31").points[0][1], rail[1]),)))
+    check = solve(loose, quantities=["graph_check"]).graph
+    assert check is not None
+    assert any(note.startswith("Rail 1 goes through no point of a link") for note in check.notes)
+    assert "Link 3 is not determined by the drawing." in check.notes
