@@ -14,15 +14,16 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from coursework.api import compile_model, exact, load, solve
+    from coursework.api import exact, solve
     from coursework.assigning.variants import draw, draw_many
     from coursework.many import Solutions, feasible, feasible_many, solve_many
     from coursework.mechanism import groups
-    from coursework.model.data import Data
-    from coursework.model.model import Model
     from coursework.output.write import write_report
     from coursework.report import notebook_html
     from coursework.run import Run
+    from coursework.scene.model.data import Data
+    from coursework.scene.model.model import Model, compile_model
+    from coursework.variant.catalogue import load
     from coursework.variant.reading.reader import parse_variant
     from coursework.variant.record.variant import Variant
     from coursework.words.errors import CourseworkError, InputError, OutputError
@@ -30,12 +31,13 @@ if TYPE_CHECKING:
 __version__ = "1.0.0"
 
 _HOMES = {
-    "coursework.api": ("load", "solve", "exact", "compile_model"),
+    "coursework.api": ("solve", "exact"),
     "coursework.many": ("solve_many", "feasible", "feasible_many", "Solutions"),
     "coursework.run": ("Run",),
     "coursework.assigning.variants": ("draw", "draw_many"),
-    "coursework.model.model": ("Model",),
-    "coursework.model.data": ("Data",),
+    "coursework.scene.model.model": ("Model", "compile_model"),
+    "coursework.variant.catalogue": ("load",),
+    "coursework.scene.model.data": ("Data",),
     "coursework.output.write": ("write_report",),
     "coursework.report": ("notebook_html",),
     "coursework.variant.record.variant": ("Variant",),

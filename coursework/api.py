@@ -1,7 +1,7 @@
-"""What `import coursework` offers: load a variant, solve it, and its exact motion.
+"""What `import coursework` offers for one variant: solve it, and its exact motion.
 
 Enters: a name, a path or a `Variant`.  Leaves: `Run`, tables.  Raises `InputError`.
-Used by `many.py`, `assigning/`, `commands/` and `grading/marking/`.
+Used by `commands/` and `grading/marking/`.
 """
 
 from __future__ import annotations
@@ -10,44 +10,19 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
-
-from coursework.asked import gather
-from coursework.exact_scene import scene_of
-from coursework.model.model import Model, model_of
 from coursework.motion.settings import Settings, scheme_for
-from coursework.quantities import TABLE, known_quantities, quantities_for
 from coursework.run import Run
-from coursework.variant.catalogue import find
-from coursework.variant.reading.reader import read_variant
-from coursework.variant.record.variant import MAX_ROWS, Variant
+from coursework.scene.exact_scene import scene_of
+from coursework.scene.quantities import TABLE, known_quantities, quantities_for
+from coursework.variant.catalogue import load
+from coursework.variant.judging.bounds import timed
+from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, say
 
 if TYPE_CHECKING:
     import pandas as pd
-
-
-def load(path_or_name: str | Path) -> Variant:
-    """Return the variant of a file or of the catalogue.  Raises `InputError` with every fault, each with its line.
-
-    >>> import coursework
-    >>> variant = coursework.load("31")
-    >>> [c.name for c in variant.coordinates], variant.time.step  # s
-    (['phi1', 'phi2', 'phi3'], 0.02)
-    """
-    return read_variant(find(path_or_name))
-
-
-def compile_model(variant: Variant | str | Path) -> Model:
-    """Return a template compiled once, whose functions take the data as arguments.  Raises `InputError`.
-
-    >>> import coursework
-    >>> coursework.compile_model("31").velocities
-    ('w1', 'w2', 'w3', 'w4')
-    """
-    return model_of(load(variant) if isinstance(variant, (str, Path)) else variant)
 
 
 def solve(
@@ -107,35 +82,12 @@ def exact(
 
     run = solve(variant, step=step, end=end, quantities=quantities)
     motion = run.exact
-    names, rows = gather(run.scene.over(motion), run.asked)
+    names, rows = run.columns_of(run.scene.over(motion))
     table = pd.DataFrame(rows, index=pd.Index(motion.t, name="t"), columns=list(names))
     if not run.settings.columns:
         return table
     rates = run.scene.rates
     return table[[*rates.coordinates, *rates.velocities]]
-
-
-def timed(variant: Variant, step: float | None, end: float | None) -> Variant:
-    """Return the variant with another step and end (s).  Raises `InputError` for times that make no table."""
-    h = _number(step, "step") if step is not None else variant.time.step
-    last = _number(end, "end") if end is not None else variant.time.end
-    if not (np.isfinite(h) and h > 0):
-        raise InputError(say("fault.C008", h=h))
-    if not np.isfinite(last):
-        raise InputError(say("fault.C009", last=last))
-    if last < h * (1 - 1e-9):
-        raise InputError(say("fault.C010", last=last, h=h))
-    if last / h > MAX_ROWS:
-        raise InputError(say("fault.C011", number=last / h, max_rows=MAX_ROWS))
-    return variant.timed(h, last)
-
-
-def _number(value: object, name: str) -> float:
-    """Return a number of seconds.  Raises `InputError` for anything else."""
-    try:
-        return float(value)  # type: ignore[arg-type]
-    except (TypeError, ValueError):
-        raise InputError(say("fault.C012", name=name, value=value)) from None
 
 
 def _sorted(variant: Variant, quantities: Iterable[str] | None) -> tuple[tuple[str, ...], tuple[str, ...]]:

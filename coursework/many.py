@@ -17,16 +17,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.api import compile_model, load, solve, timed
-from coursework.model.data import Data
-from coursework.model.model import Model
-from coursework.model.one_set import horizons
-from coursework.model.rows import rows_of
-from coursework.model.sets import prepare
-from coursework.motion.integration.motion import Stop
+from coursework.motion.integration.motion import Motion, Stop
 from coursework.motion.schemes import SCHEMES
 from coursework.motion.settings import Settings, scheme_for
-from coursework.scene import Scene
+from coursework.scene.exact_scene import scene_of
+from coursework.scene.model.data import Data
+from coursework.scene.model.model import Model, compile_model
+from coursework.scene.model.one_set import horizons
+from coursework.scene.model.rows import rows_of
+from coursework.scene.model.sets import prepare
+from coursework.scene.scene import Scene
+from coursework.variant.catalogue import load
+from coursework.variant.judging.bounds import timed
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import CourseworkError, InputError
 from coursework.words.sentences import joined, say
@@ -166,10 +168,11 @@ def _with(template: Variant, sets: Data, index: int) -> Variant:
     return template.with_data(given, start)
 
 
-def _alone(template: Variant, sets: Data, index: int, scheme: str) -> Any:
+def _alone(template: Variant, sets: Data, index: int, scheme: str) -> Motion:
     """Return the motion of one set, as `solve` gives it."""
     try:
-        return solve(_with(template, sets, index), scheme, template.time.step, template.time.end, quantities=["table"]).motion
+        alone = timed(_with(template, sets, index), template.time.step, template.time.end)
+        return scene_of(alone, Settings(scheme).checked(alone.time.step)).motion
     except InputError as error:
         reason = joined([fault.message for fault in error.faults])
         raise InputError(say("fault.D021", number=index + 1, reason=reason)) from error

@@ -22,8 +22,13 @@ with contextlib.redirect_stdout(io.StringIO()):
 """
 HEAVY = {"numpy", "sympy", "pydantic", "pandas", "scipy", "matplotlib", "jinja2", "typst"}
 PAGES = {"pandas", "scipy", "matplotlib", "jinja2", "typst", "coursework.report"}
-EXTRA = {"coursework.results.kinematics.accelerations", "coursework.results.kinematics.points", "coursework.drawing.plans.graph_check",
-         "coursework.results.checks.check", "coursework.results.accuracy.study"}  # fmt: skip
+EXTRA = {
+    "coursework.results.kinematics.accelerations",
+    "coursework.results.kinematics.points",
+    "coursework.drawing.plans.graph_check",
+    "coursework.results.checks.check",
+    "coursework.results.accuracy.study",
+}
 
 
 def imported(code, folder):

@@ -14,8 +14,8 @@ from dataclasses import dataclass, field
 from coursework.assigning.draw import PILOT, Lots
 from coursework.assigning.judge import Verdict, judge
 from coursework.assigning.ranges import Path
-from coursework.model.data import read_data
-from coursework.model.model import Model
+from coursework.scene.model.data import read_data
+from coursework.scene.model.model import Model
 from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say

@@ -24,7 +24,7 @@ from coursework.assigning.variants import Assignment
 from coursework.grading.escapes import csv_text
 from coursework.grading.platforms.roster import Roster
 from coursework.report.words import Words
-from coursework.scene import Scene
+from coursework.scene.scene import Scene
 from coursework.system.whole_files import refused, write_bytes
 
 ROSTER, CLASS, PDF = "roster.csv", "class.html", "sheets.pdf"

@@ -19,15 +19,15 @@ from coursework.assigning.ranges import Limits
 from coursework.equations.reduction.magnitude import largest
 from coursework.grading.marking.key import gap_of
 from coursework.many import feasible
-from coursework.model.data import Data
-from coursework.model.model import Model
-from coursework.model.one_set import with_numbers
-from coursework.model.rows import rows_of
-from coursework.model.sets import prepare
-from coursework.model.start import start_of
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
 from coursework.motion.singular.scaled_flow import compile_flow
 from coursework.motion.singular.search import search_event
+from coursework.scene.model.data import Data
+from coursework.scene.model.model import Model
+from coursework.scene.model.one_set import with_numbers
+from coursework.scene.model.rows import rows_of
+from coursework.scene.model.sets import prepare
+from coursework.scene.model.start import start_of
 from coursework.variant.record.variant import MAX_ROWS, Variant
 from coursework.words.errors import CourseworkError
 

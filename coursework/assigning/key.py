@@ -15,7 +15,7 @@ from coursework.assigning.page_words import Equation, Plain, equation, lettered,
 from coursework.assigning.sheet import LONGEST, data_rows, pictures, start_rows
 from coursework.report.numbers import unit_text, with_unit
 from coursework.report.words import Words
-from coursework.scene import Scene
+from coursework.scene.scene import Scene
 from coursework.words.templates import clean, filled
 
 

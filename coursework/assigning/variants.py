@@ -11,16 +11,16 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from coursework.api import compile_model, load
 from coursework.assigning.accept import Acceptance, Accepted
 from coursework.assigning.draw import Lots
 from coursework.assigning.ranges import Ranges
 from coursework.assigning.reader import determined, ranges_file, ranges_of, read_ranges
 from coursework.grading.names import file_stem
-from coursework.model.model import Model
-from coursework.model.variant_text import variant_text
 from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.motion.settings import Settings, scheme_for
+from coursework.scene.model.model import Model, compile_model
+from coursework.scene.model.variant_text import variant_text
+from coursework.variant.catalogue import load
 from coursework.variant.reading.reader import parse_variant
 from coursework.variant.record.variant import Variant
 from coursework.variant.toml.rewriting import SAID_OF_NUMBERS, rewritten

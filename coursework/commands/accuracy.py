@@ -12,7 +12,7 @@ from pathlib import Path
 
 import click
 
-from coursework.api import load, solve
+from coursework.api import solve
 from coursework.commands.screen import in_language, tell, title_of
 from coursework.output.formats import chosen
 from coursework.output.results import StudyResults
@@ -22,6 +22,7 @@ from coursework.results.accuracy.record import AccuracyStudy
 from coursework.results.accuracy.study import make_study, time_of
 from coursework.run import Run
 from coursework.system.file_set import working_folder
+from coursework.variant.catalogue import load
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
@@ -68,7 +69,7 @@ def timed_study(run: Run) -> AccuracyStudy:
             sum(scene.ledger.seconds[name] for name in ("equations", "reduction", "rates")),
         ),
     )
-    made = scene.by_scheme
+    made = scene.results.by_scheme
     with click.progressbar(length=45, label=in_language(say("screen.progress.measure")), file=sys.stderr) as bar:
         return make_study(
             problem, run.exact, made.mismatch, made.motion.scheme,

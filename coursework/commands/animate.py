@@ -7,9 +7,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from coursework.api import load, solve
+from coursework.api import solve
 from coursework.commands.screen import tell
 from coursework.system.whole_files import write_bytes
+from coursework.variant.catalogue import load
 from coursework.words.sentences import load_phrases, say
 
 FRAMES_A_ROW = 2

@@ -5,10 +5,11 @@ Used by `cli.py`.
 
 from __future__ import annotations
 
-from coursework.api import load, solve
+from coursework.api import solve
 from coursework.commands.run import tell_remarks
 from coursework.commands.screen import tell, title_of
 from coursework.run import Run
+from coursework.variant.catalogue import load
 from coursework.variant.formula.tree import spelled
 from coursework.words.sentences import say, say_count
 

@@ -11,11 +11,10 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-from coursework.api import load
 from coursework.commands.screen import tell
-from coursework.model.variant_text import variant_text
+from coursework.scene.model.variant_text import variant_text
 from coursework.system.whole_files import write_bytes
-from coursework.variant.catalogue import find, names
+from coursework.variant.catalogue import find, load, names
 from coursework.variant.reading.set_values import with_set
 from coursework.words.data_folders import folder
 from coursework.words.errors import InputError

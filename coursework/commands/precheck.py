@@ -11,7 +11,6 @@ from pathlib import Path
 import click
 import numpy as np
 
-from coursework.api import load
 from coursework.commands.screen import in_language, tell
 from coursework.grading.contents import Contents
 from coursework.grading.expected import Expected, grid_of
@@ -22,6 +21,7 @@ from coursework.grading.marking.key import Key
 from coursework.grading.marking.points import true_steps
 from coursework.grading.marking.reference import key_of
 from coursework.grading.understand import understand
+from coursework.variant.catalogue import load
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from coursework.api import load, solve
+from coursework.api import solve
 from coursework.commands.screen import in_language, tell, title_of
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
 from coursework.output.formats import FORMATS, PAGES, Format, chosen
@@ -18,6 +18,7 @@ from coursework.output.write import write_set
 from coursework.results.checks.result import GROUPS, never_more
 from coursework.run import Run
 from coursework.system.file_set import files_of, working_folder
+from coursework.variant.catalogue import load
 from coursework.variant.reading.set_values import with_set
 from coursework.variant.record.variant import Variant
 from coursework.variant.record.vocabulary import EXACT
@@ -191,8 +192,8 @@ def tell_run(run: Run, folder: Path, written: list[str]) -> None:
     if run.variant.set_values:
         tell(say("run.set", listed=tuple(f"{name} = {value}" for name, value in run.variant.set_values.items())))
     tell(say("screen.scheme_step_rows", scheme=run.scheme_title, step=motion.step, count=len(motion.t)))
-    if run.lesson is not None:
-        tell(run.lesson.sentence)
+    if run.distance_to_exact is not None:
+        tell(run.distance_to_exact.sentence)
     if gain := run.settings.gain:
         share = gain * motion.step
         tell(say("screen.gain", gain=gain, share=share, kept=1 - share))

@@ -20,7 +20,6 @@ from typing import Any, get_args
 
 import click
 
-from coursework.api import load
 from coursework.commands.run import make_run, run_variant, step_of
 from coursework.commands.screen import in_language, tell, tell_last
 from coursework.commands.templates import with_templates
@@ -28,12 +27,12 @@ from coursework.commands.workers import outcomes
 from coursework.output.formats import PAGES, chosen
 from coursework.output.results import Results
 from coursework.output.write import write_set
-from coursework.quantities import CHECKS
 from coursework.results.checks.result import Verdict
+from coursework.scene.quantities import CHECKS
 from coursework.system.budget import Budget, watched
 from coursework.system.file_set import clear_leftovers, working_folder
 from coursework.system.whole_files import write_bytes
-from coursework.variant.catalogue import find
+from coursework.variant.catalogue import find, load
 from coursework.variant.reading.set_values import with_set
 from coursework.words.errors import CourseworkError, InputError
 from coursework.words.sentences import joined, load_phrases, say

@@ -1,7 +1,7 @@
 """The mechanism as a figure of the page: where it starts, where it stops, twelve positions, hodographs.
 
 Enters: a `Mechanism`, its velocity equations and a motion.  Leaves: `Drawing`, upright, as wide as a column.
-Used by `run.py`.
+Used by `scene_run.py`.
 """
 
 from __future__ import annotations

@@ -17,7 +17,7 @@ from coursework.drawing.outline.outline import Outline
 from coursework.drawing.outline.poses import all_rows, read_poses
 from coursework.drawing.outline.tracing import read_outline
 from coursework.live.spots import spots_of
-from coursework.scene import Scene
+from coursework.scene.scene import Scene
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +55,9 @@ def drawn_of(scene: Scene, label: Callable[[str], str]) -> Drawn:
     read = read_poses(outline, scene.equations)
     start = read(np.zeros(1), np.array([scene.start]))
     data |= _ground(outline, kept, start.pose(0))
-    motions = (each for each in (scene.exact, scene.lesson or scene.motion) if len(each.t) and all_rows(scene.equations, each))
+    motions = (
+        each for each in (scene.exact, scene.scheme_rows or scene.motion) if len(each.t) and all_rows(scene.equations, each)
+    )
     poses = [read(each.t, each.coordinates) for each in motions] or [start]
     data["spots"] = spots_of(outline, poses, [label(name) for name in outline.shown])
     data |= {"shown_points": list(outline.shown), "rings": _rings(outline)}

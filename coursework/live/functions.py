@@ -16,7 +16,7 @@ from coursework.equations.codegen.programs import Assign, Bound, Statement
 from coursework.equations.reduction.statements import block_statements
 from coursework.equations.reduction.symbolic import constants, local, symbol
 from coursework.equations.reduction.system import scene_program
-from coursework.scene import Scene
+from coursework.scene.scene import Scene
 from coursework.variant.record.changes import follow_from
 
 

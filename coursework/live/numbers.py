@@ -1,6 +1,6 @@
 """The numbers from which a page computes by itself: names, start, times, schemes, tables of laws.
 
-Enters: a `Run` and the `Functions` of its mechanism.  Leaves: plain data for JSON, SI throughout.
+Enters: a `SceneRun` and the `Functions` of its mechanism.  Leaves: plain data for JSON, SI throughout.
 Used by the live page and by the test that runs every variant of the catalogue in a browser.
 """
 
@@ -13,10 +13,10 @@ from coursework.live.functions import Functions
 from coursework.motion.geometry.drive import breaks
 from coursework.motion.integration.integrate import WIDEST_STEP
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, Scheme, Sum
-from coursework.run import Run
+from coursework.scene.scene_run import SceneRun
 
 
-def live_numbers(run: Run, functions: Functions) -> dict[str, Any]:
+def live_numbers(run: SceneRun, functions: Functions) -> dict[str, Any]:
     """Return the numbers of a run by key; `scheme` is the one its page begins with, `precise` the one of the true motion.
 
     `stop` is the time (s) at which the mechanism itself stops, None where it does not; `own`: the table of the page is made by a

@@ -1,6 +1,6 @@
 """A run -> the part of its page that moves: labels, script with its hash, data.
 
-Enters: a `Run`, the words of a language, the writers of symbols and units.  Leaves: `LivePart`.  Used by the report.
+Enters: a `SceneRun`, the words of a language, the writers of symbols and units.  Leaves: `LivePart`.  Used by the report.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from coursework.live.numbers import live_numbers
 from coursework.live.script import embedded, hash_of, script_of
 from coursework.live.sliders import sliders_of
 from coursework.motion.schemes import SCHEMES, title_of
-from coursework.run import Run
+from coursework.scene.scene_run import SceneRun
 from coursework.words.line_ends import marked
 from coursework.words.sentences import Phrases, load_phrases
 
@@ -54,7 +54,7 @@ class LivePart:
         return len(self.script.encode()) + len(self.data.encode())
 
 
-def live_part(run: Run, phrases: Phrases, label: Callable[[str], str], unit: Callable[[str], str]) -> LivePart | None:
+def live_part(run: SceneRun, phrases: Phrases, label: Callable[[str], str], unit: Callable[[str], str]) -> LivePart | None:
     """Return the live part of a run, None where there is no row to show.
 
     `label` writes the name of a quantity or a point, `unit` a unit, both as text.
@@ -77,13 +77,15 @@ def live_part(run: Run, phrases: Phrases, label: Callable[[str], str], unit: Cal
     return _part(run, phrases, script, embedded(said | frames_of(run, drawn, room)), False)
 
 
-def _part(run: Run, phrases: Phrases, script: str, data: str, laboratory: bool) -> LivePart:
+def _part(run: SceneRun, phrases: Phrases, script: str, data: str, laboratory: bool) -> LivePart:
     mark = phrases.template("decimal")
     speeds = tuple((speed, phrases.template("live.speed_of").format(speed=f"{speed:g}".replace(".", mark))) for speed in SPEEDS)
     return LivePart(_words(phrases), speeds, max(1, len(run.motion.t) - 1), laboratory, script, hash_of(script), data)
 
 
-def _said(run: Run, drawn: Drawn, phrases: Phrases, label: Callable[[str], str], unit: Callable[[str], str]) -> dict[str, Any]:
+def _said(
+    run: SceneRun, drawn: Drawn, phrases: Phrases, label: Callable[[str], str], unit: Callable[[str], str]
+) -> dict[str, Any]:
     """Return the outline and the words of the page."""
     variant = run.variant
     names = ["t", *variant.columns, *variant.values, *drawn.data["shown_points"]]

@@ -1,6 +1,6 @@
 """The data of a task sheet that a reader may move, and how far.
 
-Enters: a `Run`.  Leaves: for each such datum the ends of its slider (SI).  Used by `page.py`.
+Enters: a `SceneRun`.  Leaves: for each such datum the ends of its slider (SI).  Used by `page.py`.
 """
 
 from __future__ import annotations
@@ -9,10 +9,10 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from coursework.run import Run
+from coursework.scene.scene_run import SceneRun
 
 
-def sliders_of(run: Run, unit: Callable[[str], str]) -> dict[str, dict[str, Any]]:
+def sliders_of(run: SceneRun, unit: Callable[[str], str]) -> dict[str, dict[str, Any]]:
     """Return the data that may be moved: an angle through its whole turn, anything else from half to one and a half of itself.
 
     A datum that is zero has no such range, and one that moves the times at which a law changes would need another law.

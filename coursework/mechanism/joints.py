@@ -60,7 +60,7 @@ class Linkage:
 def linkage(variant: Variant, points: Mapping[str, Formula]) -> Linkage | None:
     """Return bodies and joints; None where a file names neither links nor groups, or equations move what they do not show.
 
-    >>> from coursework.api import load
+    >>> from coursework.variant.catalogue import load
     >>> variant = load("example-2")
     >>> [(joint.kind, joint.bodies) for joint in linkage(variant, dict(variant.points)).joints]
     [(revolute, ('1', '0')), (revolute, ('1', '2')), (pin in guide, ('2', '0'))]
@@ -130,7 +130,7 @@ def link_names(chain: Linkage, variant: Variant) -> dict[str, str]:
     """Return what each body of a chain is called: by the number of its rate (w3: 3), what turns before what slides; else the
     next free.
 
-    >>> from coursework.api import load
+    >>> from coursework.variant.catalogue import load
     >>> variant = load("walschaerts")
     >>> chain = chain_of_groups(variant, dict(variant.points))
     >>> {chain.coordinates[body]: name for body, name in link_names(chain, variant).items()}

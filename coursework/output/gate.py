@@ -1,6 +1,6 @@
 """The gate: every number of a run is seen here before anything is written.
 
-Enters: a `Run`.  Leaves: nothing, or `InputError` that names quantity, rows, the line of the file and the reason.
+Enters: a `SceneRun`.  Leaves: nothing, or `InputError` that names quantity, rows, the line of the file and the reason.
 Used by `results.py`, which whoever writes goes through.
 """
 
@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.output.reason import Formulas, Reason
-from coursework.quantities import CHECKS, PLOTS
 from coursework.results.checks.result import Finding
-from coursework.run import Run
+from coursework.scene.quantities import CHECKS, PLOTS
+from coursework.scene.scene_run import SceneRun
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
@@ -33,7 +33,7 @@ class Block:
     of: str = ""
 
 
-def pass_gate(run: Run, pages: bool) -> None:
+def pass_gate(run: SceneRun, pages: bool) -> None:
     """Look at every number that would be written; `pages`: those that only a page shows, too.
 
     Raises `InputError` for the first block with numbers that are not finite, a fault for each quantity in it.
@@ -56,7 +56,7 @@ def pass_gate(run: Run, pages: bool) -> None:
             raise InputError([_fault_of_check(run, check)])
 
 
-def _fault_of_check(run: Run, check: Finding) -> Fault:
+def _fault_of_check(run: SceneRun, check: Finding) -> Fault:
     """Return what is wrong where a check has no number although the table has: a formula that only the check reads."""
     what = f"checks.{check.code}"
     for point in ("", *dict(run.variant.points)):
@@ -71,7 +71,7 @@ def _numbers(check: Finding) -> list[float]:
     return [number for number in listed if number is not None]
 
 
-def _blocks(run: Run, pages: bool) -> Iterator[Block]:
+def _blocks(run: SceneRun, pages: bool) -> Iterator[Block]:
     """Yield what is written, the plainest first, so that a fault is told where it begins."""
     yield Block(run.motion.names, np.asarray(run.motion.rows))
     names, rows = run.columns()
@@ -89,7 +89,7 @@ def _blocks(run: Run, pages: bool) -> Iterator[Block]:
         yield Block(("measured",), np.array([row[1:2] for row in run.graph.rows]).reshape(-1, 1), "graph_check")
 
 
-def _faults(run: Run, block: Block, spoilt: NDArray[np.bool_]) -> Iterator[Fault]:
+def _faults(run: SceneRun, block: Block, spoilt: NDArray[np.bool_]) -> Iterator[Fault]:
     """Yield a fault for each quantity of a block that is not finite; the two components of a point are one quantity."""
     variant = run.variant
     points = dict(variant.points)
@@ -113,7 +113,7 @@ def _faults(run: Run, block: Block, spoilt: NDArray[np.bool_]) -> Iterator[Fault
             yield _fault(variant, f"{section}.{what}", variant.line_of(section, what), say("fault.V602", rows=rows))
 
 
-def _reason(run: Run, point: str) -> Reason | None:
+def _reason(run: SceneRun, point: str) -> Reason | None:
     """Return what has no value in a point, or in the motion; where everything has one, what changes at no finite rate."""
     for rates in (False, True):
         formulas = Formulas(run.variant, run.motion, rates)

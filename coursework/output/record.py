@@ -1,6 +1,6 @@
 """What `run.json` and `accuracy.json` say: how the numbers came about, and which files belong together.
 
-Enters: a `Run`.  Leaves: plain data, and the stamp that ties pages, tables and record of one run together.
+Enters: a `SceneRun`.  Leaves: plain data, and the stamp that ties pages, tables and record of one run together.
 Used by `write.py`.
 """
 
@@ -12,9 +12,8 @@ from dataclasses import asdict, replace
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
-from coursework.asked import units_of
-from coursework.quantities import Quantity, quantities_for
-from coursework.run import Run
+from coursework.scene.quantities import Quantity, quantities_for
+from coursework.scene.scene_run import SceneRun
 from coursework.words.custom_templates import stamp_of_templates
 
 if TYPE_CHECKING:
@@ -24,7 +23,7 @@ if TYPE_CHECKING:
 STAMP_LENGTH = 16  # letters of the hash: enough that two runs never meet by chance, short enough to compare by eye
 
 
-def stamp_of(run: Run, language: str = "en") -> str:
+def stamp_of(run: SceneRun, language: str = "en") -> str:
     """Return the stamp of a run: a hash of its variant, its options and the tool's version, wherever the file lies."""
     named = (run.student, run.group, run.teacher, run.institution, run.date, run.blank)
     settings = (run.settings, run.asked, named, language, stamp_of_templates(), run.versions["coursework"])
@@ -32,7 +31,7 @@ def stamp_of(run: Run, language: str = "en") -> str:
     return hashlib.sha256(content.encode("utf-8", "backslashreplace")).hexdigest()[:STAMP_LENGTH]
 
 
-def record(run: Run) -> dict[str, Any]:
+def record(run: SceneRun) -> dict[str, Any]:
     """Return what `run.json` holds: versions, scheme, stop, checks."""
     motion = run.motion
     checks = run.checks if "checks" in run.asked else ()
@@ -47,14 +46,14 @@ def record(run: Run) -> dict[str, Any]:
         "rows": len(motion.t),
         "evaluations": motion.evaluations,
         "quantities": list(run.asked),
-        "columns": units_of(run.results, run.asked),
+        "columns": run.units,
         "contents": [_content(quantity) for quantity in quantities_for(run.asked).values()],
         "stop": _stop(run),
         "remarks": [
             {"code": remark.code, "line": remark.line, "sentence": str(remark.sentence)} for remark in run.variant.plausibility
         ],
         "summary": run.summary,
-        "lesson": asdict(run.lesson) if run.lesson is not None else None,
+        "lesson": asdict(run.distance_to_exact) if run.distance_to_exact is not None else None,
         "checks": [_finding(check) for check in checks],
         **({"graph_check": _graph(run.graph)} if run.graph is not None else {}),
     }
@@ -98,7 +97,7 @@ def _finding(finding: Finding) -> dict[str, Any]:
     return found | {name: value for name, value in more.items() if value is not None}
 
 
-def study_record(run: Run) -> dict[str, Any]:
+def study_record(run: SceneRun) -> dict[str, Any]:
     """Return what `accuracy.json` holds."""
     return {"variant": run.variant.name, "title": run.variant.title, "versions": run.versions, "scheme": run.settings.scheme}
 
@@ -118,7 +117,7 @@ def _lines(value: Any) -> str:
 _written = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
 
 
-def _stop(run: Run) -> dict[str, Any] | None:
+def _stop(run: SceneRun) -> dict[str, Any] | None:
     stop = run.stop
     if stop is None:
         return None

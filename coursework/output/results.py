@@ -1,6 +1,6 @@
 """What a format writes from: a run and, made once and only when looked at, its pages.
 
-Enters: a `Run`.  Leaves: `Results`.  Used by the formats and whoever writes them.
+Enters: a `SceneRun`.  Leaves: `Results`.  Used by the formats and whoever writes them.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from coursework.output.gate import pass_gate
 from coursework.output.record import record, stamp_of, study_record
 from coursework.output.tables import run_tables, study_csv
-from coursework.run import Run
+from coursework.scene.scene_run import SceneRun
 from coursework.system.on_demand import under_way
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ class Results:
     stem = "report"
     record_name = "run.json"
 
-    def __init__(self, run: Run, language: str = "en", live: bool = True) -> None:
+    def __init__(self, run: SceneRun, language: str = "en", live: bool = True) -> None:
         self.run = run
         self.language = language
         self.live = live

@@ -1,6 +1,6 @@
 """What a run computed -> CSV text: every digit, the same bytes on every run.
 
-Enters: a `Run`.  Leaves: text by file name.  Used by `results.py`; needs no pandas, no matplotlib, no typst.
+Enters: a `SceneRun`.  Leaves: text by file name.  Used by `results.py`; needs no pandas, no matplotlib, no typst.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ import io
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from coursework.run import Run
+from coursework.scene.scene_run import SceneRun
 
 if TYPE_CHECKING:
     from coursework.results.accuracy.record import AccuracyStudy
@@ -21,10 +21,10 @@ STUDY_HEAD = (
 )  # fmt: skip
 
 
-def run_tables(run: Run) -> Iterator[tuple[str, str]]:
+def run_tables(run: SceneRun) -> Iterator[tuple[str, str]]:
     """Yield `table.csv`, beside an exact one the rows of the coursework's scheme, and the tables asked for with other rows."""
     yield "table.csv", table_csv(run)
-    if (lesson := run.scene.lesson) is not None:
+    if (lesson := run.scene.scheme_rows) is not None:
         rows = ([t, *row] for t, row in zip(lesson.t.tolist(), lesson.rows.tolist(), strict=True))
         yield f"table-{lesson.scheme}.csv", _csv(["t", *lesson.names], rows)
     for name, table in run.own_tables.items():
@@ -33,7 +33,7 @@ def run_tables(run: Run) -> Iterator[tuple[str, str]]:
         yield listing.file, _csv(listing.head, listing.rows)
 
 
-def table_csv(run: Run) -> str:
+def table_csv(run: SceneRun) -> str:
     """Return the results table as CSV: header t, then the columns; SI; shortest text that reads back to the same number."""
     names, rows = run.columns()
     return _csv(["t", *names], ([t, *row] for t, row in zip(run.motion.t.tolist(), rows.tolist(), strict=True)))

@@ -1,6 +1,6 @@
 """Results -> files: a page alone, or all files of a run as one set.
 
-Enters: a `Run` or `Results`, and paths.  Leaves: files.  Raises `OutputError`; nothing half-written is left.
+Enters: a `SceneRun` or `Results`, and paths.  Leaves: files.  Raises `OutputError`; nothing half-written is left.
 Used by the command line and by `coursework.write_report`.
 """
 
@@ -13,14 +13,14 @@ from pathlib import Path
 from coursework.output.formats import PAGES, Format, formats_for
 from coursework.output.record import as_json
 from coursework.output.results import Results
-from coursework.run import Run
+from coursework.scene.scene_run import SceneRun
 from coursework.system.file_set import publish
 from coursework.system.whole_files import refused, write_bytes, write_through
 from coursework.words.errors import Fault, OutputError
 from coursework.words.sentences import either, say
 
 
-def write_report(run: Run, *paths: Path | str, language: str = "en") -> None:
+def write_report(run: SceneRun, *paths: Path | str, language: str = "en") -> None:
     """Write the report of a run to each path; the suffix, .html or .pdf, decides the format.
 
     The model (and its figures) is built once.  All pages are rendered before the first file is touched.

@@ -1,6 +1,6 @@
-"""A `Run` -> one report model -> a page to read (HTML) and a page to print (PDF).
+"""A `SceneRun` -> one report model -> a page to read (HTML) and a page to print (PDF).
 
-Enters: a `Run`.  Leaves: text and bytes.  Used by `output`, the notebook and the grader.
+Enters: a `SceneRun`.  Leaves: text and bytes.  Used by `output`, the notebook and the grader.
 """
 
 from coursework.report.html import render_html

@@ -63,7 +63,7 @@ class LocalError:
 
 def evidence(context: PageContext) -> Evidence:
     """Return rows of a scheme beside the exact ones."""
-    return context.run.scene.by_scheme.evidence
+    return context.run.results.by_scheme.evidence
 
 
 def splits(context: PageContext) -> tuple[Split, ...]:

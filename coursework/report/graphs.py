@@ -62,7 +62,7 @@ def graphs(context: PageContext) -> list[Part]:
 
 def dotted(context: PageContext) -> Motion | None:
     """Return the rows that stand as dots: those of a scheme, beside an exact table the scheme's that it is compared with."""
-    return context.run.motion if context.run.tableau else context.run.scene.lesson
+    return context.run.motion if context.run.tableau else context.run.scene.scheme_rows
 
 
 def _curves(context: PageContext) -> Callable[[str], tuple[Array, Array]]:

@@ -44,7 +44,7 @@ def method(context: PageContext) -> list[Part]:
 
 def _lesson(context: PageContext) -> list[str]:
     """Return how far the coursework's scheme is from an exact table."""
-    lesson = context.run.lesson
+    lesson = context.run.distance_to_exact
     return [] if lesson is None else [context.told(lesson.sentence)]
 
 

@@ -1,6 +1,6 @@
 """The report model: all that a page says, in order, every number formatted once.
 
-Enters: a `Run`.  Leaves: `ReportModel`, whose plain form (dicts, lists, strings) is all the templates see.
+Enters: a `SceneRun`.  Leaves: `ReportModel`, whose plain form (dicts, lists, strings) is all the templates see.
 Used by `output/results.py`, `html.py`, `notebook.py` and `pdf.py`.
 """
 
@@ -17,7 +17,7 @@ from coursework.report.parts import Beside, Equations, Figure, Panels, Part, Sec
 from coursework.report.sections import all_sections
 from coursework.report.text_runs import LONGEST_NAME
 from coursework.report.words import Words, load_words
-from coursework.run import Run
+from coursework.scene.scene_run import SceneRun
 from coursework.words.sentences import ENGLISH
 from coursework.words.templates import clean
 
@@ -64,7 +64,7 @@ def _shortened(text: str, longest: int) -> str:
     return text if len(text) <= longest else text[: longest - 1].rsplit(" ", 1)[0].rstrip(" ,:;") + "…"
 
 
-def build_model(run: Run, language: str = "en", stamp: str = "", *, live: bool = False) -> ReportModel:
+def build_model(run: SceneRun, language: str = "en", stamp: str = "", *, live: bool = False) -> ReportModel:
     """Return the report of a run: the sections that have something to say, and those only if asked for.
 
     `stamp` names the run in the footer, so that a page can be told from one of another run; `live` adds the part that moves.

@@ -1,6 +1,6 @@
 """The mechanism in motion as one animated picture: the true one solid, the one of the table dashed, a graph beside it.
 
-Enters: a `Run` and its exact motion on finer rows.  Leaves: the bytes of a GIF, the same on every run.
+Enters: a `SceneRun` and its exact motion on finer rows.  Leaves: the bytes of a GIF, the same on every run.
 Used by `commands/animate.py`.
 """
 
@@ -25,7 +25,7 @@ from coursework.report.graph_paper import SCHEME_INK
 from coursework.report.moving_shape import Shape, draw_ground
 from coursework.report.numbers import unit_text
 from coursework.report.symbols import Symbol, symbol
-from coursework.run import Run
+from coursework.scene.scene_run import SceneRun
 from coursework.words.data_folders import folder
 from coursework.words.errors import InputError
 from coursework.words.sentences import Phrases, say
@@ -72,7 +72,7 @@ def _drawing() -> Iterator[None]:
         yield
 
 
-def moving_picture(run: Run, exact: Motion, phrases: Phrases) -> bytes:
+def moving_picture(run: SceneRun, exact: Motion, phrases: Phrases) -> bytes:
     """Return the picture of a run beside its `exact` motion, whose rows are the frames.
 
     Raises `InputError` where a file places no points or a motion has fewer than two rows.
@@ -81,7 +81,7 @@ def moving_picture(run: Run, exact: Motion, phrases: Phrases) -> bytes:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    table = run.scene.lesson or run.motion
+    table = run.scene.scheme_rows or run.motion
     outline = read_outline(run.scene.mechanism)
     if outline is None or len(table.t) < 2:
         raise InputError(say("fault.C064", variant=run.variant.name))
@@ -139,7 +139,7 @@ def _window(field: Axes, outline: Outline, poses: tuple[Poses, Poses]) -> float:
     return size
 
 
-def _graph(axes: Axes, run: Run, table: Motion, exact: Motion) -> Line2D:
+def _graph(axes: Axes, run: SceneRun, table: Motion, exact: Motion) -> Line2D:
     """Draw the coordinate whose table is farthest from the motion, and return the cursor."""
     gaps = [
         np.max(np.abs(np.interp(exact.t, table.t, a) - b)) for a, b in zip(table.coordinates.T, exact.coordinates.T, strict=True)

@@ -1,7 +1,7 @@
 """What a notebook shows of a run: the drawing where there is one, the plots, the checks.
 
-Enters: a `Run`.  Leaves: a piece of HTML that fetches nothing and keeps its looks to itself.
-Used by `Run._repr_html_`, by way of the package, and by whoever writes a page of his own.
+Enters: a `SceneRun`.  Leaves: a piece of HTML that fetches nothing and keeps its looks to itself.
+Used through `notebook_html` of the package, by `Run._repr_html_` and whoever writes a page of his own.
 """
 
 from __future__ import annotations
@@ -9,7 +9,6 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from coursework.quantities import CHECKS, GRAPH_CHECK, Quantity
 from coursework.report.checks import checks
 from coursework.report.dead_point import dead_point
 from coursework.report.figures import drawn
@@ -20,7 +19,8 @@ from coursework.report.parts import Part
 from coursework.report.sections import Writer
 from coursework.report.text_runs import runs
 from coursework.report.words import load_words
-from coursework.run import Run
+from coursework.scene.quantities import CHECKS, GRAPH_CHECK, Quantity
+from coursework.scene.scene_run import SceneRun
 from coursework.words.templates import filled
 
 
@@ -44,7 +44,7 @@ SHOWN: tuple[tuple[Writer, Quantity[Any] | None], ...] = (
 )  # fmt: skip
 
 
-def notebook_html(run: Run, language: str = "en") -> str:
+def notebook_html(run: SceneRun, language: str = "en") -> str:
     """Return a run as a notebook shows it: what is asked of it, and the plots of its rows always.
 
     Raises `InputError` where the language is not there.

@@ -1,6 +1,6 @@
 """What every section works with: the run, the words, the symbols of its names.
 
-Enters: a `Run` and a language.  Leaves: text, runs and numbers ready for a part.
+Enters: a `SceneRun` and a language.  Leaves: text, runs and numbers ready for a part.
 Used by `report/`.
 """
 
@@ -11,13 +11,13 @@ from dataclasses import dataclass
 
 from coursework.mechanism.derivation.constants import NamedAngles, named_angles
 from coursework.motion.integration.motion import Motion
-from coursework.quantities import PLOTS
 from coursework.report.numbers import Numbers, unit_text, with_unit
 from coursework.report.parts import Runs
 from coursework.report.symbols import Symbol, symbol
 from coursework.report.text_runs import ITALIC, derivative, printed, runs, with_letters, with_pairs, with_points
 from coursework.report.words import Words
-from coursework.run import Run
+from coursework.scene.quantities import PLOTS
+from coursework.scene.scene_run import SceneRun
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH
@@ -31,7 +31,7 @@ DATUM_DIGITS = 6  # digits of a converted datum or of a time: more than a task s
 class PageContext:
     """One run and one language."""
 
-    run: Run
+    run: SceneRun
     words: Words
 
     @property
@@ -49,7 +49,7 @@ class PageContext:
         """Return what the plots draw thin behind the rows: the exact motion, or the scheme's rows behind exact ones."""
         if not self.run.asks(PLOTS):
             return None
-        return self.run.exact if self.run.tableau else self.run.scene.lesson
+        return self.run.exact if self.run.tableau else self.run.scene.scheme_rows
 
     @property
     def exact(self) -> Motion | None:

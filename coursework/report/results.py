@@ -6,7 +6,6 @@ Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
 from __future__ import annotations
 
 from coursework.motion.schemes import SCHEMES, Scheme, title_of
-from coursework.quantities import CHECKS
 from coursework.report.closeness import LocalError, evidence, largest_step_error, splits, unreturned
 from coursework.report.numbers import deserved_decimals
 from coursework.report.page_context import PageContext
@@ -15,6 +14,7 @@ from coursework.report.tables import motion_parts, pieces
 from coursework.report.tangent import tangent_figure
 from coursework.report.text_runs import numeral, runs
 from coursework.results.checks.close_to_motion.period import Split
+from coursework.scene.quantities import CHECKS
 
 ROWS = ("first", "last", "total")
 CAUSES = ("scheme", "period")  # what a difference is made of; of rows that are the motion itself there is nothing to tell apart
@@ -92,8 +92,8 @@ def _why(context: PageContext, found: list[Split], step: LocalError | None) -> l
             told.append(say("why.half"))
         else:
             told.append(say("why.order", scheme=title[:1].upper() + title[1:], order=scheme.order, less=2**scheme.order))
-    if context.run.tableau is None and context.run.lesson is not None:
-        told.append(say("why.exact", sentence=context.told(context.run.lesson.sentence)))
+    if context.run.tableau is None and context.run.distance_to_exact is not None:
+        told.append(say("why.exact", sentence=context.told(context.run.distance_to_exact.sentence)))
     told += _period(context, found)
     return [Paragraph(context.lettered(say.sentences(told)))] if told else []
 

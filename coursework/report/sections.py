@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from coursework.quantities import ACCURACY, CHECKS, GRAPH_CHECK, PLOTS, TABLE, Quantity
 from coursework.report.accuracy import accuracy
 from coursework.report.checks import checks
 from coursework.report.construction import graph_check
@@ -27,6 +26,7 @@ from coursework.report.solution import solution
 from coursework.report.statement import statement
 from coursework.report.tables import extra_parts
 from coursework.report.text_runs import LONGEST_NAME
+from coursework.scene.quantities import ACCURACY, CHECKS, GRAPH_CHECK, PLOTS, TABLE, Quantity
 
 Writer = Callable[[PageContext], list[Part]]
 Writers = tuple[tuple[Writer, Quantity[Any] | None], ...]

@@ -8,9 +8,9 @@ from __future__ import annotations
 import numpy as np
 
 from coursework.motion.geometry.time_derivatives import jets
-from coursework.quantities import GRAPH_CHECK
 from coursework.report.numbers import TIGHT
 from coursework.report.page_context import PageContext
+from coursework.scene.quantities import GRAPH_CHECK
 
 PERIOD = "T"  # what a period is called, unless a datum has the name
 SAME = 1e-7  # parts of the largest velocity: far above round-off, far below the difference of two velocities

@@ -9,7 +9,6 @@ import re
 from dataclasses import replace
 
 from coursework.mechanism.mechanism import Mechanism
-from coursework.quantities import CHECKS, TABLE
 from coursework.report.closeness import largest_errors, splits, unreturned
 from coursework.report.data_meanings import coordinate_meanings, meanings
 from coursework.report.figures import drawn
@@ -20,6 +19,7 @@ from coursework.report.parts import Beside, Cell, Column, Paragraph, Part, Resul
 from coursework.report.sought import sought
 from coursework.report.text_runs import LONGEST_NAME, runs
 from coursework.results.checks.summary import summary
+from coursework.scene.quantities import CHECKS, TABLE
 from coursework.variant.formula.tree import Formula, constant, terms
 from coursework.variant.record.variant import Variant
 from coursework.words.templates import clean

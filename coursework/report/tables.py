@@ -11,12 +11,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from coursework.quantities import GRAPH_CHECK
 from coursework.report.page_context import PageContext
 from coursework.report.parts import Cell, Column, Paragraph, Part, Table
 from coursework.report.text_runs import numeral, runs
 from coursework.report.words import with_own_letters
 from coursework.results.kinematics.extra import ExtraTable
+from coursework.scene.quantities import GRAPH_CHECK
 
 MOST_ROWS = 400  # rows printed; a longer table is thinned, table.csv holds it whole
 MOST_BESIDE = 40  # the same of a table that stands beside the table of results: accelerations, points, analogs

@@ -1,6 +1,6 @@
-"""The catalogue: which variants there are, and where one lies.
+"""The catalogue: which variants there are, where one lies, and the variant of a name or a path.
 
-Enters: a name or a path.  Leaves: paths, titles.
+Enters: a name or a path.  Leaves: paths, titles, a `Variant`.
 Used by `api.py`, `cli.py`, `commands/`, `grading/` and `grading/batch/`.
 """
 
@@ -10,10 +10,14 @@ import re
 import tomllib
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from coursework.words.data_folders import folder
 from coursework.words.errors import InputError
 from coursework.words.sentences import ENGLISH, closest, say
+
+if TYPE_CHECKING:
+    from coursework.variant.record.variant import Variant
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,6 +69,19 @@ def find(path_or_name: str | Path) -> Path:
         hint = closest(text.lower(), [*names(), *(file.stem for file in sorted(Path().glob("*.toml")))])
         raise InputError(say("fault.C014", text=text, ended=ended, hint=hint))
     return path
+
+
+def load(path_or_name: str | Path) -> Variant:
+    """Return the variant of a file or of the catalogue.  Raises `InputError` with every fault, each with its line.
+
+    >>> import coursework
+    >>> variant = coursework.load("31")
+    >>> [c.name for c in variant.coordinates], variant.time.step  # s
+    (['phi1', 'phi2', 'phi3'], 0.02)
+    """
+    from coursework.variant.reading.reader import read_variant
+
+    return read_variant(find(path_or_name))
 
 
 def _is_file(path: Path) -> bool:

@@ -13,7 +13,7 @@ import coursework
 from coursework.live.functions import live_functions
 from coursework.live.numbers import live_numbers
 from coursework.live.script import script_of
-from coursework.run import Run
+from coursework.scene.scene_run import SceneRun
 from coursework.variant.catalogue import names
 
 pytestmark = pytest.mark.browser
@@ -36,7 +36,7 @@ def engine(browser: Any) -> Any:
     page.close()
 
 
-def started(page: Any, run: Run) -> dict[str, Any]:
+def started(page: Any, run: SceneRun) -> dict[str, Any]:
     """Put the arithmetic of a run into an empty page and return its numbers."""
     functions = live_functions(run.scene, [])
     numbers = live_numbers(run, functions)

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import coursework
-from coursework.run import Run
+from coursework.scene.scene_run import SceneRun
 from coursework.variant.reading.reader import parse_variant
 from coursework.variant.record.variant import Variant
 from tests.hard.scenes import four_bar, scene
@@ -32,18 +32,18 @@ def changed(changes: Mapping[str, str], text: str = V31) -> Variant:
 
 
 @cache
-def full() -> Run:
+def full() -> SceneRun:
     """Return variant 31 with everything its file asks for."""
     return coursework.solve("31", student="Olena Kovalchuk", group="MT-21")
 
 
 @cache
-def stopped() -> Run:
+def stopped() -> SceneRun:
     """Return variant 31 with the phase of the drive that leads to a dead point."""
     return coursework.solve(changed({'"4.35 rad"': '"0.02 rad"'}))
 
 
-def hostile() -> Run:
+def hostile() -> SceneRun:
     """Return variant 31 with hostile text wherever a file or a student may write some."""
     variant = full().variant
     constraints = tuple(replace(one, because=HOSTILE) for one in variant.constraints)
@@ -53,7 +53,7 @@ def hostile() -> Run:
     return replace(made, teacher=HOSTILE, institution=HOSTILE, date=HOSTILE)
 
 
-def parts(run: Run, section: str) -> list[dict[str, Any]]:
+def parts(run: SceneRun, section: str) -> list[dict[str, Any]]:
     """Return the parts of a section as plain dicts."""
     from coursework.report import build_model
 
@@ -87,7 +87,7 @@ HELD = scene(
 )
 
 
-def oddities() -> list[Run]:
+def oddities() -> list[SceneRun]:
     """Return runs of files with rare marks: pieces, remarks, starts that follow, an equation too many, nothing written."""
     remarked = changed({'"4.35 rad"': "10.6331853072", '"1.63 rad"': "1.63"})
     twice = 'equation = "VMx - r3*w4 + 2*r3*w3*cos(phi3) - 4*r3*w3*sin(phi3) = 0"'
@@ -114,7 +114,7 @@ def oddities() -> list[Run]:
     return [*bare, *(coursework.solve(name, quantities=[quantity]) for name, quantity in parts.items())]
 
 
-def timed() -> Run:
+def timed() -> SceneRun:
     """Return variant 31 with a study of accuracy that names seconds, and one method that did not finish."""
     study = full().accuracy
     assert study is not None

@@ -18,7 +18,7 @@ import coursework
 from coursework.cli import main
 from coursework.report import build_model, render_html, words
 from coursework.report.parts import Paragraph
-from coursework.run import Run
+from coursework.scene.scene_run import SceneRun
 from coursework.variant.reading.reader import parse_variant
 from coursework.variant.reading.set_values import with_set
 from coursework.words.custom_templates import templates_of
@@ -78,7 +78,7 @@ def scenes() -> dict[str, tuple[str, dict[str, Any]]]:
     }  # fmt: skip
 
 
-def said(run: Run, language: str) -> list[str]:
+def said(run: SceneRun, language: str) -> list[str]:
     """Return every text of a page, drawings included."""
     found = []
     for section in build_model(run, language).plain()["sections"]:

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.asked import gather
 from coursework.equations.reduction.symbolic import symbol
-from coursework.motion_results import MotionResults
-from coursework.quantities import POINT_ACCELERATIONS, QUANTITIES, all_needs, quantities_for
-from coursework.scene import Scene
+from coursework.scene.motion_results import MotionResults
+from coursework.scene.quantities import POINT_ACCELERATIONS, QUANTITIES, all_needs, quantities_for
+from coursework.scene.scene import Scene
+from coursework.scene.way_to_motion import WayToMotion
 from coursework.system.on_demand import Computed, Ledger, computed, make_plan, needs_of
 
 NEEDS = {"length": ("given",), "width": ("length",), "area": ("length", "width"), "unused": ("area",)}
@@ -91,7 +91,7 @@ def test_the_quantities_have_no_circle():
 def looked_at(found):
     """Return the names of quantities that the source of one looks at, through `self`, `results`, `scene` and methods."""
     known = set(all_needs())
-    methods = {name: method for kind in (Scene, MotionResults) for name, method in vars(kind).items()}
+    methods = {name: method for kind in (WayToMotion, Scene, MotionResults) for name, method in vars(kind).items()}
     names, waiting, seen = set(), [found.compute], set()
     while waiting:
         source = ast.parse(textwrap.dedent(inspect.getsource(waiting.pop())))
@@ -114,7 +114,7 @@ def looked_at(found):
     return names
 
 
-EVERY = [one for kind in (Scene, MotionResults) for one in vars(kind).values() if isinstance(one, Computed)]
+EVERY = [one for kind in (WayToMotion, Scene, MotionResults) for one in vars(kind).values() if isinstance(one, Computed)]
 EVERY += [quantity.compute for quantity in QUANTITIES if quantity.compute not in EVERY]
 
 
@@ -181,7 +181,7 @@ def test_what_nothing_asked_for_needs_names_what_would():
 def test_points_bring_their_accelerations_where_both_are_asked_for():
     run = coursework.solve("31", quantities=["accelerations", "points"])
     assert POINT_ACCELERATIONS in quantities_for(run.asked).values()
-    assert "M.ax" in gather(run.results, run.asked)[0]
+    assert "M.ax" in run.columns()[0]
 
 
 def test_looking_again_computes_nothing():

@@ -22,7 +22,7 @@ from coursework.variant.record.variant import Variant
 def read_outline(mechanism: Mechanism) -> Outline | None:
     """Return the outline of a mechanism, None where a file places no points.
 
-    >>> from coursework.api import load
+    >>> from coursework.variant.catalogue import load
     >>> from coursework.mechanism.mechanism import build
     >>> outline = read_outline(build(load("example-4")))
     >>> [(bar.link, bar.corners) for bar in outline.bars], [(block.link, block.at) for block in outline.blocks]

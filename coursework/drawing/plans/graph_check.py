@@ -3,7 +3,7 @@
 Enters: velocity equations, the rows of a scheme and the exact rows.  Leaves: `GraphCheck`.  Computed on request only.
 From the row it takes the positions and the driven velocity, nothing else (`instant_centres.py`); the drawing is made when
 somebody looks at it (`drawing.py`).
-Used by `assigning/handout.py`, `quantities.py` and `run.py`.
+Used by `assigning/handout.py`, `quantities.py` and `scene_run.py`.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 
 Enters: `VelocityEquations`.  Leaves: `Reduction`.  Blocks of one and two by Cramer's rule, larger ones numerically (LU).
 Never SymPy's solvers or simplifiers: they take minutes on a six-bar where this takes milliseconds.
-Used by `reduction/`, `run.py`, `scene.py`, `integration/`, `kinematics/` and `live/`.
+Used by `reduction/`, `scene_run.py`, `way_to_motion.py`, `integration/`, `kinematics/` and `live/`.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 
 Enters: a `Mechanism`.  Leaves: `VelocityEquations` (SymPy rows) and the position equations behind them.
 Raises `InputError` naming the term that is not linear in the unknown velocities.
-Used by `reduction/`, `scene.py`, `accuracy/`, `checks/`, `drawing/` and `geometry/`.
+Used by `reduction/`, `way_to_motion.py`, `accuracy/`, `checks/`, `drawing/` and `geometry/`.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Blocks -> the velocities as a textbook writes them: ω3 = V_My / (r (2 cos φ3 + sin φ3)); equations as a page shows them.
 
 Enters: `VelocityEquations` and their `Reduction`.  Leaves: formulas for a page.  Nothing numeric reads them.
-Used by `scene.py` and `run.py`.
+Used by `way_to_motion.py` and `scene_run.py`.
 """
 
 from __future__ import annotations

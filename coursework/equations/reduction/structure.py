@@ -1,7 +1,7 @@
 """Variants of one template -> what they share: mechanism and velocity equations, made once for all of them.
 
 Enters: a `Variant`.  Leaves: its `Mechanism` and `VelocityEquations`, which keep all that is found out about the structure.
-Used by `scene.py` and `model/model.py`: a class of five hundred differs in its data only.
+Used by `way_to_motion.py` and `scene/model/model.py`: a class of five hundred differs in its data only.
 """
 
 from __future__ import annotations

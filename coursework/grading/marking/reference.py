@@ -19,9 +19,9 @@ from coursework.equations.reduction.structure import without_data
 from coursework.grading.marking.branches import other_assemblies
 from coursework.grading.marking.key import Key
 from coursework.many import Solutions, solve_many
-from coursework.model.model import Model, model_of
 from coursework.motion.geometry.drive import breaks
 from coursework.motion.schemes import DEFAULT_SCHEME
+from coursework.scene.model.model import Model, model_of
 from coursework.variant.formula.tree import Formula, number
 from coursework.variant.record.variant import Law, Variant
 from coursework.words.errors import CourseworkError

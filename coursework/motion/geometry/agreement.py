@@ -1,7 +1,7 @@
 """Whether the written velocity equations say what the geometry of the file says.
 
 Enters: written equations, those differentiated from [closure], positions on the closure.  Leaves: the names of the
-equations that agree.  Raises `InputError` naming the one that does not.  Used by `scene.py`.
+equations that agree.  Raises `InputError` naming the one that does not.  Used by `way_to_motion.py`.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 
 Enters: the chain's formulas and times.  Leaves: coordinates (n, m); velocities follow from the reduction.
 Raises `CannotAssemble` (groups) with the row at which a group cannot be put together.
-Used by `geometry/`, `exact_scene.py`, `scene.py`, `settings.py` and `model/`.
+Used by `geometry/`, `exact_scene.py`, `way_to_motion.py`, `settings.py` and `model/`.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """How fast a drive oscillates: the highest harmonic that a table of it must not miss.
 
-Enters: the drives of a scene.  Leaves: a frequency (rad/s).  Used by `scene.py` and `swings.py`.
+Enters: the drives of a scene.  Leaves: a frequency (rad/s).  Used by `way_to_motion.py` and `swings.py`.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """The coordinates at t = 0: those the file gives, those a chain of groups gives, those other data have moved.
 
 Enters: velocity equations and the variant's start values.  Leaves: the start (m,), rad or m.
-Used by `scene.py` and by models of many sets.
+Used by `way_to_motion.py` and by models of many sets.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """The motion without a scheme's error: closed-form chain, Newton on the closure, or a scheme refined until it stands.
 
 Enters: a scene.  Leaves: a `Motion` on the coursework's own rows, labelled with the way it was found.
-Used by `results/accuracy/study.py`, `continuity.py`, `finer.py` and `scene.py`.
+Used by `results/accuracy/study.py`, `continuity.py`, `finer.py` and `way_to_motion.py`.
 """
 
 from __future__ import annotations

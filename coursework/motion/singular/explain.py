@@ -1,6 +1,6 @@
 """An event of the true motion -> a `Stop` with its cause and its meaning for the mechanism.
 
-Enters: an `Event`, the reduction.  Leaves: words with units.  Used by `scene.py`.
+Enters: an `Event`, the reduction.  Leaves: words with units.  Used by `way_to_motion.py`.
 """
 
 from __future__ import annotations

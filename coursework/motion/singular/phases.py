@@ -2,7 +2,7 @@
 
 Enters: a scene whose motion stops.  Leaves: a sentence, or nothing where the drive has no phase among the data.
 Only for the reader of a stop: some fifty searches with a coarser tolerance than the stop itself.
-Used by `scene.py`.
+Used by `way_to_motion.py`.
 """
 
 from __future__ import annotations

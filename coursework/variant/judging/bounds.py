@@ -1,14 +1,15 @@
-"""What one run may cost: numbers in its table, periods, and a period of less than a step.
+"""What one run may cost: numbers in its table, periods, and a period of less than a step; another step and end for it.
 
-Enters: a `Variant`.  Leaves: what is too much; raises `InputError`.
+Enters: a `Variant`, a step and an end.  Leaves: what is too much, the variant with these times; raises `InputError`.
 Used where a file is read, and before a motion is marched, because step and end may come from the command line.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
-from coursework.variant.record.variant import MAX_NUMBERS, MOST_PERIODS, Variant
+from coursework.variant.record.variant import MAX_NUMBERS, MAX_ROWS, MOST_PERIODS, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
@@ -33,3 +34,26 @@ def refuse_unbounded(variant: Variant) -> None:
     faults = [Fault(text, variant.file, variant.nearest_line("time", key), 0, f"time.{key}") for key, text in exceeded(variant)]
     if faults:
         raise InputError(faults)
+
+
+def timed(variant: Variant, step: float | None, end: float | None) -> Variant:
+    """Return the variant with another step and end (s).  Raises `InputError` for times that make no table."""
+    h = _number(step, "step") if step is not None else variant.time.step
+    last = _number(end, "end") if end is not None else variant.time.end
+    if not (math.isfinite(h) and h > 0):
+        raise InputError(say("fault.C008", h=h))
+    if not math.isfinite(last):
+        raise InputError(say("fault.C009", last=last))
+    if last < h * (1 - 1e-9):
+        raise InputError(say("fault.C010", last=last, h=h))
+    if last / h > MAX_ROWS:
+        raise InputError(say("fault.C011", number=last / h, max_rows=MAX_ROWS))
+    return variant.timed(h, last)
+
+
+def _number(value: object, name: str) -> float:
+    """Return a number of seconds.  Raises `InputError` for anything else."""
+    try:
+        return float(value)  # type: ignore[arg-type]
+    except (TypeError, ValueError):
+        raise InputError(say("fault.C012", name=name, value=value)) from None

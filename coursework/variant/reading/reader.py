@@ -1,7 +1,7 @@
 """A variant file -> `Variant`, or every fault of the file in one go.
 
 Enters: a path, or text.  Leaves: a frozen `Variant`.  Raises `InputError`.
-Used by `api.py`, `assigning/variants.py`, `grading/batch/class_list.py` and `grading/batch/workshop.py`.
+Used by `catalogue.py`, `assigning/variants.py`, `grading/batch/class_list.py` and `grading/batch/workshop.py`.
 """
 
 from __future__ import annotations

@@ -123,7 +123,7 @@ def test_every_polygon_closes_and_its_parts_stand_as_they_must(name: str) -> Non
 
 
 def run_plans() -> object:
-    from coursework.quantities import PLANS
+    from coursework.scene.quantities import PLANS
 
     return PLANS
 

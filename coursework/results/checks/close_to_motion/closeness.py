@@ -52,7 +52,7 @@ def accuracy(evidence: Evidence) -> Finding:
 
 
 @dataclass(frozen=True, slots=True)
-class Lesson:
+class Distance:
     """How far the rows of a scheme are from the motion: `share` of the scale of `column`, at worst in `row` (from 1)."""
 
     scheme: str
@@ -62,14 +62,14 @@ class Lesson:
     sentence: str
 
 
-def lesson(evidence: Evidence) -> Lesson | None:
+def distance(evidence: Evidence) -> Distance | None:
     """Return how far rows are from the exact motion, None where there is no row or no column to compare."""
     if not evidence.names or not evidence.compared:
         return None
     row, place = worst(evidence.errors)
     share, column = float(abs(evidence.errors[row, place])), evidence.names[place]
     sentence = say("exact.lesson", share=percent(share), name=column, row=row + 1)
-    return Lesson(evidence.motion.scheme, share, column, row + 1, sentence)
+    return Distance(evidence.motion.scheme, share, column, row + 1, sentence)
 
 
 def _spoilt(evidence: Evidence) -> tuple[int, str, float] | None:

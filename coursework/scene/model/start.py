@@ -15,11 +15,11 @@ from numpy.typing import NDArray
 from coursework.equations.codegen.programs import as_columns
 from coursework.equations.reduction.symbolic import symbol
 from coursework.mechanism.groups import CannotAssemble, group_kind
-from coursework.model.data import Data
-from coursework.model.model import Columns, Model
 from coursework.motion.geometry.chain import dyad
 from coursework.motion.geometry.closure import OPEN
 from coursework.motion.geometry.start import START_TOLERANCE
+from coursework.scene.model.data import Data
+from coursework.scene.model.model import Columns, Model
 from coursework.variant.record.variant import Group
 
 if TYPE_CHECKING:

@@ -11,12 +11,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.model.model import Model
-from coursework.model.sets import Sets
-from coursework.model.watch import stacked
 from coursework.motion.integration.integrate import WIDEST_STEP
 from coursework.motion.integration.rates import latest
 from coursework.motion.schemes import Scheme
+from coursework.scene.model.model import Model
+from coursework.scene.model.sets import Sets
+from coursework.scene.model.watch import stacked
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]

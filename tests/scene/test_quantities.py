@@ -11,14 +11,14 @@ import pytest
 from click.testing import CliRunner
 
 import coursework
-from coursework import quantities
 from coursework.cli import main
 from coursework.drawing.paper.record import Drawing
-from coursework.quantities import QUANTITIES, Columns, OwnFigure, OwnSection, OwnTable, Quantity
 from coursework.report import build_model, sections
 from coursework.report.parts import Paragraph
 from coursework.report.sections import APPENDIX, NUMBERED, PAPER
 from coursework.results.kinematics.extra import ExtraTable
+from coursework.scene import quantities
+from coursework.scene.quantities import QUANTITIES, Columns, OwnFigure, OwnSection, OwnTable, Quantity
 from coursework.system.on_demand import computed
 from coursework.variant.record.variant import Variant
 from coursework.words.data_folders import folder
@@ -150,4 +150,4 @@ BY_RECORD = [
 def test_no_other_file_names_a_quantity(name):
     package = Path(coursework.__file__).parent
     naming = {path.relative_to(package).as_posix() for path in package.rglob("*.py") if name in strings(path)}
-    assert naming <= {"quantities.py", "motion_results.py"}
+    assert naming <= {"scene/quantities.py", "scene/motion_results.py"}

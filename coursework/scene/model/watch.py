@@ -22,8 +22,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.equations.reduction.symbolic import TIME, symbol
-from coursework.model.model import Columns, Model
 from coursework.motion.schemes import PRECISE
+from coursework.scene.model.model import Columns, Model
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]

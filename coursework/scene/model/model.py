@@ -1,7 +1,7 @@
 """A template compiled once: its velocities as functions of time, position and data, over arrays of any shape.
 
 Enters: a `Variant`.  Leaves: `Model`, whose programs take the data as arguments.
-Used by `start.py`, `watch.py`, `many.py`, `api.py`, and by who judges tables with data of their own.
+Used by `start.py`, `watch.py`, `many.py`, and by who judges tables with data of their own.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,12 +23,13 @@ from coursework.equations.reduction.statements import block_statements
 from coursework.equations.reduction.structure import structure_of
 from coursework.equations.reduction.symbolic import constants, local, symbol
 from coursework.equations.reduction.system import scene_program
-from coursework.exact_scene import scene_of
-from coursework.model.data import Data, read_data
 from coursework.motion.geometry.drive import breaks
 from coursework.motion.geometry.start import start_values
 from coursework.motion.settings import Settings
-from coursework.scene import Scene
+from coursework.scene.exact_scene import scene_of
+from coursework.scene.model.data import Data, read_data
+from coursework.scene.scene import Scene
+from coursework.variant.catalogue import load
 from coursework.variant.record.changes import follow_from
 from coursework.variant.record.variant import Variant
 
@@ -215,3 +217,13 @@ def model_of(variant: Variant) -> Model:
     equations = structure.equations(structure.mechanism(variant))
     first = equations.once("model", lambda: Model(variant, equations, reduce(equations, start_values(equations))))
     return replace(first, variant=variant, equations=equations)
+
+
+def compile_model(variant: Variant | str | Path) -> Model:
+    """Return a template compiled once, whose functions take the data as arguments.  Raises `InputError`.
+
+    >>> import coursework
+    >>> coursework.compile_model("31").velocities
+    ('w1', 'w2', 'w3', 'w4')
+    """
+    return model_of(load(variant) if isinstance(variant, (str, Path)) else variant)

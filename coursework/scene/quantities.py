@@ -1,7 +1,7 @@
 """Everything that can be asked for, one record a quantity.
 
 Enters: the results of a motion.  Leaves: `QUANTITIES`, which table, page, plan, run.json and `--quantities` iterate over.
-Used by `run.py`, `api.py` and the command line.
+Used by `scene_run.py`, `api.py` and the command line.
 
 To add one: write a function of a `MotionResults`, marked `@computed` with what it needs, and a record in `QUANTITIES`.
 Heavy imports stand inside.  Steps on the way that nobody may ask for are properties of `Scene` and `MotionResults`.
@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
 import numpy as np
 
 from coursework.motion.integration.motion import Motion
-from coursework.motion_results import MotionResults, Named
-from coursework.scene import Scene
+from coursework.scene.motion_results import MotionResults, Named
+from coursework.scene.scene import Scene
 from coursework.system.on_demand import Computed, computed, needs_of
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
@@ -161,7 +161,7 @@ def accuracy(results: MotionResults) -> AccuracyStudy | None:
         return None  # no scheme has an error that its step alone decides where it goes through a singular position
     units = tuple(coordinate.unit for coordinate in scene.variant.coordinates)
     problem = Problem(scene.rates, scene.start, scene.variant.time.step, len(scene.exact.t) - 1, scene.closure, units)
-    results = scene.by_scheme
+    results = results.by_scheme
     return make_study(problem, scene.exact, results.mismatch, results.motion.scheme)
 
 

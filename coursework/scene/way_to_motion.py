@@ -1,7 +1,7 @@
 """One variant with its settings, and the way to its motion: every step a typed property, computed when looked at, once.
 
-Enters: a `Variant` and `Settings`.  Leaves: `Scene`; what depends on a motion is `scene.over(motion)`, for any motion.
-Used by `quantities.py`, `run.py`, `exact_scene.py`, `model/model.py`, and by readers who want more than a table.
+Enters: a `Variant` and `Settings`.  Leaves: `WayToMotion`, of which a `Scene` is made with what follows from the motion.
+Used by `motion_results.py` and `scene.py`.
 """
 
 from __future__ import annotations
@@ -39,7 +39,6 @@ from coursework.motion.singular.event import Event, NotFollowed
 from coursework.motion.singular.explain import explain, explain_passage
 from coursework.motion.singular.scaled_flow import Flow, compile_flow
 from coursework.motion.singular.search import Search, search_event
-from coursework.motion_results import MotionResults
 from coursework.system.on_demand import Ledger, computed
 from coursework.variant.judging.bounds import refuse_unbounded
 from coursework.variant.record.no_value import law_without_value, without_value
@@ -55,8 +54,8 @@ MOST_LOOKED_AT = 4096  # times at which a formula without a value is looked for
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Scene:
-    """A variant and how it is to be run; the properties in the order in which they build on each other."""
+class WayToMotion:
+    """A variant and how it is to be run, as far as its motions; the properties in the order in which they build on each other."""
 
     variant: Variant
     settings: Settings
@@ -226,6 +225,18 @@ class Scene:
             return no_rows(self.every_rate)
         return self._exact_at(np.arange(last + 1).astype(np.float64) * time.step)
 
+    @computed("equations", "reduction", "exact", "search")
+    def exact_accelerations(self) -> Array:
+        """The accelerations of the exact rows."""
+        from coursework.results.kinematics.accelerations import accelerations
+
+        return accelerations(self.equations, self.reduction, self.exact, self.search.passages)
+
+    @property
+    def scheme_rows(self) -> Motion | None:
+        """The rows of a scheme beside a table that is exact; none beside a table that a scheme has made."""
+        return None
+
     @computed("exact", "stop", "equations", "reduction", "rates", "closure", "start", "search")
     def one_period(self) -> Motion:
         """The exact motion at `12 * PLACES + 1` equal times over a period; up to the last row where there is none or it stops."""
@@ -274,27 +285,3 @@ class Scene:
         for t, position in () if fault else positions:
             fault = fault or without_value(variant, t, dict(zip(names, position, strict=False)))
         return InputError([fault]) if fault else None
-
-    def over(self, motion: Motion) -> MotionResults:
-        """Return what follows from a motion, any motion of this scene's mechanism, with a ledger of its own."""
-        return MotionResults(self, motion, Ledger())
-
-    @cached_property
-    def results(self) -> MotionResults:
-        """What follows from the rows of the coursework."""
-        return MotionResults(self, self.motion, self.ledger)
-
-    @cached_property
-    def by_scheme(self) -> MotionResults:
-        """What follows from rows that a scheme has made: here those of the coursework."""
-        return self.results
-
-    @property
-    def lesson(self) -> Motion | None:
-        """The rows of a scheme beside a table that is exact; none beside a table that a scheme has made."""
-        return None
-
-    @computed("exact")
-    def exact_accelerations(self) -> Array:
-        """The accelerations of the exact rows."""
-        return self.over(self.exact).accelerations

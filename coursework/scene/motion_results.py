@@ -1,12 +1,14 @@
 """What follows from one motion of a scene: the rows of a scheme, the exact ones, or a student's own table, by the same code.
 
-Enters: a `Scene` and any `Motion` of its mechanism.  Leaves: `MotionResults`, each property computed when looked at, once.
-Used by `scene.py`, which makes it, `quantities.py` and `run.py`.
+Enters: the `WayToMotion` of a scene and any `Motion` of its mechanism.  Leaves: `MotionResults`, each property computed
+when looked at, once.
+Used by `scene.py`, which makes it, `quantities.py` and `scene_run.py`.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,13 +16,13 @@ from numpy.typing import NDArray
 
 from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import SCHEMES
+from coursework.scene.way_to_motion import WayToMotion
 from coursework.system.on_demand import Ledger, computed
 from coursework.variant.record.vocabulary import scheme_names
 
 if TYPE_CHECKING:
     from coursework.results.checks.evidence import Evidence
     from coursework.results.checks.result import Finding
-    from coursework.scene import Scene
 
 Array = NDArray[np.float64]
 Named = tuple[tuple[str, ...], Array]
@@ -33,13 +35,19 @@ MOST_EXTENDED = 2001
 class MotionResults:
     """`motion` and the `scene` it is a motion of; what is asked of it is kept here and nowhere else."""
 
-    scene: Scene
+    scene: WayToMotion
     motion: Motion
     ledger: Ledger
 
     def charged(self, error: Exception) -> Exception | None:
         """Return the fault of the formula that has no value somewhere on the way, None where every one has."""
         return self.scene.charged(error)
+
+    @cached_property
+    def by_scheme(self) -> MotionResults:
+        """What follows from rows that a scheme has made: these, or those beside a table that is exact."""
+        rows = self.scene.scheme_rows
+        return self if rows is None else MotionResults(self.scene, rows, Ledger())
 
     @computed("motion", "equations", "reduction", "search")
     def accelerations(self) -> Array:

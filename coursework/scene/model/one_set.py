@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.model.data import Data
+from coursework.scene.model.data import Data
 from coursework.variant.formula.tree import FormulaFault, evaluate
 from coursework.variant.record.variant import Variant
 

@@ -5,8 +5,8 @@ import pandas as pd
 import pytest
 
 import coursework
-from coursework.model.sets import prepare
 from coursework.motion.schemes import SCHEMES
+from coursework.scene.model.sets import prepare
 from coursework.variant.catalogue import find, names
 
 MODELS = {}

@@ -17,7 +17,7 @@ from tests.command import call
 from tests.report.real import text_of
 
 pytestmark = pytest.mark.usefixtures("folder")
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "tests" / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
 OPEN = PAGE[: PAGE.index("# --- geometry")]
 
@@ -154,7 +154,7 @@ def test_the_lesson_is_told_on_screen_in_the_record_and_in_a_table():
 
 
 def test_the_share_of_the_lesson_is_that_of_the_accuracy_check_of_the_scheme():
-    lesson = coursework.solve("example-6", quantities=["table"]).lesson
+    lesson = coursework.solve("example-6", quantities=["table"]).distance_to_exact
     run = coursework.solve("example-6", "euler", quantities=["checks"])
     found = next(check for check in run.checks if check.code == "ACCURACY")
     assert (lesson.share, lesson.column, lesson.row) == (found.value, found.column, found.row)

@@ -1,13 +1,12 @@
 """A scene whose table is the motion of the mechanism itself, without a scheme's error, and a scheme's rows beside it.
 
 Enters: a `Variant` and `Settings` with the scheme "exact".  Leaves: `ExactScene`; `scene_of` gives whichever is asked for.
-Used by `api.py` and `model/model.py`; everything that reads a `Scene` reads it too.
+Used by `api.py` and `scene/model/model.py`; everything that reads a `Scene` reads it too.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import numpy as np
 
@@ -16,8 +15,7 @@ from coursework.motion.geometry.drive import refuse_aliasing
 from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE
 from coursework.motion.settings import Settings
-from coursework.motion_results import MotionResults
-from coursework.scene import Scene
+from coursework.scene.scene import Scene
 from coursework.system.on_demand import computed
 from coursework.variant.record.variant import Variant
 from coursework.variant.record.vocabulary import EXACT
@@ -57,11 +55,6 @@ class ExactScene(Scene):
         return replace(exact, step=variant.time.step, stop=stop)
 
     @computed("equations", "closure", "start", "rates", "reduction", "stop", "flow", "search")
-    def lesson(self) -> Motion:
+    def scheme_rows(self) -> Motion:
         """The rows of the coursework's scheme with the same step: what the exact table is compared with."""
         return self.march(self.variant.time.step, DEFAULT_SCHEME.name)
-
-    @cached_property
-    def by_scheme(self) -> MotionResults:
-        """What follows from the rows that a scheme has made."""
-        return self.over(self.lesson)

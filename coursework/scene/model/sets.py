@@ -12,11 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.equations.reduction.symbolic import symbol
-from coursework.model.data import Data
-from coursework.model.model import Columns, Model
-from coursework.model.start import close, start_of
-from coursework.model.watch import fewest_steps, frequencies, stacked, sure_to_move
 from coursework.motion.geometry.drive import argument_slopes
+from coursework.scene.model.data import Data
+from coursework.scene.model.model import Columns, Model
+from coursework.scene.model.start import close, start_of
+from coursework.scene.model.watch import fewest_steps, frequencies, stacked, sure_to_move
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]

@@ -1,0 +1,305 @@
+"""One run of one scene: what was asked for of it, computed when it is looked at, and whose work it is.
+
+Enters: a `Scene` and the names asked for.  Leaves: `SceneRun`, from which pages and files are made.
+Used by `live/`, `output/`, `report/` and `run.py`, which hands it to a person.
+"""
+
+from __future__ import annotations
+
+import platform
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.equations.codegen.programs import SYMPY_VERSION
+from coursework.equations.reduction.blocks import Reduction
+from coursework.equations.reduction.solution import ShownEquation, Solution, shown_equations
+from coursework.motion.integration.motion import Motion, Stop
+from coursework.motion.schemes import SCHEMES, Scheme, title_of
+from coursework.motion.settings import Settings
+from coursework.scene.motion_results import MotionResults
+from coursework.scene.quantities import (
+    ACCURACY,
+    CHECKS,
+    GRAPH_CHECK,
+    Columns,
+    Listing,
+    OwnFigure,
+    OwnTable,
+    Quantity,
+    all_needs,
+    quantities_for,
+)
+from coursework.scene.scene import Scene
+from coursework.system.on_demand import Plan, make_plan
+from coursework.variant.record.variant import Variant
+from coursework.words.sentences import say
+
+if TYPE_CHECKING:
+    from coursework.drawing.paper.record import Drawing
+    from coursework.drawing.plans.graph_check import GraphCheck
+    from coursework.results.accuracy.record import AccuracyStudy
+    from coursework.results.checks.close_to_motion.closeness import Distance
+    from coursework.results.checks.result import Finding
+    from coursework.results.kinematics.extra import ExtraTable
+
+T = TypeVar("T")
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class SceneRun:
+    """`scene` (variant, settings and the way to the motion), and the names `asked` for, computed when looked at.
+
+    `checks` are the judged facts; `stop` is why the motion ended early, or None; `of(QUANTITY)` is anything that can be asked
+    for.  `timed` replaces the study of accuracy by one with seconds.
+    """
+
+    scene: Scene
+    asked: tuple[str, ...]
+    student: str | None = None
+    group: str | None = None
+    date: str | None = None
+    timed: AccuracyStudy | None = None
+    blank: bool = False
+    teacher: str | None = None
+    institution: str | None = None
+
+    @property
+    def variant(self) -> Variant:
+        """Return the variant, with the step and end used."""
+        return self.scene.variant
+
+    @property
+    def settings(self) -> Settings:
+        """Return the scheme and its corrections."""
+        return self.scene.settings
+
+    @property
+    def results(self) -> MotionResults:
+        """Return what follows from the rows."""
+        return self.scene.results
+
+    def asks(self, quantity: Quantity[Any]) -> bool:
+        """Return whether a quantity was asked for."""
+        return quantity.name in self.asked
+
+    def of(self, quantity: Quantity[T]) -> T:
+        """Return a quantity of the rows."""
+        return quantity.compute.of(self.results)
+
+    @property
+    def motion(self) -> Motion:
+        """Return the rows of the scheme."""
+        return self.scene.motion
+
+    @property
+    def exact(self) -> Motion:
+        """Return the motion without the scheme's error, on the same rows."""
+        return self.scene.exact
+
+    @property
+    def checks(self) -> tuple[Finding, ...]:
+        """Return what each check has found."""
+        return self.results.checks
+
+    @property
+    def summary(self) -> str:
+        """Return the findings in two or three sentences, "" where no checks were asked for."""
+        from coursework.results.checks.summary import summary
+
+        return summary(self.checks, is_motion=self.tableau is None) if self.asks(CHECKS) else ""
+
+    @property
+    def stop(self) -> Stop | None:
+        """Return why the motion ended before its time."""
+        return self.motion.stop
+
+    @property
+    def phases(self) -> str:
+        """Return with which phases of the drive a motion that stops would be possible, "" where nothing can be said."""
+        return self.scene.phases
+
+    @property
+    def passed(self) -> bool:
+        """Return whether the motion reached its end and no check failed; COARSE is no failure."""
+        return self.status() == 0
+
+    def status(self, strict: bool = False) -> int:
+        """Return the exit status: 3 where the tool could not judge, 1 for a stop or a FAIL (`strict`: a COARSE too), else 0."""
+        verdicts = {check.verdict for check in self.checks} if self.asks(CHECKS) else set()
+        if "ERROR" in verdicts:
+            return 3
+        return int(self.stop is not None or "FAIL" in verdicts or (strict and "COARSE" in verdicts))
+
+    def columns(self) -> tuple[tuple[str, ...], Array]:
+        """Return names and rows of the table after t, accelerations and points included where asked for."""
+        return self.columns_of(self.results)
+
+    def columns_of(self, results: MotionResults) -> tuple[tuple[str, ...], Array]:
+        """Return the same columns of any motion of the scene."""
+        names, rows = results.motion.names, [results.motion.rows]
+        for *_, table in self._beside(results):
+            names += table.names
+            rows.append(table.rows)
+        return names, np.hstack(rows)
+
+    def _beside(self, results: MotionResults) -> Iterator[tuple[str, Columns[Any], ExtraTable]]:
+        """Yield the name, record and columns of each quantity asked for whose columns stand beside those of the table."""
+        for name, quantity in quantities_for(self.asked).items():
+            if isinstance(quantity.shows, Columns):
+                yield name, quantity.shows, quantity.shows.of(results, quantity.compute.of(results))
+
+    @property
+    def units(self) -> dict[str, str]:
+        """Return the unit of each column of the results table, t and those beside it included."""
+        units = {name: self.variant.unit_of(name) for name in ("t", *self.motion.names)}
+        for *_, table in self._beside(self.results):
+            units |= dict(zip(table.names, table.units, strict=True))
+        return units
+
+    @property
+    def equations(self) -> tuple[ShownEquation, ...]:
+        """Return the velocity equations as a page shows them."""
+        return shown_equations(self.scene.equations, self.reduction)
+
+    @property
+    def reduction(self) -> Reduction:
+        """Return the blocks in the order of solution."""
+        return self.scene.reduction
+
+    @property
+    def partials(self) -> dict[str, tuple[str, str]]:
+        """Return the derivatives of drives and functions that the solutions name: name -> (of what, by what)."""
+        shown = dict.fromkeys(name for solution in self.solutions for _, formula in solution for name in formula.names())
+        return self.scene.equations.symbols.derivatives_among(shown)
+
+    @property
+    def solutions(self) -> tuple[Solution, ...]:
+        """Return for every block the velocities as formulas, nothing where it is solved numerically."""
+        return self.scene.solutions
+
+    @property
+    def scheme(self) -> str:
+        """Return the name of the scheme."""
+        return self.settings.scheme
+
+    @property
+    def scheme_title(self) -> str:
+        """Return the scheme's name in words."""
+        return title_of(self.tableau) if self.tableau else say("exact.title")
+
+    @property
+    def tableau(self) -> Scheme | None:
+        """Return the scheme itself, None where the table is the exact motion."""
+        return SCHEMES.get(self.settings.scheme)
+
+    @property
+    def distance_to_exact(self) -> Distance | None:
+        """Return how far the coursework's scheme is from a table that is exact, None where a scheme has made the table."""
+        from coursework.results.checks.close_to_motion.closeness import distance
+
+        return distance(self.results.by_scheme.evidence) if self.scene.scheme_rows is not None else None
+
+    @property
+    def step(self) -> float:
+        """Return the step (s)."""
+        return self.variant.time.step
+
+    @property
+    def end(self) -> float:
+        """Return the end of the run (s)."""
+        return self.variant.time.end
+
+    @property
+    def extra_tables(self) -> dict[str, ExtraTable]:
+        """Return the tables asked for beside the results table, as a page prints them."""
+        tables: dict[str, ExtraTable] = {}
+        t = self.motion.t
+        if len(t) < 2:
+            return tables  # a motion that stops at once has nothing to tabulate beside its one row
+        for name, shows, table in self._beside(self.results):
+            printed = shows.on_page(table)
+            if printed.names:
+                rows = np.column_stack([t, printed.rows])
+                beside = replace(printed, names=("t", *printed.names), units=("s", *printed.units), rows=rows)
+                tables[name] = replace(beside, sizes=(0.0, *printed.sizes)) if printed.sizes else beside
+        return tables | self.own_tables
+
+    @property
+    def own_tables(self) -> dict[str, ExtraTable]:
+        """Return the tables asked for whose rows are not those of the results table."""
+        records = ((one, one.shows) for one in quantities_for(self.asked).values())
+        return {one.name: shows.of(self.results, self.of(one)) for one, shows in records if isinstance(shows, OwnTable)}
+
+    @property
+    def listings(self) -> tuple[Listing, ...]:
+        """Return the files in which drawings that were asked for keep their numbers."""
+        return tuple(shows.listing(self.of(one)) for _, one, shows in self._own_figures() if shows.listing is not None)
+
+    def _own_figures(self) -> Iterator[tuple[str, Quantity[Any], OwnFigure[Any]]]:
+        for name, one in quantities_for(self.asked).items():
+            if isinstance(one.shows, OwnFigure):
+                yield name, one, one.shows
+
+    def mechanism(self) -> Drawing | None:
+        """Return the mechanism in its start position with names, lengths and drive, None where the file places no points."""
+        from coursework.drawing.figures import draw_start
+
+        return draw_start(self.scene.mechanism, self.scene.equations, self.motion, self.scene.start)
+
+    def at_stop(self) -> Drawing | None:
+        """Return the mechanism in the position in which its motion ends, None where it does not end or that is not known."""
+        from coursework.drawing.figures import draw_stop
+
+        if self.stop is None:
+            return None
+        return draw_stop(self.scene.mechanism, self.scene.equations, self.motion, self.stop)
+
+    def figures(self, written: Callable[[str], str] = str) -> dict[str, tuple[Drawing, ...]]:
+        """Return the drawings asked for that have no section of their own, their words put into a language by `written`."""
+        return {name: shows.of(self.results, self.of(one), written) for name, one, shows in self._own_figures()}
+
+    @property
+    def accuracy(self) -> AccuracyStudy | None:
+        """Return the study of accuracy against cost, None where it was not asked for."""
+        if self.timed is not None:
+            return self.timed
+        return self.of(ACCURACY) if self.asks(ACCURACY) else None
+
+    @property
+    def graph(self) -> GraphCheck | None:
+        """Return the graph-analytical check, None where it was not asked for or the motion stops before its row."""
+        return self.of(GRAPH_CHECK) if self.asks(GRAPH_CHECK) else None
+
+    @property
+    def plan(self) -> Plan:
+        """Return what is computed for the asked quantities and what is left out."""
+        return self.plan_with()
+
+    def plan_with(self, *more: str) -> Plan:
+        """Return the plan where the pages show `more` besides what was asked for."""
+        plan = make_plan(
+            all_needs(type(self.scene)), [*(quantity.name for quantity in quantities_for(self.asked).values()), *more]
+        )
+        return replace(plan, needed_by={**plan.needed_by, **dict.fromkeys(more, say("plan.pages"))})
+
+    def blocks_evaluated(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        """Return the blocks of velocities that each row needs, and those that nothing asked for needs, by their unknowns."""
+        needed = self.scene.rates.blocks
+        named = [", ".join(block.unknowns) for block in self.reduction.blocks]
+        left = tuple(f"({name})" for place, name in enumerate(named) if place not in needed)
+        return tuple(f"({named[place]})" for place in needed), left
+
+    @property
+    def versions(self) -> dict[str, str]:
+        """Return the versions that made the numbers."""
+        import coursework
+
+        return {
+            "coursework": coursework.__version__, "python": platform.python_version(),
+            "numpy": np.__version__, "sympy": SYMPY_VERSION,
+        }  # fmt: skip
