@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from coursework.assigning.variants import draw, draw_many
     from coursework.many import Solutions, feasible, feasible_many, solve_many
     from coursework.mechanism import groups
-    from coursework.output.write import write_report
-    from coursework.report import notebook_html
+    from coursework.report.output.write import write_report
+    from coursework.report.pages import notebook_html
     from coursework.run import Run
     from coursework.scene.model.data import Data
     from coursework.scene.model.model import Model, compile_model
@@ -38,8 +38,8 @@ _HOMES = {
     "coursework.scene.model.model": ("Model", "compile_model"),
     "coursework.variant.catalogue": ("load",),
     "coursework.scene.model.data": ("Data",),
-    "coursework.output.write": ("write_report",),
-    "coursework.report": ("notebook_html",),
+    "coursework.report.output.write": ("write_report",),
+    "coursework.report.pages": ("notebook_html",),
     "coursework.variant.record.variant": ("Variant",),
     "coursework.variant.reading.reader": ("parse_variant",),
     "coursework.words.errors": ("CourseworkError", "InputError", "OutputError"),

@@ -24,7 +24,7 @@ class Formats(click.ParamType):  # type: ignore[type-arg]  # generic only in the
 
     def get_metavar(self, param: click.Parameter, ctx: click.Context | None = None) -> str:
         """Return what the help shows."""
-        from coursework.output.formats import formats_for
+        from coursework.report.output.formats import formats_for
 
         return ",".join(formats_for(self.user))
 

@@ -44,6 +44,6 @@ class Run(SceneRun):
         )
 
     def _repr_html_(self) -> str:
-        from coursework.report import notebook_html
+        from coursework.report.pages import notebook_html
 
         return notebook_html(self)

@@ -21,7 +21,7 @@ with contextlib.redirect_stdout(io.StringIO()):
         assert not end.code, end.code
 """
 HEAVY = {"numpy", "sympy", "pydantic", "pandas", "scipy", "matplotlib", "jinja2", "typst"}
-PAGES = {"pandas", "scipy", "matplotlib", "jinja2", "typst", "coursework.report"}
+PAGES = {"pandas", "scipy", "matplotlib", "jinja2", "typst", "coursework.report.pages"}
 EXTRA = {
     "coursework.results.kinematics.accelerations",
     "coursework.results.kinematics.points",

@@ -23,7 +23,7 @@ from coursework.assigning.sheet import sheet, sheet_html, sheets_pdf
 from coursework.assigning.variants import Assignment
 from coursework.grading.escapes import csv_text
 from coursework.grading.platforms.roster import Roster
-from coursework.report.words import Words
+from coursework.report.text.words import Words
 from coursework.scene.scene import Scene
 from coursework.system.whole_files import refused, write_bytes
 

@@ -14,8 +14,8 @@ from coursework.assigning.page_words import Plain, symbol_runs
 from coursework.assigning.ranges import MEASURES, Range
 from coursework.assigning.spread import BASE, HEIGHT, LEFT, MARK, RIGHT, WIDTH, strip
 from coursework.assigning.variants import Assignment
-from coursework.report.numbers import unit_text, with_unit
-from coursework.report.words import Words
+from coursework.report.text.numbers import unit_text, with_unit
+from coursework.report.text.words import Words
 from coursework.variant.formula.units import read
 from coursework.words.templates import clean, filled
 

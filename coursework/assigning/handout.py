@@ -22,7 +22,7 @@ from coursework.motion.integration.integrate import march
 from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.motion.settings import Settings
-from coursework.report.data_meanings import meanings
+from coursework.report.wording.data_meanings import meanings
 from coursework.scene.scene import Scene
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import InputError

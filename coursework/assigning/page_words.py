@@ -9,12 +9,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from coursework.report.display import display, marked, marked_text
-from coursework.report.equations import Setter
-from coursework.report.numbers import with_unit
-from coursework.report.symbols import symbol
-from coursework.report.text_runs import ITALIC, printed, runs
-from coursework.report.words import Words
+from coursework.report.formulas.display import display, marked, marked_text
+from coursework.report.formulas.typst_math import Setter
+from coursework.report.text.numbers import with_unit
+from coursework.report.text.symbols import symbol
+from coursework.report.text.text_runs import ITALIC, printed, runs
+from coursework.report.text.words import Words
 from coursework.variant.formula.tree import Formula
 from coursework.variant.record.variant import Law, Variant
 from coursework.words.templates import clean

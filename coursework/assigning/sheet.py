@@ -10,10 +10,10 @@ from collections.abc import Sequence
 
 from coursework.assigning.handout import Handout, guide_number
 from coursework.assigning.page_words import Plain, datum, drives, lettered, mathematics, symbol_runs, symbol_text, time_text
-from coursework.report.formulas import Drawn, draw
-from coursework.report.numbers import with_unit
-from coursework.report.pdf import pdf_of
-from coursework.report.words import Words
+from coursework.report.formulas.svg import Drawn, draw
+from coursework.report.pages.pdf import pdf_of
+from coursework.report.text.numbers import with_unit
+from coursework.report.text.words import Words
 from coursework.words.errors import OutputError
 from coursework.words.templates import clean, filled
 

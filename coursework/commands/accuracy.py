@@ -14,9 +14,9 @@ import click
 
 from coursework.api import solve
 from coursework.commands.screen import in_language, tell, title_of
-from coursework.output.formats import chosen
-from coursework.output.results import StudyResults
-from coursework.output.write import write_set
+from coursework.report.output.formats import chosen
+from coursework.report.output.results import StudyResults
+from coursework.report.output.write import write_set
 from coursework.results.accuracy.problem import Problem
 from coursework.results.accuracy.record import AccuracyStudy
 from coursework.results.accuracy.study import make_study, time_of

@@ -18,7 +18,7 @@ FRAMES_A_ROW = 2
 
 def animate_variant(variant: str, out: Path | None, scheme: str | None, language: str) -> int:
     """Return 0 after writing the picture."""
-    from coursework.report.moving_picture import moving_picture
+    from coursework.report.graphs.moving_picture import moving_picture
 
     read = load(variant)
     run = solve(read, scheme, quantities=("table",))

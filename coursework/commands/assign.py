@@ -13,7 +13,7 @@ from coursework.assigning.assign import Wishes, assign
 from coursework.assigning.variants import Assignment, load_ranges, read_file
 from coursework.commands.screen import in_language, tell
 from coursework.grading.platforms.roster import read_roster
-from coursework.report.words import load_words
+from coursework.report.text.words import load_words
 from coursework.variant.catalogue import load
 from coursework.words.errors import InputError
 from coursework.words.sentences import say

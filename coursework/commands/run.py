@@ -12,9 +12,9 @@ from typing import Any
 from coursework.api import solve
 from coursework.commands.screen import in_language, tell, title_of
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
-from coursework.output.formats import FORMATS, PAGES, Format, chosen
-from coursework.output.results import Results
-from coursework.output.write import write_set
+from coursework.report.output.formats import FORMATS, PAGES, Format, chosen
+from coursework.report.output.results import Results
+from coursework.report.output.write import write_set
 from coursework.results.checks.result import GROUPS, never_more
 from coursework.run import Run
 from coursework.system.file_set import files_of, working_folder

@@ -24,9 +24,9 @@ from coursework.commands.run import make_run, run_variant, step_of
 from coursework.commands.screen import in_language, tell, tell_last
 from coursework.commands.templates import with_templates
 from coursework.commands.workers import outcomes
-from coursework.output.formats import PAGES, chosen
-from coursework.output.results import Results
-from coursework.output.write import write_set
+from coursework.report.output.formats import PAGES, chosen
+from coursework.report.output.results import Results
+from coursework.report.output.write import write_set
 from coursework.results.checks.result import Verdict
 from coursework.scene.quantities import CHECKS
 from coursework.system.budget import Budget, watched
@@ -181,7 +181,7 @@ def run_several(variants: Sequence[str], jobs: int, task: RunTask) -> int:
     write_bytes(task.out / SUMMARY, summary_csv(ordered).encode("utf-8", "backslashreplace"))
     written = [SUMMARY]
     if pages := [outcome.page for outcome in ordered if outcome.page is not None]:
-        from coursework.report.pdf import render_pages
+        from coursework.report.pages.pdf import render_pages
 
         write_bytes(task.out / COMBINED, render_pages(pages))
         written.append(COMBINED)

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import coursework
 from coursework.equations.reduction.structure import forget_structures
-from coursework.output.tables import table_csv
+from coursework.report.output.tables import table_csv
 from coursework.system.whole_files import write_bytes
 
 

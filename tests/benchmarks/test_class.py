@@ -4,9 +4,9 @@ import random
 import re
 
 import coursework
-from coursework.output.formats import chosen
-from coursework.output.results import Results
-from coursework.output.write import write_set
+from coursework.report.output.formats import chosen
+from coursework.report.output.results import Results
+from coursework.report.output.write import write_set
 from coursework.system.file_set import working_folder
 from coursework.words.data_folders import folder
 from tests.benchmarks import test_march as march

@@ -7,8 +7,8 @@ import sys
 import time
 
 import coursework
-from coursework.report import build_model, render_html
-from coursework.report.pdf import render_pages
+from coursework.report.pages import build_model, render_html
+from coursework.report.pages.pdf import render_pages
 
 WARM, MEASURED = 2, 4  # reports
 LEFT = 400  # blocks of memory that a report may leave behind: the formulas of its first step stay set, up to a fixed number

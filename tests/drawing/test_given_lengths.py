@@ -16,7 +16,7 @@ from coursework.drawing.outline.poses import read_poses
 from coursework.drawing.outline.tracing import read_outline
 from coursework.drawing.paper.painter import Painter
 from coursework.drawing.paper.sheet import Sheet
-from coursework.report.symbols import symbol
+from coursework.report.text.symbols import symbol
 from coursework.variant.catalogue import names
 from tests.drawing import measured
 

@@ -16,8 +16,8 @@ import coursework
 from coursework.cli import main
 from coursework.motion.integration.loops import generate_loop
 from coursework.motion.schemes import SCHEMES, Scheme, _density, _trees
-from coursework.report import build_model
-from coursework.report.lecture import lines
+from coursework.report.formulas.lecture import lines
+from coursework.report.pages import build_model
 from coursework.variant.record import vocabulary
 from tests.report.real import text_of
 

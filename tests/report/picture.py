@@ -10,8 +10,8 @@ from pathlib import Path
 import pymupdf
 
 import coursework
-from coursework.report import build_model
-from coursework.report.pdf import render_pdf
+from coursework.report.pages import build_model
+from coursework.report.pages.pdf import render_pdf
 
 PICTURE = Path(__file__).parents[2] / "reports" / "picture.png"
 SHOWN = ("Graphs", "Appendix A.")  # what the second and the third page hold

@@ -55,7 +55,7 @@ def hostile() -> SceneRun:
 
 def parts(run: SceneRun, section: str) -> list[dict[str, Any]]:
     """Return the parts of a section as plain dicts."""
-    from coursework.report import build_model
+    from coursework.report.pages import build_model
 
     found = [s for s in build_model(run).plain()["sections"] if s["name"] == section]
     assert found, f"no section {section}"

@@ -6,10 +6,10 @@ from xml.etree import ElementTree
 import pytest
 
 import coursework
-from coursework.report import build_model
-from coursework.report.accuracy_figures import STYLES, Method, Panels, bars, panels
-from coursework.report.log_paper import MARKS, Scale, scale_for
-from coursework.report.parts import Figure
+from coursework.report.graphs.accuracy_figures import STYLES, Method, Panels, bars, panels
+from coursework.report.graphs.log_paper import MARKS, Scale, scale_for
+from coursework.report.pages import build_model
+from coursework.report.text.parts import Figure
 from tests.drawing import measured
 
 LABELS = {

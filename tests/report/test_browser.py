@@ -10,7 +10,7 @@ import pymupdf
 import pytest
 
 import coursework
-from coursework.report import build_model, render_html
+from coursework.report.pages import build_model, render_html
 
 pytestmark = pytest.mark.browser
 

@@ -3,8 +3,8 @@
 import pytest
 
 import coursework
-from coursework.report.data_meanings import coordinate_meanings, meanings
-from coursework.report.drive_meanings import drive_meanings
+from coursework.report.wording.data_meanings import coordinate_meanings, meanings
+from coursework.report.wording.drive_meanings import drive_meanings
 from coursework.variant.catalogue import names
 
 SAID = {

@@ -13,9 +13,9 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from coursework.report import display, equations
-from coursework.report.formulas import draw
-from coursework.report.typesetting import typeset
+from coursework.report.formulas import display, typst_math
+from coursework.report.formulas.svg import draw
+from coursework.report.formulas.typesetting import typeset
 from coursework.variant.formula.reader import parse, parse_equation
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate
 
@@ -47,7 +47,7 @@ def test_an_equation_reads_back_to_the_same_number(reading: ModuleType, typst: b
     for _ in range(4000):
         tree = random_tree(dice, dice.randint(1, 5))
         values = {name: dice.uniform(0.3, 2.0) for name in NAMES}
-        source = equations.math(tree) if typst else equations.text(tree)
+        source = typst_math.math(tree) if typst else typst_math.text(tree)
         try:
             expected = evaluate(tree, values)
             found = reading.value_of(source, values, typst=typst)
@@ -63,7 +63,7 @@ def test_an_equation_reads_back_to_the_same_number(reading: ModuleType, typst: b
 def test_every_random_equation_is_typst() -> None:
     dice = random.Random(7)
     trees = [random_tree(dice, 4) for _ in range(150)]
-    assert len(draw([equations.math(tree) for tree in trees]).pictures) > 100
+    assert len(draw([typst_math.math(tree) for tree in trees]).pictures) > 100
 
 
 def placed(element: Any, x: float = 0.0, y: float = 0.0, up: float = -1.0) -> Iterator[tuple[str, float, float]]:
@@ -80,7 +80,7 @@ def placed(element: Any, x: float = 0.0, y: float = 0.0, up: float = -1.0) -> It
 
 def test_every_letter_of_a_formula_stands_where_typst_sets_it_and_none_has_a_shift_of_its_own() -> None:
     dice = random.Random(8)
-    sources = list({equations.math(random_tree(dice, 4)): None for _ in range(40)})
+    sources = list({typst_math.math(random_tree(dice, 4)): None for _ in range(40)})
     sources.append("mat(a_1; b; c; d; e) = sqrt(frac(x, sqrt(y + 1)))")
     pictures = draw(sources).pictures
     for source, typst in zip(sources, typeset("equation.typ", sources, "svg"), strict=True):
@@ -122,23 +122,23 @@ def test_every_letter_of_a_formula_stands_where_typst_sets_it_and_none_has_a_shi
 )
 def test_equations_look_like_the_textbook(formula: str, text: str, typst: str) -> None:
     tree = parse(formula)
-    assert equations.text(tree) == text
-    assert equations.math(tree) == typst
+    assert typst_math.text(tree) == text
+    assert typst_math.math(tree) == typst
 
 
 def test_points_are_set_as_vectors() -> None:
     tree = parse("B + 2*r3 @ phi3", vectors=True)
-    assert equations.text(tree) == "B + 2 r₃ ∠ φ₃"
-    assert equations.text(parse("(C - (0, r3/2)).x", vectors=True)) == "(C − (0, r₃ / 2))_x"
-    assert equations.text(parse("C.y", vectors=True)) == "y_C"
-    assert len(draw([equations.math(tree), equations.math(parse("(C - (0, 1)).x", vectors=True))]).pictures) == 2
+    assert typst_math.text(tree) == "B + 2 r₃ ∠ φ₃"
+    assert typst_math.text(parse("(C - (0, r3/2)).x", vectors=True)) == "(C − (0, r₃ / 2))_x"
+    assert typst_math.text(parse("C.y", vectors=True)) == "y_C"
+    assert len(draw([typst_math.math(tree), typst_math.math(parse("(C - (0, 1)).x", vectors=True))]).pictures) == 2
 
 
 def test_a_derivative_takes_a_dot_only_where_it_is_one() -> None:
-    assert equations.text(Formula("name", name="dw1")) == "ω̇₁"
-    assert equations.text(Formula("name", name="du"), frozenset({"u"})) == "u̇"
-    assert equations.text(Formula("name", name="du")) == "du"
-    assert equations.math(Formula("name", name="dw1")) == "dot(ω)_1"
+    assert typst_math.text(Formula("name", name="dw1")) == "ω̇₁"
+    assert typst_math.text(Formula("name", name="du"), frozenset({"u"})) == "u̇"
+    assert typst_math.text(Formula("name", name="du")) == "du"
+    assert typst_math.math(Formula("name", name="dw1")) == "dot(ω)_1"
 
 
 def test_a_long_sum_continues_on_the_next_line() -> None:

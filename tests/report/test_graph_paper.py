@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.report import build_model
-from coursework.report.graph_paper import BETWEEN, field_for, round_ticks, smooth, sparse, tick_texts
-from coursework.report.numbers import Numbers
-from coursework.report.parts import Figure
+from coursework.report.graphs.graph_paper import BETWEEN, field_for, round_ticks, smooth, sparse, tick_texts
+from coursework.report.pages import build_model
+from coursework.report.text.numbers import Numbers
+from coursework.report.text.parts import Figure
 from tests.drawing import measured
 
 T = np.linspace(0, 0.48, 25)

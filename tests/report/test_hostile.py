@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 import coursework
-from coursework.report import build_model, render_html, render_pdf
+from coursework.report.pages import build_model, render_html, render_pdf
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.errors import InputError
 

@@ -16,8 +16,9 @@ from click.testing import CliRunner
 
 import coursework
 from coursework.cli import main
-from coursework.report import build_model, render_html, words
-from coursework.report.parts import Paragraph
+from coursework.report.pages import build_model, render_html
+from coursework.report.text import words
+from coursework.report.text.parts import Paragraph
 from coursework.scene.scene_run import SceneRun
 from coursework.variant.reading.reader import parse_variant
 from coursework.variant.reading.set_values import with_set

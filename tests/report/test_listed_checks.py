@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 import coursework
-from coursework.report.checks import counted
+from coursework.report.sections.checks import counted
 from coursework.results.checks.result import Finding
 from coursework.words.sentences import say
 

@@ -10,7 +10,7 @@ import pytest
 
 import coursework
 from coursework import parse_variant
-from coursework.report import build_model
+from coursework.report.pages import build_model
 from tests.hard.families import random_case
 
 PAPER = ["results", "graphs", "control", "graph_check"]

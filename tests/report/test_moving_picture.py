@@ -11,9 +11,9 @@ from PIL import Image
 import coursework
 from coursework.drawing.outline.poses import read_poses
 from coursework.drawing.outline.tracing import read_outline
-from coursework.report.moving_picture import label_text, moving_picture
-from coursework.report.moving_shape import Shape, draw_ground
-from coursework.report.symbols import symbol
+from coursework.report.graphs.moving_picture import label_text, moving_picture
+from coursework.report.graphs.moving_shape import Shape, draw_ground
+from coursework.report.text.symbols import symbol
 from coursework.words.errors import InputError
 from coursework.words.sentences import load_phrases
 

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from coursework.report.numbers import Numbers, unit_text, with_unit
+from coursework.report.text.numbers import Numbers, unit_text, with_unit
 
 N = Numbers()
 

@@ -15,7 +15,8 @@ import pymupdf
 import pytest
 
 import coursework
-from coursework.report import build_model, formulas, render_html, render_pdf, typesetting
+from coursework.report.formulas import svg, typesetting
+from coursework.report.pages import build_model, render_html, render_pdf
 from coursework.words.data_folders import folder
 from coursework.words.errors import OutputError
 
@@ -117,7 +118,7 @@ def test_the_page_fetches_nothing(real: ModuleType) -> None:
 
 def test_without_typst_the_page_still_has_its_equations(real: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "typst", None)
-    monkeypatch.setattr(formulas, "_cache", {})
+    monkeypatch.setattr(svg, "_cache", {})
     model = build_model(real.full())
     page = render_html(model)
     assert ">ω₃ = V_My / (r₃ (2 cos φ₃ + sin φ₃))</div>" in page
@@ -129,12 +130,12 @@ def test_without_typst_the_page_still_has_its_equations(real: ModuleType, monkey
 def test_equations_are_set_once_a_process(real: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
     model = build_model(real.full())
     render_html(model)
-    monkeypatch.setattr(formulas, "typeset", lambda *_: pytest.fail("set again"))
+    monkeypatch.setattr(svg, "typeset", lambda *_: pytest.fail("set again"))
     render_html(model)
 
 
 def test_what_typst_refuses_is_told(real: ModuleType) -> None:
-    from coursework.report.parts import Display, Equations, Section
+    from coursework.report.text.parts import Display, Equations, Section
 
     model = build_model(real.full())
     broken = Section("broken", "Broken", [Equations([Display("frac(", "text")])])

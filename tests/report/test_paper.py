@@ -13,9 +13,9 @@ import pymupdf
 import pytest
 
 import coursework
-from coursework.report import build_model, render_pdf
-from coursework.report.parts import Checks, Claims, Column, Display, Equations, Judged, Paragraph, Part, Runs, Section, Table
-from coursework.report.pdf import render_pages
+from coursework.report.pages import build_model, render_pdf
+from coursework.report.pages.pdf import render_pages
+from coursework.report.text.parts import Checks, Claims, Column, Display, Equations, Judged, Paragraph, Part, Runs, Section, Table
 
 MM = 72 / 25.4
 HEAD, FOOT = 18 * MM, 15 * MM  # above and below stand the running line and the number of the page

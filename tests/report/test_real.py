@@ -11,9 +11,9 @@ import pytest
 
 import coursework
 from coursework import write_report
-from coursework.report import build_model, render_html, render_pdf
-from coursework.report.numbers import NOTHING
-from coursework.report.parts import Table
+from coursework.report.pages import build_model, render_html, render_pdf
+from coursework.report.text.numbers import NOTHING
+from coursework.report.text.parts import Table
 from coursework.variant.reading.reader import parse_variant
 from coursework.variant.reading.set_values import with_set
 from coursework.words.data_folders import folder

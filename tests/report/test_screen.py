@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 import coursework
-from coursework.report import build_model, render_html
+from coursework.report.pages import build_model, render_html
 from coursework.variant.catalogue import names
 
 pytestmark = pytest.mark.browser

@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 
 import coursework
-from coursework.report import build_model, notebook_html
-from coursework.report.words import Words, load_words
+from coursework.report.pages import build_model, notebook_html
+from coursework.report.text.words import Words, load_words
 from coursework.results.checks.result import Finding
 from coursework.words.errors import InputError
 from coursework.words.sentences import load_phrases

@@ -7,8 +7,8 @@ from types import ModuleType
 import pytest
 
 import coursework
-from coursework.report.symbols import symbol
-from coursework.report.text_runs import derivative, printed, runs, with_letters, with_pairs, with_points
+from coursework.report.text.symbols import symbol
+from coursework.report.text.text_runs import derivative, printed, runs, with_letters, with_pairs, with_points
 from coursework.words.templates import LONGEST, clean
 
 

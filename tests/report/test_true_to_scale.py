@@ -12,7 +12,7 @@ import pymupdf
 import pytest
 
 import coursework
-from coursework.report import build_model, render_pdf
+from coursework.report.pages import build_model, render_pdf
 
 MM = 72 / 25.4
 NEAR = 0.05  # mm

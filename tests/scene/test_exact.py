@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.report import build_model
+from coursework.report.pages import build_model
 from coursework.results.checks.evidence import worst
 from coursework.variant.catalogue import entries
 from coursework.variant.reading.reader import parse_variant

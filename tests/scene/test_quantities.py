@@ -13,9 +13,10 @@ from click.testing import CliRunner
 import coursework
 from coursework.cli import main
 from coursework.drawing.paper.record import Drawing
-from coursework.report import build_model, sections
-from coursework.report.parts import Paragraph
-from coursework.report.sections import APPENDIX, NUMBERED, PAPER
+from coursework.report.pages import build_model
+from coursework.report.sections import sections
+from coursework.report.sections.sections import APPENDIX, NUMBERED, PAPER
+from coursework.report.text.parts import Paragraph
 from coursework.results.kinematics.extra import ExtraTable
 from coursework.scene import quantities
 from coursework.scene.quantities import QUANTITIES, Columns, OwnFigure, OwnSection, OwnTable, Quantity

@@ -24,8 +24,8 @@ from pathlib import Path
 from random import Random
 
 import coursework
-from coursework.output.gate import pass_gate
-from coursework.output.record import record
+from coursework.report.output.gate import pass_gate
+from coursework.report.output.record import record
 from coursework.variant.catalogue import names
 from coursework.variant.reading.reader import read_variant
 from coursework.variant.record.variant import Variant

@@ -9,7 +9,7 @@ import time
 import pytest
 
 import coursework
-from coursework.output.record import record
+from coursework.report.output.record import record
 from coursework.variant.reading.reader import parse_variant
 from coursework.variant.toml.source import MAX_BYTES
 from coursework.words.errors import MOST_SHOWN

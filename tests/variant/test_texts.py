@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 import coursework
-from coursework.report import build_model
-from coursework.report.html import render_html
+from coursework.report.pages import build_model
+from coursework.report.pages.html import render_html
 from coursework.variant.reading.reader import parse_variant
 from tests.report.real import text_of
 

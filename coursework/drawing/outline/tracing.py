@@ -1,7 +1,7 @@
 """Finds what a mechanism looks like: the outline that its links, its groups or its points tell.
 
 Enters: a `Mechanism`.  Leaves: its `Outline`, None where the file places no points.
-Used by `drawing/figures.py`, `drawing/trajectories.py`, `plans/`, `live/drawn.py` and `report/moving_picture.py`.
+Used by `drawing/figures.py`, `drawing/trajectories.py`, `plans/`, `report/live/drawn.py` and `moving_picture.py`.
 Where a file has [links] they are drawn as listed; else links follow from the joints of its groups, and from points such as
 "A = D + r1 @ phi1" where it has neither.
 """

@@ -1,7 +1,7 @@
 """Rectangles on a sheet -> what each of them would cover, and how far it is from lines; many rectangles at once.
 
 Enters: rectangles as corners low and high (n, 2), and what is drawn, all in mm.  Leaves: arrays.
-Used by `placing.py`, which asks a thousand times a drawing, and by `live/spots.py`.
+Used by `placing.py`, which asks a thousand times a drawing, and by `report/live/spots.py`.
 """
 
 from __future__ import annotations

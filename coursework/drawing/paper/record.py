@@ -1,7 +1,7 @@
 """What leaves the drawing board: one picture with its words, the same for the screen and for paper.
 
 Enters: SVG made in this room or in `plans`.  Leaves: `Drawing`.
-Used by `drawing/figures.py`, `quantities.py`, `scene_run.py` and `report/figures.py`.
+Used by `drawing/figures.py`, `quantities.py`, `scene_run.py` and `figures.py`.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """A block of two velocities by Cramer's rule, every determinant shown.
 
-Enters: `VelocityEquations` and their `Reduction`.  Leaves: `Cramer`, in formulas.  Used by `report/solution.py`.
+Enters: `VelocityEquations` and their `Reduction`.  Leaves: `Cramer`, in formulas.  Used by `solution.py`.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Blocks -> the statements that generated code is made of: velocities, and velocities times the determinant of one block.
 
 Enters: blocks of a `Reduction`.  Leaves: statements for `codegen`.
-Used by `motion/integration/rates.py`, `scene/model/model.py`, `motion/singular/scaled_flow.py` and `live/functions.py`.
+Used by `motion/integration/rates.py`, `scene/model/model.py`, `motion/singular/scaled_flow.py` and `report/live/functions.py`.
 """
 
 from __future__ import annotations

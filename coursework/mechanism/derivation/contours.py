@@ -1,6 +1,6 @@
 """A closed contour of a chain: its vector equation, and the two projections of that.
 
-Enters: a `Mechanism` whose constraints are closures.  Leaves: `Contour`, in formulas.  Used by `report/motion_equations.py`.
+Enters: a `Mechanism` whose constraints are closures.  Leaves: `Contour`, in formulas.  Used by `motion_equations.py`.
 Source: [library] writes a group so: one closed vector contour, two projections, their derivatives.
 """
 

@@ -1,6 +1,6 @@
 """Which equations the points give, how many of them are independent, and whether the written ones are combinations of them.
 
-Enters: a `Mechanism` and some rows of its motion.  Leaves: `Derivation`.  Used by `report/motion_equations.py`.
+Enters: a `Mechanism` and some rows of its motion.  Leaves: `Derivation`.  Used by `motion_equations.py`.
 All equations are linear in the velocities, so each is a row of numbers at every configuration; a combination with the same
 coefficients at every row of the motion is one for good.
 """

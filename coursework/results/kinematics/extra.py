@@ -1,7 +1,7 @@
 """Tables beside the results table: analogs and invariants of a crank-driven motion, ready for a page.
 
 Enters: a motion with its accelerations.  Leaves: `ExtraTable`.  Computed on request only.
-Used by `scene_run.py`, `quantities.py`, `report/tables.py` and `scene_run.py`.
+Used by `scene_run.py`, `quantities.py`, `tables.py` and `scene_run.py`.
 """
 
 from __future__ import annotations

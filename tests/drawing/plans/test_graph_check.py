@@ -13,7 +13,7 @@ from coursework import load, solve
 from coursework.drawing.plans.instant_centres import construct
 from coursework.drawing.plans.pose import Body, Pose
 from coursework.drawing.plans.sketch import read_sketch
-from coursework.output.record import record
+from coursework.report.output.record import record
 from coursework.words.errors import InputError
 from tests.drawing import measured
 from tests.drawing.plans.checked import DRAWABLE, at_row, check_of, run_of, svg_of

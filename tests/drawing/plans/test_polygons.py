@@ -14,9 +14,9 @@ import pytest
 
 from coursework import load, solve
 from coursework.drawing.paper.record import Drawing
-from coursework.output.tables import run_tables
-from coursework.report import build_model
-from coursework.report.parts import Paragraph
+from coursework.report.output.tables import run_tables
+from coursework.report.pages import build_model
+from coursework.report.text.parts import Paragraph
 from coursework.run import Run
 from coursework.variant.catalogue import names
 from coursework.variant.reading.reader import parse_variant

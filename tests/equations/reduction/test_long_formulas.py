@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from coursework.equations.reduction import solution
-from coursework.report import build_model
-from coursework.report.html import render_html
+from coursework.report.pages import build_model
+from coursework.report.pages.html import render_html
 from coursework.variant.formula.tree import spelled
 from tests.hard.scenes import scene, solve
 from tests.report.reading import html_text

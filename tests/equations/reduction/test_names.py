@@ -13,7 +13,7 @@ import coursework
 from coursework.equations.codegen import names as private_names
 from coursework.motion.integration.loops import generate_loop
 from coursework.motion.schemes import SCHEMES
-from coursework.report.equations import text
+from coursework.report.formulas.typst_math import text
 from coursework.results.accuracy.trace import trace
 from coursework.variant.formula.reader import FUNCTION_WORDS
 from coursework.variant.formula.tree import Formula

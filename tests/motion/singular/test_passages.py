@@ -9,9 +9,9 @@ import math
 import numpy as np
 import pytest
 
-from coursework.output.gate import pass_gate
-from coursework.report import build_model
-from coursework.report.html import render_html
+from coursework.report.output.gate import pass_gate
+from coursework.report.pages import build_model
+from coursework.report.pages.html import render_html
 from tests.hard.scenes import four_bar, scene, solve
 from tests.report.reading import html_text
 

@@ -8,8 +8,8 @@ import pytest
 import coursework
 from coursework.motion.integration.loops import generate_loop
 from coursework.motion.schemes import SCHEMES
-from coursework.report import build_model
-from coursework.report.html import render_html
+from coursework.report.pages import build_model
+from coursework.report.pages.html import render_html
 from coursework.results.accuracy import study
 from coursework.results.accuracy.methods import left_out, trials
 from coursework.results.accuracy.problem import PAGE, TIMED, Bounds, Problem

@@ -10,8 +10,8 @@ from click.testing import CliRunner
 
 import coursework
 from coursework.cli import main
-from coursework.report import build_model
-from coursework.report.html import render_html
+from coursework.report.pages import build_model
+from coursework.report.pages.html import render_html
 from coursework.results.checks import check as records
 from coursework.results.checks.check import CHECKS, Check, check_motion
 from coursework.results.checks.evidence import ALIKE, worst

@@ -2,7 +2,7 @@
 
 Enters: `Evidence`.  Leaves: a `Finding` each, and `Split`, which the accuracy study shows.
 total = scheme error + (T is not a whole number of steps) + round-off, signed, per column.
-Used by `check.py`, `motion_results.py`, `report/closeness.py` and `report/results.py`.
+Used by `check.py`, `motion_results.py`, `closeness.py` and `results.py`.
 """
 
 from __future__ import annotations

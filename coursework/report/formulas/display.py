@@ -1,0 +1,128 @@
+"""A displayed equation on as many lines as it needs.
+
+Enters: both sides as `Formula`.  Leaves: Typst math.  What does not fit a line is broken before a sign; a quotient whose
+numerator is too wide becomes a short fraction before brackets.
+Used by `assigning/page_words.py`, `laws.py`, `model.py`, `motion_equations.py` and `solution.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+
+from coursework.report.formulas.typst_math import Setter, text_equation
+from coursework.report.text.numbers import POINT
+from coursework.report.text.parts import Display, Runs
+from coursework.variant.formula.tree import Formula
+from coursework.words.templates import clean
+
+LINE = 64  # characters of text form (spaces and subscripts not counted) that fit a line of the printed page
+INDENT = 4  # the same measure: what a continued line loses on the left
+
+Piece = tuple[int, str]  # width, source
+_DECIMAL = re.compile(r"(?<![\w.])(\d+)\.(\d+)(?![\w.])")
+
+
+def math_equation(left: Formula, right: Formula, rates: frozenset[str] = frozenset()) -> str:
+    """Return "left = right" as Typst math."""
+    typst, plain = Setter(typst=True, rates=rates), Setter(typst=False, rates=rates)
+    if _width(left, plain) + _width(right, plain) + 3 <= LINE:
+        return f"{typst.set(left).source} = {typst.set(right).source}"
+    parts = list(_terms(left, typst, plain))
+    sign = "= "
+    spread = _spread(right, plain) if _width(right, plain) > LINE else None
+    if spread is None:
+        found = list(_terms(right, typst, plain))
+        parts += [(found[0][0] + 3, sign + found[0][1]), *found[1:]]
+        return _folded(parts)
+    is_negative, before, inside = spread
+    found = list(_terms(inside, typst, plain))
+    head = f"{sign}{'-' if is_negative else ''}{typst.set(before).source} ["
+    parts.append((found[0][0] + _width(before, plain) + 4, f"{head} {found[0][1]}"))
+    return _folded([*parts, *found[1:-1], (found[-1][0] + 1, f"{found[-1][1]} ]")])
+
+
+def display(
+    left: Formula, right: Formula, rates: frozenset[str] = frozenset(), name: str = "", before: Runs | None = None
+) -> Display:
+    """Return "left = right" with its number at the margin and the words before it."""
+    return Display(
+        math_equation(left, right, rates), text_equation(left, right, rates), name=clean(name, 40), before=before or []
+    )
+
+
+def marked(one: Display, mark: str) -> Display:
+    """Return a display whose numbers have the decimal sign of a language."""
+    if mark == POINT:
+        return one
+    pieces = one.math.split('"')
+    math = '"'.join(piece if place % 2 else _DECIMAL.sub(rf'"\1{mark}\2"', piece) for place, piece in enumerate(pieces))
+    return replace(one, math=math, text=marked_text(one.text, mark))
+
+
+def marked_text(text: str, mark: str) -> str:
+    """Return a formula in plain text with the decimal sign of a language."""
+    return _DECIMAL.sub(rf"\1{mark}\2", text)
+
+
+def _terms(tree: Formula, typst: Setter, plain: Setter) -> Iterator[Piece]:
+    """Yield the terms of a sum, each with its sign."""
+    measured = plain.terms(tree)
+    for position, (sign, piece) in enumerate(typst.terms(tree)):
+        lead = f"{sign} " if position or sign != "+" else ""
+        yield _width_of(measured[position][1].source) + (3 if lead else 0), lead + piece.source
+
+
+def _spread(tree: Formula, plain: Setter) -> tuple[bool, Formula, Formula] | None:
+    """Split a quotient or product with a wide sum into (is negative, what stands before, the sum), or None."""
+    if tree.op == "neg":
+        inner = _spread(tree.args[0], plain)
+        return None if inner is None else (not inner[0], inner[1], inner[2])
+    above, below = (tree.args[0], tree.args[1]) if tree.op == "/" else (tree, None)
+    if above.op == "neg":
+        inner = _spread(Formula("/", (above.args[0], below)) if below else above.args[0], plain)
+        return None if inner is None else (not inner[0], inner[1], inner[2])
+    factors = list(_factors(above))
+    sums = [factor for factor in factors if factor.op in {"+", "-"}]
+    if not sums or (below is None and len(factors) == 1):
+        return None
+    widest = max(sums, key=lambda factor: _width(factor, plain))
+    others = [factor for factor in factors if factor is not widest] or [Formula("number", name="1")]
+    before = others[0]
+    for factor in others[1:]:
+        before = Formula("*", (before, factor))
+    return False, Formula("/", (before, below)) if below else before, widest
+
+
+def _factors(tree: Formula) -> Iterator[Formula]:
+    if tree.op == "*":
+        yield from _factors(tree.args[0])
+        yield from _factors(tree.args[1])
+    else:
+        yield tree
+
+
+def _folded(parts: list[Piece]) -> str:
+    lines: list[list[str]] = [[]]
+    room = LINE
+    for width, source in parts:
+        if lines[-1] and width > room:
+            lines.append([])
+            room = LINE - INDENT
+        lines[-1].append(source)
+        room -= width
+    return r" \ ".join(("& " if row == 0 else "& quad ") + " ".join(line) for row, line in enumerate(lines))
+
+
+def _width(tree: Formula, plain: Setter) -> int:
+    """Estimate the printed width in characters; a fraction is as wide as its wider part."""
+    if tree.op == "/":
+        return max(_width(arg, plain) for arg in tree.args)
+    if tree.op in {"+", "-", "*"}:
+        return sum(_width(arg, plain) for arg in tree.args) + (0 if tree.op == "*" else 3)
+    return _width_of(plain.set(tree).source)
+
+
+def _width_of(source: str) -> int:
+    return len(re.sub(r"[₀-₉⁰-⁹ _]", "", source))

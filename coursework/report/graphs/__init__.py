@@ -1,0 +1,1 @@
+"""Small graphs, drawings as figures, the animated picture."""

@@ -1,0 +1,43 @@
+"""Drawings that print to scale, as figures of a page.
+
+Enters: a `PageContext` and drawings.  Leaves: parts.
+Used by `accuracy_figures.py` and the sections that show a drawing.
+"""
+
+from __future__ import annotations
+
+import re
+
+from coursework.drawing.paper import record
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.parts import Figure, Paragraph, Part
+from coursework.report.text.text_runs import ITALIC, printed
+
+WIDTH = 170.0  # mm; the text width of A4 with margins of 20 mm
+
+
+def drawn(context: PageContext, drawing: record.Drawing) -> Figure:
+    """Return a drawing as a figure of the page, its words in the page's language."""
+    caption, alt = context.rich(drawing.caption), context.told(drawing.alt)
+    return Figure(drawing.svg, drawing.width, drawing.height, alt, caption, drawing.exact, id=drawing.id)
+
+
+def drawn_parts(context: PageContext, drawing: record.Drawing) -> list[Part]:
+    """Return a drawing with the steps in which it was made."""
+    figure = drawn(context, drawing)
+    # A small letter in a step is the image of a point, whatever datum is called so.
+    told = [printed(f"{number}. {context.told(step)}") for number, step in enumerate(drawing.steps, start=1)]
+    numbered = [context.lettered(_with_letters(step, drawing.letters), data=False) for step in told]
+    return [figure, *(Paragraph(step, "note") for step in numbered)]
+
+
+def _with_letters(step: str, letters: tuple[str, ...]) -> str:
+    """Return a step in which the names of points, "b'", "BC", "P₁", stand as letters of our own, set as in a formula."""
+    if not letters:
+        return step
+    one = f"[{''.join(map(re.escape, letters))}]"
+    many = f"[{''.join(re.escape(letter) for letter in letters if letter.isupper())}]" if any(map(str.isupper, letters)) else one
+    # Two small letters are a unit, mm, and no line between two points.
+    named = re.compile(rf"(?<![A-Za-z0-9_/₀-₉])(?:{one}[₀-₉]*|(?:{many}[₀-₉]*)+)(?![A-Za-z0-9_/₀-₉])")
+    own = re.compile(one)
+    return named.sub(lambda found: own.sub(lambda letter: f"{ITALIC[0]}{letter[0]}{ITALIC[1]}", found[0]), step)

@@ -1,0 +1,188 @@
+"""Small graphs as SVG in mm: axes with round ticks, curves, dots, words; the same bytes in every process.
+
+Enters: numbers and symbols.  Leaves: SVG text of a few kilobytes; the curve of a motion between its rows.
+Used by `graphs.py` and `tangent.py`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from html import escape
+from itertools import pairwise
+
+import numpy as np
+
+from coursework.motion.integration.motion import Array
+from coursework.report.text.numbers import Numbers
+from coursework.report.text.symbols import Symbol
+
+FACE = "'DejaVu Sans', Verdana, 'Segoe UI', sans-serif"
+LETTERS = 2.92  # mm: 8.3 points on paper, 11 pixels where a screen shows a graph at its size
+LEFT, RIGHT, TOP, BOTTOM = 13.5, 3.0, 6.0, 7.0  # mm around the field; longer words at the ticks take more at the left
+DIGIT = 0.68  # of the height of letters: the widest digit or sign
+TICK, APART = 0.9, 0.6  # mm: a tick, and between it and its words
+PLAIN = Numbers()
+MOST_DECIMALS, LARGEST = 5, 1e6  # of a number at a tick; beyond them stand powers of ten
+TIME_ROOM = 6.0  # mm at the end of the axis of t, for its name
+MOST_TICKS = 5  # of the values
+ROOM = 0.07  # of the range of the values, above and below
+RADIUS = 0.62  # mm of a dot
+MOST_DOTS = 60
+MOST_POINTS = 2000  # of one curve; finer than any printer at this width
+BETWEEN = 8  # points of a smooth curve a row
+ROUND = (1.0, 2.0, 2.5, 5.0, 10.0)
+INK, SCHEME_INK, FAINT = "#111", "#0072b2", "#bbb"
+EXACT_PEN = f'class="exact" fill="none" stroke="{INK}" stroke-width="0.42" stroke-linejoin="round"'
+SCHEME_PEN = f'class="rows" fill="none" stroke="{SCHEME_INK}" stroke-width="0.25"'
+STOP_PEN = f'class="stop" stroke="{INK}" stroke-width="0.3" stroke-dasharray="1.8 1.2"'
+
+
+@dataclass(frozen=True, slots=True)
+class Field:
+    """The field of a graph: its size in mm and the ranges of t (s) and of the values that it shows."""
+
+    width: float
+    height: float
+    first: float
+    last: float
+    low: float
+    high: float
+    left: float = LEFT
+
+    def x(self, t: float) -> float:
+        """Return mm from the left edge."""
+        return self.left + (t - self.first) / (self.last - self.first) * (self.width - self.left - RIGHT)
+
+    def y(self, value: float) -> float:
+        """Return mm from the upper edge."""
+        return self.height - BOTTOM - (value - self.low) / (self.high - self.low) * (self.height - TOP - BOTTOM)
+
+    def path(self, t: Array, values: Array) -> str:
+        """Return the d of a line through points; a value that is no number interrupts it."""
+        steps, pen = [], "M"
+        for at, value in zip(t.tolist(), values.tolist(), strict=True):
+            if not math.isfinite(value):
+                pen = "M"
+                continue
+            steps.append(f"{pen}{self.x(at):.2f} {self.y(value):.2f}")
+            pen = "L"
+        return "".join(steps)
+
+
+def field_for(size: tuple[float, float], t: Sequence[Array], values: Sequence[Array], numbers_as: Numbers = PLAIN) -> Field:
+    """Return the field that holds all values, and at its left the words at its ticks; a constant gets room around it."""
+    times, numbers = np.concatenate(t), np.concatenate(values)
+    numbers = numbers[np.isfinite(numbers)]
+    low, high = (float(numbers.min()), float(numbers.max())) if len(numbers) else (0.0, 1.0)
+    room = ROOM * (high - low)
+    if high - low <= 1e-9 * max(abs(low), abs(high)):
+        room = 0.5 * max(abs(low), abs(high)) or 1.0
+    first, last = float(times.min()), float(times.max())
+    low, high = low - room, high + room
+    longest = max(map(len, tick_texts(*round_ticks(low, high, MOST_TICKS), numbers_as)), default=0)
+    left = max(LEFT, TICK + APART + DIGIT * LETTERS * longest)
+    return Field(*size, first, last if last > first else first + 1.0, low, high, left)
+
+
+def smooth(t: Array, values: Array, rates: Array, between: int = BETWEEN) -> tuple[Array, Array]:
+    """Return a curve with `between` points a row by cubic Hermite from values and rates; many rows need fewer."""
+    if len(t) < 2 or not np.isfinite(rates).all() or len(t) >= MOST_POINTS:
+        return sparse(t, MOST_POINTS), sparse(values, MOST_POINTS)
+    between = max(1, min(between, MOST_POINTS // (len(t) - 1)))
+    s = np.arange(between) / between
+    h = np.diff(t)[:, None]
+    begin, end, out, into = values[:-1, None], values[1:, None], rates[:-1, None], rates[1:, None]
+    cubic = begin * (1 + 2 * s) * (1 - s) ** 2 + h * out * s * (1 - s) ** 2 + end * s**2 * (3 - 2 * s) + h * into * s**2 * (s - 1)
+    times = t[:-1, None] + h * s
+    return np.append(times.ravel(), t[-1]), np.append(cubic.ravel(), values[-1])
+
+
+def sparse(values: Array, most: int) -> Array:
+    """Return at most about `most` of the values, the last one included."""
+    pace = max(1, -(-len(values) // most))
+    return values[np.union1d(np.arange(0, len(values), pace), [len(values) - 1])] if len(values) else values
+
+
+def round_ticks(low: float, high: float, most: int) -> tuple[list[float], int]:
+    """Return at most `most` round numbers inside a range, and the decimals they need."""
+    least = (high - low) / most
+    power = 10.0 ** math.floor(math.log10(least))
+    pace = next(r * power for r in ROUND if r * power >= least * (1 - 1e-9))
+    first = math.ceil(low / pace - 1e-9)
+    ticks = [k * pace for k in range(first, math.floor(high / pace + 1e-9) + 1)]
+    whole = math.floor(math.log10(pace) + 1e-9)
+    halved = abs(pace / 10.0**whole - 2.5) < 1e-6
+    return ticks, max(halved - whole, 0)
+
+
+def tick_texts(ticks: Iterable[float], decimals: int, numbers: Numbers) -> list[str]:
+    """Return the words at the ticks; powers of ten where a decimal number would be too long."""
+    values = list(ticks)
+    largest = max((abs(value) for value in values), default=0.0)
+    if decimals > MOST_DECIMALS or largest >= LARGEST:
+        digits = 1 + max(
+            0, math.ceil(math.log10(largest / min(abs(b - a) for a, b in pairwise(values)) if len(values) > 1 else 1))
+        )
+        return [numbers.power(value, digits) if value else "0" for value in values]
+    return [numbers.fixed(value, decimals) if abs(value) > 1e-12 else "0" for value in values]
+
+
+def dots(field: Field, t: Array, values: Array) -> str:
+    """Return the d of a dot at each row, or at enough of many rows."""
+    r = RADIUS
+    ring = f"a{r} {r} 0 1 0 {2 * r:g} 0a{r} {r} 0 1 0 {-2 * r:g} 0z"
+    pairs = zip(sparse(t, MOST_DOTS).tolist(), sparse(values, MOST_DOTS).tolist(), strict=True)
+    return "".join(f"M{field.x(at) - r:.2f} {field.y(value):.2f}{ring}" for at, value in pairs if math.isfinite(value))
+
+
+def letters(symbol: Symbol) -> str:
+    """Return a symbol as the inside of an SVG text, its subscript lowered."""
+    slant = "" if symbol.is_word else ' font-style="italic"'
+    head = f"<tspan{slant}>{escape(symbol.head)}</tspan>"
+    if not symbol.subscript:
+        return head
+    upright = symbol.subscript.isdigit()
+    low = f'<tspan dy="0.75" font-size="2.1"{"" if upright else slant}>{escape(symbol.subscript)}</tspan>'
+    return f'{head}{low}<tspan dy="-0.75">\u200a</tspan>'
+
+
+def words(x: float, y: float, inside: str, anchor: str = "start", more: str = "") -> str:
+    """Return an SVG text; `inside` is escaped already."""
+    return f'<text x="{x:.2f}" y="{y:.2f}" text-anchor="{anchor}"{more}>{inside}</text>'
+
+
+def axes(field: Field, numbers: Numbers, label: str, unit: str) -> str:
+    """Return frame, ticks, zero line and the words of a graph; `label` stands above, t and its `unit` at the end of its axis."""
+    left, right, top, bottom = field.left, field.width - RIGHT, TOP, field.height - BOTTOM
+    parts = [f'<path class="axis" fill="none" stroke="{INK}" stroke-width="0.2" d="M{left:g} {top}V{bottom}H{right}"/>']
+    if field.low < 0 < field.high:
+        parts.append(f'<path class="zero" stroke="{FAINT}" stroke-width="0.15" d="M{left:g} {field.y(0):.2f}H{right}"/>')
+    ticks, decimals = round_ticks(field.low, field.high, MOST_TICKS)
+    for value, text in zip(ticks, tick_texts(ticks, decimals, numbers), strict=True):
+        y = field.y(value)
+        parts.append(f'<path class="axis" stroke="{INK}" stroke-width="0.2" d="M{left:g} {y:.2f}h{-TICK}"/>')
+        parts.append(words(left - TICK - APART, y + 1.0, text, "end"))
+    ticks, decimals = round_ticks(field.first, field.last, 6)
+    for value, text in zip(ticks, tick_texts(ticks, decimals, numbers), strict=True):
+        x = field.x(value)
+        parts.append(f'<path class="axis" stroke="{INK}" stroke-width="0.2" d="M{x:.2f} {bottom}v{TICK}"/>')
+        if x + 0.95 * len(text) <= right - TIME_ROOM:
+            parts.append(words(x, bottom + TICK + 3.0, text, "middle"))
+    parts.append(words(right, bottom + TICK + 3.0, f'<tspan font-style="italic">t</tspan>, {escape(unit)}', "end"))
+    parts.append(words(left + 1.2, TOP - 2.2, label))
+    return "".join(parts)
+
+
+def sheet(field: Field, inside: str, more: str = "") -> str:
+    """Return the whole SVG, its ranges readable by the live part of a page."""
+    ranges = (
+        f'data-time="{field.first:.9g} {field.last:.9g}" data-values="{field.low:.9g} {field.high:.9g}" '
+        f'data-box="{field.left:g} {TOP:g} {field.width - RIGHT:g} {field.height - BOTTOM:g}"'
+    )
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{field.width:g}mm" height="{field.height:g}mm" '
+        f'viewBox="0 0 {field.width:g} {field.height:g}" font-family="{FACE}" font-size="{LETTERS}" fill="{INK}" {ranges}{more}>'
+        f"{inside}</svg>"
+    )

@@ -1,0 +1,124 @@
+"""Graphs with logarithmic axes as SVG in mm: decades, marks that stay apart without colour, dashes.
+
+Enters: positive numbers and words that are escaped already.  Leaves: pieces of SVG, the same bytes in every process.
+Used by `accuracy_figures.py`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from coursework.report.graphs.graph_paper import APART, FACE, INK, LETTERS, TICK, words
+from coursework.report.text.numbers import superscript
+
+RISE = 0.36  # of the height of letters, from their middle to the line they stand on
+MOST_TICKS = 8  # of one axis
+FEWEST_DECADES = 2  # with fewer in sight, their doubles and fives are labelled too
+GRID = "#d0d0d0"
+RADIUS = 0.75  # mm of a mark
+Points = Sequence[tuple[float, float]]
+
+# Corners of the marks in radii; a circle has none.
+_CROSS = ((-0.4, -1), (0.4, -1), (0.4, -0.4), (1, -0.4), (1, 0.4), (0.4, 0.4), (0.4, 1), (-0.4, 1), (-0.4, 0.4), (-1, 0.4),
+          (-1, -0.4), (-0.4, -0.4))  # fmt: skip
+_TURNED = tuple(((x - y) * 0.75, (x + y) * 0.75) for x, y in _CROSS)
+_STAR = tuple(
+    (math.sin(k * math.pi / 5) * (1.25, 0.55)[k % 2], -math.cos(k * math.pi / 5) * (1.25, 0.55)[k % 2]) for k in range(10)
+)
+MARKS: dict[str, Points] = {
+    "circle": (), "square": ((-0.85, -0.85), (0.85, -0.85), (0.85, 0.85), (-0.85, 0.85)), "up": ((0, -1), (1, 0.9), (-1, 0.9)),
+    "diamond": ((0, -1.2), (1.2, 0), (0, 1.2), (-1.2, 0)), "down": ((0, 1), (1, -0.9), (-1, -0.9)), "plus": _CROSS,
+    "cross": _TURNED, "star": _STAR, "left": ((-1, 0), (0.9, -1), (0.9, 1)), "right": ((1, 0), (-0.9, -1), (-0.9, 1)),
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Scale:
+    """One axis: from `begin` to `end` (mm) lie the values from 10^`low` to 10^`high`."""
+
+    begin: float
+    end: float
+    low: float
+    high: float
+
+    def at(self, value: float) -> float:
+        """Return mm of a value; one that is too small for the axis lies at its end."""
+        power = math.log10(value) if value > 0 else self.low
+        return self.begin + (max(power, self.low) - self.low) / (self.high - self.low) * (self.end - self.begin)
+
+    def ticks(self) -> list[tuple[float, str]]:
+        """Return round values inside the axis and what is written there: "10⁻³", in a short axis "2·10⁻³" as well."""
+        first, last = math.ceil(self.low - 1e-9), math.floor(self.high + 1e-9)
+        if last - first + 1 >= FEWEST_DECADES:
+            pace = -(-(last - first + 1) // MOST_TICKS)
+            return [(10.0**k, _power(1, k)) for k in range(first, last + 1) if k % pace == 0]
+        between = ((n, k) for k in range(first - 1, last + 1) for n in (1, 2, 5))
+        return [(n * 10.0**k, _power(n, k)) for n, k in between if self.low <= math.log10(n * 10.0**k) <= self.high]
+
+
+def scale_for(values: Iterable[float], begin: float, end: float, room: tuple[float, float]) -> Scale:
+    """Return the axis that holds all values, with `room` before and behind them in parts of their range."""
+    powers = [math.log10(value) for value in values if value > 0] or [0.0]
+    low, high = min(powers), max(powers)
+    wide = max(high - low, 0.5)
+    return Scale(begin, end, low - room[0] * wide, high + room[1] * wide)
+
+
+def _power(times: int, exponent: int) -> str:
+    return f"{times}·10{superscript(str(exponent))}" if times > 1 else f"10{superscript(str(exponent))}"
+
+
+def across(x: Scale, bottom: float, top: float, label: str) -> str:
+    """Return the axis at the `bottom` (mm) with its grid up to the `top`, ticks, and `label` below."""
+    parts = [_line(x.begin, bottom, x.end, bottom)]
+    for value, text in x.ticks():
+        parts.append(_line(x.at(value), bottom, x.at(value), top, GRID))
+        parts.append(_line(x.at(value), bottom, x.at(value), bottom + TICK))
+        parts.append(words(x.at(value), bottom + TICK + 3.0, text, "middle"))
+    return "".join(parts) + words((x.begin + x.end) / 2, bottom + TICK + 7.4, label, "middle")
+
+
+def upward(y: Scale, left: float, right: float, label: str = "") -> str:
+    """Return the axis at the `left` (mm) with its grid to the `right`; a `label` stands above, without it no tick has words."""
+    parts = [_line(left, y.begin, left, y.end)]
+    for value, text in y.ticks():
+        parts.append(_line(left, y.at(value), right, y.at(value), GRID))
+        parts.append(_line(left, y.at(value), left - TICK, y.at(value)))
+        parts.append(words(left - TICK - APART, y.at(value) + RISE * LETTERS, text, "end") if label else "")
+    return "".join(parts) + (words(left + 1.2, y.end - 1.6, label) if label else "")
+
+
+def _line(x: float, y: float, to_x: float, to_y: float, ink: str = INK) -> str:
+    return f'<path stroke="{ink}" stroke-width="{0.2 if ink == INK else 0.1}" d="M{x:.2f} {y:.2f}L{to_x:.2f} {to_y:.2f}"/>'
+
+
+def polyline(points: Points, pen: str) -> str:
+    """Return a line through points (mm); nothing for a single one."""
+    if len(points) < 2:
+        return ""
+    return f'<path fill="none" {pen} d="M{"L".join(f"{x:.2f} {y:.2f}" for x, y in points)}"/>'
+
+
+def marks(points: Points, mark: str, ink: str) -> str:
+    """Return a mark, white inside, at each point (mm)."""
+    r, corners = RADIUS, MARKS[mark]
+    if corners:
+        (left, above), *others = corners
+        steps, at = "", (left, above)
+        for corner in others:
+            steps += f"l{r * (corner[0] - at[0]):.2f} {r * (corner[1] - at[1]):.2f}"
+            at = corner
+    else:
+        left, above, steps = -1.0, 0.0, f"a{r} {r} 0 1 0 {2 * r:g} 0a{r} {r} 0 1 0 {-2 * r:g} 0"
+    path = "".join(f"M{x + r * left:.2f} {y + r * above:.2f}{steps}z" for x, y in points)
+    return f'<path fill="#fff" stroke="{ink}" stroke-width="0.3" d="{path}"/>'
+
+
+def sheet(width: float, height: float, inside: str) -> str:
+    """Return the whole SVG."""
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:g}mm" height="{height:g}mm" viewBox="0 0 {width:g} {height:g}" '
+        f'font-family="{FACE}" font-size="{LETTERS}" fill="{INK}">{inside}</svg>'
+    )

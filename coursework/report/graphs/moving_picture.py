@@ -1,0 +1,153 @@
+"""The mechanism in motion as one animated picture: the true one solid, the one of the table dashed, a graph beside it.
+
+Enters: a `SceneRun` and its exact motion on finer rows.  Leaves: the bytes of a GIF, the same on every run.
+Used by `commands/animate.py`.
+"""
+
+from __future__ import annotations
+
+import tempfile
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from coursework.drawing.outline.outline import Outline
+from coursework.drawing.outline.poses import Poses, read_poses
+from coursework.drawing.outline.tracing import read_outline
+from coursework.motion.integration.motion import Motion
+from coursework.motion.schemes import title_of
+from coursework.report.graphs.graph_paper import SCHEME_INK
+from coursework.report.graphs.moving_shape import Shape, draw_ground
+from coursework.report.text.numbers import unit_text
+from coursework.report.text.symbols import Symbol, symbol
+from coursework.scene.scene_run import SceneRun
+from coursework.words.data_folders import folder
+from coursework.words.errors import InputError
+from coursework.words.sentences import Phrases, say
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.lines import Line2D
+
+SIZE, DPI = (7.2, 3.7), 100  # inches, and dots an inch
+MOST_FRAMES, PER_SECOND = 100, 12
+ORANGE = "#d55e00"  # stays apart from the blue of the table for colour-blind readers
+SETTINGS: Any = {
+    "font.family": ["DejaVu Sans", "Noto Sans CJK SC"], "font.size": 8.5, "text.usetex": False, "mathtext.fontset": "dejavusans",
+    "axes.unicode_minus": True, "path.simplify": True, "axes.linewidth": 0.6, "xtick.major.width": 0.6, "ytick.major.width": 0.6,
+}  # fmt: skip
+_LOCK = threading.Lock()
+
+
+def label_text(symbol: Symbol) -> str:
+    """Return a symbol for a label: Unicode where that suffices, mathtext of our own making for other subscripts."""
+    if not symbol.subscript or symbol.subscript.isdigit():
+        return symbol.text
+    letter = symbol.letter if len(symbol.letter) == 1 else rf"\mathrm{{{symbol.letter}}}"
+    head = rf"\dot{{{letter}}}" if symbol.dotted else letter
+    low = symbol.subscript.replace("_", r"\_")
+    return rf"${head}_{{\mathrm{{{low}}}}}$"
+
+
+@cache
+def _know_own_faces() -> None:
+    from matplotlib.font_manager import fontManager
+
+    for face in sorted((folder("reports") / "fonts").glob("*.otf")):
+        fontManager.addfont(face)
+
+
+@contextmanager
+def _drawing() -> Iterator[None]:
+    """Set matplotlib up for one picture, alone, without pyplot."""
+    import matplotlib
+
+    _know_own_faces()
+    with _LOCK, matplotlib.rc_context(SETTINGS):
+        yield
+
+
+def moving_picture(run: SceneRun, exact: Motion, phrases: Phrases) -> bytes:
+    """Return the picture of a run beside its `exact` motion, whose rows are the frames.
+
+    Raises `InputError` where a file places no points or a motion has fewer than two rows.
+    """
+    from matplotlib.animation import PillowWriter
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    table = run.scene.scheme_rows or run.motion
+    outline = read_outline(run.scene.mechanism)
+    if outline is None or len(table.t) < 2:
+        raise InputError(say("fault.C064", variant=run.variant.name))
+    read = read_poses(outline, run.scene.equations)
+    ghost = np.array([np.interp(exact.t, table.t, column) for column in table.coordinates.T]).T
+    poses = read(exact.t, exact.coordinates), read(exact.t, ghost)
+    mark = phrases.template("decimal")
+
+    def told(key: str, **values: object) -> str:
+        return phrases.template(f"live.{key}").format(**{name: str(value).replace(".", mark) for name, value in values.items()})
+
+    # The writer wants a file of its own.
+    with _drawing(), tempfile.TemporaryDirectory() as place:
+        figure = Figure(figsize=SIZE, dpi=DPI)
+        FigureCanvasAgg(figure)
+        field, graph = figure.add_axes((0.01, 0.02, 0.6, 0.9)), figure.add_axes((0.7, 0.15, 0.28, 0.62))
+        size = _window(field, outline, poses)
+        cursor = _graph(graph, run, table, exact)
+        draw_ground(field, outline, poses, size)
+        shapes = [Shape(field, outline, each, size) for each in poses]
+        scheme = phrases.written(title_of(run.tableau)) if run.tableau else table.scheme
+        figure.text(0.64, 0.93, told("truth"))
+        figure.text(0.64, 0.88, told("ghost", scheme=scheme, h=f"{table.step:g}"), color=SCHEME_INK)
+        clock = figure.text(0.03, 0.93, "", weight="bold")
+        writer = PillowWriter(fps=PER_SECOND)
+        path = Path(place) / "moving.gif"
+        stride = -(-len(exact.t) // MOST_FRAMES)
+        with writer.saving(figure, str(path), DPI):
+            for frame in range(0, len(exact.t), stride):
+                for shape, dashed in zip(shapes, (False, True), strict=True):
+                    shape.show(frame, dashed=dashed)
+                t = float(exact.t[frame])
+                cursor.set_xdata([t, t])
+                clock.set_text(told("clock", row=round(t / table.step) + 1, t=f"{t:.3f}"))
+                writer.grab_frame()
+        return path.read_bytes()
+
+
+def _window(field: Axes, outline: Outline, poses: tuple[Poses, Poses]) -> float:
+    """Set the window so that both motions fit, and return its size (m)."""
+    shown = [places for each in poses for name, places in each.at.items() if not name.startswith("~")]
+    circles = [(wheel.centre, wheel.contact) for wheel in outline.wheels] + [
+        (track.centre, track.rim) for track in outline.tracks
+    ]
+    for each in poses:
+        for centre, rim in circles:
+            radius = np.abs(each.at[rim] - each.at[centre])
+            shown += [each.at[centre] + radius * (1 + 1j), each.at[centre] - radius * (1 + 1j)]
+    every = np.concatenate(shown)
+    size = float(max(np.ptp(every.real), np.ptp(every.imag))) or 1.0
+    field.set_xlim(every.real.min() - 0.12 * size, every.real.max() + 0.12 * size)
+    field.set_ylim(every.imag.min() - 0.12 * size, every.imag.max() + 0.12 * size)
+    field.set_aspect("equal")
+    field.set_axis_off()
+    return size
+
+
+def _graph(axes: Axes, run: SceneRun, table: Motion, exact: Motion) -> Line2D:
+    """Draw the coordinate whose table is farthest from the motion, and return the cursor."""
+    gaps = [
+        np.max(np.abs(np.interp(exact.t, table.t, a) - b)) for a, b in zip(table.coordinates.T, exact.coordinates.T, strict=True)
+    ]
+    name = table.coordinate_names[int(np.argmax(gaps))]
+    axes.plot(exact.t, exact.column(name), color="black", linewidth=1.4)
+    axes.plot(table.t, table.column(name), color=SCHEME_INK, marker="o", markersize=3, linewidth=0.8)
+    axes.set_title(f"{label_text(symbol(name))}, {unit_text(run.variant.unit_of(name))}", fontsize=9, loc="left")
+    axes.set_xlabel(f"t, {unit_text(run.variant.unit_of('t'))}", fontsize=8)
+    axes.tick_params(labelsize=7)
+    return axes.axvline(0.0, color=ORANGE, linewidth=1.0)

@@ -1,0 +1,89 @@
+"""What is drawn of a moving mechanism, in names of points, and where those points are at any time.
+
+Enters: a `Scene`.  Leaves: `Drawn`, plain lists for the page and the expressions of the places, which `functions.py` lowers.
+Used by `page.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from coursework.drawing.outline.ground import Places, hinge_ground, inward, racks, rail_side
+from coursework.drawing.outline.outline import Outline
+from coursework.drawing.outline.poses import all_rows, read_poses
+from coursework.drawing.outline.tracing import read_outline
+from coursework.report.live.spots import spots_of
+from coursework.scene.scene import Scene
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """`data`: the outline by key, points by name; `places`: x and y of each point in their order (SymPy, m)."""
+
+    data: dict[str, Any]
+    places: tuple[Any, ...]
+
+
+def drawn_of(scene: Scene, label: Callable[[str], str]) -> Drawn:
+    """Return what is drawn, nothing where a file places no points; `label` writes the name of a point."""
+    outline = read_outline(scene.mechanism)
+    if outline is None or not outline.shown:
+        kinds = (
+            "points",
+            "links",
+            "slots",
+            "blocks",
+            "rails",
+            "wheels",
+            "tracks",
+            "hinges",
+            "racks",
+            "shown_points",
+            "rings",
+            "spots",
+        )
+        return Drawn({kind: [] for kind in kinds}, ())
+    symbols = scene.equations.symbols
+    vectors = [symbols.vectors.get(name) or symbols.vector(formula) for name, formula in outline.points]
+    kept = outline.plain()
+    data = {kind: kept[kind] for kind in ("points", "slots", "blocks", "wheels")}
+    data["links"] = [{"name": bar.link, "points": list(bar.corners), "rate": bar.rate} for bar in outline.bars]
+    read = read_poses(outline, scene.equations)
+    start = read(np.zeros(1), np.array([scene.start]))
+    data |= _ground(outline, kept, start.pose(0))
+    motions = (
+        each for each in (scene.exact, scene.scheme_rows or scene.motion) if len(each.t) and all_rows(scene.equations, each)
+    )
+    poses = [read(each.t, each.coordinates) for each in motions] or [start]
+    data["spots"] = spots_of(outline, poses, [label(name) for name in outline.shown])
+    data |= {"shown_points": list(outline.shown), "rings": _rings(outline)}
+    return Drawn(data, tuple(component for vector in vectors for component in vector))
+
+
+def _ground(outline: Outline, kept: dict[str, Any], start: Places) -> dict[str, Any]:
+    """Return what is fixed, by key, with the side of its ground in the start position as on paper; and the racks."""
+    ways = [(name, hinge_ground(outline, start, name)) for name in outline.hinges]
+    sides = [rail_side(outline, start, rail) for rail in outline.rails]
+    solid = [inward(outline, start, track) for track in outline.tracks]
+    gears = [(rack.rail, rack.contact, rack.side) for rack in racks(outline, start)]
+    return {
+        "hinges": [{"at": name, "ground": [int(way.real), int(way.imag)]} for name, way in ways],
+        "rails": [rail | {"side": side} for rail, side in zip(kept["rails"], sides, strict=True)],
+        "tracks": [track | {"inward": side} for track, side in zip(kept["tracks"], solid, strict=True)],
+        "racks": [
+            {"at": rail.rider, "base": rail.base, "toward": rail.toward, "riders": [contact], "side": side}
+            for rail, contact, side in gears
+        ],
+    }
+
+
+def _rings(outline: Outline) -> list[str]:
+    """Return the points that are joints; the others are mere points of a link."""
+    members = [name for bar in outline.bars for name in bar.corners]
+    joints = {*outline.hinges, *(block.at for block in outline.blocks), *(wheel.centre for wheel in outline.wheels)}
+    contacts = {wheel.contact for wheel in outline.wheels}
+    return [name for name in outline.names if (name in joints or members.count(name) > 1) and name not in contacts]

@@ -1,0 +1,156 @@
+"""Where names of points and numbers of links stand in the moving part: chosen once, clear of what is drawn in every position.
+
+Enters: an `Outline`, its positions in the start and in later rows, the words.  Leaves: spots in units of the drawing.
+Used by `report/live/drawn.py`.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from coursework.drawing.outline.outline import Bar, Outline
+from coursework.drawing.outline.poses import Poses
+from coursework.drawing.paper.cover import Array, clipped, shared
+from coursework.report.live.scenery import Complex, Scenery, pairs, scenery_of
+
+# Units across the drawing, on a wide screen and on a phone, as in drawing.js; the lengths below are units too.
+WIDTHS = (640, 380)
+ROWS = 6  # positions that are looked at, the start among them: it counts as much as all the others; a turn ends where it began
+LETTER, NUMERAL, HALF_HEIGHT = 9.0, 8.0, 7.0  # width of a letter of a name and of a link's number; half the height of both
+TURNS = np.exp(2j * np.pi * (np.arange(12) - 1.5) / 12)  # directions from a point, y down: up and to the right first
+GAPS, BLOCK_GAPS = (8.0, 14.0, 22.0), (9.0, 15.0, 22.0)  # from a point to its name, from a slider to the number of its link
+PARTS, OFFS = (0.5, 0.35, 0.65, 0.2, 0.8), (6.0, 12.0, 28.0)  # of a side of a link, and how far beside it its number stands
+SHORT = 24.0  # a shorter side bears no number
+LINE, SYMBOL, WORD = (12.0, 1.0), (30.0, 0.3), (80.0, 0.3)  # price of a line, symbol or word met, and of a unit of it covered
+ANOTHER, OF_ANOTHER = 25.0, 60.0  # price of a name nearer to another point, of a number nearer to another link
+APART = 8.0  # words nearer on one line read as one
+FARTHER, LATER = 0.4, 0.3  # price of a unit of distance, and of each direction or part after the first
+
+
+@dataclass(frozen=True, slots=True)
+class _Choice:
+    """The spots one word may take, best first, their `prices` (k,), the `middles` (r, k) of the word there, `half` its width."""
+
+    half: float
+    spots: list[list[float]]
+    prices: Array
+    middles: Complex
+
+
+def spots_of(outline: Outline, poses: Sequence[Poses], names: Sequence[str]) -> list[list[list[float]]]:
+    """Return for each of `WIDTHS` the spot of every shown point's name (`names`), then of every link's number.
+
+    A spot is [x, y] from its point, or [part, across, side]: so far along that side of the link, so far to its left; [] for none.
+    `poses` are those of the true motion, whose first row is the start, and of other motions that the drawing has room for.
+    """
+    return [_spots(outline, poses[0], _scale(outline, poses, width), names) for width in WIDTHS]
+
+
+def _scale(outline: Outline, poses: Sequence[Poses], width: float) -> float:
+    """Return the units of a metre, as `refit` of drawing.js has them."""
+    rims = [(wheel.centre, wheel.contact, slice(None)) for wheel in outline.wheels]
+    rims += [(track.centre, track.rim, slice(0, 1)) for track in outline.tracks]
+    ends = [one.at[name] for one in poses for name in outline.shown]
+    for one in poses:
+        for centre, rim, rows in rims:
+            radius = np.abs(one.at[rim] - one.at[centre])[rows] * (1 + 1j)
+            ends += [one.at[centre][rows] - radius, one.at[centre][rows] + radius]
+    every = np.concatenate(ends)
+    return float(min((width - 90) / max(np.ptp(every.real), 1e-12), (0.2 * width + 200) / max(np.ptp(every.imag), 1e-12)))
+
+
+def _spots(outline: Outline, poses: Poses, scale: float, names: Sequence[str]) -> list[list[float]]:
+    rows = np.unique(np.linspace(0, len(poses.t) - 1, ROWS).round().astype(int))
+    weight = np.where(rows == 0, max(1, len(rows) - 1), 1) / max(1, 2 * (len(rows) - 1))
+    seen = scenery_of(outline, poses, rows, scale)
+    # A name has less choice than a number, so it chooses first.
+    choices = [_of_point(point, name, outline, seen, weight) for point, name in zip(outline.shown, names, strict=True)]
+    choices += [_of_link(outline, bar, seen, weight) for bar in outline.bars]
+    found: list[list[float]] = []
+    taken, beside = np.zeros((len(rows), 0, 4)), np.array([APART, 0.0])
+    for each in choices:
+        if not each.spots:
+            found.append([])
+            continue
+        low, high = (pairs(each.middles) + sign * np.array([each.half, HALF_HEIGHT]) for sign in (-1, 1))
+        lines = seen.near(low, high)
+        paid = _paid(clipped(low, high, seen.begin[:, lines], seen.step[:, lines]) * seen.length[:, None, lines], LINE)
+        paid += _paid(_areas(low, high, seen.symbols), SYMBOL) + _paid(_areas(low - beside, high + beside, taken), WORD)
+        best = int(np.argmin(np.round(weight @ paid + each.prices, 6)))
+        found.append(each.spots[best])
+        taken = np.concatenate([taken, np.concatenate([low, high], axis=2)[:, best : best + 1]], axis=1)
+    return found
+
+
+def _areas(low: Array, high: Array, others: Array) -> Array:
+    sides = np.maximum(shared(low, high, others), 0.0)
+    return np.asarray(sides[..., 0] * sides[..., 1])
+
+
+def _paid(covered: Array, prices: tuple[float, float]) -> Array:
+    """Return what words (r, k) pay for what they cover (r, k, m): so much for each thing met, and for each unit of it."""
+    return np.asarray(prices[0] * np.count_nonzero(covered, axis=2) + prices[1] * covered.sum(axis=2))
+
+
+def _about(at: Complex, half: float, gaps: Sequence[float]) -> _Choice:
+    """Return the spots about a point: a word there touches a circle about it."""
+    reach = np.minimum(half / np.maximum(np.abs(TURNS.real), 1e-9), HALF_HEIGHT / np.maximum(np.abs(TURNS.imag), 1e-9))
+    ways = np.concatenate([TURNS * (gap + reach) for gap in gaps])
+    spots = np.round(pairs(ways))
+    prices = np.add.outer(FARTHER * np.array(gaps), LATER * np.arange(len(TURNS))).ravel()
+    return _Choice(half, spots.astype(int).tolist(), prices, at[:, None] + spots @ np.array([1, 1j]))
+
+
+def _of_point(point: str, name: str, outline: Outline, seen: Scenery, weight: Array) -> _Choice:
+    """Return the spots about a point; one that is nearer to another point reads as that one's."""
+    choice = _about(seen.at[point], LETTER * len(name.replace("_", "")) / 2 + 1, GAPS)
+    far = np.abs(choice.middles - np.array([seen.at[each] for each in outline.shown])[:, :, None])
+    nearer = far.min(axis=0) < far[outline.shown.index(point)] - 1
+    return replace(choice, prices=choice.prices + ANOTHER * (weight @ nearer))
+
+
+def _of_link(outline: Outline, bar: Bar, seen: Scenery, weight: Array) -> _Choice:
+    """Return the spots beside the long sides of a link, the longest first, else about its point or its wheel.
+
+    One that is nearer to another link reads as that one's.
+    """
+    half = NUMERAL * len(bar.link) / 2 + 1
+    sides = _sides(bar, seen)
+    sizes = [round(float(abs(b[0] - a[0])), 6) for a, b in sides]
+    order = [side for side in sorted(range(len(sides)), key=lambda k: -sizes[k]) if sizes[side] > SHORT]
+    across = [sign * round(off + max(half, HALF_HEIGHT)) for off in OFFS for sign in (1, -1)]
+    ways = [*itertools.product(PARTS, across)]
+    spots = [[part, off, side] for side in order for part, off in ways]
+    if bar.corners and not spots:
+        wheel = next((wheel for wheel in outline.wheels if wheel.link == bar.link), None)
+        radius = abs(seen.at[wheel.contact][0] - seen.at[wheel.centre][0]) if wheel else 0.0
+        return _about(
+            seen.at[bar.corners[0]], half, (*BLOCK_GAPS, *([round(radius) + GAPS[0]] if radius > BLOCK_GAPS[0] else []))
+        )
+    middles = [np.zeros((len(seen.begin), 0), complex)]
+    for a, b in (sides[side] for side in order):
+        part, off = np.array(ways).T
+        way = (b - a)[:, None]
+        middles.append(a[:, None] + way * (part - 1j * off / np.maximum(np.abs(way), 1e-9)))
+    places = np.concatenate(middles, axis=1)
+    prices = LATER * np.arange(float(len(spots))) + FARTHER * np.array([abs(off) for _, off, _ in spots])
+    others = [side for other in outline.bars if other is not bar for side in _sides(other, seen)]
+    if spots and others:
+        prices += OF_ANOTHER * (weight @ (_away(places, others) < _away(places, sides) - 1))
+    return _Choice(half, spots, prices, places)
+
+
+def _sides(bar: Bar, seen: Scenery) -> list[tuple[Complex, Complex]]:
+    return [*itertools.pairwise(seen.at[name] for name in bar.corners)]
+
+
+def _away(places: Complex, sides: Sequence[tuple[Complex, Complex]]) -> Array:
+    """Return how far places (r, k) are from the nearest of the sides, the ends of each (r,)."""
+    begin, end = (np.array(ends)[..., None] for ends in zip(*sides, strict=True))
+    way, toward = end - begin, places - begin
+    part = np.clip((toward * way.conjugate()).real / np.maximum(np.abs(way) ** 2, 1e-9), 0.0, 1.0)
+    return np.asarray(np.abs(toward - part * way).min(axis=0))

@@ -1,0 +1,170 @@
+"""Why a quantity has no real value: the formulas of the file, evaluated node by node over the rows.
+
+Enters: a `Variant` and a `Motion`.  Leaves: the first node whose arguments are finite and whose value is not.
+Used by `gate.py` only, after something went wrong; what is shown never comes from here.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.equations.codegen.tabulated import OutsideTable, TableLaw
+from coursework.motion.integration.motion import Motion
+from coursework.report.output.nodes import Components, Moving, applied
+from coursework.variant.formula.tree import Formula, spelled
+from coursework.variant.record.no_value import in_order
+from coursework.variant.record.variant import Law, Variant
+
+Rows = NDArray[np.intp]
+Path = tuple[str | int, ...]
+_KINDS = {"acos": "cosine", "asin": "cosine", "sqrt": "root", "log": "logarithm", "/": "division", "^": "power"}
+
+
+@dataclass(frozen=True, slots=True)
+class Reason:
+    """`path` of the formula in the file and its `label`; `node` with the numbers it was given; `kind` of trouble; `names` in
+    its argument; `of_slope`: the node has a value, but does not change at a finite rate.
+    """
+
+    path: Path
+    label: str
+    node: str
+    kind: str
+    names: tuple[str, ...]
+    of_slope: bool
+
+
+class _Unknown(Exception):
+    """A name whose rows are not known here."""
+
+
+class _NotFinite(Exception):
+    """The node at which a value, or its rate, is lost."""
+
+    def __init__(self, node: Formula, numbers: list[float], of_slope: bool) -> None:
+        super().__init__()
+        self.node, self.numbers, self.of_slope = node, numbers, of_slope
+
+
+class Formulas:
+    """The formulas of a file and the rows of everything they speak about; `rates`: whether rates must be finite too."""
+
+    def __init__(self, variant: Variant, motion: Motion, rates: bool) -> None:
+        self.variant, self.t, self.rates = variant, motion.t, rates
+        zero = np.zeros(len(self.t))
+        known = {"pi": math.pi, **variant.values}
+        self.values: dict[str, Components] = {name: (Moving(zero + value, zero),) for name, value in known.items()}
+        # How fast an unknown velocity changes is what is sought; what stands beside it must be finite without it.
+        self.values |= {name: (Moving(motion.column(name), zero),) for name in motion.velocity_names}
+        moved = {coordinate.name: coordinate.rate for coordinate in variant.coordinates}
+        for name in motion.coordinate_names:
+            self.values[name] = (Moving(motion.column(name), motion.column(moved[name])),)
+        self.values["t"] = (Moving(self.t, zero + 1),)
+
+    def of_motion(self) -> Reason | None:
+        """Return why a row of the table has no value: a law or a constraint without one."""
+        for section, law in in_order(self.variant):
+            if reason := self._of_law(section, law):
+                return reason
+        for index, constraint in enumerate(self.variant.constraints):
+            path: Path = ("constraint", index, "closure" if constraint.is_closure else "equation")
+            for side in (constraint.left, constraint.right):
+                if reason := self._of(path, f"constraint {constraint.name}", side):
+                    return reason
+        return None
+
+    def of_point(self, name: str) -> Reason | None:
+        """Return why a point has no place; the points before it and the laws may be why."""
+        if reason := self.of_motion():
+            return reason
+        for point, formula in self.variant.points:
+            reason = self._of(("points", point), f"points.{point}", formula, point)
+            if reason or point == name:
+                return reason
+        return None
+
+    def _of_law(self, section: str, law: Law) -> Reason | None:
+        path, label = (section, law.name), f"{section}.{law.name}"
+        if law.table:
+            self._tabulate(law)
+            return None
+        if law.formula is not None:
+            return self._of(path, label, law.formula, law.name)
+        ends = [*(start for start, _ in law.pieces[1:]), math.inf]
+        value, slope = np.full((2, len(self.t)), np.nan)
+        for place, ((start, formula), end) in enumerate(zip(law.pieces, ends, strict=True)):
+            chosen = np.flatnonzero((self.t >= start) & (self.t < end))
+            if reason := self._of((*path, "pieces", place, 1), label, formula, law.name, chosen):
+                return reason
+            if law.name not in self.values:
+                return None
+            value[chosen], slope[chosen] = self.values.pop(law.name)[0]
+        self.values[law.name] = (Moving(value, slope),)
+        return None
+
+    def _tabulate(self, law: Law) -> None:
+        if law.of not in self.values:
+            return
+        table, (argument, rate) = TableLaw(law.name, law.table, law.method), self.values[law.of][0]
+        try:
+            self.values[law.name] = (Moving(table.function(0)(argument), table.function(1)(argument) * rate),)
+        except OutsideTable:  # it says so itself, long before a table is written
+            self.values.pop(law.name, None)
+
+    def _of(self, path: Path, label: str, formula: Formula, name: str = "", rows: Rows | None = None) -> Reason | None:
+        """Evaluate a formula, in some rows only; keep it under its name, or return why it has no value."""
+        chosen = np.arange(len(self.t)) if rows is None else rows
+        self.values.pop(name, None)
+        try:
+            found = self._value(formula, chosen)
+        except _Unknown:
+            return None
+        except _NotFinite as lost:
+            return self._reason(path, label, lost)
+        if name:
+            self.values[name] = found
+        return None
+
+    def _reason(self, path: Path, label: str, lost: _NotFinite) -> Reason:
+        node = lost.node
+        argument = node.args[-1] if node.op == "/" else node.args[0] if node.args else node
+        names = tuple(name for name in argument.names() if name != "pi")
+        kind = _KINDS.get(node.name if node.op == "call" else node.op, "other")
+        lengths = [name for name in names if any(given.name == name and given.si == "m" for given in self.variant.given)]
+        if kind == "cosine" and len(names) == len(lengths) == 3:
+            kind = "triangle"
+        return Reason(path, label, _shown(node, lost.numbers), kind, names, lost.of_slope)
+
+    def _value(self, node: Formula, rows: Rows) -> Components:
+        if node.op == "number":
+            return (Moving(np.full(len(rows), float(node.value)), np.zeros(len(rows))),)
+        if node.op == "name":
+            if node.name not in self.values:
+                raise _Unknown
+            return tuple(Moving(part.value[rows], part.slope[rows]) for part in self.values[node.name])
+        args = [self._value(arg, rows) for arg in node.args]
+        with np.errstate(all="ignore"):
+            found = applied(node, args)
+        flat = [component.value for arg in args for component in arg]
+        for of_slope in (False, True) if self.rates else (False,):
+            parts = [component.slope if of_slope else component.value for component in found]
+            lost = np.logical_and.reduce([np.isfinite(part) for part in flat]) & ~np.isfinite(parts).all(axis=0)
+            if lost.any():
+                row = int(np.argmax(lost))
+                raise _NotFinite(node, [float(part[row]) for part in flat], of_slope)
+        return found
+
+
+def _shown(node: Formula, args: list[float]) -> str:
+    """Return the node with the numbers it was given, such as acos(1.37)."""
+    numbers = [f"{value:.3g}" for value in args]
+    if node.op == "call":
+        return f"{node.name}({', '.join(numbers)})"
+    if node.op in "+-*/^" and len(args) == 2:
+        left, right = (f"({text})" if text.startswith("-") else text for text in numbers)
+        return f"{left}{node.op}{right}"
+    return spelled(node)[:60]

@@ -1,0 +1,78 @@
+"""What a format writes from: a run and, made once and only when looked at, its pages.
+
+Enters: a `SceneRun`.  Leaves: `Results`.  Used by the formats and whoever writes them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from coursework.report.output.gate import pass_gate
+from coursework.report.output.record import record, stamp_of, study_record
+from coursework.report.output.tables import run_tables, study_csv
+from coursework.scene.scene_run import SceneRun
+from coursework.system.on_demand import under_way
+
+if TYPE_CHECKING:
+    from coursework.report.pages.model import ReportModel
+
+
+class Results:
+    """A run ready to be written; `stem` names its pages, `record_name` the file that is written last.
+
+    With `live` the page of a screen has the part that moves.
+    """
+
+    stem = "report"
+    record_name = "run.json"
+
+    def __init__(self, run: SceneRun, language: str = "en", live: bool = True) -> None:
+        self.run = run
+        self.language = language
+        self.live = live
+
+    def compute(self, pages: bool) -> None:
+        """Compute what is asked for and look at every number, so that a fault comes before the first file."""
+        if pages:
+            _ = self.run.extra_tables, self.run.graph
+        with under_way("gate"):
+            pass_gate(self.run, pages)
+
+    @cached_property
+    def stamp(self) -> str:
+        """Return the stamp of variant, options and version."""
+        return stamp_of(self.run, self.language)
+
+    @cached_property
+    def model(self) -> ReportModel:
+        """Return what a page says, its figures drawn."""
+        from coursework.report.pages import build_model
+
+        with under_way("pages"):
+            return build_model(self.run, self.language, self.stamp, live=self.live)
+
+    def tables(self) -> Iterable[tuple[str, str]]:
+        """Return the CSV texts by name."""
+        return run_tables(self.run)
+
+    def record(self) -> dict[str, Any]:
+        """Return what the record says beside stamp and files."""
+        return record(self.run)
+
+
+class StudyResults(Results):
+    """A study of accuracy ready to be written."""
+
+    stem = "accuracy"
+    record_name = "accuracy.json"
+
+    def tables(self) -> Iterable[tuple[str, str]]:
+        """Return the study as CSV."""
+        assert self.run.accuracy is not None
+        return [("accuracy.csv", study_csv(self.run.accuracy))]
+
+    def record(self) -> dict[str, Any]:
+        """Return which variant was studied with what."""
+        return study_record(self.run)

@@ -1,0 +1,118 @@
+"""The report model: all that a page says, in order, every number formatted once.
+
+Enters: a `SceneRun`.  Leaves: `ReportModel`, whose plain form (dicts, lists, strings) is all the templates see.
+Used by `report/output/results.py`, `html.py`, `notebook.py` and `pdf.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+from coursework.report.formulas.display import marked
+from coursework.report.live.page import LivePart, live_part
+from coursework.report.sections.sections import all_sections
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.parts import Beside, Equations, Figure, Panels, Part, Section, Table
+from coursework.report.text.text_runs import LONGEST_NAME
+from coursework.report.text.words import Words, load_words
+from coursework.scene.scene_run import SceneRun
+from coursework.words.sentences import ENGLISH
+from coursework.words.templates import clean
+
+LONGEST_RUNNING = (70, 36)  # characters of title and name above a later page: together one line
+
+
+@dataclass(frozen=True, slots=True)
+class ReportModel:
+    """One report: its language, titles, and sections in order.
+
+    `running` stands above the later pages, `footer` below all, `contents` is what the list of sections is called; `live` is
+    the part that moves, for a screen only.
+    """
+
+    language: str
+    kind: str
+    heading: str
+    author: str
+    running: str
+    footer: str
+    contents: str
+    sections: tuple[Section, ...]
+    live: LivePart | None = None
+    title_language: str = ENGLISH  # that of the title; "" where the file says it in one that nobody knows
+
+    def plain(self) -> dict[str, Any]:
+        """Return the model as dicts, lists and strings: what JSON holds and what a golden file compares."""
+        return {
+            "language": self.language,
+            "kind": self.kind,
+            "heading": self.heading,
+            "author": self.author,
+            "running": self.running,
+            "footer": self.footer,
+            "contents": self.contents,
+            "sections": [section.plain() for section in self.sections],
+            **({} if self.title_language == self.language else {"title_language": self.title_language}),
+        }
+
+
+def _shortened(text: str, longest: int) -> str:
+    """Return a text of so many characters, cut behind a word."""
+    text = clean(text)
+    return text if len(text) <= longest else text[: longest - 1].rsplit(" ", 1)[0].rstrip(" ,:;") + "…"
+
+
+def build_model(run: SceneRun, language: str = "en", stamp: str = "", *, live: bool = False) -> ReportModel:
+    """Return the report of a run: the sections that have something to say, and those only if asked for.
+
+    `stamp` names the run in the footer, so that a page can be told from one of another run; `live` adds the part that moves.
+    Raises `InputError` where the
+    language is not there.
+    """
+    words = load_words(language)
+    context = PageContext(run, words)
+    heading = heading_of(context)
+    author = clean(run.student or "", LONGEST_NAME)
+    title, name = LONGEST_RUNNING
+    running = [_shortened(heading, title), _shortened(author, name)] if author else [_shortened(heading, title + name)]
+    return ReportModel(
+        language=language,
+        kind=words("title.kind"),
+        heading=heading,
+        title_language="" if context.is_foreign(context.variant.title) else language,
+        author=author,
+        running=" – ".join(running),
+        footer=words("title.footer", version=run.versions["coursework"], stamp=stamp) if stamp else "",
+        contents=words("title.contents"),
+        sections=tuple(_numbered(all_sections(context), words)),
+        live=live_part(run, words.phrases, lambda name: context.symbol(name).text, context.unit) if live else None,
+    )
+
+
+def heading_of(context: PageContext) -> str:
+    """Return the heading of a page: name and title of the variant."""
+    name, title = (clean(text, LONGEST_NAME) for text in (context.run.variant.name, context.variant.title))
+    return context.words("title.heading", name=name, title=title).rstrip(": ")
+
+
+def _numbered(sections: Iterable[Section], words: Words) -> Iterator[Section]:
+    """Give tables and figures with a caption their numbers, and formulas the decimal sign of the language."""
+    counts = {"table": 0, "figure": 0}
+    mark = words("decimal")
+
+    def labelled(part: Part) -> Part:
+        if isinstance(part, Beside):
+            left = labelled(part.left)
+            return replace(part, left=left) if isinstance(left, Table) else part
+        if isinstance(part, Equations):
+            return replace(part, items=[marked(one, mark) for one in part.items])
+        if isinstance(part, Table | Figure | Panels) and part.caption:
+            kind = "table" if isinstance(part, Table) else "figure"
+            counts[kind] += 1
+            return replace(part, label=words(f"label.{kind}", number=counts[kind]))
+        return part
+
+    for section in sections:
+        yield replace(section, parts=[labelled(part) for part in section.parts])

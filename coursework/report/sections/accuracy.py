@@ -1,0 +1,153 @@
+"""The section on accuracy: error against cost, what the mismatch of the last row is made of, where the time goes.
+
+Enters: a `PageContext` whose run carries an accuracy study.  Leaves: figures, tables, sentences.
+Running times differ from run to run, so this is the one section whose bytes do (unless the study hides seconds).
+Used by `sections.py`.
+"""
+
+from __future__ import annotations
+
+from coursework.report.graphs.accuracy_figures import Method, Panels, bars, panels
+from coursework.report.graphs.figures import WIDTH
+from coursework.report.text.numbers import NOTHING
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.parts import Bullets, Cell, Column, Figure, Paragraph, Part, Table
+from coursework.report.text.tables import MARK, ONE_PAGE
+from coursework.report.text.text_runs import LONGEST_NAME, numeral, printed, runs
+from coursework.results.accuracy.record import AccuracyStudy, StudyRow
+
+RATIO_DIGITS = 2  # of a ratio of times, which differs from run to run
+MOST_LINES = 12  # of the table; the figure shows every setting
+ERROR_DIGITS = 3  # an error needs no more
+
+
+def accuracy(context: PageContext) -> list[Part]:
+    """What each method costs and reaches, in figures, a table and sentences."""
+    study = context.run.accuracy
+    if study is None:
+        return []
+    parts: list[Part] = [Bullets([context.rich(sentence) for sentence in study.sentences])] if study.sentences else []
+    parts += [Paragraph(context.rich(sentence), "note") for sentence in study.left_out]
+    if study.rows:
+        parts += [_figure(context, study), _table(context, study)]
+    parts += _failures(context, study)
+    return [*parts, *_overhead(context, study)]
+
+
+def _unit(context: PageContext) -> str:
+    units = dict.fromkeys(context.unit(c.unit) for c in context.run.variant.coordinates)
+    return context.words.listing(list(units)) if len(units) < 2 else f" {context.words('or')} ".join(units)
+
+
+def _finished(study: AccuracyStudy) -> list[StudyRow]:
+    return [row for row in study.rows if not row.failed]
+
+
+def _told(study: AccuracyStudy) -> list[StudyRow]:
+    """Return the settings that a table says: of each method the cheapest, and the finest while there is room for it."""
+    finished = _finished(study)
+    first = {row.method: row for row in reversed(finished)}
+    last = {row.method: row for row in finished}
+    kept = [*first.values(), *(row for method, row in last.items() if row is not first[method])][:MOST_LINES]
+    return [row for row in finished if any(row is one for one in kept)]
+
+
+def _figure(context: PageContext, study: AccuracyStudy) -> Figure:
+    say = context.words
+    methods = []
+    for name in dict.fromkeys(row.method for row in _finished(study)):
+        rows = [row for row in _finished(study) if row.method == name]
+        methods.append(Method(
+            context.told(name, LONGEST_NAME), tuple(row.evaluations for row in rows),
+            tuple(row.seconds if study.seconds_shown else None for row in rows),
+            tuple(row.max_error for row in rows), tuple(row.end_error for row in rows),
+            study.orders.get(name), _order_text(context, study, name),
+        ))  # fmt: skip
+    labels = {key: say(f"accuracy.{key}") for key in ("evaluations", "seconds", "end_legend", "own_legend", "floor_legend")}
+    own = (study.own[1], study.own[3] if study.seconds_shown else None, study.own[2]) if study.own else None
+    page = Panels(tuple(methods), own, study.floor, say("accuracy.error", unit=_unit(context)), labels)
+    floor = context.with_unit(context.numbers.scalar(study.floor, 2), _unit(context))
+    caption = say("accuracy.caption_two" if page.timed else "accuracy.caption_one")
+    reference = say("accuracy.reference", label=printed(context.told(study.reference_label)).rstrip(".。"))
+    caption = say.sentences([caption, say("accuracy.caption_rest", floor=floor), reference])
+    alt = say("accuracy.alt", methods=say.listing([method.name for method in methods]))
+    svg, height = panels(page)
+    return Figure(svg, WIDTH, height, alt, context.lettered(caption))
+
+
+def _order_text(context: PageContext, study: AccuracyStudy, name: str) -> str:
+    return context.numbers.fixed(study.orders[name], 2) if name in study.orders else ""
+
+
+def _table(context: PageContext, study: AccuracyStudy) -> Table:
+    numbers = context.numbers
+    keys = ["method", "steps", "evaluations", "max_error", "end_error"] + (["time", "ratio"] if study.seconds_shown else [])
+    units = {"max_error": _unit(context), "end_error": _unit(context)}
+    columns = [
+        Column(context.say(f"accuracy.head.{key}"), units.get(key, ""), words=key == "method")
+        for key in keys
+    ]  # fmt: skip
+    rows: list[list[Cell]] = []
+    strong, rules = [], []
+    before = ""
+    for row in _told(study):
+        if rows and row.method != before:
+            rules.append(len(rows) - 1)
+        before = row.method
+        own = study.own is not None and (row.method, row.evaluations) == (study.own[0], study.own[1])
+        if own:
+            strong.append(len(rows))
+        cells: list[Cell] = [
+            f"{MARK} {context.told(row.method, LONGEST_NAME)}" if own else context.told(row.method, LONGEST_NAME),
+            _steps(context, row.steps_or_tolerance),
+            numbers.whole(row.evaluations),
+            numeral(numbers.scalar(row.max_error, ERROR_DIGITS)),
+            numeral(numbers.scalar(row.end_error, ERROR_DIGITS)),
+        ]
+        if study.seconds_shown:
+            cells.append(NOTHING if row.seconds is None else numbers.duration(row.seconds))
+            cells.append(NOTHING if row.time_ratio is None else numbers.plain(row.time_ratio, RATIO_DIGITS))
+        rows.append(cells)
+    notes = [context.words("accuracy.own_mark", mark=MARK)] if strong else []
+    if study.orders:
+        orders = context.words("join.numbers").join(
+            context.words("accuracy.order", method=context.told(name, LONGEST_NAME), order=_order_text(context, study, name))
+            for name in study.orders
+        )
+        notes.append(context.words("accuracy.orders", orders=orders))
+    return Table(
+        columns,
+        rows,
+        context.say("accuracy.study"),
+        strong,
+        rules,
+        runs(context.words.sentences(notes)),
+        whole=len(rows) <= ONE_PAGE,
+    )
+
+
+def _steps(context: PageContext, text: str) -> Cell:
+    """Return a number of steps in groups of three, or a tolerance."""
+    return context.numbers.whole(int(text)) if text.isdigit() else numeral(printed(context.told(text, LONGEST_NAME)))
+
+
+def _failures(context: PageContext, study: AccuracyStudy) -> list[Part]:
+    told = context.told
+    failed = [
+        context.say("accuracy.failure", method=told(row.method), steps=told(row.steps_or_tolerance), why=told(row.failed))
+        for row in study.rows
+        if row.failed
+    ]
+    return [Paragraph(context.say("accuracy.failures")), Bullets(failed)] if failed else []
+
+
+def _overhead(context: PageContext, study: AccuracyStudy) -> list[Part]:
+    say = context.words
+    if not study.overhead or not study.seconds_shown:
+        return []
+    labels = [context.told(label, LONGEST_NAME) for label, _ in study.overhead]
+    texts = [context.numbers.duration(seconds) for _, seconds in study.overhead]
+    svg, height = bars(labels, [seconds for _, seconds in study.overhead], texts, say("accuracy.seconds"))
+    alt = say("accuracy.overhead_alt", parts=say.listing([f"{a} {b}" for a, b in zip(labels, texts, strict=True)]))
+    where = [Paragraph(context.say("accuracy.machine", **study.machine), "note")] if study.machine else []
+    return [Figure(svg, WIDTH, height, alt, context.say("accuracy.overhead")), *where]

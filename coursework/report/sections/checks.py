@@ -1,0 +1,151 @@
+"""The section of checks: each with its verdict in a mark and a word, its number, its limit.
+
+Enters: a `PageContext`.  Leaves: the summary, and one part for each group of checks.  Used by `sections.py` and `control.py`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from coursework.report.text.numbers import ROUND_OFF, TIGHT
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.parts import Cell, Checks, Judged, Paragraph, Part, Runs
+from coursework.report.text.tables import thinned
+from coursework.report.text.text_runs import numeral
+from coursework.results.checks.evidence import NO_ERROR
+from coursework.results.checks.result import DIGITS_LEFT, GROUPS, VERDICTS, Finding, never_more
+from coursework.words.sentence import Sentence
+from coursework.words.templates import clean
+
+NOTHING_AT_ALL = 1e-18  # SI: smaller than any round-off of a mechanism
+BESIDE_A_LIMIT = 1e-9  # of its limit: what passes with so little is round-off of lengths that close
+NEARLY_WHOLE = 5e-5  # of an amount: less than four digits show
+OF_THE_SCALE = "unit.of_the_scale"
+MOST_LINES = 30  # further lines of one check; more are thinned
+SHORT_UNIT = 12  # letters of a unit that stands behind its number; a longer one stands below
+
+
+def counts(context: PageContext) -> str:
+    """Return "7 checks passed, one check failed"."""
+    verdicts = [check.verdict for check in context.run.checks]
+    if set(verdicts) == {"PASS"}:
+        return context.words.count("count.all_passed", len(verdicts))
+    kinds = [kind for kind in VERDICTS if kind in verdicts]
+    return context.words("join.comma").join(context.words.count(f"count.{kind}", verdicts.count(kind)) for kind in kinds)
+
+
+def checks(context: PageContext) -> list[Part]:
+    """Every check that was made, those of the computation before those of the motion."""
+    findings = context.run.checks
+    if not findings:
+        return []
+    heads = [context.words(f"checks.{key}") for key in ("verdict", "check", "value", "limit")]
+    total = counts(context)
+    parts: list[Part] = [Paragraph(context.say("checks.counted", counts=total[:1].upper() + total[1:]))]
+    for group in GROUPS:
+        if chosen := [_judged(context, finding) for finding in findings if finding.group == group]:
+            parts.append(Checks(context.words(f"checks.group.{group}"), heads, chosen))
+    return parts
+
+
+def _judged(context: PageContext, check: Finding) -> Judged:
+    numbers = context.numbers
+    unit = context.told(check.unit)
+    is_short = len(unit) <= SHORT_UNIT
+    value = check.value if check.value is None else counted(check.value, check.unit)
+    is_left = isinstance(check.unit, Sentence) and check.unit.key == DIGITS_LEFT  # 15.4 of sixteen: never 15.40
+    if value and check.verdict == "PASS" and not check.is_least and abs(value) < BESIDE_A_LIMIT * (check.limit or 0.0):
+        value = 0.0
+    is_count = value is not None and value >= 1 and (value.is_integer() or is_left)
+    heads, lines = _lines(context, check)
+    if check.verdict == "PASS" and value == 0:
+        heads, lines = [], []  # where nothing is off, noughts say nothing more
+    if check.verdict == "PASS" and check.is_least and (value or 0.0) < (check.limit or 0.0):
+        # AGREEMENT counts equations: those that nothing in the file can judge are no fault, so their whole is no limit.
+        check = replace(check, limit=None)
+
+    def behind(value: float | None) -> str:
+        return context.unit_beside(value, check.unit) if is_short and value is not None else ""
+
+    return Judged(
+        mark=context.words(f"checks.mark.{check.verdict}"),
+        verdict=context.words(f"checks.word.{check.verdict}"),
+        code=clean(check.code),
+        title=context.rich(check.title),
+        sentence=context.rich(check.sentence),
+        value=numeral(context.with_unit(numbers.limit(value) if is_count else numbers.scalar(value), behind(value))),
+        limit=numeral(_bound(check, context.with_unit(numbers.limit(check.limit), behind(check.limit)))),
+        unit="" if is_short or check.value is None else context.unit(unit),
+        heads=heads,
+        lines=lines,
+    )
+
+
+def _bound(check: Finding, limit: str) -> str:
+    return limit if check.limit is None else f"{'≥' if check.is_least else '≤'}{TIGHT}{limit}"
+
+
+def _lines(context: PageContext, check: Finding) -> tuple[list[str], list[list[Cell]]]:
+    """Return the further lines; the scheme's part of phi1, the period's part of it … become a row with a column for each."""
+    parts = [_line(context, label) for label, _, _ in check.rows]
+    columns = list(dict.fromkeys(tail for _, tail in parts))
+    rows = list(dict.fromkeys(head for head, _ in parts))
+    least = NO_ERROR if check.verdict == "PASS" and check.value == 0 else NOTHING_AT_ALL
+    noise = max(ROUND_OFF * max((abs(row[1]) for row in check.rows), default=0.0), least)
+    motion = context.run.motion
+    sizes = {head: float(np.max(np.abs(motion.column(head)))) for head in rows if head in motion.names}
+    values: dict[tuple[str, str], Cell] = {}
+    for pair, row in zip(parts, check.rows, strict=True):
+        values[pair] = numeral(context.numbers.scalar(_seen(row, max(noise, ROUND_OFF * sizes.get(pair[0], 0.0)))))
+    units = {head: {row[2] for (own, _), row in zip(parts, check.rows, strict=True) if own == head} for head in rows}
+    complete = len(columns) > 1 and all(columns) and len(values) == len(check.rows) == len(columns) * len(rows)
+    if complete and all(len(found) == 1 for found in units.values()):
+        table: list[list[Cell]] = []
+        for head in rows:
+            unit = context.unit(context.told(next(iter(units[head]))))
+            label = [*_label(context, head), *([{"t": f", {unit}"}] if unit else [])]
+            table.append([label, *(values[head, tail] for tail in columns)])
+        return ["", *(clean(column) for column in columns)], table
+    kept = [check.rows[index] for index in thinned(len(check.rows), most=MOST_LINES)]
+    return [], [[_label(context, row[0]), _amount(context, row, noise)] for row in kept]
+
+
+def counted(value: float, unit: str) -> float:
+    """Return an amount as it is told: a part of a whole and digits that are left never more than there are, of a scale 0
+    where it is round-off; whole where it is that but for the last digit shown and its unit is a word: 24 rows, not 23.9999.
+    """
+    if not isinstance(unit, Sentence):
+        return value
+    if unit.key == OF_THE_SCALE and abs(value) < ROUND_OFF:
+        return 0.0
+    least = never_more(value, unit)
+    return float(round(value)) if least == value and abs(value - round(value)) < NEARLY_WHOLE * abs(value) else least
+
+
+def _seen(row: tuple[str, float, str], noise: float) -> float:
+    """Return the amount of a line, 0 where it is round-off beside the largest, unless round-off is what it tells."""
+    label, amount, _ = row
+    part = label.values.get("part") if isinstance(label, Sentence) else None
+    tells = isinstance(part, Sentence) and part.key.endswith(".roundoff")
+    return 0.0 if abs(amount) < noise and not tells else amount
+
+
+def _line(context: PageContext, label: str) -> tuple[str, str]:
+    """Return what a line is about and which part of it, "" where it says all of it."""
+    if isinstance(label, Sentence) and label.key == "check.line":
+        name, part = label.values["name"], label.values["part"]
+        return str(name), context.words.written(part if isinstance(part, str) else str(part))
+    return context.words.written(label), ""
+
+
+def _label(context: PageContext, label: str) -> Runs:
+    """Return the label of a line; a name of the table is set as its symbol."""
+    known = label in context.run.motion.names
+    return context.symbol_runs([label]) if known else context.rich(label)
+
+
+def _amount(context: PageContext, row: tuple[str, float, str], noise: float) -> Cell:
+    amount = counted(_seen(row, noise), row[2])
+    return numeral(context.with_unit(context.numbers.scalar(amount), context.told(row[2])))

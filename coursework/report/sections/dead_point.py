@@ -1,0 +1,45 @@
+"""Where the motion stops: when, why, and what that means for the mechanism; the cause stands here and nowhere else.
+
+Enters: a `PageContext`.  Leaves: parts, none where the motion goes on.  Used by `sections.py` and `notebook.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from coursework.report.graphs.figures import drawn
+from coursework.report.text.page_context import STOP_DIGITS, PageContext
+from coursework.report.text.parts import Facts, Paragraph, Part
+from coursework.report.text.tables import row_at
+from coursework.report.text.text_runs import runs
+
+
+def dead_point(context: PageContext) -> list[Part]:
+    """When, where and why the motion stops, and what it means for the mechanism."""
+    stop, say = context.run.stop, context.words
+    if stop is None:
+        return []
+    time = context.quantity(stop.time, "s", STOP_DIGITS)
+    facts = [(say("stop.row"), runs(row_at(context, stop.row)))]
+    if stop.block:
+        facts.append((say("stop.block"), context.symbol_runs(stop.block)))
+    if stop.coordinates:
+        facts.append((say("stop.configuration"), runs(_values(context, stop.coordinates))))
+    facts += [(say("stop.branches"), runs(_values(context, branch))) for branch in stop.branches]
+    facts += [
+        (say(f"stop.{key}"), context.rich(text)) for key, text in (("cause", stop.cause), ("meaning", stop.meaning)) if text
+    ]
+    if context.run.phases:
+        facts.append((say("stop.phases"), context.rich(context.run.phases)))
+    kept = say("stop.kept", row=len(context.run.motion.t))
+    kind = context.event(stop.kind)
+    lead = say("stop.lead", kind=kind[:1].upper() + kind[1:], time=time) + say("join.sentences")
+    drawing = context.run.at_stop()
+    figure = [drawn(context, drawing)] if drawing is not None else []
+    return [Paragraph(runs(kept), "callout", lead), Facts(facts), *figure]
+
+
+def _values(context: PageContext, values: Mapping[str, float]) -> str:
+    unit_of = context.run.variant.unit_of
+    listed = [f"{context.symbol(name).text} = {context.quantity(value, unit_of(name))}" for name, value in values.items()]
+    return context.words("join.comma").join(listed)

@@ -1,0 +1,156 @@
+"""The graphs: one small panel for each velocity, then for each coordinate, the rows on the exact curve.
+
+Enters: a `PageContext`.  Leaves: figures of panels.  Used by `sections.py` and `notebook.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from html import escape
+
+import numpy as np
+
+from coursework.motion.integration.motion import Array, Motion
+from coursework.motion.schemes import DEFAULT_SCHEME, title_of
+from coursework.report.graphs import graph_paper
+from coursework.report.graphs.graph_paper import (
+    EXACT_PEN,
+    MOST_POINTS,
+    SCHEME_INK,
+    SCHEME_PEN,
+    STOP_PEN,
+    axes,
+    dots,
+    field_for,
+    letters,
+    sheet,
+    smooth,
+    sparse,
+)
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.parts import Panel, Panels, Part
+
+SIZE = (82.0, 42.0)  # mm; two stand beside each other in 170 mm
+MOST_PANELS = 8  # of one figure: as many as a page holds
+SAMPLE = (10.0, 3.0)  # mm of a line in the key
+
+
+@dataclass(frozen=True, slots=True)
+class Rows:
+    """What a panel shows of one column: the dots of a table, and a smooth curve that may be missing."""
+
+    name: str
+    t: Array
+    values: Array
+    curve_t: Array
+    curve: Array
+
+
+def graphs(context: PageContext) -> list[Part]:
+    """Velocities first, then coordinates."""
+    motion = context.run.motion
+    if not len(motion.t):
+        return []
+    curve = _curves(context)
+    named = [_rows(context, name, curve) for name in (*motion.velocity_names, *motion.coordinate_names)]
+    parts: list[Part] = []
+    for first in range(0, len(named), MOST_PANELS):
+        parts.append(_figure(context, named[first : first + MOST_PANELS], first // MOST_PANELS + 1))
+    return parts
+
+
+def dotted(context: PageContext) -> Motion | None:
+    """Return the rows that stand as dots: those of a scheme, beside an exact table the scheme's that it is compared with."""
+    return context.run.motion if context.run.tableau else context.run.scene.scheme_rows
+
+
+def _curves(context: PageContext) -> Callable[[str], tuple[Array, Array]]:
+    """Return a function that gives the smooth exact curve of a column, nothing where it is not known.
+
+    Between rows coordinates follow from values and rates, velocities from the equations at those coordinates.
+    """
+    exact = context.exact
+    if exact is None or not len(exact.t):
+        return lambda name: (np.zeros(0), np.zeros(0))
+    scene, rate_of = context.run.scene, {one.name: one.rate for one in context.run.variant.coordinates}
+    rates = scene.passing(scene.rates)
+    between = {name: smooth(exact.t, exact.column(name), exact.column(rate_of[name])) for name in exact.coordinate_names}
+    times = [between[name][0] for name in rates.coordinates]
+    if times and all(len(t) == len(times[0]) for t in times):
+        velocities, _ = rates.table(times[0], np.column_stack([between[name][1] for name in rates.coordinates]))
+        found = zip(rates.velocities, velocities.T, strict=True)
+        between |= {name: (times[0], column) for name, column in found if np.isfinite(column).all()}
+
+    def curve(name: str) -> tuple[Array, Array]:
+        if name not in exact.names:
+            return np.zeros(0), np.zeros(0)
+        return between.get(name) or (sparse(exact.t, MOST_POINTS), sparse(exact.column(name), MOST_POINTS))
+
+    return curve
+
+
+def _rows(context: PageContext, name: str, curve: Callable[[str], tuple[Array, Array]]) -> Rows:
+    rows = dotted(context)
+    known = rows is not None and name in rows.names
+    t = rows.t if rows is not None and known else np.zeros(0)
+    values = rows.column(name) if rows is not None and known else np.zeros(0)
+    return Rows(name, t, values, *curve(name))
+
+
+def _figure(context: PageContext, shown: Sequence[Rows], number: int) -> Panels:
+    run, say = context.run, context.words
+    is_exact = run.tableau is None
+    scheme = context.told(title_of(DEFAULT_SCHEME) if is_exact else run.scheme_title)
+    legend = []
+    if any(len(rows.t) for rows in shown):
+        legend.append((_sample(dotted=True), context.say("graphs.rows", scheme=scheme, step=context.quantity(run.step, "s"))))
+    if any(len(rows.curve) for rows in shown):
+        legend.append((_sample(dotted=False), context.say("graphs.exact")))
+    names = [rows.name for rows in shown]
+    caption = say("graphs.caption", symbols=context.symbol_list(names))
+    if len(legend) == 2:
+        caption = say.sentences([caption, say("graphs.seen")])
+    if run.stop is not None:
+        stop = say("graphs.stop", kind=context.event(run.stop.kind), time=context.quantity(run.stop.time, "s"))
+        caption = say.sentences([caption, stop])
+    panels = [_panel(context, rows) for rows in shown]
+    return Panels(f"panels-{number}", *SIZE, legend, panels, context.lettered(caption))
+
+
+def _panel(context: PageContext, rows: Rows) -> Panel:
+    run, say = context.run, context.words
+    unit = context.unit(run.variant.unit_of(rows.name))
+    symbol = context.symbol(rows.name)
+    stop = [np.array([run.stop.time])] if run.stop is not None else []
+    field = field_for(SIZE, [rows.t, rows.curve_t, *stop], [rows.values, rows.curve], context.numbers)
+    label = letters(symbol) + (f", {escape(unit)}" if unit else "")
+    inside = axes(field, context.numbers, label, context.unit("s"))
+    if run.stop is not None:
+        x = field.x(run.stop.time)
+        inside += f'<path {STOP_PEN} d="M{x:.2f} {graph_paper.TOP:g}V{field.height - graph_paper.BOTTOM:g}"/>'
+    if len(rows.curve):
+        inside += f'<path {EXACT_PEN} d="{field.path(rows.curve_t, rows.curve)}"/>'
+    if len(rows.t):
+        t, values = (sparse(one, MOST_POINTS) for one in (rows.t, rows.values))
+        inside += f'<path {SCHEME_PEN} d="{field.path(t, values)}"/>'
+        inside += f'<path class="dots" fill="{SCHEME_INK}" d="{dots(field, rows.t, rows.values)}"/>'
+    both = np.concatenate([rows.values, rows.curve])
+    low, high = (context.quantity(float(value), unit, 4) for value in (both.min(), both.max()))
+    alt = say("graphs.alt", symbol=symbol.text, low=low, high=high)
+    return Panel(rows.name, sheet(field, inside), alt)
+
+
+def _sample(*, dotted: bool) -> str:
+    """Return the piece of line that stands in the key."""
+    width, height = SAMPLE
+    if dotted:
+        r = graph_paper.RADIUS
+        inside = f'<path {SCHEME_PEN} d="M0 1.5H{width:g}"/>'
+        inside += "".join(f'<circle cx="{x}" cy="1.5" r="{r}" fill="{SCHEME_INK}"/>' for x in (2, 5, 8))
+    else:
+        inside = f'<path {EXACT_PEN} d="M0 1.5H{width:g}"/>'
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:g}mm" height="{height:g}mm" '
+        f'viewBox="0 0 {width:g} {height:g}" aria-hidden="true">{inside}</svg>'
+    )

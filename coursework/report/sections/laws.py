@@ -1,0 +1,53 @@
+"""The laws of a file as a page shows them: drives, functions of the configuration, tables.
+
+Enters: a `PageContext` and `Law` records.  Leaves: displayed equations, sentences.  Used by `statement.py`.
+"""
+
+from __future__ import annotations
+
+import re
+
+from coursework.report.formulas import typst_math
+from coursework.report.formulas.display import display
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.parts import Display, Equations, Paragraph, Part
+from coursework.report.text.text_runs import runs
+from coursework.variant.formula.tree import Formula
+from coursework.variant.record.variant import Law
+from coursework.words.templates import clean
+
+_TIME = re.compile("t(?= =)")  # the letter of "from t = 0.3 s", a symbol among words
+
+
+def laws_shown(context: PageContext, laws: tuple[Law, ...]) -> list[Part]:
+    """Return the laws, each table as a sentence."""
+    tabulated = [Paragraph(runs(_tabulated(context, law))) for law in laws if law.table]
+    shown = [_law(context, law) for law in laws if not law.table]
+    return [*([Equations(shown, flow=True)] if shown else []), *tabulated]
+
+
+def _law(context: PageContext, law: Law) -> Display:
+    if law.formula is not None:
+        return display(Formula("name", name=law.name), law.formula, context.rates)
+    symbol = context.symbol(law.name)
+    lines, texts = [], []
+    for start, formula in law.pieces:
+        when = context.words("drive.pieces", time=context.quantity(start, "s"))
+        in_words = _TIME.sub('"t"', when)
+        lines.append(f'{typst_math.math(formula, context.rates)} quad "{in_words}"')
+        texts.append(f"{typst_math.text(formula, context.rates)} {when}")
+    return Display(f"{symbol.typst} = cases({', '.join(lines)})", f"{symbol.text} = {'; '.join(texts)}")
+
+
+def _tabulated(context: PageContext, law: Law) -> str:
+    say = context.words
+    known, unit = f"drive.method.{law.method}", context.run.variant.unit_of(law.of)
+    return say(
+        "drive.table",
+        symbol=context.lettering(law.name),
+        of=context.lettering(law.of),
+        count=len(law.table),
+        first=context.quantity(law.table[0][0], unit),
+        last=context.quantity(law.table[-1][0], unit),
+        method=say(known) if say.has(known) else clean(law.method),
+    )

@@ -1,0 +1,54 @@
+"""The last appendix: by which formula, with which step and which programs the numbers came about.
+
+Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
+"""
+
+from __future__ import annotations
+
+from coursework.report.formulas import lecture
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.parts import Bullets, Display, Equations, Paragraph, Part
+from coursework.report.text.text_runs import runs
+from coursework.words.templates import clean
+
+
+def method(context: PageContext) -> list[Part]:
+    """By which formula, with which step and which programs the numbers came about."""
+    run, say = context.run, context.words
+    coordinates = run.motion.coordinate_names
+    rates = [c.rate for c in run.variant.coordinates if c.name in coordinates]
+    if run.tableau is None:
+        label = clean(context.words.written(run.motion.label)).rstrip(".")
+        told = [say("method.rows_exact", step=context.quantity(run.step, "s"), label=label)]
+        return [Paragraph(context.lettered(say.sentences([*told, *_lesson(context)]))), *_versions(context)]
+    intro = context.say("method.intro", title=context.told(run.scheme_title), order=run.tableau.order)
+    formula = Equations([Display(math, text) for math, text in lecture.lines(run.tableau)])
+    parts: list[Part] = [Paragraph(intro), formula]
+    sentences = [
+        say("method.meaning", coordinates=context.symbol_list(coordinates), rates=context.symbol_list(rates)),
+        say("method.time", step=context.quantity(run.step, "s"), evaluations=context.numbers.whole(run.motion.evaluations)),
+    ]
+    if run.settings.project:
+        sentences.append(say.count("method.project", run.settings.project))
+    if run.settings.gain:
+        product = context.numbers.plain(run.settings.gain * run.step)
+        sentences.append(say("method.gain", gain=context.quantity(run.settings.gain, "1/s"), product=product))
+    if context.exact is not None:
+        label = context.words.written(context.exact.label) or say("graphs.exact")
+        sentences.append(say("method.exact", label=clean(label).rstrip(".")))
+    parts.append(Paragraph(context.lettered(say.sentences(sentences))))
+    if run.motion.notes:
+        parts.append(Bullets([context.rich(note) for note in run.motion.notes]))
+    return [*parts, *_versions(context)]
+
+
+def _lesson(context: PageContext) -> list[str]:
+    """Return how far the coursework's scheme is from an exact table."""
+    lesson = context.run.distance_to_exact
+    return [] if lesson is None else [context.told(lesson.sentence)]
+
+
+def _versions(context: PageContext) -> list[Part]:
+    named = (f"{clean(name)} {clean(version)}" for name, version in context.run.versions.items())
+    versions = context.words("join.comma").join(named)
+    return [Paragraph(runs(context.words("method.versions", versions=versions)), "note")] if versions else []

@@ -1,0 +1,264 @@
+"""The equations of motion: constraints, vector equations of the paths, projections, and the choice among them.
+
+Enters: a `PageContext`.  Leaves: displayed equations with the words around them.  Used by `sections.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from itertools import pairwise
+
+from coursework.equations.reduction.solution import ShownEquation
+from coursework.mechanism.derivation.contours import Contour, contours_of
+from coursework.mechanism.derivation.derive import Combination, Derivation, Numbered, derive
+from coursework.mechanism.derivation.paths import Path, Term
+from coursework.mechanism.derivation.segments import ZERO, Angle
+from coursework.report.formulas import typst_math as setting
+from coursework.report.formulas.display import display
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.parts import Bullets, Display, Equations, Paragraph, Part
+from coursework.report.text.text_runs import runs, unbroken
+from coursework.variant.formula.tree import Formula, number, part_of_pi
+from coursework.words.templates import clean
+
+
+def equations(context: PageContext) -> list[Part]:
+    """The way of the guide where the file shows points; the equations as they are written or follow from a contour.
+
+    A chain of groups alone takes its contours instead of paths between points.
+    """
+    written = [one for one in context.run.equations if not one.derived]
+    parts: list[Part] = []
+    chain = context.variant.groups and not written
+    found = None if chain else derive(context.run.scene.mechanism, _configurations(context))
+    intro = "constraints.intro"
+    if found is not None:
+        reductions = _reductions(context, found.projections)
+        parts += [*_derived_from_points(context, found), *reductions]
+        intro = "constraints.chosen" if reductions else "constraints.taken"
+    elif written:
+        parts.append(Paragraph(runs(_unchecked(context, [one.name for one in written]))))
+    if written:
+        parts.append(Paragraph(context.say(intro)))
+        parts.append(Equations([_shown(context, one) for one in written], compact=found is not None))
+    parts += _rank(context, found) if found else []
+    parts += _contours(context, first=not parts)
+    notes = [Bullets([context.rich(note) for note in context.run.reduction.notes])] if context.run.reduction.notes else []
+    return [*parts, *notes]
+
+
+def _configurations(context: PageContext) -> list[dict[str, float]]:
+    motion = context.run.motion
+    if len(motion.coordinate_names) < len(context.run.variant.coordinates):
+        return []
+    return [dict(zip(motion.coordinate_names, row, strict=True)) for row in motion.coordinates.tolist()]
+
+
+def _reason(context: PageContext, equation: ShownEquation) -> str:
+    """Return why a written equation holds, in the language of the page where the file says it there."""
+    reasons = {constraint.name: constraint.because for constraint in context.variant.constraints}
+    return reasons.get(equation.name, equation.because)
+
+
+def _shown(context: PageContext, equation: ShownEquation) -> Display:
+    """Return an equation with its reason; redundant ones say so."""
+    because = equation.because if equation.derived else _reason(context, equation)
+    reason = context.rich(because)
+    reason = reason if equation.derived else context.in_its_language(because, reason)
+    angles = context.angles
+    one = display(angles.put_in(equation.left), angles.put_in(equation.right), context.rates, equation.name, reason)
+    return one if equation.used else replace(one, after=context.say("constraints.unused"))
+
+
+def _derived_from_points(context: PageContext, found: Derivation) -> list[Part]:
+    say = context.words
+    nought = [f"{known.point}{axis}" for known in found.graph.known for axis in "xy" if known.part(axis) == ZERO]
+    zero = [context.symbol(f"V{clean(name)}") for name in nought]
+    line = [Display(f"{one.typst} = 0", f"{one.text} = 0") for one in zero]
+    ways = say("join.comma").join(unbroken("–".join(clean(point) for point in path.points)) for path in found.paths)
+    nought_first: list[Part] = [Paragraph(context.say("constraints.joints")), Equations(line, flow=True)] if zero else []
+    return [
+        *nought_first,
+        Paragraph(runs(say("constraints.paths", paths=ways))),
+        Equations([_vector_equation(path) for path in found.paths], flow=True),
+        Paragraph(context.say("constraints.projections")),
+        Equations([_projection(context, one) for one in found.projections]),
+    ]
+
+
+def _vector_equation(path: Path) -> Display:
+    """Return V_C = V_M + V_BM + V_CB."""
+    pairs = [(path.points[0], ""), *((second, before) for before, second in pairwise(path.points))]
+    math = " + ".join(_vector(point, about) for point, about in pairs)
+    text = " + ".join(f"V_{point}{about}" for point, about in pairs)
+    return Display(f"{_vector(path.points[-1], '')} = {math}", f"V_{path.points[-1]} = {text}")
+
+
+def _vector(point: str, about: str) -> str:
+    names = " ".join(name if len(name) == 1 else f'"{name}"' for name in (point, about) if name)
+    return f"arrow(V)_({names})"
+
+
+def _projection(context: PageContext, one: Numbered) -> Display:
+    projection = one.projection
+    left = Formula("name", name=f"V{projection.path.points[-1]}{projection.axis}")
+    right = None if projection.start == ZERO else projection.start
+    for term in projection.terms:
+        piece = _term(term)
+        if right is None:
+            right = piece if term.sign > 0 else Formula("neg", (piece,))
+        else:
+            right = Formula("+" if term.sign > 0 else "-", (right, piece))
+    made = display(left, right if right is not None else ZERO, context.rates, one.name)
+    end_math, end_text = setting.math(projection.end, context.rates), setting.text(projection.end, context.rates)
+    return replace(made, math=f"{made.math} = {end_math}", text=f"{made.text} = {end_text}")
+
+
+def _term(term: Term) -> Formula:
+    turned = Formula("call", (_angle(term.angle),), term.function)
+    rate = Formula("name", name=term.rate)
+    if term.length is None:
+        return Formula("*", (rate, turned))
+    return Formula("*", (Formula("*", (rate, term.length)), turned))
+
+
+def _angle(angle: Angle) -> Formula:
+    """Return an angle as it is drawn, nothing reduced: phi3 + 3 pi/2."""
+    offset = part_of_pi(angle.offset)
+    if angle.base is None:
+        return offset
+    return angle.base if angle.offset == 0 else Formula("+", (angle.base, offset))
+
+
+def _reductions(context: PageContext, found: Sequence[Numbered]) -> list[Part]:
+    """Return the reduction formulas that the projections need."""
+    used: dict[tuple[str, Fraction, bool], None] = {}
+    for one in found:
+        for term in one.projection.terms:
+            if term.angle.offset:
+                used[term.function, term.angle.offset, term.angle.base is not None] = None
+    lines = [_reduction(*key) for key in used if key[1] in _QUARTERS]
+    return [Paragraph(context.say("constraints.reductions")), Equations(lines, flow=True)] if lines else []
+
+
+_QUARTERS = {Fraction(1, 2): 1, Fraction(1): 2, Fraction(3, 2): 3}
+_VALUES = {"cos": ("cos", "-sin", "-cos", "sin"), "sin": ("sin", "cos", "-sin", "-cos")}
+_NUMBERS = {"cos": (1, 0, -1, 0), "sin": (0, 1, 0, -1)}
+
+
+def _reduction(function: str, offset: Fraction, has_base: bool) -> Display:
+    """Return cos(phi + pi) = -cos phi, or cos 3pi/2 = 0."""
+    quarters = _QUARTERS[offset]
+    phi = Formula("name", name="phi")
+    if not has_base:
+        return display(Formula("call", (part_of_pi(offset),), function), number(_NUMBERS[function][quarters]))
+    value = _VALUES[function][quarters]
+    reduced = Formula("call", (phi,), value.lstrip("-"))
+    right = Formula("neg", (reduced,)) if value.startswith("-") else reduced
+    return display(Formula("call", (Formula("+", (phi, part_of_pi(offset))),), function), right)
+
+
+def _rank(context: PageContext, found: Derivation) -> list[Part]:
+    """Return how many equations are independent, which are sums of others, and which say what no path says."""
+    say = context.words
+    count = len(found.projections)
+    told = [say("constraints.rank", count=count, rank=found.rank)] if count > found.rank else []
+    if 1 < count == found.rank:
+        told.append(say("constraints.rank_all"))
+    sums = [_sum(one) for one in found.dependent if one.terms]
+    if sums:
+        told.append(say("constraints.sums", sums=say("join.semicolon").join(sums)))
+    names = {one.name for one in found.projections}
+    mixed = [f"({clean(name, 40)})" for name in found.followed if name not in names]
+    if mixed:
+        told.append(say("constraints.mixed", names=say.listing(mixed)))
+    confirmed, open_to_doubt = _confirmed(context, found.beyond)
+    told += [say("constraints.beyond_compared", names=say.listing(confirmed))] if confirmed else []
+    told += [say("constraints.beyond", names=say.listing(open_to_doubt))] if open_to_doubt else []
+    return [Paragraph(runs(say.sentences(told)))] if told else []
+
+
+def _unchecked(context: PageContext, written: Sequence[str]) -> str:
+    """Return what is known of the signs of equations that no path between points gives."""
+    say = context.words
+    confirmed, open_to_doubt = _confirmed(context, written)
+    if not confirmed:
+        return say("constraints.unchecked")
+    rest = [say("constraints.open", names=say.listing(open_to_doubt))] if open_to_doubt else []
+    return say.sentences([say("constraints.compared", names=say.listing(confirmed)), *rest])
+
+
+def _confirmed(context: PageContext, names: Sequence[str]) -> tuple[list[str], list[str]]:
+    """Return which of these equations the positions confirm and which they do not, as "(12)"."""
+    closure = context.run.scene.closure
+    agreed = closure.agreed if closure is not None else ()
+    confirmed, rest = [name for name in names if name in agreed], [name for name in names if name not in agreed]
+    return [f"({clean(name, 40)})" for name in confirmed], [f"({clean(name, 40)})" for name in rest]
+
+
+def _sum(one: Combination) -> str:
+    terms = [(f"({clean(name, 40)})", sign) for sign, name in one.terms]
+    first = ("−" if terms[0][1] < 0 else "") + terms[0][0]
+    rest = "".join(f" {'−' if sign < 0 else '+'} {name}" for name, sign in terms[1:])
+    return f"({clean(one.name, 40)}) = {first}{rest}"
+
+
+def _contours(context: PageContext, first: bool) -> list[Part]:
+    """Return for each closed contour its vector equation, its projections, their derivatives; then what else is derived.
+
+    `first`: nothing stands above.
+    """
+    derived = [one for one in context.run.equations if one.derived]
+    if not derived:
+        return []
+    parts: list[Part] = list(_constant_angles(context))
+    rest = {one.name: one for one in derived}
+    contours = contours_of(context.run.scene.mechanism)
+    parts += _points(context, contours)
+    for contour in contours:
+        both = [rest.pop(f"{contour.name}{axis}") for axis in "xy" if f"{contour.name}{axis}" in rest]
+        if not both:
+            continue
+        vector = display(_put_in(context, contour.left), _put_in(context, contour.right), context.rates)
+        parts += [
+            Paragraph(context.lettered(context.words("constraints.contour", name=clean(contour.name, 40)))),
+            Equations([vector]), Paragraph(context.say("constraints.two")), Equations(_two(context, contour), flow=True),
+            Paragraph(context.say("constraints.derivatives")),
+            Equations([replace(_shown(context, one), before=[]) for one in both]),
+        ]  # fmt: skip
+    if rest:
+        alone = first and len(rest) == len(derived)
+        parts.append(Paragraph(context.say("constraints.differentiated" if alone else "constraints.kept")))
+        parts.append(Equations([_shown(context, one) for one in rest.values()]))
+    return parts
+
+
+def _put_in(context: PageContext, formula: Formula) -> Formula:
+    return context.angles.put_in(formula)
+
+
+def _two(context: PageContext, contour: Contour) -> list[Display]:
+    pairs = zip(contour.left_parts, contour.right_parts, strict=True)
+    return [display(_put_in(context, left), _put_in(context, right), context.rates) for left, right in pairs]
+
+
+def _points(context: PageContext, contours: Sequence[Contour]) -> list[Part]:
+    """Return the places of the moving points that the contours begin at."""
+    mechanism = context.run.scene.mechanism
+    named = {name for one in contours for side in (one.left, one.right) for name in side.names()}
+    coordinates = {coordinate.name for coordinate in context.run.variant.coordinates}
+    shown = [
+        display(Formula("name", name=name), _put_in(context, formula), context.rates)
+        for name, formula in mechanism.points
+        if name in named and (set(formula.names()) & coordinates)
+    ]
+    return [Paragraph(context.say("constraints.points")), Equations(shown, flow=True)] if shown else []
+
+
+def _constant_angles(context: PageContext) -> Iterator[Part]:
+    """Yield the line that defines each constant angle."""
+    if lines := [display(Formula("name", name=name), angle, context.rates) for name, angle in context.angles.angles]:
+        yield Paragraph(context.say("constraints.angles"))
+        yield Equations(lines, flow=True)

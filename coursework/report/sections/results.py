@@ -1,0 +1,119 @@
+"""The table of results, its first row beside the last, and why they differ.
+
+Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
+"""
+
+from __future__ import annotations
+
+from coursework.motion.schemes import SCHEMES, Scheme, title_of
+from coursework.report.graphs.tangent import tangent_figure
+from coursework.report.text.numbers import deserved_decimals
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.parts import Cell, Column, Paragraph, Part, Table
+from coursework.report.text.tables import motion_parts, pieces
+from coursework.report.text.text_runs import numeral, runs
+from coursework.report.wording.closeness import LocalError, evidence, largest_step_error, splits, unreturned
+from coursework.results.checks.close_to_motion.period import Split
+from coursework.scene.quantities import CHECKS
+
+ROWS = ("first", "last", "total")
+CAUSES = ("scheme", "period")  # what a difference is made of; of rows that are the motion itself there is nothing to tell apart
+SHORT = 2  # digits of a cause too small for the decimals of its column
+HARDLY = 1e-3  # of a difference: a smaller part that the period has in it is none to count
+FINE = 1  # decimals that a difference is printed with beyond those of its column
+
+
+def results(context: PageContext) -> list[Part]:
+    """Every row of the motion, or enough of them to read; then the first beside the last, and the reason."""
+    parts = motion_parts(context)
+    if not context.run.asks(CHECKS) or not len(context.run.motion.t):
+        return parts
+    found = [split for split in splits(context) if split.name not in context.run.variant.known_rates]
+    parted = pieces([split.name for split in found]) if found else []
+    for number, (first, last) in enumerate(parted, start=1):
+        parts.append(_first_last(context, found[first:last], number, len(parted)))
+    step = largest_step_error(context) if _scheme(context) is not None else None
+    parts += _why(context, found, step)
+    scheme = _scheme(context)
+    bends = step is not None and not step.is_round_off
+    if step and bends and scheme and scheme.slopes == 1 and (figure := tangent_figure(context, step)):
+        parts.append(figure)
+    return parts
+
+
+def _scheme(context: PageContext) -> Scheme | None:
+    return SCHEMES.get(evidence(context).motion.scheme)
+
+
+def _first_last(context: PageContext, found: list[Split], number: int, many: int) -> Table:
+    """Return table `number` of `many`: first row, last row, their difference and its parts, a column for each of the table's."""
+    say, numbers, motion = context.words, context.numbers, context.run.motion
+    row = context.run.results.evidence.period_row or 0
+    heads = {
+        "first": say("first_last.first", row=1, time=context.quantity(float(motion.t[0]), "s")),
+        "last": say("first_last.last", row=row + 1, time=context.quantity(float(motion.t[row]), "s")),
+        "total": say("first_last.total"),
+        "scheme": say("first_last.scheme"),
+        "period": say("first_last.period" if context.run.variant.time.period is not None else "first_last.motion"),
+    }
+    parts = ROWS if context.run.tableau is None else ROWS + CAUSES
+    decimals = {split.name: deserved_decimals(map(float, motion.column(split.name))) for split in found}
+    rows: list[list[Cell]] = []
+    for part in parts:
+        cells: list[Cell] = [runs(heads[part])]
+        for split in found:
+            value = getattr(split, part) + (split.roundoff if part == "scheme" else 0.0)
+            fine = 0 if part in {"first", "last"} else FINE
+            shown = numbers.without_noise(value, split.first)
+            cells.append(numeral(numbers.fixed(shown, decimals[split.name] + fine, SHORT)))
+        rows.append(cells)
+    columns = [Column([], words=True)]
+    columns += [Column(context.symbol_runs([split.name]), context.unit(split.unit)) for split in found]
+    turned = [say("first_last.turns", symbol=context.lettering(s.name), turns=numbers.signed(s.turns)) for s in found if s.turns]
+    note = runs(say("first_last.taken_off", turned=say("join.semicolon").join(turned))) if turned else []
+    which = say("table.part", part=number, parts=many) if many > 1 else ""
+    caption = runs(say.sentences([say("first_last.caption" if parts != ROWS else "first_last.caption_motion"), which]))
+    return Table(columns, rows, caption, strong=[2], note=note, id="first-last" if number == 1 else "")
+
+
+def _why(context: PageContext, found: list[Split], step: LocalError | None) -> list[Part]:
+    """Return the sentences: along the tangent; half the step; what the period adds."""
+    say, scheme = context.words, _scheme(context)
+    told: list[str] = []
+    if step is not None and step.is_round_off:
+        told.append(say("why.straight"))
+    elif step is not None and scheme is not None:
+        gap = context.with_unit(context.numbers.scalar(abs(step.gap), 3), step.unit)
+        values = {"symbol": context.lettering(step.column), "rate": context.lettering(step.rate_name), "gap": gap}
+        values |= {"row": str(step.row), "next": str(step.row + 1)}
+        title = context.told(title_of(scheme))
+        if scheme.order == 1:
+            told.append(say("why.tangent", scheme=title[:1].upper() + title[1:], **values))
+            told.append(say("why.half"))
+        else:
+            told.append(say("why.order", scheme=title[:1].upper() + title[1:], order=scheme.order, less=2**scheme.order))
+    if context.run.tableau is None and context.run.distance_to_exact is not None:
+        told.append(say("why.exact", sentence=context.told(context.run.distance_to_exact.sentence)))
+    told += _period(context, found)
+    return [Paragraph(context.lettered(say.sentences(told)))] if told else []
+
+
+def _period(context: PageContext, found: list[Split]) -> list[str]:
+    """Return the sentence about a run that does not end with its period, for the coordinate that is moved most."""
+    period, say = context.run.variant.time.period, context.words
+    coordinates = [split for split in found if split.name in context.run.motion.coordinate_names]
+    if period is None or not coordinates:
+        return []
+    row = context.run.results.evidence.period_row or 0
+    end = float(context.run.motion.t[row])
+    late = abs(end - round(end / period) * period)
+    told = {"end": context.quantity(end, "s"), "period": context.quantity(period, "s")}
+    most = max(coordinates, key=lambda split: abs(split.period))
+    if context.run.tableau is None:
+        return [say("why.elsewhere" if unreturned(context) else "why.returns", **told)]
+    if late < 1e-9 * period:
+        return [say("why.period_met", **told)]
+    if all(abs(split.period) < HARDLY * abs(split.total) for split in coordinates):
+        return [say("why.period_near", late=context.with_unit(context.numbers.scalar(late, SHORT), context.unit("s")), **told)]
+    part, whole = (context.numbers.scalar(value, 2 if value is most.period else 3) for value in (most.period, most.total))
+    return [say("why.period", part=part, whole=context.with_unit(whole, most.unit), symbol=context.lettering(most.name), **told)]

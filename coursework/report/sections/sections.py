@@ -1,0 +1,71 @@
+"""The sections of the report in their order; a section's name is that of the function that writes it, and its id.
+
+Enters: a `PageContext`.  Leaves: sections, none where there is nothing to say.  Used by `model.py`.
+To add one: write the function, put it into `PAPER` or `APPENDIX` with the quantity that must be asked for, give it a title
+`section.NAME` in the words files; it appears in its place, in HTML and PDF alike.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from coursework.report.graphs.figures import drawn_parts
+from coursework.report.sections.accuracy import accuracy
+from coursework.report.sections.checks import checks
+from coursework.report.sections.construction import graph_check
+from coursework.report.sections.control import control
+from coursework.report.sections.dead_point import dead_point
+from coursework.report.sections.graphs import graphs
+from coursework.report.sections.method import method
+from coursework.report.sections.motion_equations import equations
+from coursework.report.sections.results import results
+from coursework.report.sections.solution import solution
+from coursework.report.sections.statement import statement
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.parts import Part, Section
+from coursework.report.text.tables import extra_parts
+from coursework.report.text.text_runs import LONGEST_NAME
+from coursework.scene.quantities import ACCURACY, CHECKS, GRAPH_CHECK, PLOTS, TABLE, Quantity
+
+Writer = Callable[[PageContext], list[Part]]
+Writers = tuple[tuple[Writer, Quantity[Any] | None], ...]
+
+# Each writer with the quantity that must be asked for; None: always there.
+NUMBERED: Writers = ((statement, None), (dead_point, None), (equations, None), (solution, None))
+PAPER: Writers = (
+    (results, TABLE), (graphs, PLOTS), (control, CHECKS), (graph_check, GRAPH_CHECK),
+)  # fmt: skip
+APPENDIX: Writers = ((checks, CHECKS), (accuracy, ACCURACY), (method, None))
+WITHOUT_NUMBER = {"dead_point"}  # stands before all else that is computed, where it stands at all
+
+
+def all_sections(context: PageContext) -> Iterator[Section]:
+    """Yield the sections in order: those the guide numbers, the rest, a table or figure for each further quantity, appendix."""
+    number = 0
+    for section in _written_by(NUMBERED, context):
+        number += section.name not in WITHOUT_NUMBER
+        yield section.labelled("" if section.name in WITHOUT_NUMBER else str(number))
+    yield from _written_by(PAPER, context)
+    for quantity, extra in context.run.extra_tables.items():
+        yield Section(quantity, _heading(context, quantity, extra.title), extra_parts(context, extra))
+    for quantity, drawings in context.run.figures(context.words.written).items():
+        if drawings:
+            yield Section(
+                quantity, _heading(context, quantity, quantity), [part for one in drawings for part in drawn_parts(context, one)]
+            )
+    for place, section in enumerate(_written_by(APPENDIX, context)):
+        yield section.labelled(context.words("section.appendix", letter="ABCDEFGH"[place]))
+
+
+def _heading(context: PageContext, quantity: str, named: str) -> str:
+    key = f"section.{quantity}"
+    return context.words(key) if context.words.has(key) else context.told(named, LONGEST_NAME)
+
+
+def _written_by(writers: Writers, context: PageContext) -> Iterator[Section]:
+    for write, quantity in writers:
+        if quantity is not None and not context.run.asks(quantity):
+            continue
+        if parts := write(context):
+            yield Section(write.__name__, context.words(f"section.{write.__name__}"), parts)

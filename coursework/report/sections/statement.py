@@ -1,0 +1,284 @@
+"""The first page: whose work it is, what is given, what is sought, and the answer in a box.
+
+Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+from coursework.mechanism.mechanism import Mechanism
+from coursework.report.graphs.figures import drawn
+from coursework.report.sections.laws import laws_shown
+from coursework.report.text.numbers import NOTHING, TIGHT, first_of
+from coursework.report.text.page_context import STOP_DIGITS, PageContext
+from coursework.report.text.parts import Beside, Cell, Column, Paragraph, Part, Result, Runs, Table, TitleBlock
+from coursework.report.text.text_runs import LONGEST_NAME, runs
+from coursework.report.wording.closeness import largest_errors, splits, unreturned
+from coursework.report.wording.data_meanings import coordinate_meanings, meanings
+from coursework.report.wording.sought import sought
+from coursework.results.checks.summary import summary
+from coursework.scene.quantities import CHECKS, TABLE
+from coursework.variant.formula.tree import Formula, constant, terms
+from coursework.variant.record.variant import Variant
+from coursework.words.templates import clean
+
+MOST_REMARKS = 12  # on the first page, on which the results begin
+USUAL_ROW = 4  # the row that is compared where a file names none
+SHOWN_DIGITS = 5
+MEASURED = 8  # digits of a datum; one with more has been computed
+_DECIMAL = re.compile(r"-?\d+\.\d+")
+_QUANTITY = re.compile(r"([+-]?\d*\.?\d+(?:[eE][+-]?\d+)?) ([\w/^]+)")
+GAP = "\ue002"  # stands in a sentence where a text of the file goes; no text has it
+
+
+def statement(context: PageContext) -> list[Part]:
+    """Title block, what drives what, the mechanism, its data beside the answer, remarks."""
+    data, answer = _data(context), _answer(context)
+    return [
+        _title_block(context),
+        *_task(context),
+        *_mechanism(context),
+        *([Beside(data, answer)] if data.rows else [answer]),
+        *[Paragraph(context.in_its_language(text, context.rich(text)), style="note") for text in context.variant.remarks],
+        *_set(context),
+        *_plausibility(context),
+    ]
+
+
+def _mechanism(context: PageContext) -> list[Part]:
+    found = context.run.mechanism()
+    return [drawn(context, found)] if found is not None else []
+
+
+def _set(context: PageContext) -> list[Part]:
+    """Return what the command line has set, other than in the file."""
+    values = context.run.variant.set_values
+    if not values:
+        return []
+    pairs = [f"{name} = {_set_value(context, text)}" for name, text in values.items()]
+    return [Paragraph(context.lettered(context.words("given.set", listed=context.words.listing(pairs))))]
+
+
+def _title_block(context: PageContext) -> TitleBlock:
+    run, say = context.run, context.words
+    lines = [
+        ("institution", run.institution), ("student", run.student), ("group", run.group), ("teacher", run.teacher),
+        ("date", run.date), ("mark", None), ("signature", None),
+    ]  # fmt: skip
+    return TitleBlock([(say(f"title.{key}"), _plain(value or "")) for key, value in lines if value or key != "date"])
+
+
+def _plain(text: str) -> Runs:
+    return [{"t": clean(text, LONGEST_NAME)}] if text else []
+
+
+def _task(context: PageContext) -> list[Part]:
+    """Return what is driven and how, which points the frame holds, and what is sought."""
+    variant, say = context.variant, context.words
+    parts: list[Part] = []
+    if variant.source:
+        parts.append(Paragraph(_source(context), style="note"))
+    if variant.drive:
+        key = "drive.point" if variant.driven else "drive.rates"
+        parts += [Paragraph(context.say(key, point=clean(variant.driven or ""))), *laws_shown(context, variant.drive)]
+    else:
+        parts.append(Paragraph(context.say("drive.none")))
+    if variant.functions:
+        parts += [Paragraph(context.say("drive.functions")), *laws_shown(context, variant.functions)]
+    return [*parts, Paragraph(context.lettered(say.sentences([*_held(context), *sought(context)])))]
+
+
+def _source(context: PageContext) -> Runs:
+    """Return where the task is from: our words around those of the file."""
+    before, _, behind = context.words("statement.source", source=GAP).partition(GAP)
+    return [*runs(before), *context.quoted(context.variant.source, LONGEST_NAME), *runs(behind)]
+
+
+def _held(context: PageContext) -> list[str]:
+    """Return what the frame and the wheels hold."""
+    variant, say = context.run.variant, context.words
+    told = []
+    if hinges := [clean(name) for name in variant.frame.hinges]:
+        told.append(say.count("statement.hinges", len(hinges), points=say.listing(hinges)))
+    for link in variant.links:
+        if link.wheel and link.contact:
+            wheel = {"link": clean(link.name), "centre": clean(link.wheel), "point": clean(link.contact)}
+            middle = _rolled_on(variant, link.contact)
+            if link.wheel in variant.frame.hinges:
+                told.append(say("statement.gear", **wheel))
+            elif middle:
+                told.append(say("statement.wheel_on_circle", middle=clean(middle), **wheel))
+            else:
+                told.append(say("statement.wheel", **wheel))
+        if link.slides:
+            told.append(say("statement.sleeve", link=clean(link.name), bar=clean(link.slides)))
+    contacts = {link.contact for link in variant.links}
+    riders = [_rider(context.run.scene.mechanism, t) for t, _ in variant.frame.rails]
+    guided = [clean(name) for name in dict.fromkeys(riders) if name and name not in contacts]
+    if guided:
+        told.append(say.count("statement.guided", len(guided), points=say.listing(guided)))
+    for rider, (through, angle) in zip(riders, variant.frame.rails, strict=True):
+        if rider in guided and (point := _leads_through(context.run.scene.mechanism, rider, through, angle)):
+            told.append(say("statement.leads_through", rider=clean(rider), point=clean(point)))
+    return told
+
+
+def _rolled_on(variant: Variant, contact: str) -> str:
+    """Return the middle of the one fixed circle that a wheel rolls on; "" where it rolls on a rail, or there are several."""
+    on_rail = any(through.op == "name" and through.name == contact for through, _ in variant.frame.rails)
+    middles = [centre.name for centre, _ in variant.frame.circles if centre.op == "name"]
+    return middles[0] if len(middles) == len(variant.frame.circles) == 1 and not on_rail else ""
+
+
+def _rider(mechanism: Mechanism, through: Formula) -> str:
+    """Return the point that moves on a guide: the one it leads through, or what a group has on it; "" where there is none."""
+    if through.op == "name" and _moves(mechanism, through.name):
+        return through.name
+    held = (group.meets for group in mechanism.variant.groups for guide in group.guides if guide.through == through)
+    return next((name for name in held if name), "")
+
+
+def _moves(mechanism: Mechanism, name: str) -> bool:
+    """Return whether a name stands for something that changes, or is built from such a thing."""
+    variant, points = mechanism.variant, dict(mechanism.points)
+    changing = {*variant.columns, *(law.name for law in (*variant.drive, *variant.functions)), "t"}
+    return name in changing or (name in points and any(_moves(mechanism, part) for part in points[name].names()))
+
+
+def _leads_through(mechanism: Mechanism, rider: str, through: Formula, angle: Formula) -> str:
+    """Return the fixed point on the line of a guide that the file places its rider from, "" where there is none.
+
+    It is named by the guide itself, unless that is moved aside, or by the rider: A = K + s @ beta on a guide along beta.
+    """
+    variant, points = mechanism.variant, dict(mechanism.points)
+    if through.op == "name" and through.name != rider:
+        guides = [guide for group in variant.groups for guide in group.guides if guide.through == through]
+        return "" if any(constant(guide.offset) != 0 for guide in guides) else through.name
+    parts = [*terms(points[rider])] if rider in points else []
+    is_along = [part.op for part in parts] == ["name", "@"] and parts[1].args[1] == angle
+    return parts[0].name if is_along and not _moves(mechanism, parts[0].name) else ""
+
+
+def _data(context: PageContext) -> Table:
+    """The data of the task sheet as written, and the start."""
+    variant = context.variant
+    means = meanings(context.run.scene.mechanism)
+    measured = coordinate_meanings(context.run.scene.mechanism)
+    rows: list[list[Cell]] = [
+        [
+            context.symbol_runs([g.name]),
+            context.quoted(g.means, LONGEST_NAME) if g.means else context.lettered(context.told(means[g.name])),
+            _given(context, g.text, g.unit),
+        ]
+        for g in variant.given
+    ]
+    for c in variant.coordinates:
+        head = context.symbol_runs([c.name])
+        if c.start is None:
+            how = context.words("given.from_groups" if c.near is None else "given.follows")
+            rows.append([head, _between(context, measured[c.name], how), _first(context, c.name, c.unit)])
+        else:
+            how = context.words("given.at_start")
+            rows.append([head, _between(context, measured[c.name], how), _given(context, c.text, c.written)])
+    columns = [Column(context.say(f"given.{key}"), words=key != "written") for key in ("quantity", "meaning", "written")]
+    return Table(columns, rows, context.say("given.data" if variant.given else "given.coordinates"))
+
+
+def _between(context: PageContext, measured: str, how: str) -> Runs:
+    """Return how a start is known, behind what the coordinate measures."""
+    return context.lettered(context.words("given.between", ends=context.told(measured), how=how) if measured else how)
+
+
+def _first(context: PageContext, name: str, unit: str) -> str:
+    """Return a coordinate of the first row; a restricted table may not have it."""
+    motion = context.run.motion
+    known = name in motion.coordinate_names and len(motion.t) > 0
+    return context.quantity(first_of(motion, name), unit) if known else NOTHING
+
+
+def _given(context: PageContext, text: str, unit: str) -> str:
+    """Return a value as the file gives it, in the signs of the page; digits beyond what can be measured are left out."""
+    computed = _DECIMAL.fullmatch(text) and len(text.strip("-0.").replace(".", "")) > MEASURED
+    return context.with_unit(context.numbers.plain(float(text)) if computed else _written(context, text), unit)
+
+
+def _set_value(context: PageContext, text: str) -> str:
+    """Return a value as it was set, its unit in the language of the page; a law of the drive has no unit behind it."""
+    if found := _QUANTITY.fullmatch(text):
+        return context.with_unit(_written(context, found[1]), found[2])
+    return _written(context, text)
+
+
+def _written(context: PageContext, text: str) -> str:
+    return clean(text, LONGEST_NAME).replace("-", "−").replace(".", context.numbers.mark)
+
+
+def _answer(context: PageContext) -> Result:
+    """The box: how it came out, the velocities of the row that is checked, last minus first row, the largest error."""
+    run, say = context.run, context.words
+    told = []
+    if run.stop is not None:
+        time = context.quantity(run.stop.time, "s", STOP_DIGITS)
+        kept = say.count("count.rows", len(run.motion.t))
+        told.append(context.lettered(say("result.stopped", time=time, kind=context.event(run.stop.kind), rows=kept)))
+    if run.asks(CHECKS):
+        # Where it stops is said already.
+        findings = [replace(finding, value=None) if finding.code == "STOP" and told else finding for finding in run.checks]
+        told.append(context.rich(summary(findings, is_motion=run.tableau is None, named=lambda finding: finding.title)))
+    if run.asks(TABLE) and len(run.motion.t):
+        told.append(runs(_checked(context)))
+    if run.asks(CHECKS):
+        told += _misses(context)
+    if not told:
+        told.append(runs(say.count("count.rows", len(run.motion.t))))
+    return Result(say("result.title"), told)
+
+
+def _checked(context: PageContext) -> str:
+    """Return the velocities of the row that is checked."""
+    motion, variant = context.run.motion, context.run.variant
+    row = min(variant.time.check_row or USUAL_ROW, len(motion.t))
+    sought = [name for name in motion.velocity_names if name not in variant.known_rates] or motion.velocity_names
+    values = context.words("join.comma").join(
+        f"{context.lettering(name)}{TIGHT}={TIGHT}"
+        + context.with_unit(context.numbers.scalar(float(motion.column(name)[row - 1]), SHOWN_DIGITS), variant.unit_of(name))
+        for name in sought
+    )
+    time = context.quantity(float(motion.t[row - 1]), "s")
+    return context.words("result.row", row=row, time=time, values=values)
+
+
+def _misses(context: PageContext) -> list[Runs]:
+    """Return last minus first row of the coordinates, and the scheme's largest error for each unit."""
+    say, numbers, told = context.words, context.numbers, []
+    coordinates, left = context.run.motion.coordinate_names, unreturned(context)
+    moved = [split for split in left if split.name in coordinates]
+    gaps = [
+        f"{context.lettering(split.name)}{TIGHT}{context.with_unit(numbers.scalar(split.total, 3), split.unit)}"
+        for split in [split for split in moved if split.name not in _driven(context)] or moved
+    ]
+    if gaps:
+        told.append(runs(say("result.misses", gaps=say("join.comma").join(gaps))))
+    elif any(split.name in coordinates for split in splits(context)):
+        told.append(runs(say("result.repeats_positions" if left else "result.repeats")))
+    if errors := largest_errors(context):
+        listed = say("join.semicolon").join(say("result.where", **error.told(context)) for error in errors)
+        told.append(runs(say("result.error", scheme=errors[0].scheme, errors=listed)))
+    return told
+
+
+def _driven(context: PageContext) -> set[str]:
+    """Return the coordinates whose rate is driven: of them it is known where they are."""
+    variant = context.run.variant
+    return {c.name for c in variant.coordinates if c.rate in variant.known_rates}
+
+
+def _plausibility(context: PageContext) -> list[Part]:
+    say, plausibility = context.words, context.run.variant.plausibility
+    told = [(remark.line, context.told(remark.sentence)) for remark in plausibility[:MOST_REMARKS]]
+    notes = [say("remark.line", line=line, sentence=sentence) for line, sentence in told]
+    if len(plausibility) > MOST_REMARKS:
+        notes.append(say("remark.more", number=len(plausibility) - MOST_REMARKS))
+    return [Paragraph(runs(note), style="note") for note in notes]

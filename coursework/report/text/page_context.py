@@ -1,0 +1,157 @@
+"""What every section works with: the run, the words, the symbols of its names.
+
+Enters: a `SceneRun` and a language.  Leaves: text, runs and numbers ready for a part.
+Used by `report/`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from coursework.mechanism.derivation.constants import NamedAngles, named_angles
+from coursework.motion.integration.motion import Motion
+from coursework.report.text.numbers import Numbers, unit_text, with_unit
+from coursework.report.text.parts import Runs
+from coursework.report.text.symbols import Symbol, symbol
+from coursework.report.text.text_runs import ITALIC, derivative, printed, runs, with_letters, with_pairs, with_points
+from coursework.report.text.words import Words
+from coursework.scene.quantities import PLOTS
+from coursework.scene.scene_run import SceneRun
+from coursework.variant.record.variant import Variant
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import ENGLISH
+from coursework.words.templates import LONGEST, clean
+
+STOP_DIGITS = 8  # a dead point is located to 1e-8 s
+DATUM_DIGITS = 6  # digits of a converted datum or of a time: more than a task sheet ever gives
+
+
+@dataclass(frozen=True, slots=True)
+class PageContext:
+    """One run and one language."""
+
+    run: SceneRun
+    words: Words
+
+    @property
+    def variant(self) -> Variant:
+        """Return the variant with its texts in the language of the page, as far as its file has them."""
+        return self.run.variant.in_language(self.words.phrases.language)
+
+    @property
+    def numbers(self) -> Numbers:
+        """Return the writer of numbers."""
+        return self.words.numbers
+
+    @property
+    def beside(self) -> Motion | None:
+        """Return what the plots draw thin behind the rows: the exact motion, or the scheme's rows behind exact ones."""
+        if not self.run.asks(PLOTS):
+            return None
+        return self.run.exact if self.run.tableau else self.run.scene.scheme_rows
+
+    @property
+    def exact(self) -> Motion | None:
+        """Return the exact motion where the plots ask for it; looking at it computes it."""
+        return self.run.exact if self.run.asks(PLOTS) else None
+
+    @property
+    def rates(self) -> frozenset[str]:
+        """Return the velocities whose derivative is written with a dot."""
+        return frozenset(self.run.motion.velocity_names)
+
+    @property
+    def angles(self) -> NamedAngles:
+        """Return the constant angles of the equations, by the names that the page gives them."""
+        run, variant = self.run, self.run.variant
+        shown = [side for one in run.equations for side in (one.left, one.right)]
+        shown += [formula for solution in run.solutions for _, formula in solution]
+        shown += [formula for _, formula in run.scene.mechanism.points]
+        moving = {*variant.columns, *(law.name for law in (*variant.drive, *variant.functions)), "t"}
+        return named_angles(shown, moving, variant.names, variant.values)
+
+    def symbol(self, name: str) -> Symbol:
+        """Return the symbol of a name."""
+        return symbol(name, self.rates)
+
+    def symbol_runs(self, names: Iterable[str], after: str = "") -> Runs:
+        """Return "ω₁, ω₂" as runs, `after` behind them."""
+        found: Runs = []
+        for name in names:
+            found += [{"t": self.words("join.comma")}] if found else []
+            if "/" in name:
+                found += derivative(name)
+                continue
+            one = self.symbol(name)
+            found.append({"t": one.head} if one.is_word and not one.subscript else {"v": one.head, "s": one.subscript})
+        return [*found, *runs(after)]
+
+    def symbol_list(self, names: Iterable[str]) -> str:
+        """Return "ω₁, ω₂ and ω₃" as text."""
+        return self.words.listing([self.lettering(name) for name in names])
+
+    def lettering(self, name: str) -> str:
+        """Return the symbol of a name as text of a sentence that is split into runs later: a bare letter is set as one."""
+        text = self.symbol(name).text
+        return f"{ITALIC[0]}{text}{ITALIC[1]}" if len(text) == 1 and text.isascii() else text
+
+    def rich(self, text: str, longest: int = LONGEST) -> Runs:
+        """Return a sentence of the tool, cleaned, its numbers and symbols set."""
+        return self.lettered(printed(self.told(text, longest)))
+
+    def told(self, text: str, longest: int = LONGEST) -> str:
+        """Return a sentence of the tool in the language of the page, cleaned."""
+        return clean(self.words.written(text), longest)
+
+    def event(self, kind: str) -> str:
+        """Return what a stop is called."""
+        key = f"event.kind.{kind}"
+        return self.words(key) if self.words.has(key) else clean(kind)
+
+    def quoted(self, text: str, longest: int = LONGEST) -> Runs:
+        """Return a sentence of a file, cleaned, its symbols set and nothing else changed."""
+        return self.in_its_language(text, self.lettered(clean(text, longest)))
+
+    def in_its_language(self, text: str, found: Runs) -> Runs:
+        """Return the runs of a text of the file, marked where they are in another language than the page."""
+        return [{**run, "lang": ""} for run in found] if self.is_foreign(text) else found
+
+    def is_foreign(self, text: str) -> bool:
+        """Return whether a text of the file is not in the language of the page: a file without [text.…] is read as English."""
+        language, texts = self.words.phrases.language, self.run.variant.texts
+        return language != ENGLISH and (language not in texts or text not in texts[language].all)
+
+    def lettered(self, text: str, *, data: bool = True) -> Runs:
+        """Return a sentence that is clean already, the names of this variant set as symbols; without `data` no bare letter."""
+        variant = self.run.variant
+        laws = [law.name for law in (*variant.drive, *variant.functions)]
+        points = {name for name, _ in self.run.scene.mechanism.points}
+        letters = {"t", *variant.columns, *(given.name for given in variant.given), *laws} - points
+        text = with_points(text, points)
+        return runs(
+            with_pairs(with_letters(text, letters), variant.columns) if data else text,
+            (*variant.columns, *(given.name for given in variant.given), *laws, "pi"),
+        )
+
+    def say(self, key: str, **values: object) -> Runs:
+        """Return one of our own sentences as runs."""
+        return runs(self.words(key, **values))
+
+    def quantity(self, value: float, unit: str, digits: int = DATUM_DIGITS) -> str:
+        """Return a datum with its unit."""
+        return self.with_unit(self.numbers.plain(value, digits), unit)
+
+    def unit(self, unit: str) -> str:
+        """Return a unit as the language of the page writes it."""
+        return unit_text(self.words.phrases.unit(unit))
+
+    def unit_beside(self, value: float, unit: str) -> str:
+        """Return a unit in the form that stands beside a number: "1 equation", "2 equations"."""
+        if isinstance(unit, Sentence) and "number" in unit.values and float(value).is_integer():
+            return self.words.phrases.composed(unit.key, {**unit.values, "number": int(value)})
+        return self.told(unit)
+
+    def with_unit(self, number: str, unit: str) -> str:
+        """Return a number with its unit behind it, as the language of the page writes it."""
+        return with_unit(number, self.words.phrases.unit(unit))

@@ -1,0 +1,173 @@
+"""Long and wide tables made fit for a page: rows thinned, columns split.
+
+Enters: rows of numbers.  Leaves: `Table` parts.
+Used by `report/`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.parts import Cell, Column, Paragraph, Part, Table
+from coursework.report.text.text_runs import numeral, runs
+from coursework.report.text.words import with_own_letters
+from coursework.results.kinematics.extra import ExtraTable
+from coursework.scene.quantities import GRAPH_CHECK
+
+MOST_ROWS = 400  # rows printed; a longer table is thinned, table.csv holds it whole
+MOST_BESIDE = 40  # the same of a table that stands beside the table of results: accelerations, points, analogs
+MOST_COLUMNS = 10  # columns beside row and time that fit 170 mm at a readable size
+ONE_PAGE = 32  # rows of a table that fits on one page whatever stands around it
+HALF_PAGE = 20  # the same of one that stands beside others: two of them would leave half a page empty
+RULE = 5  # rows from one thin line to the next
+MARK = "▸"
+
+
+def thinned(rows: int, keep: Sequence[int] = (), most: int = MOST_ROWS) -> list[int]:
+    """Return which rows (from 0) to print: all, or every k-th with the first, the last and those to `keep`."""
+    pace = pace_of(rows, most)
+    if pace == 1:
+        return list(range(rows))
+    return sorted({*range(0, rows, pace), rows - 1, *(row for row in keep if 0 <= row < rows)})
+
+
+def pace_of(rows: int, most: int = MOST_ROWS) -> int:
+    """Return k where every k-th row is printed: 1, 2, 5, 10, 20, 50 …"""
+    pace, factors = 1, (2, 2.5, 2)
+    turn = 0
+    while rows > most * pace:
+        pace = int(pace * factors[turn % 3])
+        turn += 1
+    return pace
+
+
+def row_at(context: PageContext, place: float) -> str:
+    """Return where in the table (rows from 1) a place counted from 0 lies: 5.84 -> "between row 6 and row 7"."""
+    nearest = round(place)
+    if math.isclose(place, nearest, abs_tol=1e-6):
+        return context.words("stop.at", row=nearest + 1)
+    return context.words("stop.between", row=math.floor(place) + 1, next=math.floor(place) + 2)
+
+
+@dataclass(frozen=True, slots=True)
+class Grid:
+    """Columns of a table: names, units, rows (n, names); how large the terms of each are, where that is known."""
+
+    names: Sequence[str]
+    units: Sequence[str]
+    rows: Any
+    sizes: Sequence[float] = ()
+
+    def part(self, first: int, last: int | None = None) -> Grid:
+        """Return some of the columns."""
+        return Grid(self.names[first:last], self.units[first:last], self.rows[:, first:last], self.sizes[first:last])
+
+
+def rules_for(rows: int) -> list[int]:
+    """Return after which rows a thin line helps the eye: every fifth of a long table, not the last."""
+    return list(range(RULE - 1, rows - 1, RULE)) if rows > 2 * RULE else []
+
+
+def motion_parts(context: PageContext) -> list[Part]:
+    """Return the table of the motion and the sentences that belong to it."""
+    run, say = context.run, context.words
+    names = run.motion.names
+    units = [run.variant.unit_of(name) for name in names]
+    step = context.quantity(run.step, "s")
+    is_exact = run.tableau is None
+    scheme = context.told(run.scheme_title)
+    caption = say("table.caption_exact", step=step) if is_exact else say("table.caption", scheme=scheme, step=step)
+    notes = []
+    check_row = run.variant.time.check_row
+    if check_row is not None and check_row <= len(run.motion.t):
+        notes.append(say("table.check_row" if run.asks(GRAPH_CHECK) else "table.marked", mark=MARK, row=check_row))
+    if run.stop is not None:
+        time = context.quantity(run.stop.time, "s")
+        notes.append(say("table.stopped", row=len(run.motion.t), time=time))
+    return _by_row(context, Grid(names, units, run.motion.rows), run.motion.t, caption, say.sentences(notes))
+
+
+def extra_parts(context: PageContext, extra: ExtraTable) -> list[Part]:
+    """Return the table of a further quantity; with row and time where it has a line for every row."""
+    caption, note = (with_own_letters(context.told(text)) for text in (extra.title, extra.note))
+    caption = caption.rstrip(".。") + context.words("table.stop")
+    whole = Grid(extra.names, extra.units, extra.rows, extra.sizes)
+    if extra.names[0] == "t":
+        return _by_row(context, whole.part(1), whole.rows[:, 0], caption, note, MOST_BESIDE)
+    if len(extra.rows) == len(context.run.motion.t):
+        return _by_row(context, whole, context.run.motion.t, caption, note, MOST_BESIDE)
+    columns, texts = _columns(context, whole, thinned(len(extra.rows)))
+    return [
+        Table(
+            columns,
+            [list(row) for row in zip(*texts, strict=True)],
+            context.lettered(caption),
+            note=context.lettered(note),
+            whole=len(extra.rows) <= ONE_PAGE,
+        )
+    ]
+
+
+def largest_of(grid: Grid, index: int) -> float:
+    """Return the largest entry of the columns that are of one point and one unit with this one; 0 for no column of a point."""
+    owner, point, _ = grid.names[index].partition(".")
+    alike = [i for i, name in enumerate(grid.names) if name.startswith(f"{owner}.") and grid.units[i] == grid.units[index]]
+    sizes = [abs(value) for i in alike for value in grid.rows[:, i].tolist() if math.isfinite(value)] if point else []
+    return max(sizes, default=0.0)
+
+
+def _columns(context: PageContext, grid: Grid, kept: list[int]) -> tuple[list[Column], list[list[Cell]]]:
+    heads = [Column(context.symbol_runs([n]), context.unit(u)) for n, u in zip(grid.names, grid.units, strict=True)]
+    sizes = [max(largest_of(grid, index), grid.sizes[index] if grid.sizes else 0.0) for index in range(len(heads))]
+    texts = [context.numbers.column(grid.rows[kept, index], sizes[index]) for index in range(len(heads))]
+    return heads, [[numeral(text) for text in column] for column in texts]
+
+
+def _by_row(context: PageContext, grid: Grid, t: Any, caption: str, note: str, most: int = MOST_ROWS) -> list[Part]:
+    """Return one table, or as many as the columns need; each repeats row and time."""
+    check_row = context.run.variant.time.check_row
+    kept = thinned(len(t), keep=[check_row - 1] if check_row else [], most=most)
+    labels: list[Cell] = [f"{MARK} {row + 1}" if row + 1 == check_row else str(row + 1) for row in kept]
+    times = context.numbers.times([float(t[row]) for row in kept])
+    strong = [kept.index(check_row - 1)] if check_row and check_row - 1 in kept else []
+    parts: list[Part] = []
+    if (pace := pace_of(len(t), most)) > 1:
+        rows_of = {"step": pace, "printed": len(kept), "rows": context.numbers.whole(len(t))}
+        parts.append(Paragraph(context.say("table.thinned", **rows_of)))
+    parted = pieces(grid.names)
+    for number, (first, last) in enumerate(parted, start=1):
+        heads, texts = _columns(context, grid.part(first, last), kept)
+        columns = [Column(runs(context.words("table.row"))), Column(context.symbol_runs(["t"]), context.unit("s")), *heads]
+        rows = [list(row) for row in zip(labels, times, *texts, strict=True)]
+        which = context.words("table.part", part=number, parts=len(parted)) if len(parted) > 1 else ""
+        below = context.lettered(note) if number == len(parted) else []
+        parts.append(
+            Table(
+                columns,
+                rows,
+                context.lettered(context.words.sentences([caption, which])),
+                strong,
+                rules_for(len(rows)),
+                below,
+                whole=len(rows) <= (ONE_PAGE if most == MOST_ROWS else HALF_PAGE),
+                places=[row + 1 for row in kept],
+            )
+        )
+    return parts
+
+
+def pieces(names: Sequence[str]) -> list[tuple[int, int]]:
+    """Return (first, last) of the columns of each table: about alike in width, those of a point ("A.x", "A.vx") together."""
+    owners = [name.partition(".")[0] if "." in name else "" for name in names]
+    begins = [i for i, owner in enumerate(owners) if i == 0 or not owner or owner != owners[i - 1]]
+    blocks = list(zip(begins, [*begins[1:], len(names)], strict=True))
+    width = max([math.ceil(len(names) / max(math.ceil(len(names) / MOST_COLUMNS), 1)), *(b - a for a, b in blocks)])
+    cuts = [0]
+    for begin, end in blocks:
+        if end - cuts[-1] > width and begin > cuts[-1]:
+            cuts.append(begin)
+    return list(zip(cuts, [*cuts[1:], len(names)], strict=True))

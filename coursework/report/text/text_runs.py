@@ -1,0 +1,164 @@
+"""Text on its way to a page, split into runs that are set like a book.
+
+Enters: sentences of the tool.  Leaves: plain strings and runs.
+Used by `report/` and `assigning/`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from coursework.report.text.numbers import THIN, superscript
+from coursework.report.text.symbols import GREEK, is_named_after, symbol
+from coursework.words.line_ends import HAN, KEPT
+
+LONGEST_NAME = 200  # characters of a name or title
+
+Run = dict[str, str]
+
+
+_WORD = rf"[^\W{HAN}]"  # a letter, digit or _; words of other letters end where Chinese begins, without a space
+_LETTER = rf"[^\W\d_{HAN}]"
+_RUN = re.compile(
+    rf"(?<!{_WORD})(?P<letter>{_LETTER}\u0307?)(?:_(?P<low>[^\W_{HAN}]{{1,4}})(?!{_WORD})|(?P<digits>[₀-₉]+))"
+    rf"|\ue000(?P<own>.)(?P<index>[^\ue001]*)\ue001"
+    rf"|(?P<greek>(?<!{_LETTER})[α-ωϕ]\u0307?(?!{_LETTER}))"
+    rf"|(?P<raised>(?<=[\d\w)])[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
+    rf"|(?P<typed>(?<!{_WORD})(?<!-)--[a-z]+(?:-[a-z]+)*(?: (?:h/)?\d[A-Za-z0-9./-]*(?<!\.))?)"
+    rf"|(?P<unit>(?<=\u00a0){_LETTER}+/{_LETTER}+[²]?(?!{_WORD}))"
+    rf"|\ue003(?P<kept>[^\ue004]*)\ue004"
+)
+# Around a letter of our own words, or a letter and its index; `clean` removes both from other text, as it does `KEPT`.
+ITALIC = ("\ue000", "\ue001")
+_RAISED = re.compile("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]")
+_NAMELIKE = re.compile(r"\d|(?<=.)[A-Z]")  # w3, VMx: no word of a sentence looks like that
+_TIMES = re.compile(r"(?<=[\w)])\*(?=[\w(])")
+_CHAIN = re.compile(rf"(?<!{_WORD})(?<![–-])[A-Z]\d?(?:-[A-Z]\d?)+(?!{_WORD})(?![–-])")  # M-B-C
+_EXPONENT = re.compile(r"(?<=[\w)])\^(\d+)(?!\w)")  # m/s^2, l^2
+_ROOT = re.compile(rf"(?<!{_WORD})sqrt\(")
+_OF_ONE_NAME = re.compile(r"\b(sin|cos|tan)\((\w+)\)")  # cos(phi2): cos φ₂
+_MINUS = re.compile(rf"(?<=[\d)⁻⁰¹²³⁴⁵⁶⁷⁸⁹]) - (?=[\w(])|(?<=\w) - (?=\w+·|[\d(])|(?<=(?<!{_WORD})\w) - (?=\w(?!{_WORD}))")
+_POWER = re.compile(rf"(?<!{_WORD})(?<!\.)(\d+(?:\.\d+)?)[eE]([+-]?\d+)(?!{_WORD})")
+_NEGATIVE = re.compile(rf"(?<!{_WORD})(?<![.)])-(?=\d)|(?<=\()-(?=\w)")
+_ARTICLES = "aAI"  # one letter each, and words of a sentence
+_OF_A_FORMULA = r"(?:(?<!\(.)(?=\))|(?= ?[=+·/²³]| − | (?:sin|cos|tan)\b))"  # no article has that behind it; (a) is a number
+_WORDS = re.compile(
+    "a[mnst]|b[ey]|do|go|he|i[fnst]|m[ey]|no|o[fnr]|so|to|u[ps]|we|[cm]m|ms|kg"
+)  # no names of a letter and its index
+_ALSO_UNITS = "ms"
+_RAISED_DIGITS = "²³⁴"
+_COMPONENT = re.compile(rf"(?<!{_WORD})(?<!\.)[A-Z]\d?\.[va]?[xy](?!{_WORD})")  # A.x, B2.vy
+_POINT = re.compile(r"[A-Z](?:\d+|[ij])?")  # A, P1, Ki
+_POINTS = re.compile(rf"(?<!{_WORD})(?<![.–\ue003])(?:{_POINT.pattern})+(?!{_WORD})")
+_PLAIN_DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "01234567890123456789−")
+
+
+def runs(text: str, names: Iterable[str] = ()) -> list[Run]:
+    """Split a sentence into runs, to be set like a book.
+
+    A run is {"t": text}, {"v": letter, "s": subscript}, {"p": raised} or {"c": what is never broken}: "V_My", "φ₁", "ω",
+    "10⁻⁷"; "--step h/18", the unit behind a number, what is `unbroken`; those of `names` that are symbols beyond doubt ("phi1",
+    "w3", "phij") become runs; the rest stays text.
+    """
+    text = _spelt(text, names)
+    found: list[Run] = []
+    end = 0
+    for match in _RUN.finditer(text):
+        if match.start() > end:
+            found.append({"t": text[end : match.start()]})
+        if match["raised"]:
+            found.append({"p": match["raised"].translate(_PLAIN_DIGITS)})
+        elif kept := match["typed"] or match["unit"] or match["kept"]:
+            found.append({"c": kept})
+        else:
+            low = (match["low"] or match["digits"] or match["index"] or "").translate(_PLAIN_DIGITS)
+            found.append({"v": match["letter"] or match["own"] or match["greek"], "s": low})
+        end = match.end()
+    if end < len(text):
+        found.append({"t": text[end:]})
+    return found
+
+
+def printed(text: str) -> str:
+    """Return a sentence as a printer sets it: 1.5e-07 as a power of ten, "2*r^2 - 1" with dot, exponent and minus.
+
+    "A.x" becomes x_A, a chain of points "M-B-C" one that no line breaks.
+    """
+    text = _POWER.sub(lambda match: f"{'' if match[1] == '1' else f'{match[1]}·'}10{superscript(str(int(match[2])))}", text)
+    text = _EXPONENT.sub(lambda match: superscript(match[1]), _ROOT.sub("√(", text))
+    text = _OF_ONE_NAME.sub(f"\\1{THIN}\\2", text)
+    text = _NEGATIVE.sub("−", _MINUS.sub(" − ", _TIMES.sub("·", text)))
+    text = _CHAIN.sub(lambda match: unbroken(match[0].replace("-", "–")), text)
+    return _COMPONENT.sub(lambda match: symbol(match[0]).text, text)
+
+
+def unbroken(text: str) -> str:
+    """Return text of our own for a sentence that is split into runs later: no line breaks within it."""
+    return f"{KEPT[0]}{text}{KEPT[1]}"
+
+
+def derivative(name: str) -> list[Run]:
+    """Return "dphi2/dphi1" or "d2phi2/dphi12" as runs: dφ₂/dφ₁, d²φ₂/dφ₁²."""
+    above, _, below = name.partition("/")
+    twice = above.startswith("d2")
+    above, below = above[2 if twice else 1 :], below[1:-1] if twice else below[1:]
+    raised = "²" if twice else ""
+    return runs(f"d{raised}\u2009{symbol(above).text}/d\u2009{symbol(below).text}{raised}")
+
+
+def with_pairs(text: str, names: Iterable[str]) -> str:
+    """Return a sentence in which names of a letter and its index are symbols: "37 % off in si" says s_i; words stay words."""
+    pairs = {name for name in names if len(name) == 2 and name.isascii() and name.isalpha() and not _WORDS.fullmatch(name)}
+    pairs = {name for name in pairs if symbol(name).subscript}
+    if not pairs:
+        return text
+    return re.sub(rf"(?<!{_WORD})(?<![.–-])({'|'.join(sorted(pairs))})(?!{_WORD}|[(–-])", lambda it: symbol(it[1]).text, text)
+
+
+def with_points(text: str, names: Iterable[str]) -> str:
+    """Return a sentence in which the index of a point is set lower, as in a drawing: "D5" says D₅, and "XP1" X and P₁."""
+    points = set(names)
+
+    def lettered(row: re.Match[str]) -> str:
+        found = _POINT.findall(row[0])
+        return (
+            "".join(f"{ITALIC[0]}{name}{ITALIC[1]}" if name[1:] else name for name in found)
+            if points.issuperset(found)
+            else row[0]
+        )
+
+    return _POINTS.sub(lettered, text)
+
+
+def with_letters(text: str, names: Iterable[str]) -> str:
+    """Return a sentence in which those names that are one Latin letter are marked as symbols: "21 % off in s", not "0.4 s"."""
+    letters = {name for name in names if len(name) == 1 and name.isascii() and name.isalpha()}
+    if articles := "".join(sorted(letters & set(_ARTICLES))):
+        text = re.sub(rf"(?<!{_WORD})([{articles}]){_OF_A_FORMULA}", rf"{ITALIC[0]}\1{ITALIC[1]}", text)
+    letters -= set(_ARTICLES)
+    if not letters:
+        return text
+    units, others = ("".join(sorted(letters & set(_ALSO_UNITS))), "".join(sorted(letters - set(_ALSO_UNITS))))
+    either = [f"[{others}]"] if others else []
+    either += [rf"(?<!\d[ \u00a0])[{units}]"] if units else []
+    before, behind = (
+        rf"(?<!{_WORD})(?<![.'’–\ue000-])(?<!/(?![A-Z]))(?<!--step )",
+        rf"(?![^\W{_RAISED_DIGITS}])(?![\u2009\u202f]|[('’–-]\S)",
+    )
+    behind += r"(?!(?<=[A-Z])\. ?[A-Z])"  # V. R. Pasika
+    return re.sub(f"{before}({'|'.join(either)}){behind}", rf"{ITALIC[0]}\1{ITALIC[1]}", text)
+
+
+def numeral(text: str) -> str | list[Run]:
+    """Return a formatted number for a cell: as it is, or as runs where it holds a power of ten."""
+    return runs(text) if _RAISED.search(text) else text
+
+
+def _spelt(text: str, names: Iterable[str]) -> str:
+    sure = {name for name in names if len(name) > 1 and (name in GREEK or _NAMELIKE.search(name) or is_named_after(name))}
+    if not sure:
+        return text
+    pattern = "|".join(sorted(map(re.escape, sure), key=len, reverse=True))
+    behind = rf"(?![^\W{HAN}{_RAISED_DIGITS}]|\()"  # a raised digit belongs to no name: l2²
+    return re.sub(rf"(?<!{_WORD})(?<!\.)({pattern}){behind}", lambda match: symbol(match[1]).text, text)

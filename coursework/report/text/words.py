@@ -1,0 +1,64 @@
+"""All words of a report, from one file a language: `reports/words.<language>.toml`.
+
+Enters: the key of a sentence and what it speaks about.  Leaves: text.  No sentence of the report stands in Python.
+Used by `report/`, `assigning/` and `commands/`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from coursework.report.text.numbers import Numbers
+from coursework.report.text.text_runs import ITALIC
+from coursework.words.sentences import ENGLISH, Phrases, load_phrases
+
+_OWN_LETTER = re.compile(r"\*(\w)\*")  # *h* in the words file: a letter set italic
+
+
+@dataclass(frozen=True, slots=True)
+class Words:
+    """The words of one language, as a page sets them."""
+
+    phrases: Phrases
+
+    def __call__(self, key: str, **values: object) -> str:
+        """Return a sentence, such as `words("table.thinned", step="5", …)`.  Raises `KeyError` for an unknown key."""
+        text = with_own_letters(self.phrases.template(key))
+        return self.phrases.filled(key, text, values) if values else text
+
+    def has(self, key: str) -> bool:
+        """Return whether there is such a sentence."""
+        return self.phrases.has(key)
+
+    def written(self, text: str) -> str:
+        """Return what the tool found in this language; any other text as it is."""
+        return self.phrases.written(text)
+
+    def count(self, key: str, number: int, **values: object) -> str:
+        """Return the sentence in the form that stands beside a number ("key.one", "key.other" …), with {number}."""
+        return self(self.phrases.beside(key, number), number=self.numbers.whole(number), **values)
+
+    def listing(self, words: list[str]) -> str:
+        """Return "a, b and c"."""
+        return self.phrases.listing(words)
+
+    def sentences(self, told: Iterable[str]) -> str:
+        """Return sentences one behind the other; empty ones are left out."""
+        return self("join.sentences").join(part for part in told if part)
+
+    @property
+    def numbers(self) -> Numbers:
+        """Return the writer of numbers of this language."""
+        return Numbers(self("decimal"), self.phrases.entries.get("units", {}))
+
+
+def with_own_letters(text: str) -> str:
+    """Return a sentence of the words file in which *h* is marked as a letter to be set italic."""
+    return _OWN_LETTER.sub(rf"{ITALIC[0]}\1{ITALIC[1]}", text)
+
+
+def load_words(language: str = ENGLISH) -> Words:
+    """Return the words of a language.  Raises `InputError` where there is no such file."""
+    return Words(load_phrases(language))

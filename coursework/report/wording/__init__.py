@@ -1,0 +1,1 @@
+"""What a page says in sentences that several sections share."""

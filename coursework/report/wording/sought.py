@@ -1,0 +1,72 @@
+"""What a student looks for, in sentences: the unknown velocities, the rows, the period, the scheme, the row to construct.
+
+Enters: a `PageContext`.  Leaves: sentences.  Used by `statement.py`.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from coursework.motion.geometry.time_derivatives import jets
+from coursework.report.text.numbers import TIGHT
+from coursework.report.text.page_context import PageContext
+from coursework.scene.quantities import GRAPH_CHECK
+
+PERIOD = "T"  # what a period is called, unless a datum has the name
+SAME = 1e-7  # parts of the largest velocity: far above round-off, far below the difference of two velocities
+_LINEAR = "m/s"
+
+
+def sought(context: PageContext) -> list[str]:
+    """Return the sentences on what is sought, over which time and how.
+
+    A linear velocity stands in no drawing, so it is told what moves with it, u = ds/dt or u = V_Sx.
+    """
+    run, say = context.run, context.words
+    end, step = context.quantity(run.end, "s"), context.quantity(run.step, "s")
+    unknowns = say.listing([_explained(context, name) for name in run.variant.sought])
+    told = [say("statement.find", unknowns=unknowns, end=end, step=step)]
+    time = run.variant.time
+    if time.period is not None:
+        key = "statement.period_plain" if PERIOD in run.variant.values else "statement.period"
+        told.append(say(key, period=context.quantity(time.period, "s")))
+    is_exact = run.tableau is None
+    told.append(say("statement.method_exact") if is_exact else say("statement.method", scheme=context.told(run.scheme_title)))
+    if time.check_row is not None and run.asks(GRAPH_CHECK):
+        when = context.quantity((time.check_row - 1) * time.step, "s")
+        told.append(say("statement.check_row", row=time.check_row, time=when))
+    return told
+
+
+def _explained(context: PageContext, name: str) -> str:
+    """Return the symbol of an unknown, behind a linear one what it is."""
+    symbol = context.lettering(name)
+    is_linear = context.run.variant.unit_of(name) == _LINEAR
+    meaning = (_rate_of_length(context, name) or _velocity_of_point(context, name)) if is_linear else ""
+    return f"{symbol}{TIGHT}={TIGHT}{meaning}" if meaning else symbol
+
+
+def _rate_of_length(context: PageContext, name: str) -> str:
+    lengths = (c.name for c in context.run.variant.coordinates if c.rate == name)
+    return next((f"d\u202f{context.lettering(length)}/d\u202f{context.lettering('t')}" for length in lengths), "")
+
+
+def _velocity_of_point(context: PageContext, name: str) -> str:
+    """Return V_Sx where the rows move a point along x with this velocity, V_A along an inclined guide."""
+    run, known = context.run, set(context.run.variant.names)
+    motion, equations = run.motion, run.scene.equations
+    guided = [through.name for through, _ in run.variant.frame.rails if through.op == "name"]
+    points = list(dict.fromkeys([*guided, *equations.symbols.vectors]))
+    whole = {*run.variant.sought} <= {*motion.velocity_names} and len(motion.coordinate_names) == len(run.variant.coordinates)
+    if not whole or not len(motion.t) or not points:
+        return ""
+    wanted = [part for point in points for part in equations.symbols.vectors[point]]
+    velocities = jets(equations, wanted, 1)[1](motion.t, motion.coordinates, motion.velocities, None)
+    own = motion.column(name)
+    most = SAME * float(np.max(np.abs(own)))
+    for point, (x, y) in zip(points, velocities.T.reshape(len(points), 2, -1), strict=True):
+        for label, size, across in ((f"V{point}x", x, y), (f"V{point}y", y, x), (f"V{point}", np.hypot(x, y), 0 * x)):
+            compared = own if label[-1] in "xy" else np.abs(own)
+            if label not in known and np.all(np.abs(size - compared) <= most) and np.all(np.abs(across) <= most):
+                return context.lettering(label)
+    return ""
