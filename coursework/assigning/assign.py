@@ -21,7 +21,7 @@ from coursework.assigning.page_words import Plain
 from coursework.assigning.ranges import MEASURES
 from coursework.assigning.sheet import sheet, sheet_html, sheets_pdf
 from coursework.assigning.variants import Assignment
-from coursework.grading.escapes import csv_text
+from coursework.grading.platforms.escapes import csv_text
 from coursework.grading.platforms.roster import Roster
 from coursework.report.text.words import Words
 from coursework.scene.scene import Scene

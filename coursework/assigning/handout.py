@@ -16,7 +16,7 @@ from coursework.drawing.figures import draw_start
 from coursework.drawing.paper.record import Drawing
 from coursework.drawing.plans.graph_check import GraphCheck, check_graph
 from coursework.grading.marking.key import decimals_asked
-from coursework.grading.names import file_stem
+from coursework.grading.platforms.names import file_stem
 from coursework.grading.platforms.roster import Student
 from coursework.motion.integration.integrate import march
 from coursework.motion.integration.motion import Motion

@@ -15,7 +15,7 @@ from coursework.assigning.accept import Acceptance, Accepted
 from coursework.assigning.draw import Lots
 from coursework.assigning.ranges import Ranges
 from coursework.assigning.reader import determined, ranges_file, ranges_of, read_ranges
-from coursework.grading.names import file_stem
+from coursework.grading.platforms.names import file_stem
 from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.motion.settings import Settings, scheme_for
 from coursework.scene.model.model import Model, compile_model

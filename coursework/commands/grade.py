@@ -20,7 +20,7 @@ from coursework.grading.batch.supervisor import Supervisor
 from coursework.grading.batch.tables_of_class import class_tables
 from coursework.grading.batch.work import Setup, Task
 from coursework.grading.batch.written import write_gradebook
-from coursework.grading.handed_in import Source, collect_one
+from coursework.grading.collecting.sources import Source, collect_one
 from coursework.grading.marking.rubric import Rubric, check_rubric, read_rubric
 from coursework.grading.platforms.canvas import read_gradebook
 from coursework.grading.platforms.roster import read_roster

@@ -12,15 +12,15 @@ import click
 import numpy as np
 
 from coursework.commands.screen import in_language, tell
-from coursework.grading.contents import Contents
-from coursework.grading.expected import Expected, grid_of
-from coursework.grading.handed_in import collect_files
-from coursework.grading.marking.cells import Cells, mark_cells
+from coursework.grading.collecting.sources import collect_files
 from coursework.grading.marking.grade import student_of
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.points import true_steps
 from coursework.grading.marking.reference import key_of
-from coursework.grading.understand import understand
+from coursework.grading.marking.table.cells import Cells, mark_cells
+from coursework.grading.marking.table.points import true_steps
+from coursework.grading.reading.expected import Expected, grid_of
+from coursework.grading.reading.read_submission import read_submission
+from coursework.grading.reading.student_work import StudentWork
 from coursework.variant.catalogue import load
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
@@ -33,22 +33,22 @@ def precheck_files(files: tuple[Path, ...], variant: str | None) -> int:
         raise InputError(say("fault.C028"))
     key = key_of(load(chosen))
     grid = grid_of(key.variant, {name: tuple(key.table[:, place].tolist()) for place, name in enumerate(key.names)})
-    contents = understand(collect_files(files), Expected(grid, key.variant))
-    for entry in contents.files:
+    work = read_submission(collect_files(files), Expected(grid, key.variant))
+    for entry in work.files:
         tell(say("screen.file", name=entry.name, kind=say(f"screen.kind.{entry.kind}"), bytes=entry.bytes))
-    fine = _tell_table(key, contents)
-    fine &= _tell_equations(contents)
-    for found in contents.notes:
+    fine = _tell_table(key, work)
+    fine &= _tell_equations(work)
+    for found in work.notes:
         click.echo(f"  {in_language(found.text)}")
     return 0 if fine else 1
 
 
-def _tell_table(key: Key, contents: Contents) -> bool:
-    if contents.table is None:
-        reason = contents.trouble.text if contents.trouble else ""
+def _tell_table(key: Key, work: StudentWork) -> bool:
+    if work.table is None:
+        reason = work.trouble.text if work.trouble else ""
         tell(say("screen.table_not_read", reason=reason))
         return False
-    table = contents.table
+    table = work.table
     reading = table.reading
     known = {"file": reading.file, "encoding": reading.encoding, "separator": reading.separator, "decimal": reading.decimal}
     tell(say("screen.turned" if reading.transposed else "screen.not_turned", **known))
@@ -97,13 +97,13 @@ def _tell_steps(key: Key, cells: Cells) -> None:
     )
 
 
-def _tell_equations(contents: Contents) -> bool:
-    if contents.equations is None:
+def _tell_equations(work: StudentWork) -> bool:
+    if work.equations is None:
         tell(say("screen.no_equations"))
         return True
-    unread = [line for line in contents.equations if line.left is None]
-    tell(say("screen.equations_read", count=len(contents.equations), unread=len(unread)))
-    for line in contents.equations:
+    unread = [line for line in work.equations if line.left is None]
+    tell(say("screen.equations_read", count=len(work.equations), unread=len(unread)))
+    for line in work.equations:
         if line.left is None:
             tell(say("screen.line", line=line.line, why=line.fault.message if line.fault else say("screen.not_equation")))
         elif line.repaired:

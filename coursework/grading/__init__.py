@@ -1,1 +1,1 @@
-"""Many submissions -> marks: what was handed in is read here, understood, marked and written out; the text is data throughout."""
+"""Many submissions -> marks: collected, read, marked, written out; the text of students is data throughout."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 import coursework
-from coursework.grading.expected import Expected, Grid, grid_of
+from coursework.grading.reading.expected import Expected, Grid, grid_of
 
 
 @cache

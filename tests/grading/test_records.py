@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 
 import coursework
-from coursework.grading.expected import grid_of
-from coursework.grading.submission import Submission, note, submission_from, submitted_file
+from coursework.grading.reading.expected import grid_of
+from coursework.grading.reading.submission import Submission, note, submission_from, submitted_file
 
 
 def test_a_submission_survives_json() -> None:

@@ -12,12 +12,12 @@ from pathlib import Path
 
 from coursework.grading.batch.decisions import Override
 from coursework.grading.batch.work import Task, VariantSource
-from coursework.grading.handed_in import Source
-from coursework.grading.matching import match
-from coursework.grading.parcels import Parcel
+from coursework.grading.collecting.file_lists import FileList
+from coursework.grading.collecting.matching import match
+from coursework.grading.collecting.sources import Source
 from coursework.grading.platforms.roster import Roster
 from coursework.grading.platforms.worksheet import Worksheet, WorksheetRow
-from coursework.grading.submission import Submission
+from coursework.grading.reading.submission import Submission
 from coursework.variant.catalogue import find
 from coursework.variant.reading.reader import read_variant
 from coursework.variant.record.variant import Variant
@@ -27,24 +27,24 @@ from coursework.words.sentences import say
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """One student to grade: by which variant, from which parcels (none: nothing handed in), where the worksheet has them."""
+    """One student to grade: by which variant, from which file_lists (none: nothing handed in), where the worksheet has them."""
 
     id: str
     name: str | None
     email: str
     variant: str
-    parcels: tuple[Parcel, ...]
+    file_lists: tuple[FileList, ...]
     row: WorksheetRow | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class ClassList:
-    """Everyone to grade, by id; `sources` and `variants` by the name of a variant; parcels of nobody on the roster."""
+    """Everyone to grade, by id; `sources` and `variants` by the name of a variant; file_lists of nobody on the roster."""
 
     places: tuple[Place, ...]
     sources: Mapping[str, VariantSource]
     variants: Mapping[str, Variant]
-    not_on_roster: tuple[Parcel, ...]
+    not_on_roster: tuple[FileList, ...]
 
     def tasks(self, source: Source, overrides: Mapping[str, tuple[Override, ...]]) -> Iterator[Task]:
         """Yield the tasks, each with its files read when it is drawn."""
@@ -53,12 +53,12 @@ class ClassList:
 
 
 def _collected(source: Source, place: Place) -> Submission:
-    if not place.parcels:
+    if not place.file_lists:
         return Submission(place.id, place.name, ())
-    found = source.collect(place.parcels[0])
+    found = source.collect(place.file_lists[0])
     name = place.name or found.name
-    if len(place.parcels) > 1:
-        listed = tuple(parcel.folder or parcel.id for parcel in place.parcels)
+    if len(place.file_lists) > 1:
+        listed = tuple(file_list.folder or file_list.id for file_list in place.file_lists)
         return replace(found, id=place.id, name=name, review=say("reading.review.resubmitted", names=listed))
     return replace(found, id=place.id, name=name)
 
@@ -68,10 +68,10 @@ def class_of_one(source: Source, variant: str, worksheet: Worksheet | None) -> C
     chosen = read_source(variant, Path())
     rows = {row.number: row for row in worksheet.rows if row.number} if worksheet else {}
     places = []
-    for parcel in source.parcels:
-        row = rows.get(parcel.number)
-        name = parcel.name or (row.name if row else None)
-        places.append(Place(parcel.id, name, row.email if row else "", chosen[1].name, (parcel,), row))
+    for file_list in source.file_lists:
+        row = rows.get(file_list.number)
+        name = file_list.name or (row.name if row else None)
+        places.append(Place(file_list.id, name, row.email if row else "", chosen[1].name, (file_list,), row))
     return ClassList(_by_id(places), {chosen[1].name: chosen[1]}, {chosen[1].name: chosen[0]}, ())
 
 
@@ -92,11 +92,11 @@ def class_of_roster(source: Source, roster: Roster, file: Path, worksheet: Works
                 faults += [Fault(fault.message, str(file), student.line, place=student.variant) for fault in error.faults]
     if faults:
         raise InputError(faults)
-    matched = match(roster, source.parcels, source.platform, worksheet)
+    matched = match(roster, source.file_lists, source.platform, worksheet)
     places = [
         Place(
             student.id, student.name or None, student.email, read[student.variant][1].name,
-            matched.parcels.get(student.id, ()), matched.rows.get(student.id),
+            matched.file_lists.get(student.id, ()), matched.rows.get(student.id),
         )
         for student in roster.students
     ]  # fmt: skip

@@ -13,8 +13,8 @@ from typing import Any
 
 from coursework.grading.marking.grade import GRADED, points
 from coursework.grading.marking.rubric import PARTS, Rubric
-from coursework.grading.names import same_key
 from coursework.grading.platforms.cells_of_csv import read_cells
+from coursework.grading.platforms.names import same_key
 from coursework.grading.reading.numbers import printed
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say

@@ -17,8 +17,8 @@ from coursework.grading.batch.journal import Entry, Journal
 from coursework.grading.batch.supervisor import LIMIT
 from coursework.grading.batch.work import REASONS, Outcome, Setup
 from coursework.grading.batch.workers import Keyed, in_threads, on_cluster
-from coursework.grading.handed_in import Source
-from coursework.grading.names import file_stem
+from coursework.grading.collecting.sources import Source
+from coursework.grading.platforms.names import file_stem
 from coursework.system.whole_files import write_bytes
 
 MOST_JOBS = 8

@@ -17,7 +17,7 @@ import coursework
 from coursework.grading.batch.decisions import Override, overridden
 from coursework.grading.marking.grade import blank_grade
 from coursework.grading.marking.rubric import read_rubric
-from coursework.grading.submission import Submission, submission_from
+from coursework.grading.reading.submission import Submission, submission_from
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH, load_phrases
 

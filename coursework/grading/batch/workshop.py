@@ -11,13 +11,13 @@ import numpy as np
 
 from coursework.grading.batch.decisions import overridden
 from coursework.grading.batch.work import Outcome, Setup, VariantSource, failed, task_from
-from coursework.grading.expected import Expected, grid_of
 from coursework.grading.marking.grade import Grade, Marker
 from coursework.grading.marking.reference import key_of
 from coursework.grading.marking.rubric import Rubric, read_rubric
 from coursework.grading.pages.feedback import feedback_page
-from coursework.grading.submission import Submission
-from coursework.grading.understand import understand
+from coursework.grading.reading.expected import Expected, grid_of
+from coursework.grading.reading.read_submission import read_submission
+from coursework.grading.reading.submission import Submission
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import load_phrases, say
@@ -49,7 +49,7 @@ class Workshop:
     def grade(self, submission: Submission, source: VariantSource) -> Grade:
         """Return the grade of a submission.  Raises `InputError` where the variant itself cannot be used."""
         marker, expected = self._marker(source)
-        return marker.grade(understand(submission, expected))
+        return marker.grade(read_submission(submission, expected))
 
     def _marker(self, source: VariantSource) -> tuple[Marker, Expected]:
         if source.sha256 in self._markers:

@@ -15,11 +15,11 @@ from typing import Any
 
 from coursework.grading.batch.class_list import ClassList, Place
 from coursework.grading.batch.gradebook import Change, Graded, page_name
-from coursework.grading.escapes import csv_text
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.pages.class_facts import ClassFacts
 from coursework.grading.pages.class_page import class_page
 from coursework.grading.platforms.canvas import Gradebook
+from coursework.grading.platforms.escapes import csv_text
 from coursework.grading.platforms.feedback_zip import feedback_zip
 from coursework.grading.platforms.worksheet import Worksheet
 from coursework.system.whole_files import write_bytes
@@ -56,8 +56,8 @@ def write_gradebook(
         lines.append(_line(record, _told(entry.grade, words)))
         records.append(json.dumps(record, ensure_ascii=False, allow_nan=False))
     strangers = [
-        {"name": parcel.name or parcel.folder or parcel.id, "files": [name for name, _ in parcel.files]}
-        for parcel in listed.not_on_roster
+        {"name": file_list.name or file_list.folder or file_list.id, "files": [name for name, _ in file_list.files]}
+        for file_list in listed.not_on_roster
     ]
     written = ["grades.csv", "grades.json", "class.html", "changes.csv"]
     write_bytes(out / "grades.csv", _csv(COLUMNS, lines))
@@ -149,7 +149,7 @@ def _points(listed: ClassList, graded: Graded, canvas: Gradebook) -> dict[int, f
     found = {}
     for entry in graded.entries():
         place = places[entry.id]
-        keys = (place.id, place.email, *(parcel.number for parcel in place.parcels))
+        keys = (place.id, place.email, *(file_list.number for file_list in place.file_lists))
         record = canvas.record_of(keys, place.name)
         if record is not None and entry.grade["score"] is not None:
             found[record] = entry.grade["score"]
@@ -160,6 +160,6 @@ def _pages(out: Path, listed: ClassList, graded: Graded) -> Iterator[tuple[str, 
     places = {place.id: place for place in listed.places}
     for entry in graded.entries():
         page = out / page_name(entry.id)
-        for parcel in places[entry.id].parcels:
-            if entry.page and parcel.folder:
-                yield parcel.folder, entry.id, page.read_bytes()
+        for file_list in places[entry.id].file_lists:
+            if entry.page and file_list.folder:
+                yield file_list.folder, entry.id, page.read_bytes()

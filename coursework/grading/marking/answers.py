@@ -11,10 +11,10 @@ from typing import Any, Literal
 
 import numpy as np
 
-from coursework.grading.contents import AnswerLine
+from coursework.grading.marking.equations.probe import names_at
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.probe import names_at
 from coursework.grading.marking.rubric import Answer
+from coursework.grading.reading.student_work import AnswerLine
 
 # Twice the tolerance earns half: the construction was made, and read badly.
 HALF_CREDIT = 2.0

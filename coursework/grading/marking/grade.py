@@ -1,6 +1,6 @@
 """One submission -> its grade: every part marked, one state, one number or none.
 
-Enters: `Contents`, a `Key`, the rubric.  Leaves: `Grade`.  Used by the children that grade a batch, and by `precheck`'s tests.
+Enters: `StudentWork`, a `Key`, the rubric.  Leaves: `Grade`.  Used by the children that grade a batch, and by `precheck`'s tests.
 Only "graded" and "graded-with-notes" carry a number: a format error is no wrong answer, a fault of ours no zero.
 """
 
@@ -14,18 +14,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.grading.contents import Contents, Table
 from coursework.grading.marking.answers import AnswerMarks, mark_answers
-from coursework.grading.marking.cells import Cells, Student, mark_cells
-from coursework.grading.marking.equations import EquationMarks, Judge
-from coursework.grading.marking.first_wrong import FirstWrong, first_wrong
+from coursework.grading.marking.equations.equations import EquationMarks, Judge
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.misconceptions import Misconception, find_misconception, indistinct, looked_for
-from coursework.grading.marking.own_equations import own_share
-from coursework.grading.marking.points import TablePoints, table_points
 from coursework.grading.marking.rubric import Rubric
+from coursework.grading.marking.table.cells import Cells, Student, mark_cells
+from coursework.grading.marking.table.first_wrong import FirstWrong, first_wrong
+from coursework.grading.marking.table.misconceptions import Misconception, find_misconception, indistinct, looked_for
+from coursework.grading.marking.table.own_equations import own_share
+from coursework.grading.marking.table.points import TablePoints, table_points
 from coursework.grading.marking.verdicts import Verdicts, verdicts
-from coursework.grading.submission import Note, note
+from coursework.grading.reading.student_work import StudentWork, Table
+from coursework.grading.reading.submission import Note, note
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
@@ -57,7 +57,7 @@ class Grade:
     parts: Mapping[str, float | None]
     rubric: Rubric
     key: Key
-    contents: Contents
+    work: StudentWork
     table: TableMarks | None
     equations: EquationMarks | None
     answers: AnswerMarks | None
@@ -80,7 +80,7 @@ class Grade:
             "max": self.rubric.points,
             "proposed": proposed,
             "reason": self.reason or "",
-            "files": [entry.plain() for entry in self.contents.files],
+            "files": [entry.plain() for entry in self.work.files],
             "reading": self.table.table.reading.plain() if self.table else None,
             "table": self._table(),
             "first_wrong": self.table.first.plain() if self.table and self.table.first else None,
@@ -98,7 +98,7 @@ class Grade:
 
     def _table(self) -> dict[str, Any]:
         score, most = self.part("table")
-        trouble = self.contents.trouble
+        trouble = self.work.trouble
         empty: dict[str, Any] = {
             "state": "marked" if self.table else "missing" if trouble is None or trouble.state == "missing" else "unreadable",
             "score": score, "max": most, "rows": 0, "rows_needed": len(self.key.table), "first_wrong": None, "wrong_cells": 0,
@@ -145,15 +145,15 @@ class Marker:
         self.confusions = self.rubric.confused(self.key.variant)
         self._kept: dict[bytes, tuple[str, ...]] = {}
 
-    def grade(self, contents: Contents) -> Grade:
+    def grade(self, work: StudentWork) -> Grade:
         """Return the grade of one submission."""
-        equations = self.judge.mark(contents.equations) if contents.equations is not None else None
-        answers = mark_answers(self.key, self.rubric.answers, contents.answers) if self.rubric.answers else None
-        table = self._table(contents.table, equations) if contents.table else None
+        equations = self.judge.mark(work.equations) if work.equations is not None else None
+        answers = mark_answers(self.key, self.rubric.answers, work.answers) if self.rubric.answers else None
+        table = self._table(work.table, equations) if work.table else None
         shares: dict[str, float | None] = {
             "table": table.share if table else None,
             "equations": equations.share if equations else None,
-            "answers": answers.share if answers and contents.answers else None,
+            "answers": answers.share if answers and work.answers else None,
         }
         judged = verdicts(
             self.key,
@@ -162,11 +162,11 @@ class Marker:
             equations,
             table.misconception if table else None,
         )
-        status, reason, notes = self._status(contents, shares)
-        notes = (*contents.notes, *self._notes(table), *notes)
+        status, reason, notes = self._status(work, shares)
+        notes = (*work.notes, *self._notes(table), *notes)
         if status == "graded" and notes:
             status = "graded-with-notes"
-        return Grade(status, shares, self.rubric, self.key, contents, table, equations, answers, judged, notes, reason)
+        return Grade(status, shares, self.rubric, self.key, work, table, equations, answers, judged, notes, reason)
 
     def _table(self, table: Table, equations: EquationMarks | None) -> TableMarks:
         cells = mark_cells(self.key, student_of(self.key, table))
@@ -188,11 +188,11 @@ class Marker:
             self._kept[digits] = indistinct(self.key, units, self.confusions)
         return self._kept[digits]
 
-    def _status(self, contents: Contents, shares: dict[str, float | None]) -> tuple[str, Sentence | None, tuple[Note, ...]]:
+    def _status(self, work: StudentWork, shares: dict[str, float | None]) -> tuple[str, Sentence | None, tuple[Note, ...]]:
         """Return the state, why there is no number, and notes about parts without a file; those may become 0 here."""
-        if contents.review is not None:
-            return "needs-review", contents.review, ()
-        trouble = contents.trouble
+        if work.review is not None:
+            return "needs-review", work.review, ()
+        trouble = work.trouble
         nothing = all(share is None for share in shares.values())
         if trouble is not None and (trouble.state != "missing" or nothing) and self.rubric.weights["table"]:
             return trouble.state, trouble.text, ()

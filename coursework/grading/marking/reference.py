@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from coursework.api import solve
 from coursework.equations.reduction.structure import without_data
-from coursework.grading.marking.branches import other_assemblies
 from coursework.grading.marking.key import Key
+from coursework.grading.marking.table.branches import other_assemblies
 from coursework.many import Solutions, solve_many
 from coursework.motion.geometry.drive import breaks
 from coursework.motion.schemes import DEFAULT_SCHEME

@@ -10,11 +10,11 @@ from typing import Literal
 
 import numpy as np
 
-from coursework.grading.marking.cells import Cells
-from coursework.grading.marking.equations import EquationMarks
+from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.misconceptions import FEWEST, FEWEST_SHARE, Misconception
-from coursework.grading.marking.points import TablePoints, true_steps
+from coursework.grading.marking.table.cells import Cells
+from coursework.grading.marking.table.misconceptions import FEWEST, FEWEST_SHARE, Misconception
+from coursework.grading.marking.table.points import TablePoints, true_steps
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 

@@ -12,8 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from coursework.grading.marking.cells import CARRIED, GIVEN, KEY, MISSING, WRONG
 from coursework.grading.marking.grade import Grade, TableMarks
+from coursework.grading.marking.table.cells import CARRIED, GIVEN, KEY, MISSING, WRONG
 from coursework.grading.pages.curves import panel
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import Phrases, joined, load_phrases, say

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from coursework.grading.escapes import shown
+from coursework.grading.platforms.escapes import shown
 from coursework.words.sentences import ENGLISH, load_phrases, say
 
 _MOST_TEXT = 60_000  # characters of one output: both platforms take a megabyte in all

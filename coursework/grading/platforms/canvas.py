@@ -11,8 +11,8 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from coursework.grading.names import name_key, same_key
 from coursework.grading.platforms.cells_of_csv import CellText, read_cells
+from coursework.grading.platforms.names import name_key, same_key
 from coursework.grading.reading.numbers import printed
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from coursework.grading.reading.encoding import decode
+from coursework.grading.reading.files.encoding import decode
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 

@@ -1,7 +1,7 @@
 """Names in a platform's download -> whose work it is.
 
 Enters: the name of a folder or file.  Leaves: `Owner`, None where the name is not the platform's.
-Used by `parcels.py`.
+Used by `file_lists.py`.
 """
 
 from __future__ import annotations

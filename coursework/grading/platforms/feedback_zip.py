@@ -11,7 +11,7 @@ import zipfile
 from collections.abc import Iterable
 from pathlib import PurePosixPath
 
-from coursework.grading.names import file_stem
+from coursework.grading.platforms.names import file_stem
 
 _EPOCH = (1980, 1, 1, 0, 0, 0)
 

@@ -10,8 +10,8 @@ import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from coursework.grading.names import same_key
 from coursework.grading.platforms.cells_of_csv import read_cells
+from coursework.grading.platforms.names import same_key
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say
 

@@ -1,1 +1,1 @@
-"""Bytes of a table as any program writes it -> the student's numbers on the assigned grid, and how they were read."""
+"""What a student handed in: files, the table, the equations and answers in them, and how each was read."""

@@ -5,7 +5,7 @@ Enters: nothing.  Leaves: the sizes of everything that is read; `Refused`.  Used
 
 from __future__ import annotations
 
-from coursework.grading.contents import Trouble
+from coursework.grading.reading.student_work import Trouble
 from coursework.words.sentences import say
 
 FILE_BYTES = 4 * 1024 * 1024

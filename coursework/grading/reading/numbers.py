@@ -11,7 +11,7 @@ import re
 from functools import lru_cache
 from typing import NamedTuple
 
-from coursework.grading.contents import Flag
+from coursework.grading.reading.student_work import Flag
 
 _PLAIN = str.maketrans({
     **{chr(0xFF10 + digit): str(digit) for digit in range(10)}, "．": ".", "，": ",", "＋": "+", "－": "-", "＝": "=",

@@ -20,8 +20,8 @@ import coursework
 from coursework.cli import main
 from tests.grading.batch.classroom import EQUATIONS, NAMES, hand_in
 from tests.grading.batch.classroom import csv as table_csv
-from tests.grading.dialects import archive, workbook
 from tests.grading.marking import students
+from tests.grading.reading.dialects import archive, workbook
 
 RIGHT = students.table()
 GOOD = table_csv(RIGHT)

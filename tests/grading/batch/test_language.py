@@ -4,7 +4,7 @@ import json
 import re
 
 from coursework.grading.batch.work import Setup, setup_from
-from coursework.grading.submission import Submission, submission_from
+from coursework.grading.reading.submission import Submission, submission_from
 from coursework.words.sentences import load_phrases, say
 from tests.grading.batch.classroom import hand_in, small_class
 from tests.grading.batch.test_batch import grade, rows, submissions

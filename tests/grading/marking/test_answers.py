@@ -3,10 +3,10 @@
 import pytest
 
 import coursework
-from coursework.grading.contents import AnswerLine
 from coursework.grading.marking.answers import mark_answers
 from coursework.grading.marking.reference import key_of
 from coursework.grading.marking.rubric import Answer
+from coursework.grading.reading.student_work import AnswerLine
 
 # The exact motion in row 4, from the reference plans of velocities.
 W = {"w1": 0.17465532, "w2": 0.086914667, "w3": 4.4111308, "w4": -8.1550535}

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.grading.marking.cells import Student, mark_cells
 from coursework.grading.marking.reference import key_of
+from coursework.grading.marking.table.cells import Student, mark_cells
 from coursework.variant.catalogue import names
 
 

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.grading.marking.cells import Student, mark_cells
-from coursework.grading.marking.first_wrong import first_wrong
-from coursework.grading.marking.points import table_points
 from coursework.grading.marking.reference import key_of
+from coursework.grading.marking.table.cells import Student, mark_cells
+from coursework.grading.marking.table.first_wrong import first_wrong
+from coursework.grading.marking.table.points import table_points
 from tests.grading.marking import students
 
 

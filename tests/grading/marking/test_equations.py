@@ -3,10 +3,10 @@
 import pytest
 
 import coursework
-from coursework.grading.contents import EquationLine
-from coursework.grading.marking.edits import applied, edits
-from coursework.grading.marking.equations import ROUNDED, Judge
+from coursework.grading.marking.equations.edits import applied, edits
+from coursework.grading.marking.equations.equations import ROUNDED, Judge
 from coursework.grading.marking.reference import key_of
+from coursework.grading.reading.student_work import EquationLine
 from coursework.variant.catalogue import names
 from coursework.variant.formula.reader import parse
 from coursework.variant.formula.tree import Formula, spelled

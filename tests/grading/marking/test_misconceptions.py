@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.grading.marking.cells import mark_cells
-from coursework.grading.marking.misconceptions import euler_cells, find_misconception, indistinct, looked_for
 from coursework.grading.marking.reference import key_of
+from coursework.grading.marking.table.cells import mark_cells
+from coursework.grading.marking.table.misconceptions import euler_cells, find_misconception, indistinct, looked_for
 from tests.grading.marking import students
 from tests.grading.marking.test_cells import printed
 

@@ -1,0 +1,1 @@
+"""A folder or zip of submissions: whose files are whose."""

@@ -1,0 +1,153 @@
+"""Names in a folder or zip -> one file list a student.
+
+Enters: names of folders and files.  Leaves: `FileList`s; nothing is opened.
+Used by `sources.py`.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from pathlib import PurePosixPath
+
+from coursework.grading.platforms.downloads import Owner, canvas_owner, moodle_owner
+from coursework.grading.platforms.names import same_key
+from coursework.grading.reading.submission import Note
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
+
+_COPY = re.compile(r"(.+?) ?\([0-9]{1,2}\)")  # what browsers and systems add to the second of two equal names
+
+
+@dataclass(frozen=True, slots=True)
+class FileList:
+    """The files of one student, not yet read: (name, where it is found) of each.
+
+    `id` verbatim (NFC), `name` as the platform gives it, `number` the platform's own; `folder` is what Moodle wants
+    feedback to be returned under; `review` is why a person must look.
+    """
+
+    id: str
+    name: str | None
+    files: tuple[tuple[str, str], ...]
+    number: str = ""
+    folder: str = ""
+    notes: tuple[Note, ...] = ()
+    review: Sentence | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Names:
+    """Top folders, files as (name, place), and notes by the first part of the name they speak of."""
+
+    folders: set[str]
+    files: list[tuple[str, str]]
+    notes: dict[str, list[Note]]
+
+
+def unwrapped(names: Names) -> Names:
+    """Return names without the one folder that holds all folders, which some systems put around a zip."""
+    tops = {name.partition("/")[0] for name, _ in names.files} | {name.partition("/")[0] for name in names.folders}
+    deep = any("/" in name.partition("/")[2] for name, _ in names.files)
+    if len(tops) != 1 or not deep or moodle_owner(next(iter(tops))):
+        return names
+    top = f"{next(iter(tops))}/"
+    folders = {name.removeprefix(top) for name in names.folders if name.startswith(top)}
+    return Names(folders, [(name.removeprefix(top), place) for name, place in names.files if name.startswith(top)], names.notes)
+
+
+def sorted_out(names: Names) -> tuple[str, tuple[FileList, ...]]:
+    """Return which platform's download it is, and its file lists."""
+    tops = {name.partition("/")[0] for name, _ in names.files} | {folder.partition("/")[0] for folder in names.folders}
+    if any(moodle_owner(top) for top in tops):
+        return "moodle", _with_doubts(_by_owner(names, moodle_owner))
+    if names.folders or any("/" in name for name, _ in names.files):
+        return "folder", _with_doubts(_by_folder(names))
+    if names.files and all(canvas_owner(name) for name, _ in names.files):
+        return "canvas", _with_doubts(_by_owner(names, canvas_owner))
+    return "flat", _with_doubts(_flat(names))
+
+
+def _by_owner(names: Names, owner_of: Callable[[str], Owner | None]) -> list[FileList]:
+    """Return one file list for each owner that a platform's names tell; other names belong to nobody."""
+    owners: dict[str, list[Owner]] = {}
+    files: dict[str, list[tuple[str, str]]] = {}
+    notes: dict[str, list[Note]] = {}
+    for top in sorted(
+        {*(name.partition("/")[0] for name, _ in names.files), *(f.partition("/")[0] for f in names.folders), *names.notes}
+    ):
+        if owner := owner_of(top):
+            owners.setdefault(owner.key, []).append(owner)
+            notes.setdefault(owner.key, []).extend(names.notes.get(top, ()))
+    for name, place in names.files:
+        top, _, rest = name.partition("/")
+        if owner := owner_of(top):
+            files.setdefault(owner.key, []).append((rest or owner.file or top, place))
+    file_lists = []
+    for key, found in owners.items():
+        first = found[0]
+        attempts = {owner.attempt for owner in found}
+        review = say("reading.review.resubmitted", names=tuple(sorted(attempts))) if len(attempts) > 1 else None
+        student = first.folder or key
+        file_lists.append(FileList(
+            student, first.name, tuple(sorted(files.get(key, []))), first.number, first.folder, tuple(notes[key]), review,
+        ))  # fmt: skip
+    return file_lists
+
+
+def _by_folder(names: Names) -> list[FileList]:
+    files: dict[str, list[tuple[str, str]]] = {folder.partition("/")[0]: [] for folder in names.folders}
+    for name, place in names.files:
+        top, between, rest = name.partition("/")
+        if between:
+            files.setdefault(top, []).append((rest, place))
+    return [
+        FileList(unicodedata.normalize("NFC", top), None, tuple(sorted(found)), notes=tuple(names.notes.get(top, ())))
+        for top, found in files.items()
+    ]
+
+
+def _flat(names: Names) -> list[FileList]:
+    files: dict[str, list[tuple[str, str]]] = {}
+    notes: dict[str, list[Note]] = {}
+    for name, place in names.files:
+        files.setdefault(_flat_id(name), []).append((name, place))
+    for name, found in names.notes.items():
+        notes.setdefault(_flat_id(name), []).extend(found)
+    return [FileList(student, None, tuple(sorted(files.get(student, []))), notes=tuple(notes.get(student, ())))
+            for student in {**files, **notes}]  # fmt: skip
+
+
+def _flat_id(name: str) -> str:
+    plain = unicodedata.normalize("NFC", name)
+    if "_" in plain.lstrip("_"):
+        return plain.partition("_")[0] or plain
+    stem = PurePosixPath(plain).stem
+    copy = _COPY.fullmatch(stem)
+    return copy[1] if copy else stem
+
+
+def _with_doubts(file_lists: Iterable[FileList]) -> tuple[FileList, ...]:
+    """Return the file lists by id; ids that some system takes for one, and copies beside an original, need a person."""
+    ordered = sorted(file_lists, key=lambda file_list: file_list.id)
+    same: dict[str, list[str]] = {}
+    alike: dict[str, list[str]] = {}
+    for file_list in ordered:
+        same.setdefault(same_key(file_list.id), []).append(file_list.id)
+        alike.setdefault(_original(file_list.id), []).append(file_list.id)
+    checked = []
+    for file_list in ordered:
+        twins, copies = same[same_key(file_list.id)], alike[_original(file_list.id)]
+        if len(twins) > 1:
+            file_list = replace(file_list, review=say("reading.review.same_id", names=tuple(twins)))
+        elif len(copies) > 1 and _original(file_list.id) in copies:
+            file_list = replace(file_list, review=say("reading.review.resubmitted", names=tuple(copies)))
+        checked.append(file_list)
+    return tuple(checked)
+
+
+def _original(student: str) -> str:
+    copy = _COPY.fullmatch(student)
+    return copy[1] if copy else student

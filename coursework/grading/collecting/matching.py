@@ -1,0 +1,89 @@
+"""File lists, a roster, perhaps Moodle's worksheet -> whose file list is whose.
+
+Enters: `Roster`, `FileList`s, `Worksheet`.  Leaves: `Matched`.
+Used by whoever grades a class.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from coursework.grading.collecting.file_lists import FileList
+from coursework.grading.platforms.names import name_key, same_key
+from coursework.grading.platforms.roster import Roster, Student
+from coursework.grading.platforms.worksheet import Worksheet, WorksheetRow
+
+
+@dataclass(frozen=True, slots=True)
+class Matched:
+    """Whose file lists are whose: by the id of the roster; those nobody on it handed in; the worksheet's row of each student."""
+
+    file_lists: Mapping[str, tuple[FileList, ...]]
+    not_on_roster: tuple[FileList, ...]
+    rows: Mapping[str, WorksheetRow]
+
+
+def match(roster: Roster, file_lists: Iterable[FileList], platform: str, worksheet: Worksheet | None = None) -> Matched:
+    """Return whose file list is whose.  Several file lists of one student, or one that fits several, are the caller's to review.
+
+    Moodle: number of the folder -> row of the worksheet -> e-mail, ID number or full name on the roster; without a worksheet
+    the full name.  Canvas: user number or name.  Folders: the id.  What fits nobody, or two alike, is not on the roster.
+    """
+    people = _People(roster.students)
+    rows = {row.number: row for row in worksheet.rows if row.number} if worksheet else {}
+    of_row = {student.id: row for row in (worksheet.rows if worksheet else ()) if (student := people.of_row(row))}
+    found: dict[str, list[FileList]] = {}
+    others: list[FileList] = []
+    for file_list in file_lists:
+        student = people.by_id.get(same_key(file_list.id))
+        if student is None and platform == "moodle":
+            row = rows.get(file_list.number)
+            student = people.of_row(row) if row else (people.named(file_list.name) if worksheet is None else None)
+        elif student is None and platform == "canvas":
+            student = people.by_id.get(same_key(file_list.number)) or people.run_together(file_list.name or "")
+        if student is None:
+            others.append(file_list)
+        else:
+            found.setdefault(student.id, []).append(file_list)
+    return Matched({student: tuple(listed) for student, listed in found.items()}, tuple(others), of_row)
+
+
+class _People:
+    """The roster, looked up in the ways that platforms know a student."""
+
+    def __init__(self, students: Sequence[Student]) -> None:
+        self.by_id = {same_key(student.id): student for student in students}
+        self.by_email = _unique((student.email.casefold(), student) for student in students if student.email)
+        self.by_name = _unique((name_key(student.name), student) for student in students if student.name)
+        self.by_letters = _unique((letters, student) for student in students for letters in _run_together(student.name))
+
+    def of_row(self, row: WorksheetRow) -> Student | None:
+        """Return whose row of the worksheet it is: by e-mail, else ID number, else a full name that is unique on both sides."""
+        return (
+            self.by_email.get(row.email.casefold())
+            or (self.by_id.get(same_key(row.id_number)) if row.id_number else None)
+            or (self.by_name.get(name_key(row.name)) if row.name_is_unique else None)
+        )
+
+    def named(self, name: str | None) -> Student | None:
+        return self.by_name.get(name_key(name)) if name else None
+
+    def run_together(self, name: str) -> Student | None:
+        return self.by_letters.get(name.casefold())
+
+
+def _unique(pairs: Iterable[tuple[str, Student]]) -> dict[str, Student]:
+    """Return what belongs to one student only."""
+    found: dict[str, list[Student]] = {}
+    for key, student in pairs:
+        found.setdefault(key, []).append(student)
+    return {key: students[0] for key, students in found.items() if len({student.id for student in students}) == 1 and key}
+
+
+def _run_together(name: str) -> set[str]:
+    """Return a name as Canvas writes it in file names: last name first, letters only; both orders, for either habit."""
+    words = [re.sub(r"[\W_]", "", word) for word in unicodedata.normalize("NFC", name).casefold().replace(",", " ").split()]
+    return {"".join(words), "".join([*words[-1:], *words[:-1]])} if words else set()

@@ -1,0 +1,150 @@
+"""A folder or zip of submissions -> one file list a student, and the files of a file list when they are wanted.
+
+Enters: SOURCE.  Leaves: `FileList`s (names only) and, one at a time, `Submission`s (bytes), so that memory stays flat.
+Raises `InputError` where SOURCE itself cannot be used.  Used by whoever grades a class, or one submission.
+"""
+
+from __future__ import annotations
+
+import zipfile
+import zlib
+from collections.abc import Callable, Iterable
+from functools import partial
+from pathlib import Path, PurePosixPath
+from types import TracebackType
+
+from coursework.grading.collecting.file_lists import FileList, Names, sorted_out, unwrapped
+from coursework.grading.collecting.regular_files import HEAD, files_below, read_regular, too_large
+from coursework.grading.reading.files.archive import legible_name
+from coursework.grading.reading.files.kinds import is_ignored
+from coursework.grading.reading.limits import FILE_BYTES, FILES, INFLATED_BYTES
+from coursework.grading.reading.submission import Note, Submission, SubmittedFile, note, submitted_file
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
+
+_MOST_PARTS = 200_000
+
+
+class Source:
+    """An opened folder or zip; `platform` is "folder", "flat", "moodle" or "canvas"."""
+
+    def __init__(self, path: Path) -> None:
+        """Find the file lists.  Raises `InputError` where there is no such folder or zip."""
+        self.path = path
+        self._zip = _open_zip(path) if path.is_file() else None
+        self._parts: dict[str, zipfile.ZipInfo] = {}
+        if self._zip is None and not path.is_dir():
+            raise InputError([Fault(say("fault.G001"), str(path))])
+        names = self._names_in_zip() if self._zip else self._names_in_folder()
+        self.platform, self.file_lists = sorted_out(names)
+
+    def __enter__(self) -> Source:
+        """Return the source itself."""
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+        """Close the zip."""
+        if self._zip:
+            self._zip.close()
+
+    def collect(self, file_list: FileList) -> Submission:
+        """Return a file list with its files read, each once; at most 50 files and 20 MB."""
+        files, notes = _gathered((name, partial(self._read, place, name)) for name, place in file_list.files)
+        return Submission(file_list.id, file_list.name, files, file_list.notes + notes, file_list.review)
+
+    def _read(self, place: str, name: str, left: int) -> SubmittedFile | Note:
+        if self._zip is None:
+            return read_regular(self.path / place, name, left)
+        part = self._parts[place]
+        try:
+            with self._zip.open(part) as file:
+                if part.file_size > FILE_BYTES:
+                    return too_large(name, file.read(HEAD), part.file_size)
+                content = file.read(min(FILE_BYTES, left) + 1)
+        except (zipfile.BadZipFile, RuntimeError, OSError, NotImplementedError, EOFError, ValueError, zlib.error):
+            return submitted_file(name, b"", say("reading.trouble.damaged"))
+        return (
+            too_large(name, content[:HEAD], len(content))
+            if len(content) > min(FILE_BYTES, left)
+            else submitted_file(name, content)
+        )
+
+    def _names_in_zip(self) -> Names:
+        assert self._zip is not None
+        folders: set[str] = set()
+        names: list[tuple[str, str]] = []
+        for part in self._zip.infolist():
+            name = legible_name(part).replace("\\", "/").strip("/")
+            if not name or is_ignored(name) or ".." in PurePosixPath(name).parts:
+                continue
+            if part.is_dir():
+                folders.add(name)
+            else:
+                self._parts[part.filename] = part
+                names.append((name, part.filename))
+        return unwrapped(Names(folders, names, {}))
+
+    def _names_in_folder(self) -> Names:
+        folders = {
+            entry.name
+            for entry in self.path.iterdir()
+            if entry.is_dir() and not entry.is_symlink() and not is_ignored(entry.name)
+        }
+        names: list[tuple[str, str]] = []
+        notes: dict[str, list[Note]] = {}
+        for name, found in files_below(self.path):
+            if isinstance(found, Note):
+                notes.setdefault(name.partition("/")[0], []).append(found)
+            else:
+                names.append((name, name))
+        return Names(folders, names, notes)
+
+
+def _open_zip(path: Path) -> zipfile.ZipFile:
+    try:
+        opened = zipfile.ZipFile(path)
+    except (zipfile.BadZipFile, OSError, ValueError) as error:
+        raise InputError([Fault(say("fault.G002", error=str(error)), str(path))]) from error
+    if len(opened.infolist()) > _MOST_PARTS:
+        raise InputError([Fault(say("fault.G003", most=_MOST_PARTS), str(path))])
+    return opened
+
+
+def collect_one(place: Path, student: str = "submission") -> Submission:
+    """Return the one submission whose files stand in a folder (or are one file), as autograders hand them over."""
+    if not place.exists():
+        raise InputError([Fault(say("fault.G004"), str(place))])
+    found = list(files_below(place)) if place.is_dir() else [(place.name, place)]
+    notes = [entry for _, entry in found if isinstance(entry, Note)]
+    paths = [(name, path) for name, path in found if isinstance(path, Path)]
+    files, more = _gathered((name, partial(read_regular, path, name)) for name, path in paths)
+    return Submission(student, None, files, (*notes, *more))
+
+
+def collect_files(paths: Iterable[Path], student: str = "submission") -> Submission:
+    """Return a submission of some files.  Raises `InputError` for a file that is not there."""
+    listed = list(paths)
+    if missing := [path for path in listed if not path.is_file()]:
+        raise InputError([Fault(say("fault.G005"), str(missing[0]))])
+    files, notes = _gathered((path.name, partial(read_regular, path, path.name)) for path in listed)
+    return Submission(student, None, files, notes)
+
+
+def _gathered(
+    entries: Iterable[tuple[str, Callable[[int], SubmittedFile | Note]]],
+) -> tuple[tuple[SubmittedFile, ...], tuple[Note, ...]]:
+    """Return files and notes: at most 50 files and 20 MB; each entry is a name and what reads it, given the bytes left."""
+    files: list[SubmittedFile] = []
+    notes: list[Note] = []
+    left = INFLATED_BYTES
+    for name, read in entries:
+        if len(files) >= FILES:
+            notes.append(note("ignored_file", name=name, why=say("reading.why.too_many", limit=FILES)))
+            break
+        found = read(left)
+        if isinstance(found, Note):
+            notes.append(found)
+        else:
+            files.append(found)
+            left -= len(found.content)
+    return tuple(files), tuple(notes)

@@ -1,0 +1,1 @@
+"""Velocity equations as students write them: right in any form, or wrong, the slip named."""

@@ -1,0 +1,133 @@
+"""All single slips of the pen in a formula: a sign, a function, a name, a factor.
+
+Enters: a wrong equation as a tree.  Leaves: `Edit`s, each with the tree that would be right if it were the slip.
+Used by `equations.py`.  An edit changes one place; the value of everything else is computed once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+
+from coursework.grading.marking.equations.numbers import NoValue, combined, value_of
+from coursework.variant.formula.tree import Formula, number
+
+Kind = Literal["sign", "function", "name", "factor"]
+_OTHER = {"sin": "cos", "cos": "sin"}
+_OPPOSITE = {"+": "-", "-": "+"}
+
+
+@dataclass(frozen=True, slots=True)
+class Edit:
+    """`replacement` in the place that `path` leads to (argument by argument), at `column` of the text."""
+
+    kind: Kind
+    path: tuple[int, ...]
+    replacement: Formula
+    column: int
+
+
+def edits(tree: Formula, kinds: Mapping[str, str]) -> Iterator[Edit]:
+    """Yield every single edit of `left - right`; `kinds` says which names may stand for each other."""
+    alike: dict[str, list[str]] = {}
+    for name, kind in kinds.items():
+        alike.setdefault(kind, []).append(name)
+    factors = [Formula("name", name=name) for name, kind in kinds.items() if kind in {"m", "rad/s", "m/s"}]
+    angles = [Formula("name", name=name) for name, kind in kinds.items() if kind == "rad"]
+    factors += [Formula("call", (angle,), name=call) for angle in angles for call in ("sin", "cos")]
+    for path, node, is_term, leads in _places(tree):
+        column = _column(node)
+        if node.op in _OPPOSITE and path:
+            yield Edit("sign", path, Formula(_OPPOSITE[node.op], node.args, column=node.column), _column(node.args[1]))
+        if node.op == "neg":
+            yield Edit("sign", path, node.args[0], column)
+        if is_term and leads:
+            yield Edit("sign", path, Formula("neg", (node,)), column)
+        if is_term:
+            for factor in (number(2), *factors):
+                yield Edit("factor", path, _multiplied(factor, node), column)
+            yield Edit("factor", path, Formula("/", (node, number(2))), column)
+        if node.op == "call" and node.name in _OTHER:
+            yield Edit("function", path, Formula("call", node.args, name=_OTHER[node.name], column=node.column), column)
+        if node.op == "name" and node.name in kinds:
+            for other in alike[kinds[node.name]]:
+                if other != node.name:
+                    yield Edit("name", path, Formula("name", name=other, column=node.column), column)
+        if node.op == "*":
+            yield from (Edit("factor", path, arg, column) for arg in node.args)
+        if node.op == "/":
+            yield Edit("factor", path, node.args[0], column)
+
+
+def _places(
+    node: Formula, path: tuple[int, ...] = (), is_term: bool = False, leads: bool = False
+) -> Iterator[tuple[tuple[int, ...], Formula, bool, bool]]:
+    """Yield every node, its path, whether it is a term of a sum, and whether no plus or minus stands before it."""
+    sums = node.op in {"+", "-", "neg"}
+    yield path, node, is_term and not sums, leads
+    for place, arg in enumerate(node.args):
+        first = (
+            not path or node.op in {"call", "part", "pair"} or (node.op in {"+", "-"} and not place and (leads or not is_term))
+        )
+        yield from _places(arg, (*path, place), sums or node.op in {"call", "part", "pair"}, first)
+
+
+def _multiplied(factor: Formula, node: Formula) -> Formula:
+    """Return factor times node, with the factor in front of a product as one writes it."""
+    if node.op in {"*", "/"}:
+        return Formula(node.op, (_multiplied(factor, node.args[0]), node.args[1]), column=node.column)
+    return Formula("*", (factor, node), column=node.column)
+
+
+def _column(node: Formula) -> int:
+    return next((part.column for part in node.walk() if part.column), 0)
+
+
+@dataclass
+class Values:
+    """The values of every node of a tree, so that an edit costs its own place and the way up only."""
+
+    tree: Formula
+    names: Mapping[str, Any]
+
+    def __post_init__(self) -> None:
+        self.known: dict[int, Any] = {}
+        with np.errstate(all="ignore"):
+            self._fill(self.tree)
+
+    def _fill(self, node: Formula) -> Any:
+        args = [self._fill(arg) for arg in node.args]
+        self.known[id(node)] = combined(node, args, self.names)
+        return self.known[id(node)]
+
+    def after(self, edit: Edit) -> Any:
+        """Return the value of the whole tree after an edit, None where it has none."""
+        way = [self.tree]
+        for place in edit.path:
+            way.append(way[-1].args[place])
+        try:
+            value = value_of(edit.replacement, self.names, self.known)
+            with np.errstate(all="ignore"):
+                for place, node in zip(reversed(edit.path), reversed(way[:-1]), strict=True):
+                    args = [value if i == place else self.known[id(arg)] for i, arg in enumerate(node.args)]
+                    value = combined(node, args, self.names)
+        except NoValue:
+            return None
+        return value
+
+
+def applied(tree: Formula, edit: Edit) -> Formula:
+    """Return the tree after an edit."""
+    if not edit.path:
+        return edit.replacement
+
+    def rebuilt(node: Formula, path: tuple[int, ...]) -> Formula:
+        if not path:
+            return edit.replacement
+        args = tuple(rebuilt(arg, path[1:]) if place == path[0] else arg for place, arg in enumerate(node.args))
+        return Formula(node.op, args, node.name, node.column)
+
+    return rebuilt(tree, edit.path)

@@ -1,0 +1,114 @@
+"""Positions at which equations are tried: random ones off the closure, and rows of the exact motion, with all names' values.
+
+Enters: a `Key`.  Leaves: `Probe`.  Used by `equations.py`; nothing here depends on a submission.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.equations.codegen.tabulated import OutsideTable, TableLaw
+from coursework.grading.marking.equations.numbers import value_of
+from coursework.grading.marking.key import Key
+from coursework.mechanism.mechanism import build
+from coursework.variant.record.variant import Law, Variant
+
+Array = NDArray[np.float64]
+POINTS = 8
+# Half of an angle's range on either side is added: off the closure, and still the same mechanism.
+WIDER = 0.5
+_TRIES = 50
+_SEED = 20_000
+
+
+@dataclass(frozen=True)
+class Probe:
+    """`names` -> values at `count` points; `velocities` (count, k) of the unknown velocities `sought`, right ones."""
+
+    names: Mapping[str, Any]
+    sought: tuple[str, ...]
+    velocities: Array
+
+    @property
+    def count(self) -> int:
+        """Return the number of points."""
+        return len(self.velocities)
+
+    def at(self, velocities: Array) -> dict[str, Any]:
+        """Return the names with other velocities (count, k)."""
+        return {**self.names, **dict(zip(self.sought, velocities.T, strict=True))}
+
+
+def random_probe(key: Key) -> Probe:
+    """Return eight random points with the velocities that the equations give there; the same ones on every machine."""
+    m = len(key.coordinates)
+    generator = np.random.Generator(np.random.PCG64(_SEED))
+    low, high = key.table[:, :m].min(axis=0), key.table[:, :m].max(axis=0)
+    margin = WIDER * np.maximum(high - low, 1e-3)
+    kept_t: list[float] = []
+    kept_q: list[Array] = []
+    kept_u: list[Array] = []
+    for _ in range(_TRIES):
+        t = generator.uniform(0.0, float(key.t[-1]) or key.step, POINTS)
+        q = generator.uniform(low - margin, high + margin, (POINTS, m))
+        u = key.velocities_at(t, q, {})
+        fine = np.all(np.isfinite(u), axis=1) & (np.max(np.abs(u), axis=1) < 1e6)
+        kept_t, kept_q, kept_u = [*kept_t, *t[fine]], [*kept_q, *q[fine]], [*kept_u, *u[fine]]
+        if len(kept_t) >= POINTS:
+            break
+    return _probe(key, np.array(kept_t[:POINTS]), np.array(kept_q[:POINTS]), np.array(kept_u[:POINTS]))
+
+
+def exact_probe(key: Key) -> Probe:
+    """Return rows of the exact motion, eight at most, spread over the table."""
+    m = len(key.coordinates)
+    rows = np.unique(np.linspace(0, len(key.exact) - 1, POINTS).round().astype(int))
+    return _probe(key, key.t[rows], key.exact[rows, :m], key.exact[rows, m:])
+
+
+def _probe(key: Key, t: Array, q: Array, u: Array) -> Probe:
+    sought = key.variant.sought
+    places = [key.velocities.index(name) for name in sought]
+    names = names_at(key, t, q) | dict(zip(key.velocities, u.T, strict=True))
+    return Probe(names, sought, u[:, places])
+
+
+def names_at(key: Key, t: Array, q: Array) -> dict[str, Any]:
+    """Return the value of every name but the unknown velocities at times (n,) and positions (n, m); points are complex."""
+    names: dict[str, Any] = {"t": t, "pi": np.pi, **key.variant.values}
+    names |= dict(zip(key.coordinates, q.T, strict=True))
+    for law in (*key.variant.functions, *key.variant.drive):
+        names[law.name] = _law(law, names)
+    for name, formula in build(key.variant).points:
+        names[name] = np.broadcast_to(value_of(formula, names), t.shape)
+    return names
+
+
+def _law(law: Law, names: Mapping[str, Any]) -> Any:
+    if law.table:
+        table = TableLaw(law.name, law.table, law.method).function(0)
+        try:
+            return table(np.asarray(names[law.of or "t"], dtype=float))
+        except OutsideTable:
+            return np.full(np.shape(names[law.of or "t"]), np.nan)
+    if law.formula is not None:
+        return value_of(law.formula, names)
+    values = np.zeros(np.shape(names["t"]))
+    for begin, formula in law.pieces:
+        values = np.where(names["t"] >= begin, value_of(formula, names), values)
+    return values
+
+
+def kinds(variant: Variant) -> dict[str, str]:
+    """Return for every name what it may be mistaken for: names of one kind are exchanged in slips of the pen."""
+    found = {given.name: given.si for given in variant.given}
+    found |= {law.name: "drive" for law in variant.drive}
+    found |= {coordinate.name: coordinate.unit for coordinate in variant.coordinates}
+    found |= {coordinate.rate: f"{coordinate.unit}/s" for coordinate in variant.coordinates}
+    found |= {name: unit.replace("1/s", "rad/s") for name, unit in variant.unknowns}
+    return found

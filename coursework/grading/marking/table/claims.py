@@ -1,0 +1,150 @@
+"""What a hypothesis says about each cell of a table, and how exactly the printed digits let it speak.
+
+Enters: a `Key`, a student's table.  Leaves: `Claim`s by way of `Printed`.
+Used by the hypotheses, by what weighs them, and by the share of a student's own equations.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.grading.marking.key import Key, sensitivity
+from coursework.grading.marking.table.cells import HALF, LEAST, SLACK, Student, velocity_tolerance
+
+Array = NDArray[np.float64]
+# A hypothesis is worth a closer look where this part of the velocities lies within this many of Euler's tolerances.
+_NEARLY, _NEAR = 0.85, 60.0
+
+
+@dataclass(frozen=True)
+class Claim:
+    """What a hypothesis says: `expected` (n, m + r), NaN where it is silent; `tolerance` alike.
+
+    `euler` names what it leaves to Euler's rules: "steps", "velocities", "all" or nothing.  `student` is the table it speaks
+    about where it is not the one handed in (columns put back, origins taken off); `is_whole` where the start is claimed too.
+    """
+
+    code: str
+    expected: Array
+    tolerance: Array
+    euler: str = ""
+    student: Student | None = None
+    is_whole: bool = False
+
+
+@dataclass(frozen=True)
+class Printed:
+    """A student's table seen by hypotheses: angles, velocities and their digits by themselves.
+
+    Without `closely` no hypothesis is passed over and no sensitivity is worked out: what it expects is all that is asked.
+    """
+
+    key: Key
+    student: Student
+    closely: bool = True
+
+    @property
+    def m(self) -> int:
+        """Return the number of coordinates."""
+        return len(self.key.coordinates)
+
+    @property
+    def q(self) -> Array:
+        """Return the printed coordinates (n, m)."""
+        return self.student.values[:, : self.m]
+
+    @property
+    def w(self) -> Array:
+        """Return the printed rates of the coordinates (n, m)."""
+        return self.student.values[:, self.m : 2 * self.m]
+
+    @cached_property
+    def q_units(self) -> Array:
+        """Return the digits of the coordinates, 0 where missing."""
+        return np.nan_to_num(self.student.units[:, : self.m])
+
+    @cached_property
+    def w_units(self) -> Array:
+        """Return the digits of all velocities (n, r), 0 where missing."""
+        return np.nan_to_num(self.student.units[:, self.m :])
+
+    def whole(self, q: Array | None = None, w: Array | None = None) -> Array:
+        """Return a table (n, m + r) of some columns, NaN elsewhere."""
+        blank = np.full(self.student.values.shape, np.nan)
+        if q is not None:
+            blank[:, : self.m] = q
+        if w is not None:
+            blank[:, self.m :] = w
+        return blank
+
+    def shifted(self, rows: Array, by: int) -> Array:
+        """Return rows moved down by `by` (up where negative), NaN where nothing comes in."""
+        moved = np.full_like(rows, np.nan)
+        if by > 0:
+            moved[by:] = rows[:-by]
+        else:
+            moved[:by] = rows[-by:]
+        return moved
+
+    def steps(self, increments: Array, spread: Array) -> tuple[Array, Array]:
+        """Return coordinates (n, m) made from each row before by `increments` (n, m) in rad or m, and their tolerance."""
+        h = self.key.step
+        expected = self.shifted(self.q + increments, 1)
+        size = np.maximum(np.abs(self.w), LEAST * self.key.ranges[self.m : 2 * self.m])
+        slack = SLACK * h * np.nan_to_num(size)
+        tolerance = HALF * self.q_units + self.shifted(HALF * self.q_units + HALF * spread + slack, 1)
+        return expected, tolerance
+
+    def velocities(self, found: Array, spread: Array) -> tuple[Array, Array]:
+        """Return velocities (n, r) and their tolerance."""
+        return found, velocity_tolerance(self.key, self.w_units, found, spread)
+
+    def spread(self, function: Callable[[Array], Array], at: Array | None = None, units: Array | None = None) -> Array:
+        """Return by how much the digits of cells (the angles, where none are named) leave a function of them open."""
+        at = self.q if at is None else at
+        if not self.closely:
+            return np.zeros_like(function(at))
+        return sensitivity(function, at, self.q_units if units is None else units)
+
+    def slopes(self, data: Mapping[str, float] | None = None, t: Array | None = None) -> Callable[[Array], Array]:
+        """Return f(t, q) with other data; the rows' own times where `t` is None."""
+        return self.stacked(lambda times, q: self.key.velocities_at(times, q, data or {}), t)
+
+    def stacked(self, function: Callable[[Array, Array], Array], t: Array | None = None) -> Callable[[Array], Array]:
+        """Return a function of stacked copies of the rows, as sensitivities need it."""
+        times = self.key.t if t is None else t
+        return lambda q: function(np.tile(times, len(q) // len(times)), q)
+
+    @cached_property
+    def true_velocities(self) -> tuple[Array, Array]:
+        """Return the velocities of the printed row's time and angles."""
+        at = self.slopes()
+        return self.velocities(at(self.q), self.spread(at))
+
+    def nearly(self, found: Array) -> bool:
+        """Return whether velocities (n, r) come anywhere near those printed; what does not is not looked at closer."""
+        if not self.closely:
+            return True
+        tolerance = _NEAR * self.true_velocities[1]
+        there = np.isfinite(found) & np.isfinite(self.student.values[:, self.m :])
+        with np.errstate(invalid="ignore"):
+            close = np.abs(self.student.values[:, self.m :] - found) <= tolerance
+        return bool(there.any()) and float(close[there].mean()) >= _NEARLY
+
+    def velocity_claim(self, code: str, at: Callable[[Array], Array], found: Array | None = None) -> Iterator[Claim]:
+        """Yield the claim that the velocities are `at` the printed angles, where they are nearly so."""
+        found = at(self.q) if found is None else found
+        if self.nearly(found):
+            yield self.claim(code, None, self.velocities(found, self.spread(at)))
+
+    def claim(self, code: str, step: tuple[Array, Array] | None = None, velocities: tuple[Array, Array] | None = None) -> Claim:
+        """Return a claim; what a hypothesis does not change is left to Euler."""
+        left = "steps" if step is None else "velocities" if velocities is None else ""
+        q, q_tolerance = step or (None, None)
+        w, w_tolerance = velocities or (None, None)
+        return Claim(code, self.whole(q, w), self.whole(q_tolerance, w_tolerance), left)

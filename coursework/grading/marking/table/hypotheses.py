@@ -1,0 +1,125 @@
+"""What a wrong table may have been made with: another rule for the step, or another rule for the velocities.
+
+Enters: a table as hypotheses see it, the rubric's confusions, tables of other variants.  Leaves: `Claim`s, one a hypothesis.
+Used by `misconceptions.py`; what was made with other numbers stands in `other_data.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.grading.marking.table.claims import Claim, Printed
+from coursework.grading.marking.table.other_data import other_columns, other_data, other_tables
+
+Array = NDArray[np.float64]
+STEPS = (0.1, 0.5, 2.0, 10.0)
+ROUNDED_TO = (1, 2, 3)
+
+
+def claims(printed: Printed, confusions: Mapping[str, float], others: Mapping[str, Array]) -> Iterator[Claim]:
+    """Yield every hypothesis but Euler's own.
+
+    `confusions` gives data by name with another value (rubric); `others` tables (n, m + r) of other variants by name.
+    """
+    yield from _schemes(printed)
+    yield from _shifted_rows(printed)
+    yield from _steps(printed)
+    yield from _velocities(printed)
+    yield from other_data(printed, confusions)
+    yield from other_tables(printed, others)
+    yield from other_columns(printed)
+
+
+def _schemes(printed: Printed) -> Iterator[Claim]:
+    """Steps of other schemes, each a function of the row's own angles."""
+    h, m, t = printed.key.step, printed.m, printed.key.t
+
+    def slopes(q: Array, ahead: float) -> Array:
+        copies = len(q) // len(t)
+        return printed.key.velocities_at(np.tile(t + ahead, copies), q, {})[:, :m]
+
+    def heun(q: Array) -> Array:
+        first = slopes(q, 0.0)
+        return h / 2 * (first + slopes(q + h * first, h))
+
+    def midpoint(q: Array) -> Array:
+        return h * slopes(q + h / 2 * slopes(q, 0.0), h / 2)
+
+    def rk4(q: Array) -> Array:
+        first = slopes(q, 0.0)
+        second = slopes(q + h / 2 * first, h / 2)
+        third = slopes(q + h / 2 * second, h / 2)
+        return h / 6 * (first + 2 * second + 2 * third + slopes(q + h * third, h))
+
+    for increments in (heun, midpoint, rk4):
+        spread = printed.spread(increments)
+        yield printed.claim(increments.__name__, printed.steps(increments(printed.q), spread))
+    rates, units = printed.w, printed.w_units[:, :m]
+    following, units_after = printed.shifted(rates, -1), np.nan_to_num(printed.shifted(units, -1))
+    yield printed.claim("trapezoid", printed.steps(h / 2 * (rates + following), h / 2 * (units + units_after)))
+    yield printed.claim("backward", printed.steps(h * following, h * units_after))
+
+
+def _shifted_rows(printed: Printed) -> Iterator[Claim]:
+    """Velocities of another time, or printed a row too late or too early."""
+    h, m = printed.key.step, printed.m
+    for code, ahead in (("time_ahead", h), ("time_behind", -h)):
+        yield from printed.velocity_claim(code, printed.slopes(t=printed.key.t + ahead))
+    found, tolerance = printed.true_velocities
+    for code, by in (("omega_late", 1), ("omega_early", -1)):
+        used = printed.shifted(printed.w, -by)
+        units = np.nan_to_num(printed.shifted(printed.w_units[:, :m], -by))
+        yield printed.claim(
+            code, printed.steps(h * used, h * units), (printed.shifted(found, by), printed.shifted(tolerance, by))
+        )
+
+
+def _steps(printed: Printed) -> Iterator[Claim]:
+    """Steps with rounded velocities, or of another length."""
+    h, m = printed.key.step, printed.m
+    units = printed.w_units[:, :m]
+    for decimals in ROUNDED_TO:
+        if np.nanmax(np.where(units > 0, units, np.nan), initial=0.0) < 10.0**-decimals * 0.99:
+            rounded = np.round(printed.w, decimals)
+            yield printed.claim(f"rounded_omega_{decimals}", printed.steps(h * rounded, np.zeros_like(units)))
+    for part in STEPS:
+        step = printed.steps(part * h * printed.w, part * h * units)
+        yield printed.claim("other_step", step)
+        at = printed.slopes(t=printed.key.t * part)
+        if printed.nearly(found := at(printed.q)):
+            spread = printed.spread(at)
+            yield printed.claim("other_step", step, printed.velocities(found, spread))
+
+
+def _velocities(printed: Printed) -> Iterator[Claim]:
+    """Velocities of moved angles, of one wrong sign, of a drive with the other sign, of degrees taken for radians."""
+    key, h, m = printed.key, printed.key.step, printed.m
+    solved: list[int] = []
+    moved = printed.true_velocities[0].copy()
+    units = np.hstack([printed.q_units, printed.w_units])
+    spread = np.zeros_like(moved)
+    for index, block in enumerate(key.blocks):
+        places = [key.velocities.index(name) for name in block]
+        if index and solved:
+
+            def at(cells: Array, index: int = index, done: tuple[int, ...] = tuple(solved)) -> Array:
+                q = cells[:, :m].copy()
+                q[:, done] += h * cells[:, [m + place for place in done]]
+                return key.block_at(index, np.tile(key.t, len(cells) // len(key.t)), q, cells[:, m:])
+
+            moved[:, places] = at(printed.student.values)
+            spread[:, places] = printed.spread(at, printed.student.values, units)
+        solved += [place for place in places if place < m]
+    if len(key.blocks) > 1:
+        yield printed.claim("new_phi", None, printed.velocities(moved, spread))
+    found, tolerance = printed.true_velocities
+    for place, name in enumerate(key.velocities):
+        turned = found.copy()
+        turned[:, place] *= -1
+        yield printed.claim(f"sign_{name}", None, (turned, tolerance))
+    for code in ("sign_drive", "degree_mode"):
+        if rewritten := key.rewritten(code):
+            yield from printed.velocity_claim(code, printed.stacked(rewritten))

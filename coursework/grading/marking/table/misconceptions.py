@@ -1,0 +1,142 @@
+"""Which hypothesis explains a wrong table, named only where the printed digits prove it.
+
+Enters: a `Key`, marked cells.  Leaves: `Misconception` or None.  Used by `grade.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Container, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.grading.marking.key import Key
+from coursework.grading.marking.table.cells import ANGLES, EARLIER, KEY, STEP, STEP_TRUE, Cells, Student, mark_cells
+from coursework.grading.marking.table.claims import Claim, Printed
+from coursework.grading.marking.table.hypotheses import claims
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+# Named from this share on, if it explains this much more than Euler's rules do; nearly as good ones are ties.
+NAMED, BETTER, TIE = 0.93, 0.02, 0.005
+# A table wrong in fewer cells has slips, not a misconception.
+FEWEST, FEWEST_SHARE = 2, 0.02
+# A hypothesis whose own table Euler's rules explain so well is not told from them by the printed digits.
+ALIKE = 0.98
+_ROUND_OFF = 1e-9
+_STEPS, _VELOCITIES = (STEP, STEP_TRUE), (KEY, ANGLES, EARLIER)
+
+
+@dataclass(frozen=True, slots=True)
+class Misconception:
+    """`code` explains `share` of the cells it speaks about, Euler's rules `euler_share` of theirs; `ties` explain as much."""
+
+    code: str
+    share: float
+    euler_share: float
+    ties: tuple[str, ...]
+
+    def plain(self) -> dict[str, Any]:
+        """Return the record as grades.json writes it."""
+        return {
+            "code": self.code, "share": round(self.share, 4), "euler_share": round(self.euler_share, 4), "ties": list(self.ties),
+        }  # fmt: skip
+
+
+def looked_for(key: Key, cells: Cells, count: int) -> bool:
+    """Return whether a table of `count` cells is wrong in so many, or in its start, that a misconception is looked for."""
+    return int(cells.wrong.sum()) > max(FEWEST, FEWEST_SHARE * count) or _begins_elsewhere(key, cells)
+
+
+def _begins_elsewhere(key: Key, cells: Cells) -> bool:
+    return bool(cells.wrong[0, : len(key.coordinates)].any())
+
+
+def find_misconception(
+    key: Key,
+    cells: Cells,
+    confusions: Mapping[str, float] | None = None,
+    others: Mapping[str, Array] | None = None,
+    hidden: Container[str] = (),
+) -> Misconception | None:
+    """Return what explains a table, None where nothing does with ground; `hidden` are the codes the digits cannot tell.
+
+    A table that begins elsewhere may follow Euler's rules in every row; what says the whole table is then held against the key.
+    """
+    printed = Printed(key, cells.student)
+    explained, spoken = euler_cells(key, cells)
+    euler_share = _share(explained, spoken)
+    by_key = _share(np.asarray(cells.marks == KEY) & spoken, spoken) if _begins_elsewhere(key, cells) else euler_share
+    named: dict[str, tuple[float, float]] = {}
+    for claim in claims(printed, confusions or {}, others or {}):
+        if claim.code in hidden:
+            continue
+        share, against = claim_share(key, cells, claim, explained, spoken), by_key if claim.is_whole else euler_share
+        if share >= NAMED and share > against + BETTER and share > named.get(claim.code, (0.0,))[0]:
+            named[claim.code] = share, against
+    if not named:
+        return None
+    best = max(share for share, _ in named.values())
+    tied = [code for code, (share, _) in named.items() if share >= best - TIE]
+    return Misconception(tied[0], *named[tied[0]], tuple(tied[1:]))
+
+
+def indistinct(key: Key, units: Array, confusions: Mapping[str, float] | None = None) -> tuple[str, ...]:
+    """Return the hypotheses that columns printed with `units` (m + r,) cannot tell from Euler's rules; NaN: no such column.
+
+    Each speaks about the right table; where what it expects lies within Euler's tolerance, its own table would pass as right.
+    One that expects nothing else at all is none.
+    """
+    right = mark_cells(key, Student(key.table, np.broadcast_to(units, key.table.shape)))
+    allowed = np.fmax.reduce([way.tolerance for way in right.ways])
+    nothing = _ROUND_OFF * np.maximum(1.0, key.ranges)
+    spoken = ~right.missing
+    found: dict[str, float] = {}
+    differs: set[str] = set()
+    for claim in claims(Printed(key, right.student, closely=False), confusions or {}, {}):
+        if claim.student is not None:
+            differs.add(claim.code)
+            alike = _share(*euler_cells(key, mark_cells(key, claim.student)))
+        else:
+            apart = np.abs(claim.expected - key.table)
+            if np.any(apart > nothing):
+                differs.add(claim.code)
+            alike = 1.0 - _share((apart > allowed) & spoken, spoken)
+        found[claim.code] = min(alike, found.get(claim.code, 1.0))
+    return tuple(code for code, alike in found.items() if alike >= ALIKE and code in differs)
+
+
+def euler_cells(key: Key, cells: Cells) -> tuple[Flags, Flags]:
+    """Return which cells follow Euler's rules, and of which they speak (start values apart)."""
+    m = len(key.coordinates)
+    values = cells.student.values
+    explained = np.zeros(values.shape, dtype=bool)
+    for way in cells.ways:
+        columns = slice(0, m) if way.name in _STEPS else slice(m, None)
+        if way.name in (*_STEPS, *_VELOCITIES):
+            explained[:, columns] |= way.holds(values)[:, columns]
+    spoken = ~cells.missing
+    spoken[0, :m] = False
+    return explained & spoken, spoken
+
+
+def claim_share(key: Key, cells: Cells, claim: Claim, explained: Flags, spoken: Flags) -> float:
+    """Return which share of the cells it speaks about a claim explains; `explained` and `spoken` are Euler's."""
+    m = len(key.coordinates)
+    if claim.student is not None:
+        put_right = mark_cells(key, claim.student)
+        return _share(*euler_cells(key, put_right))
+    with np.errstate(invalid="ignore"):
+        holds = np.abs(cells.student.values - claim.expected) <= claim.tolerance
+    says = np.isfinite(claim.expected) & spoken
+    holds &= says
+    for part, columns in (("steps", slice(0, m)), ("velocities", slice(m, None))):
+        if claim.euler == part:
+            says[:, columns], holds[:, columns] = spoken[:, columns], explained[:, columns]
+    return _share(holds, says)
+
+
+def _share(explained: Flags, spoken: Flags) -> float:
+    return float(explained.sum()) / float(spoken.sum()) if spoken.any() else 0.0

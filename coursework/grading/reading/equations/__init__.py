@@ -1,0 +1,1 @@
+"""Lines of a submission as equations, answers, or a variant file."""

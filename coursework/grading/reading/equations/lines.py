@@ -1,0 +1,94 @@
+"""A text line by line -> the equations and answers in it, alone or beside a table.
+
+Enters: decoded text, `Expected`, how a table in the text was read.  Leaves: `Lines`.
+Used by `read_submission.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from coursework.grading.reading.equations.answers import read_answer
+from coursework.grading.reading.equations.equations import is_equation_without_sign, most_lines, read_line, spellings_for
+from coursework.grading.reading.equations.names_in_text import Spellings
+from coursework.grading.reading.expected import Expected
+from coursework.grading.reading.student_work import AnswerLine, EquationLine, Reading
+from coursework.variant.formula.reader import MAX_CHARACTERS
+
+_SIGNS = {";": ";", "tab": "\t"}  # a comma may stand in an equation, a blank always does
+_EDGES = " \t;,\"'"  # what a spreadsheet puts round a line that was typed into one cell
+_WORD = re.compile(r"[^\W\d]\w*")
+# So many lines of a text are tried for each equation that may be handed in, and so many characters: each costs its time.
+_TRIED, _CHARACTERS = 10, 60_000
+
+
+@dataclass(slots=True)
+class Lines:
+    """What stands in a text; `unread` counts the lines that may hold an equation too and were not tried."""
+
+    equations: list[EquationLine] = field(default_factory=list)
+    answers: list[AnswerLine] = field(default_factory=list)
+    unread: int = 0
+
+
+def read_lines(text: str, name: str, expected: Expected, beside: Reading | None = None) -> Lines:
+    """Return the equations and answers in a text; `#` begins a remark, prose without "=" is passed over.
+
+    `beside` is the table in the same text.  Its rows are passed over and do not count among the lines that are tried.  Its titles
+    may hold "=" too (`h = 0.02 s`, `w1 = 13.08`): there an equation is what names a sought velocity and something it depends on,
+    and lines that cannot be read are told only where others can.
+    """
+    spellings = spellings_for(expected)
+    most = most_lines(expected)
+    lines = _written(text) if beside is None else _beside(text, _SIGNS.get(beside.separator))
+    found, answers = Lines(), dict[str, AnswerLine]()
+    tried = characters = 0
+    for number, line in lines:
+        tried, characters = tried + 1, characters + min(len(line), MAX_CHARACTERS)
+        if tried > _TRIED * most or characters > _CHARACTERS or len(found.equations) > most:
+            found.unread += "=" in line
+        elif answer := _answer(line, name, number, expected):
+            answers.setdefault(answer.name, answer)
+        elif beside is None and ("=" in line or is_equation_without_sign(line, spellings)):
+            found.equations.append(read_line(line, name, number, spellings))
+        elif beside is not None and _relates(read := read_line(line, name, number, spellings), spellings, expected):
+            found.equations.append(read)
+    if beside is not None and all(line.left is None for line in found.equations):
+        found.equations = []
+    found.answers = [*answers.values()]
+    return found
+
+
+def _written(text: str) -> Iterator[tuple[int, str]]:
+    """Give the lines that are neither blank nor remarks with their numbers."""
+    for number, line in enumerate(text.split("\n"), start=1):
+        bare = line.partition("#")[0].strip()
+        if bare:
+            yield number, bare
+
+
+def _beside(text: str, sign: str | None) -> Iterator[tuple[int, str]]:
+    """Give the lines that may be an equation or an answer, with a name and "=", and no rows of a table separated by `sign`."""
+    for number, line in _written(text):
+        bare = line.strip(_EDGES)
+        if "=" in bare and not (sign and sign in bare) and _WORD.search(bare):
+            yield number, bare
+
+
+def _answer(line: str, name: str, number: int, expected: Expected) -> AnswerLine | None:
+    return read_answer(line[:500], name, number, expected.answers) if expected.answers else None
+
+
+def _relates(read: EquationLine, spellings: Spellings, expected: Expected) -> bool:
+    """Return whether a line names a sought velocity and something it depends on."""
+    named, sought = _names(read, spellings), {*expected.variant.sought}
+    return bool(named & sought and named - sought - {"t"})
+
+
+def _names(read: EquationLine, spellings: Spellings) -> set[str]:
+    """Return the declared names in a line, of one that cannot be read those that stand by themselves."""
+    if read.left is not None and read.right is not None:
+        return {node.name for node in (*read.left.walk(), *read.right.walk()) if node.op == "name"}
+    return {known for word in _WORD.findall(read.text) if (known := spellings.canonical(word)) is not None}

@@ -1,0 +1,53 @@
+"""The names a student may write in an equation, and which declared name each spelling means.
+
+Enters: a `Variant`.  Leaves: `Spellings`.  Used by the readers of equations.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import lru_cache
+
+from coursework.grading.reading.table.headers import aliases, fold
+from coursework.variant.formula.alphabet import spell
+from coursework.variant.record.variant import Variant
+
+BUILT_IN = ("t", "pi")
+
+
+@dataclass(frozen=True, slots=True)
+class Spellings:
+    """Declared names, what else they may be written as (folded), and the rate of each coordinate."""
+
+    known: frozenset[str]
+    others: dict[str, str]
+    rates: dict[str, str]
+
+    def canonical(self, name: str) -> str | None:
+        """Return the declared name that a spelling means, None where there is none."""
+        plain = spell(name)
+        return plain if plain in self.known else self.others.get(_key(name))
+
+
+def _key(name: str) -> str:
+    return re.sub("[_']", "", fold(name))
+
+
+@lru_cache(maxsize=64)
+def _spellings(names: tuple[str, ...], columns: tuple[tuple[str, str], ...], rates: tuple[tuple[str, str], ...]) -> Spellings:
+    others = {key: found[0] for key, found in aliases(columns).items() if len(found) == 1 and found[0] in names}
+    folded: dict[str, list[str]] = {}
+    for name in names:
+        folded.setdefault(_key(name), []).append(name)
+    # A spelling that could mean two declared names means neither.
+    others |= {key: found[0] for key, found in folded.items() if len(found) == 1}
+    ambiguous = [key for key, found in folded.items() if len(found) > 1]
+    return Spellings(
+        frozenset((*names, *BUILT_IN)), {key: name for key, name in others.items() if key not in ambiguous}, dict(rates)
+    )
+
+
+def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spellings:
+    """Return the spellings of a variant's names; `columns` are the (name, SI unit) of its table."""
+    return _spellings(tuple(variant.names), columns, tuple((entry.name, entry.rate) for entry in variant.coordinates))

@@ -1,0 +1,111 @@
+"""A variant file that a student handed in -> its equations, and what in it differs from the assigned data.
+
+Enters: bytes of a TOML file, the assigned variant.  Leaves: `VariantFile`.  Its data are compared and listed, never used.
+Used by `read_submission.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from coursework.grading.reading.equations.equations import faults_as_lines, read_constraints
+from coursework.grading.reading.equations.names_in_text import Spellings
+from coursework.grading.reading.expected import Expected
+from coursework.grading.reading.student_work import EquationLine
+from coursework.variant import catalogue
+from coursework.variant.formula.alphabet import spell
+from coursework.variant.formula.units import UnitFault, read
+from coursework.variant.reading.schema import VariantFile as Schema
+from coursework.variant.record.variant import Variant
+from coursework.variant.toml.source import MAX_BYTES, read_source
+from coursework.words.errors import InputError
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
+
+_FORMAT = re.compile(r"^[ \t]*format[ \t]*=", re.MULTILINE)
+_SAME = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class VariantFile:
+    """What a variant file says: its equations, data that differ, keys that nobody knows, and why a person must look."""
+
+    lines: tuple[EquationLine, ...]
+    differing: tuple[str, ...] = ()
+    unknown_keys: tuple[str, ...] = ()
+    review: Sentence | None = None
+
+
+def is_variant_file(text: str) -> bool:
+    """Return whether a text is meant as a variant file."""
+    return _FORMAT.search(text[: 4 * MAX_BYTES]) is not None
+
+
+def read_variant_file(content: bytes, name: str, expected: Expected, spellings: Spellings) -> VariantFile:
+    """Return what a variant file holds; a file that is not TOML is one equation that cannot be read."""
+    try:
+        source = read_source(content, name, {})
+    except InputError as error:
+        return VariantFile(tuple(faults_as_lines(error, name)))
+    known = set(Schema.model_fields) | {field.alias for field in Schema.model_fields.values() if field.alias}
+    unknown = tuple(str(key)[:40] for key in source.data if key not in known)
+    differing = _differing(source.data, expected)
+    lines = tuple(read_constraints(source, name, spellings))
+    return VariantFile(lines, differing, unknown, _other_variant(source.data, differing, expected))
+
+
+def _differing(data: dict[str, Any], expected: Expected) -> tuple[str, ...]:
+    """Return the names of data and start values that are not the assigned ones."""
+    variant = expected.variant
+    given = {spell(str(key)): value for key, value in _section(data, "given").items()}
+    found = [entry.name for entry in variant.given if entry.name in given and _differs(given[entry.name], entry.value)]
+    starts = {spell(str(key)): value for key, value in _section(data, "coordinates").items()}
+    for coordinate in variant.coordinates:
+        entry = starts.get(coordinate.name)
+        start = entry.get("start") if isinstance(entry, dict) else None
+        if coordinate.start is not None and start is not None and _differs(start, coordinate.start):
+            found.append(coordinate.name)
+    return tuple(found)
+
+
+def _section(data: dict[str, Any], name: str) -> dict[str, Any]:
+    section = data.get(name)
+    return section if isinstance(section, dict) else {}
+
+
+def _differs(value: object, assigned: float) -> bool:
+    if not isinstance(value, (str, int, float)):
+        return True
+    try:
+        return abs(read(value).value - assigned) > _SAME * max(abs(assigned), 1e-6)
+    except (UnitFault, ValueError, OverflowError):
+        return True
+
+
+def _other_variant(data: dict[str, Any], differing: tuple[str, ...], expected: Expected) -> Sentence | None:
+    """Return why a person must look where a file is another variant: of this class by its data, of the catalogue by its title."""
+    for other in expected.others if differing else ():
+        if other.name != expected.variant.name and _same_data(data, other):
+            return say("reading.review.other_variant", submitted=other.name, assigned=expected.variant.name)
+    title = data.get("title")
+    if not differing and set(map(spell, _section(data, "coordinates"))) == {entry.name for entry in expected.variant.coordinates}:
+        return None
+    if not isinstance(title, str) or not title or title == expected.variant.title:
+        return None
+    named = _catalogue().get(title)
+    return say("reading.review.other_variant", submitted=named, assigned=expected.variant.name) if named else None
+
+
+def _same_data(data: dict[str, Any], other: Variant) -> bool:
+    """Return whether a file has exactly the data of another variant."""
+    given = {spell(str(key)): value for key, value in _section(data, "given").items()}
+    return {*given} == {*other.values} and not any(_differs(given[entry.name], entry.value) for entry in other.given)
+
+
+@cache
+def _catalogue() -> dict[str, str]:
+    """Return the names of the catalogue's variants by title."""
+    return {entry.title: entry.name for entry in catalogue.entries() if entry.title}

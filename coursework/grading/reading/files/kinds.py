@@ -1,0 +1,68 @@
+"""The first bytes of a file -> what it really is, whatever its name says; and which names are nobody's work.
+
+Enters: bytes and names.  Leaves: the name of a kind that is never read as text, "" for the others.
+Used by `read_submission.py` and by whoever collects files.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import PurePosixPath
+
+TABLE_ENDINGS = {
+    ".csv", ".tsv", ".txt", ".prn", ".dat", ".xls", ".xlsx", ".xlsm", ".xlsb", ".ods", ".numbers", ".xmcd", ".mcdx", ".zip",
+}  # fmt: skip
+_IGNORED = {"__macosx", "desktop.ini", "thumbs.db"}
+_MAGIC = (
+    (b"%PDF", "PDF"), (b"\xff\xd8\xff", "JPEG"), (b"\x89PNG", "PNG"), (b"GIF8", "GIF"), (b"{\\rtf", "RTF"), (b"Rar!", "RAR"),
+    (b"7z\xbc\xaf", "7z"), (b"II*\x00", "TIFF"), (b"MM\x00*", "TIFF"), (b"BM", "BMP"), (b"\x1f\x8b", "gzip"),
+    (b"SQLite format", "SQLite"),
+)  # fmt: skip
+_OLE = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"
+_PARTS = (
+    ("word/", "Word"), ("ppt/", "PowerPoint"), ("xl/workbook.bin", "xlsb"), ("Index/", "Apple Numbers"),
+    ("Index.zip", "Apple Numbers"), ("mathcad/", "Mathcad Prime"),
+)  # fmt: skip
+_HTML = re.compile(r"\s*<(?:!doctype html|html|head|body|p|div|table|span|br|ul|ol|h[1-6])\b", re.IGNORECASE)
+OLD_EXCEL = "xls"
+
+
+def real_kind(content: bytes) -> str:
+    """Return the kind of a file that is neither text nor zip, "" for those."""
+    if content.startswith(_OLE):
+        return OLD_EXCEL
+    head = content[:4096]
+    if head.lstrip(b"\xef\xbb\xbf \r\n\t").startswith(b"<?xml") and b"mathsoft" in head:
+        return "Mathcad"
+    return next((kind for magic, kind in _MAGIC if content.startswith(magic) and (magic != b"BM" or b"\0" in head)), "")
+
+
+def kind_of_parts(names: list[str]) -> str:
+    """Return the kind of a zip by its parts, "" for a spreadsheet or a plain archive."""
+    return next((kind for start, kind in _PARTS if any(name.startswith(start) for name in names)), "")
+
+
+def is_ignored(path: str) -> bool:
+    """Return whether some part of a path is a name that systems and editors leave behind."""
+    return any(part.startswith((".", "~")) or part.casefold() in _IGNORED for part in PurePosixPath(path).parts)
+
+
+def is_named_as_table(name: str) -> bool:
+    """Return whether a file's name promises a table."""
+    return PurePosixPath(name.replace("\\", "/")).suffix.lower() in TABLE_ENDINGS
+
+
+def is_json(text: str) -> bool:
+    """Return whether a text is data of a program, such as the `run.json` beside a table; "=" in it is no equation."""
+    if not text.lstrip("\ufeff \r\n\t").startswith(("{", "[")):
+        return False
+    try:
+        return isinstance(json.loads(text.lstrip("\ufeff")), (dict, list))
+    except (ValueError, RecursionError):
+        return False
+
+
+def is_html(text: str) -> bool:
+    """Return whether a text is a page, as Moodle keeps what was typed online."""
+    return bool(_HTML.match(text[:500].lstrip("\ufeff")))

@@ -1,0 +1,105 @@
+"""An ods file -> its sheets, by `zipfile` and `expat`, repeated rows and cells bounded.
+
+Enters: an `Archive`.  Leaves: `Sheet`s.  Raises `Refused`.
+Used by `tables_of_file.py`.
+"""
+
+from __future__ import annotations
+
+import re
+
+from coursework.grading.reading.files.archive import Archive
+from coursework.grading.reading.files.cells import BlankRows, Cell, Sheet
+from coursework.grading.reading.files.xml_events import Enough, stream
+from coursework.grading.reading.limits import CELL_CHARACTERS, SHEETS, unreadable
+
+CONTENT = "content.xml"
+_MANIFEST = "META-INF/manifest.xml"
+_NUMBERS = {"float", "percentage", "currency"}
+
+
+def sheets_of(archive: Archive, most_rows: int, most_columns: int) -> list[Sheet]:
+    """Return the sheets of a document, at most 10; cells beyond the bounds are left out."""
+    if _MANIFEST in archive.parts and b"encryption-data" in archive.read(_MANIFEST, 1024 * 1024):
+        raise unreadable("password")
+    reader = _Reader(most_rows, most_columns)
+    stream(archive.chunks(CONTENT), reader)
+    return reader.sheets
+
+
+class _Reader:
+    """Rows of the tables; a row or cell that is repeated is written out up to the bounds."""
+
+    def __init__(self, most_rows: int, most_columns: int) -> None:
+        self.most_rows, self.most_columns = most_rows, most_columns
+        self.sheets: list[Sheet] = []
+        self.name = ""
+        self.rows: list[tuple[Cell, ...]] = []
+        self.row: list[Cell] = []
+        self.cell: dict[str, str] = {}
+        self.text_of_cell: list[str] = []
+        self.repeats = self.paragraphs = self.depth = 0
+        self.is_inside = self.is_full = False
+        self.blank = BlankRows()
+
+    def begin(self, name: str, attributes: dict[str, str]) -> None:
+        if name == "table":
+            self.depth += 1
+            if self.depth == 1:
+                self.name, self.rows, self.is_full, self.blank = attributes.get("name", ""), [], False, BlankRows()
+        elif name == "table-row":
+            self.row, self.repeats = [], _times(attributes, "number-rows-repeated")
+        elif name in {"table-cell", "covered-table-cell"}:
+            self.cell, self.text_of_cell, self.paragraphs, self.is_inside = attributes, [], 0, True
+        elif name == "p" and self.is_inside:
+            self.paragraphs += 1
+            if self.paragraphs > 1:
+                self.text_of_cell.append(" ")
+        elif name == "annotation":
+            self.is_inside = False
+
+    def text(self, text: str) -> None:
+        if self.is_inside and self.paragraphs and len(self.text_of_cell) < CELL_CHARACTERS:
+            self.text_of_cell.append(text[:CELL_CHARACTERS])
+
+    def end(self, name: str) -> None:
+        if name in {"table-cell", "covered-table-cell"}:
+            self.is_inside = False
+            times = min(_times(self.cell, "number-columns-repeated"), self.most_columns - len(self.row))
+            self.row += [self._cell()] * max(times, 0)
+        elif name == "annotation":
+            self.is_inside = True
+        elif name == "table-row" and self.depth == 1 and not self.is_full:
+            self._add_row()
+        elif name == "table":
+            self.depth -= 1
+            if self.depth == 0:
+                self.sheets.append(Sheet(self.name, tuple(self.rows)))
+                if len(self.sheets) >= SHEETS:
+                    raise Enough
+
+    def _add_row(self) -> None:
+        while self.row and not self.row[-1].text and self.row[-1].kind == "text":
+            self.row.pop()
+        between = self.blank.seen  # blank rows count only where a row follows them
+        self.is_full = self.blank.too_many(not self.row, self.repeats)
+        if self.row:
+            rows = [()] * between + [tuple(self.row)] * min(self.repeats, self.most_rows)
+            self.rows += rows[: self.most_rows - len(self.rows)]
+            self.is_full = len(self.rows) >= self.most_rows
+
+    def _cell(self) -> Cell:
+        text = "".join(self.text_of_cell)[:CELL_CHARACTERS].strip()
+        kind, value = self.cell.get("value-type", ""), self.cell.get("value", "")
+        if kind in _NUMBERS and value:
+            return Cell(value[:CELL_CHARACTERS], "number")
+        if kind in {"date", "time"}:
+            return Cell(text, "date")
+        if self.cell.get("formula") and not kind and not text:
+            return Cell("", "formula")
+        return Cell(text)
+
+
+def _times(attributes: dict[str, str], name: str) -> int:
+    text = attributes.get(name, "1")
+    return int(text) if re.fullmatch("[0-9]{1,8}", text) else 1

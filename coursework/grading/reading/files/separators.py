@@ -1,0 +1,165 @@
+"""Text -> rows of cells: which sign separates the cells of a file that does not say so.
+
+Enters: a decoded text.  Leaves: `Split`.  Looks at the shape of the numbers only, never at the key.
+Used by `text_table.py`; whether numbers rise in equal steps, by `layout.py` and `columns.py` too.
+"""
+
+from __future__ import annotations
+
+import csv
+import itertools
+import re
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+
+from coursework.grading.reading.files.cells import BlankRows
+from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS, unreadable
+from coursework.grading.reading.numbers import looks_numeric, marks, plain_text
+
+NAMES = {"\t": "tab", " ": "blanks"}
+_SAMPLE = 80  # rows on which the separator is chosen
+_HINT = re.compile(r'"?sep=(.)"?', re.IGNORECASE)
+_TOKEN = re.compile(r'"[^"]*"|[^ \t"]+')
+_LISTS = "[](){},;|"  # what programs put around and behind the numbers of a list
+
+
+@dataclass(frozen=True, slots=True)
+class Split:
+    """Rows of texts; `separator` as grades.json names it, `line` the line of the file that each row begins in."""
+
+    separator: str
+    rows: tuple[tuple[str, ...], ...]
+    has_pairs: bool = False
+
+
+def split(text: str, most_rows: int, most_columns: int) -> Split | None:
+    r"""Return the rows of a text that holds a table, None for any other text.  Raises `Refused` for a line beyond all bounds.
+
+    >>> split("t;phi1;w1\n0;1,5;2\n0,1;1,7;2", 600, 40).separator
+    ';'
+    """
+    lines = list(_lines(text, most_rows))
+    if lines and (hint := _HINT.fullmatch(lines[0].strip().rstrip(";,\t"))):
+        return Split(NAMES.get(hint[1], hint[1]), _cells(lines[1:], hint[1], most_columns))
+    best: tuple[tuple[float, ...], str, bool] | None = None
+    for place, sign in enumerate((";", "\t", ",", " ")):
+        if sign != " " and not any(sign in line for line in lines[:_SAMPLE]):
+            continue
+        rows = _cells(lines[:_SAMPLE], sign, most_columns)
+        judged = _judged(rows, sign)
+        if judged and (best is None or (*judged[0], -place) > best[0]):
+            best = (*judged[0], -place), sign, judged[1]
+    if best is None:
+        return None
+    return Split(NAMES.get(best[1], best[1]), _cells(lines, best[1], most_columns), best[2])
+
+
+def _lines(text: str, most: int) -> Iterator[str]:
+    """Give the lines that are read: up to the last row allowed, or to where only blank ones follow."""
+    blank = BlankRows()
+    filled = start = 0
+    while start < len(text) and filled < most:
+        end = text.find("\n", start)
+        end = len(text) if end < 0 else end
+        if end - start > LINE_CHARACTERS:
+            raise unreadable("long_line", limit=LINE_CHARACTERS)
+        line = text[start:end]
+        is_blank = not line.strip(' \t;,|"\u00a0')
+        if blank.too_many(is_blank):
+            return
+        filled += not is_blank
+        yield line
+        start = end + 1
+
+
+def _cells(lines: list[str], sign: str, most: int) -> tuple[tuple[str, ...], ...]:
+    if sign == " ":
+        return _between_blanks(lines, most)
+    # Quotation marks may enclose separators and ends of lines; the reader of the standard library is given bounded lines.
+    reader = csv.reader((line + "\n" for line in lines), delimiter=sign, quotechar='"', skipinitialspace=True)
+    try:
+        return tuple(tuple(cell.strip()[:CELL_CHARACTERS] for cell in row[:most]) for row in reader)
+    except csv.Error:  # a quotation mark that is never closed makes one cell of the rest
+        return tuple(tuple(cell.strip()[:CELL_CHARACTERS] for cell in line.split(sign)[:most]) for line in lines)
+
+
+def _between_blanks(lines: list[str], most: int) -> tuple[tuple[str, ...], ...]:
+    """Return the tokens of lines; where a row of numbers has fewer than the others, each goes below what it stands under."""
+    found = [list(itertools.islice(_TOKEN.finditer(line), most)) for line in lines]
+    rows = [tuple(_token(match[0]) for match in matches) for matches in found]
+    numeric = [bool(row) and all(map(looks_numeric, row)) for row in rows]
+    widths = Counter(len(row) for row, is_numeric in zip(rows, numeric, strict=True) if is_numeric)
+    usual = max(widths, key=lambda width: (widths[width], width), default=0)
+    if len(widths) < 2 or usual < 3:
+        return tuple(rows)
+    whole = [matches for matches, row, is_numeric in zip(found, rows, numeric, strict=True) if is_numeric and len(row) == usual]
+    spans = [(min(m[at].start() for m in whole), max(m[at].end() for m in whole)) for at in range(usual)]
+    return tuple(
+        _below(matches, row, spans) if is_numeric and 1 < len(row) < usual else row
+        for matches, row, is_numeric in zip(found, rows, numeric, strict=True)
+    )
+
+
+def _below(matches: list[re.Match[str]], row: tuple[str, ...], spans: list[tuple[int, int]]) -> tuple[str, ...]:
+    """Return a row with gaps where nothing stands under a column; no cell where it cannot be told which is missing."""
+    cells = [""] * len(spans)
+    for match, text in zip(matches, row, strict=True):
+        under = [at for at, (start, end) in enumerate(spans) if match.start() < end and start < match.end()]
+        if len(under) != 1 or cells[under[0]]:
+            return ()
+        cells[under[0]] = text
+    return tuple(cells)
+
+
+def _token(text: str) -> str:
+    """Return a token without the brackets and commas of a list, where a number is left."""
+    bare = text.strip('"')[:CELL_CHARACTERS]
+    stripped = bare.strip(_LISTS)
+    return stripped if stripped != bare and looks_numeric(stripped) else bare
+
+
+def _judged(rows: tuple[tuple[str, ...], ...], sign: str) -> tuple[tuple[float, ...], bool] | None:
+    """Return how well rows look like a table, and whether decimal commas fell apart; None where there are no numbers."""
+    numeric = [[looks_numeric(cell) for cell in row] for row in rows]
+    body = [index for index, row in enumerate(numeric) if sum(row) >= 2 and 2 * sum(row) >= sum(map(bool, rows[index]))]
+    if len(body) < 2:
+        return None
+    width = max(len(rows[index]) for index in body)
+    counts = [sum(j < len(numeric[i]) and numeric[i][j] for i in body) for j in range(width)]
+    columns = sum(2 * count >= len(body) for count in counts)
+    parsed = sum(counts)
+    unparsed = sum(bool(cell) and not is_number for i in body for cell, is_number in zip(rows[i], numeric[i], strict=True))
+    texts = [cell for i in body for cell, is_number in zip(rows[i], numeric[i], strict=True) if is_number]
+    has_pairs = sign == "," and len(texts) > 5 and all(re.fullmatch("[-+]?[0-9]+", plain_text(text)) for text in texts)
+    score = (
+        columns >= 3 and not has_pairs, columns >= 2, _progresses(rows, body), -round(4 * unparsed / (parsed + unparsed)),
+        sign != " ", parsed - 2 * unparsed, _fitting_mark(texts, sign),
+    )  # fmt: skip
+    return tuple(map(float, score)), has_pairs
+
+
+def _fitting_mark(texts: list[str], sign: str) -> bool:
+    """Return whether the decimal mark is the one that programs write beside this separator."""
+    comma, point, _, _ = marks(texts)
+    return (sign == ";" and comma > 0) or (sign == "," and point > 0)
+
+
+def _progresses(rows: tuple[tuple[str, ...], ...], body: list[int]) -> bool:
+    """Return whether one of the first two columns rises by equal steps, as the time does."""
+    for place in (0, 1):
+        texts = [plain_text(rows[i][place]).replace(",", ".") for i in body if place < len(rows[i])]
+        values = [float(text) for text in texts if re.fullmatch(r"[-+]?[0-9]{1,12}(?:\.[0-9]{0,12})?", text)]
+        if 2 * len(values) >= len(body) and is_progression(sorted(values)):
+            return True
+    return False
+
+
+def is_progression(values: list[float], slack: float = 0.0) -> bool:
+    """Return whether sorted numbers stand in equal steps; `slack` is what rounding may add to each."""
+    if len(values) < 3 or not values[-1] > values[0]:
+        return False
+    steps = [later - earlier for earlier, later in pairwise(values)]
+    mean = (values[-1] - values[0]) / len(steps)
+    return all(abs(step - mean) <= 0.3 * mean + 2 * slack for step in steps)

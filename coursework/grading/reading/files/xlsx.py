@@ -1,0 +1,236 @@
+"""An xlsx file -> its sheets, by `zipfile` and `expat`, bounded while reading.
+
+Enters: an `Archive`.  Leaves: `Sheet`s in the order of the workbook, one by one.  Raises `Refused`.
+Used by `tables_of_file.py`.
+"""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+from functools import lru_cache
+from typing import Literal
+
+from coursework.grading.reading.files.archive import Archive
+from coursework.grading.reading.files.cells import BlankRows, Cell, Sheet
+from coursework.grading.reading.files.xml_events import Enough, stream
+from coursework.grading.reading.limits import CELL_CHARACTERS, SHEETS
+
+WORKBOOK = "xl/workbook.xml"
+_PLACE = re.compile(r"([A-Z]{1,3})([0-9]{1,7})")
+_DATES = {*range(14, 23), *range(27, 37), *range(45, 48), *range(50, 59)}  # formats of dates that need no text of their own
+_KINDS: dict[str, Literal["number", "error", "date"]] = {"n": "number", "e": "error", "d": "date"}
+
+
+def sheets_of(archive: Archive, most_rows: int, most_columns: int) -> Iterator[Sheet]:
+    """Give the sheets of a workbook, at most 10; cells beyond the bounds are left out."""
+    targets = _targets(archive)
+    for name, key in _names(archive)[:SHEETS]:
+        part = targets.get(key, "")
+        if part not in archive.parts:
+            continue
+        reader = _SheetReader(most_rows, most_columns)
+        stream(archive.chunks(part), reader)
+        yield Sheet(name, _resolved(archive, reader))
+
+
+def _names(archive: Archive) -> list[tuple[str, str]]:
+    """Return names and keys of the sheets."""
+    reader = _Attributes("sheet")
+    stream(archive.chunks(WORKBOOK), reader)
+    return [(found.get("name", ""), found.get("id", "")) for found in reader.found]
+
+
+def _targets(archive: Archive) -> dict[str, str]:
+    """Return the part that each key of the workbook names."""
+    relations = "xl/_rels/workbook.xml.rels"
+    if relations not in archive.parts:
+        return {}
+    reader = _Attributes("Relationship")
+    stream(archive.chunks(relations), reader)
+    return {
+        found.get("Id", ""): posixpath.normpath(posixpath.join("/xl", found.get("Target", ""))).lstrip("/")
+        for found in reader.found
+    }
+
+
+def _resolved(archive: Archive, reader: _SheetReader) -> tuple[tuple[Cell, ...], ...]:
+    """Return the rows with shared texts and dates in place."""
+    wanted = {
+        int(cell.text) for row in reader.rows.values() for cell, kind, _ in row.values() if kind == "s" and cell.text.isdecimal()
+    }
+    texts = _shared(archive, wanted) if wanted else {}
+    styles = {style for row in reader.rows.values() for _, kind, style in row.values() if style and kind == "n"}
+    dates = _date_styles(archive) if styles else set()
+    rows: list[tuple[Cell, ...]] = []
+    for number in range(1, max(reader.rows, default=0) + 1):
+        row = reader.rows.get(number, {})
+        cells = [Cell("")] * (max(row, default=0))
+        for place, (cell, kind, style) in row.items():
+            if kind == "s":
+                cells[place - 1] = Cell(texts.get(int(cell.text), "") if cell.text.isdecimal() else "")
+            elif kind == "n" and style in dates and cell.kind == "number":
+                cells[place - 1] = Cell(cell.text, "date")
+            else:
+                cells[place - 1] = cell
+        rows.append(tuple(cells))
+    return tuple(rows)
+
+
+class _Attributes:
+    """Collects the attributes of one kind of element."""
+
+    def __init__(self, wanted: str) -> None:
+        self.wanted = wanted
+        self.found: list[dict[str, str]] = []
+
+    def begin(self, name: str, attributes: dict[str, str]) -> None:
+        if name == self.wanted:
+            self.found.append(attributes)
+            if len(self.found) > 1000:
+                raise Enough
+
+    def end(self, name: str) -> None:
+        pass
+
+    def text(self, text: str) -> None:
+        pass
+
+
+class _SheetReader:
+    """Cells of one sheet by row and column (from 1): the cell, its type (s, n …) and its style."""
+
+    def __init__(self, most_rows: int, most_columns: int) -> None:
+        self.most_rows, self.most_columns = most_rows, most_columns
+        self.rows: dict[int, dict[int, tuple[Cell, str, int]]] = {}
+        self.blank = BlankRows()
+        self.row = self.column = self.style = 0
+        self.type = "n"
+        self.is_formula = self.is_open = False
+        self.value: list[str] = []
+        self.length = 0
+
+    def begin(self, name: str, attributes: dict[str, str]) -> None:
+        if name == "row":
+            self.row = _whole(attributes.get("r"), self.row + 1)
+            self.column = 0
+            if self.row > self.most_rows:
+                raise Enough
+        elif name == "c":
+            place = _PLACE.fullmatch(attributes.get("r", ""))
+            self.column = _column(place[1]) if place else self.column + 1
+            self.type, self.style = attributes.get("t", "n"), _whole(attributes.get("s"), 0)
+            self.is_formula, self.value, self.length = False, [], 0
+        elif name == "f":
+            self.is_formula = True
+        elif name in {"v", "t"}:
+            self.is_open = True
+
+    def text(self, text: str) -> None:
+        if self.is_open and self.length < CELL_CHARACTERS:
+            self.value.append(text[:CELL_CHARACTERS])
+            self.length += len(text)
+
+    def end(self, name: str) -> None:
+        if name in {"v", "t"}:
+            self.is_open = False
+        elif name == "c" and 0 < self.column <= self.most_columns and self.row > 0:
+            text = "".join(self.value)
+            if text or self.is_formula:
+                self.rows.setdefault(self.row, {})[self.column] = _cell(text, self.type, self.is_formula), self.type, self.style
+        elif (name == "row" and self.blank.too_many(self.row not in self.rows)) or name == "sheetData":
+            raise Enough
+
+
+def _cell(text: str, kind: str, is_formula: bool) -> Cell:
+    if not text and is_formula and kind != "str":
+        return Cell("", "formula")
+    return Cell(text, _KINDS.get(kind, "text"))
+
+
+def _whole(text: str | None, otherwise: int) -> int:
+    return int(text) if text and len(text) <= 7 and text.isascii() and text.isdigit() else otherwise
+
+
+@lru_cache(maxsize=64)
+def _column(letters: str) -> int:
+    number = 0
+    for letter in letters:
+        number = 26 * number + ord(letter) - 64
+    return number
+
+
+class _SharedTexts:
+    """The texts of a workbook by their number, only those wanted, rich text put together."""
+
+    def __init__(self, wanted: set[int]) -> None:
+        self.wanted = wanted
+        self.last = max(wanted)
+        self.found: dict[int, str] = {}
+        self.number = -1
+        self.is_open = False
+        self.phonetic = 0
+
+    def begin(self, name: str, attributes: dict[str, str]) -> None:
+        if name == "si":
+            self.number += 1
+            if self.number > self.last:
+                raise Enough
+        self.phonetic += name == "rPh"
+        self.is_open = name == "t" and not self.phonetic
+
+    def text(self, text: str) -> None:
+        if self.is_open and self.number in self.wanted:
+            self.found[self.number] = (self.found.get(self.number, "") + text)[:CELL_CHARACTERS]
+
+    def end(self, name: str) -> None:
+        self.phonetic -= name == "rPh"
+        self.is_open = False
+
+
+def _shared(archive: Archive, wanted: set[int]) -> dict[int, str]:
+    part = next((name for name in archive.parts if name.lower() == "xl/sharedstrings.xml"), None)
+    if part is None:
+        return {}
+    reader = _SharedTexts(wanted)
+    stream(archive.chunks(part), reader)
+    return reader.found
+
+
+class _Styles:
+    """Which styles of cells print a number as a date."""
+
+    def __init__(self) -> None:
+        self.own: set[int] = set()
+        self.formats: list[int] = []
+        self.is_inside = False
+
+    def begin(self, name: str, attributes: dict[str, str]) -> None:
+        if name == "numFmt":
+            # Colours, quoted words and currencies are no letters of a date.
+            code = re.sub(r'"[^"]*"|\[[^\]]*\]|\\.', "", attributes.get("formatCode", "")[:500]).lower()
+            if re.search("[dmyh]", code) and "general" not in code:
+                self.own.add(_whole(attributes.get("numFmtId"), -1))
+        elif name == "cellXfs":
+            self.is_inside = True
+        elif name == "xf" and self.is_inside:
+            self.formats.append(_whole(attributes.get("numFmtId"), 0))
+            if len(self.formats) > 5000:
+                raise Enough
+
+    def text(self, text: str) -> None:
+        pass
+
+    def end(self, name: str) -> None:
+        if name == "cellXfs":
+            raise Enough
+
+
+def _date_styles(archive: Archive) -> set[int]:
+    if "xl/styles.xml" not in archive.parts:
+        return set()
+    reader = _Styles()
+    stream(archive.chunks("xl/styles.xml"), reader)
+    dates = _DATES | reader.own
+    return {style for style, number in enumerate(reader.formats) if number in dates}

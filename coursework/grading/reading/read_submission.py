@@ -1,0 +1,200 @@
+"""One submission -> what it holds: every file understood by its content, never by its name alone.
+
+Enters: `Submission`, `Expected`.  Leaves: `StudentWork`; never raises for what a student handed in (but `MemoryError`).
+Used by whoever marks a submission, and by `precheck`.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field, replace
+from typing import Literal
+
+from coursework.grading.reading.equations.equations import most_lines, spellings_for
+from coursework.grading.reading.equations.lines import Lines, read_lines
+from coursework.grading.reading.equations.variant_files import is_variant_file, read_variant_file
+from coursework.grading.reading.expected import Expected
+from coursework.grading.reading.files.archive import Archive, legible_name
+from coursework.grading.reading.files.encoding import Decoded, decode
+from coursework.grading.reading.files.html_text import text_of
+from coursework.grading.reading.files.kinds import (
+    OLD_EXCEL,
+    is_html,
+    is_ignored,
+    is_json,
+    is_named_as_table,
+    kind_of_parts,
+    real_kind,
+)
+from coursework.grading.reading.limits import FILE_BYTES, FILES, Refused, unreadable
+from coursework.grading.reading.student_work import AnswerLine, EquationLine, FileEntry, StudentWork, Table, Trouble
+from coursework.grading.reading.submission import Note, Submission, SubmittedFile, note, submitted_file
+from coursework.grading.reading.table.tables_of_file import is_spreadsheet, table_of_archive, table_of_text
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
+
+_Kind = Literal["table", "equations", "answers", "variant", "attachment", "ignored"]
+
+
+@dataclass(slots=True)
+class _Found:
+    """What has been understood so far."""
+
+    tables: list[Table] = field(default_factory=list)
+    refused: list[Trouble] = field(default_factory=list)  # files that stand where a table should
+    attached: list[Trouble] = field(default_factory=list)  # other files that are not read
+    equations: list[EquationLine] = field(default_factory=list)
+    beside: list[EquationLine] = field(default_factory=list)  # equations in the text of a table, where no file is of equations
+    answers: list[AnswerLine] = field(default_factory=list)
+    notes: list[Note] = field(default_factory=list)
+    entries: list[FileEntry] = field(default_factory=list)
+    review: Sentence | None = None
+    unread: int = 0  # lines that were not tried
+
+    def take(self, lines: Lines, equations: list[EquationLine]) -> None:
+        """Add what stands in a text, its equations to one of the two lists."""
+        equations += lines.equations
+        self.answers += lines.answers
+        self.unread += lines.unread
+
+
+def read_submission(submission: Submission, expected: Expected) -> StudentWork:
+    """Return what a submission holds."""
+    found = _Found(notes=list(submission.notes), review=submission.review)
+    files = [inner for file in submission.files for inner in _opened(file, found)]
+    for file in files[FILES:]:
+        found.notes.append(note("ignored_file", name=file.name, why=say("reading.why.too_many", limit=FILES)))
+    for file in files[:FILES]:
+        kind = _read(file, len(files) == 1, expected, found)
+        found.entries.append(FileEntry(file.name, kind, file.size, file.sha256))
+    table, trouble = _one_table(found)
+    handed = found.equations or found.beside
+    lines = handed[: most_lines(expected)]
+    if unread := found.unread + len(handed) - len(lines):
+        found.notes.append(note("ignored_file", "lines", number=unread))
+    if repaired := sum(bool(line.repaired) for line in lines):
+        found.notes.append(note("repaired", number=repaired))
+    return StudentWork(
+        tuple(found.entries),
+        table,
+        trouble,
+        tuple(lines) if lines else None,
+        tuple(found.answers),
+        tuple(found.notes),
+        found.review,
+    )
+
+
+def _opened(file: SubmittedFile, found: _Found) -> list[SubmittedFile]:
+    """Return a file, or what is in it where it is a plain zip; opened once, in memory."""
+    if not file.content.startswith(b"PK") or file.trouble:
+        return [file]
+    try:
+        archive = Archive(file.content)
+        if is_spreadsheet(archive) or kind_of_parts(list(archive.parts)):
+            return [file]
+        inside: list[SubmittedFile] = []
+        for part in archive.parts.values():
+            name = legible_name(part)
+            if not is_ignored(name) and len(inside) <= FILES:
+                inside.append(submitted_file(f"{file.name}/{name}", archive.read(part.filename, FILE_BYTES)))
+        return sorted(inside, key=lambda entry: entry.name)
+    except Refused as refused:
+        return [replace(file, trouble=refused.trouble.text)]
+
+
+def _read(file: SubmittedFile, is_alone: bool, expected: Expected, found: _Found) -> _Kind:
+    """Read one file into `found` and return its kind."""
+    could_be_table = is_alone or is_named_as_table(file.name)
+    try:
+        if kind := real_kind(file.content):
+            raise unreadable("old_excel") if kind == OLD_EXCEL else unreadable("other_kind", kind=kind)
+        if file.trouble:
+            raise Refused(Trouble("unreadable", file.trouble.key.rpartition(".")[2], file.trouble))
+        if file.content.startswith(b"PK"):
+            return _read_archive(file, expected, found)
+        if not file.content.strip():
+            raise unreadable("empty")
+        return _read_text(file, could_be_table, expected, found)
+    except Refused as refused:
+        (found.refused if could_be_table else found.attached).append(refused.trouble)
+        code = "empty_part" if refused.trouble.code == "empty" else "attachment"
+        found.notes.append(note(code, name=file.name, why=refused.trouble.text))
+        return "attachment"
+
+
+def _read_archive(file: SubmittedFile, expected: Expected, found: _Found) -> _Kind:
+    archive = Archive(file.content)
+    if kind := kind_of_parts(list(archive.parts)):
+        raise unreadable("other_kind", kind=kind)
+    if not is_spreadsheet(archive):
+        raise unreadable("nested_zip")
+    table = table_of_archive(archive, file.name, expected.grid)
+    if table is None:
+        raise unreadable("no_sheet_table", name=file.name)
+    found.tables.append(table)
+    return "table"
+
+
+def _read_text(file: SubmittedFile, could_be_table: bool, expected: Expected, found: _Found) -> _Kind:
+    decoded = decode(file.content)
+    if is_variant_file(decoded.text):
+        _read_variant(file, expected, found)
+        return "variant"
+    if is_html(decoded.text):
+        decoded = Decoded(text_of(decoded.text), decoded.encoding, decoded.had_nuls)
+    refused = None
+    try:
+        if (table := table_of_text(decoded, file.name, expected.grid)) is not None:
+            found.tables.append(table)
+            found.take(read_lines(decoded.text, file.name, expected, table.reading), found.beside)
+            return "table"
+    except Refused as error:
+        refused = error
+    lines = Lines() if is_json(decoded.text) else read_lines(decoded.text, file.name, expected)
+    if refused and not lines.answers and all(line.left is None for line in lines.equations):
+        raise refused
+    found.take(lines, found.equations)
+    if lines.equations or lines.answers:
+        return "equations" if lines.equations else "answers"
+    if could_be_table:
+        raise unreadable("no_table", name=file.name)
+    found.notes.append(note("ignored_file", name=file.name, why=say("reading.why.nothing")))
+    return "ignored"
+
+
+def _read_variant(file: SubmittedFile, expected: Expected, found: _Found) -> None:
+    read = read_variant_file(file.content, file.name, expected, spellings_for(expected))
+    found.equations += read.lines
+    found.review = found.review or read.review
+    if read.differing:
+        found.notes.append(note("data_differ", name=file.name, data=read.differing))
+    if read.unknown_keys:
+        found.notes.append(note("ignored_file", "keys", name=file.name, keys=read.unknown_keys))
+
+
+def _one_table(found: _Found) -> tuple[Table | None, Trouble | None]:
+    """Return the table that counts: the one with most cells on the grid; two equally good and different ones need a person."""
+    if not found.tables:
+        instead = found.refused or ([] if found.equations or found.answers else found.attached)
+        if instead:
+            return None, instead[0]
+        return None, Trouble("missing", "missing", say("reading.trouble.missing"))
+    ordered = sorted(found.tables, key=_cells, reverse=True)
+    best, others = ordered[0], ordered[1:]
+    equal = [other for other in others if _cells(other) == _cells(best) and _texts(other) != _texts(best)]
+    if equal:
+        names = tuple(table.reading.file for table in (best, *equal))
+        return None, Trouble("needs-review", "two_tables", say("reading.trouble.two_tables", names=names))
+    if others:
+        found.notes.append(note("two_tables", name=best.reading.file, others=tuple(table.reading.file for table in others)))
+    found.notes += best.notes
+    return best, None
+
+
+def _cells(table: Table) -> int:
+    return sum(math.isfinite(value) for column in table.columns for value in column.values)
+
+
+def _texts(table: Table) -> dict[str, tuple[float, ...]]:
+    return {column.name: tuple(value for value in column.values if math.isfinite(value)) for column in table.columns}

@@ -1,0 +1,146 @@
+"""What a submission turned out to hold: its table on the assigned grid, its equations, its answers, and how each was read.
+
+Enters: nothing.  Leaves: `StudentWork`, `Table`, `TableColumn`, `Reading`, `EquationLine`, `AnswerLine`, `Trouble`.
+Made by the readers of this room; read by whoever marks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from coursework.grading.reading.submission import Note
+from coursework.variant.formula.tree import Formula
+from coursework.words.errors import Fault
+from coursework.words.sentence import Sentence
+
+# Why a cell has no number: nothing there, an error of the spreadsheet, a date it made of a number, some other text,
+# a formula that was never computed.  "" = it has one.
+Flag = Literal["", "missing", "error", "date", "text", "formula"]
+
+
+@dataclass(frozen=True, slots=True)
+class TableColumn:
+    """One column on the assigned grid; every tuple has one entry a row of the grid.
+
+    `values` in SI (whole turns taken off), NaN where missing; `last_place` is u, the unit of the cell's last digit, in SI;
+    `texts` as handed in; `decimals` as printed, in the unit of the file.  `at` counts the columns of the file from 1.
+    """
+
+    name: str
+    at: int
+    by: Literal["header", "position"]
+    unit: str
+    values: tuple[float, ...]
+    last_place: tuple[float, ...]
+    texts: tuple[str, ...]
+    flags: tuple[Flag, ...]
+    decimals: int
+    turns: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """How a file was understood: exactly the keys of `reading` in grades.json."""
+
+    file: str
+    encoding: str
+    separator: str
+    decimal: str
+    sheet: str | None
+    transposed: bool
+    header: tuple[str, ...]
+    columns: Mapping[str, Mapping[str, Any]]
+    rows: int
+    order: Literal["given", "sorted"]
+
+    def plain(self) -> dict[str, Any]:
+        """Return the record as grades.json writes it."""
+        return {
+            "file": self.file, "encoding": self.encoding, "separator": self.separator, "decimal": self.decimal,
+            "sheet": self.sheet, "transposed": self.transposed, "header": list(self.header),
+            "columns": {name: dict(column) for name, column in self.columns.items()}, "rows": self.rows, "order": self.order,
+        }  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """A student's table on the assigned grid; `columns` in the order of the file, without those nobody handed in."""
+
+    reading: Reading
+    columns: tuple[TableColumn, ...]
+    rows_present: tuple[bool, ...]
+    notes: tuple[Note, ...]
+
+    def column(self, name: str) -> TableColumn | None:
+        """Return a column by the key's name, None where it is missing."""
+        return next((column for column in self.columns if column.name == name), None)
+
+
+@dataclass(frozen=True, slots=True)
+class EquationLine:
+    """One line of equations: `text` as handed in; `left = right` once read, else the fault and its column.
+
+    `repaired` is the text that was read in its place, "" where nothing needed mending.
+    """
+
+    file: str
+    line: int
+    text: str
+    left: Formula | None
+    right: Formula | None
+    repaired: str = ""
+    fault: Fault | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class AnswerLine:
+    """One measured answer: a number with its unit (SI in `value`), blank, or unreadable."""
+
+    file: str
+    line: int
+    name: str
+    text: str
+    value: float | None
+    unit: str
+    state: Literal["read", "blank", "unreadable"]
+
+
+@dataclass(frozen=True, slots=True)
+class Trouble:
+    """Why no table can be marked: nothing was handed in, it cannot be read, or a person must decide."""
+
+    state: Literal["missing", "unreadable", "needs-review"]
+    code: str
+    text: Sentence
+
+
+@dataclass(frozen=True, slots=True)
+class FileEntry:
+    """One line of `files` in grades.json; `kind` is one of `submission.KINDS`."""
+
+    name: str
+    kind: str
+    bytes: int
+    sha256: str
+
+    def plain(self) -> dict[str, Any]:
+        """Return the entry as grades.json writes it."""
+        return {"name": self.name, "kind": self.kind, "bytes": self.bytes, "sha256": self.sha256}
+
+
+@dataclass(frozen=True, slots=True)
+class StudentWork:
+    """Everything that was understood of one submission: exactly one of `table` and `trouble` is there.
+
+    `equations` is None where no equation was handed in; `answers` has the answers that stood in the files.
+    """
+
+    files: tuple[FileEntry, ...]
+    table: Table | None
+    trouble: Trouble | None
+    equations: tuple[EquationLine, ...] | None
+    answers: tuple[AnswerLine, ...]
+    notes: tuple[Note, ...]
+    review: Sentence | None = None

@@ -1,0 +1,1 @@
+"""Sheets of cells as the student's table on the assigned grid."""

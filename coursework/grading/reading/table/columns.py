@@ -1,0 +1,139 @@
+"""Which column of a file is which column of the task: by its head, else by position where no head says otherwise.
+
+Enters: a `Layout`, the columns of the task.  Leaves: `Places`.  Raises `Refused` where it cannot be told.
+Used by `table.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from coursework.grading.reading.files.separators import is_progression
+from coursework.grading.reading.limits import doubtful, unreadable
+from coursework.grading.reading.numbers import Printed
+from coursework.grading.reading.table.headers import INDEX, TIME, Head
+from coursework.grading.reading.table.layout import Layout
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where a column of the task stands in the file (from 0), and how that was found."""
+
+    at: int
+    by: Literal["header", "position"]
+
+
+@dataclass(frozen=True, slots=True)
+class Places:
+    """The columns found, by name; `repeated` are those that stood in the file twice and alike."""
+
+    places: dict[str, Place]
+    repeated: tuple[str, ...]
+
+
+def find_columns(layout: Layout, names: Sequence[str], step: float) -> Places:
+    """Return where each column stands; `step` is the grid's, in s.
+
+    Raises `Refused` where columns cannot be told apart or say two things.
+    """
+    filled = [at for at in range(len(layout.heads)) if _is_filled(layout, at)]
+    places, repeated = _by_head(layout, filled)
+    free = [at for at in filled if at not in {place.at for place in places.values()} and at not in repeated]
+    _add_time(layout, places, free, len(names), step)
+    known = [name for name in names if name in places]
+    rest = [at for at in free if at not in {place.at for place in places.values()}]
+    if not known and rest:
+        places |= _in_order(layout, rest, names)
+    else:
+        places |= _lost_letters(layout, rest, [name for name in names if name not in places])
+    if not any(name in places for name in names):
+        raise unreadable("no_columns", columns=len(rest), names=tuple(names))
+    return Places(places, tuple(sorted({layout.heads[at].candidates[0] for at in repeated})))
+
+
+def _is_filled(layout: Layout, at: int) -> bool:
+    return any(row[at].stands_for_number for row in layout.body)
+
+
+def _by_head(layout: Layout, filled: list[int]) -> tuple[dict[str, Place], set[int]]:
+    """Return the columns that a head names; the second of two equal ones is left out, two different ones are refused."""
+    places: dict[str, Place] = {}
+    repeated: set[int] = set()
+    for at in filled:
+        head = layout.heads[at]
+        if not head.is_certain:
+            continue
+        name = head.candidates[0]
+        first = places.setdefault(name, Place(at, "header"))
+        if first.at != at:
+            if name not in {TIME, INDEX} and any(_differ(row[first.at], row[at]) for row in layout.body):
+                raise doubtful("two_columns", name=name, first=first.at + 1, second=at + 1)
+            repeated.add(at)
+    return places, repeated
+
+
+def _differ(first: Printed, second: Printed) -> bool:
+    return first.is_number and second.is_number and first.value != second.value
+
+
+def _add_time(layout: Layout, places: dict[str, Place], free: list[int], columns: int, step: float) -> None:
+    """Find the time, and the numbers of the rows before it, where no head says which column they are."""
+    if TIME in places or not free or (layout.has_heads and layout.heads[free[0]].text):
+        return
+    spare = len(free) - columns if not any(name not in {INDEX} for name in places) else 1
+    first = _numbers(layout, free[0])
+    if INDEX not in places and spare >= 2 and _counts(first) and _rises(layout, free[1]):
+        places[INDEX] = Place(free[0], "position")
+        places[TIME] = Place(free[1], "position")
+    elif (spare >= 1 or _is_time(first, step)) and _rises(layout, free[0]):
+        # 1, 2, 3 … before the columns of the task are the numbers of the rows.
+        places[INDEX if _counts(first) and INDEX not in places else TIME] = Place(free[0], "position")
+
+
+def _is_time(values: list[float], step: float) -> bool:
+    """Return whether numbers are the times of the grid."""
+    ordered = sorted(values)
+    return len(ordered) > 2 and ordered[0] == 0 and abs(ordered[-1] / (len(ordered) - 1) / step - 1) < 0.05
+
+
+def _numbers(layout: Layout, at: int) -> list[float]:
+    return [row[at].value for row in layout.body if row[at].is_number]
+
+
+def _counts(values: list[float]) -> bool:
+    """Return whether numbers are 0, 1, 2 … or 1, 2, 3 … in some order."""
+    ordered = sorted(values)
+    return len(ordered) > 2 and ordered[0] in {0.0, 1.0} and ordered == [ordered[0] + k for k in range(len(ordered))]
+
+
+def _rises(layout: Layout, at: int) -> bool:
+    cells = [row[at] for row in layout.body if row[at].is_number]
+    unit = max((10.0 ** max(cell.place, -300) for cell in cells), default=0.0)
+    return 2 * len(cells) >= len(layout.body) and is_progression(sorted(cell.value for cell in cells), min(unit, 1.0) / 2)
+
+
+def _in_order(layout: Layout, rest: list[int], names: Sequence[str]) -> dict[str, Place]:
+    """Return all columns by position; every head that means something must agree."""
+    heads = [layout.heads[at] for at in rest]
+    if len(rest) != len(names):
+        raise unreadable("count_columns", found=len(rest), needed=len(names), names=tuple(names))
+    if any(head.candidates and name not in head.candidates for head, name in zip(heads, names, strict=True)):
+        raise unreadable("heads_disagree", names=tuple(names))
+    return {name: Place(at, "position") for at, name in zip(rest, names, strict=True)}
+
+
+def _lost_letters(layout: Layout, rest: list[int], names: list[str]) -> dict[str, Place]:
+    """Return the columns whose heads may mean several, where their order leaves one way; others stay unread."""
+    open_heads: list[tuple[int, Head]] = [(at, layout.heads[at]) for at in rest if layout.heads[at].candidates]
+    unnamed = [at for at in rest if not layout.heads[at].text]
+    if unnamed and not open_heads and len(unnamed) == len(names):
+        return {name: Place(at, "position") for at, name in zip(unnamed, names, strict=True)}
+    found: dict[str, Place] = {}
+    for group in {head.candidates for _, head in open_heads}:
+        members = [at for at, head in open_heads if head.candidates == group]
+        left = [name for name in group if name in names]
+        if len(members) == len(left):
+            found |= {name: Place(at, "position") for at, name in zip(members, left, strict=True)}
+    return found

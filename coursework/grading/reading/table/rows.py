@@ -1,0 +1,126 @@
+"""The rows of a file -> rows of the assigned grid.
+
+Enters: a `Layout`, where time and row numbers stand, the grid.  Leaves: `Rows`.  Raises `Refused` for rows that contradict.
+Used by `table.py`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from coursework.grading.reading.expected import Grid
+from coursework.grading.reading.limits import doubtful
+from coursework.grading.reading.numbers import Printed
+from coursework.grading.reading.table.columns import Places
+from coursework.grading.reading.table.headers import INDEX, PRINTED, TIME
+from coursework.grading.reading.table.layout import Layout
+
+_NEAR = 0.3  # of a step: how far a printed time may be from the row's
+
+
+@dataclass(frozen=True, slots=True)
+class Rows:
+    """For each row of the grid (from 0) the row of the file, None where there is none; what was odd about them.
+
+    `extra` counts rows of the file that stand on no row of the grid, `recovered` times that a spreadsheet had spoilt.
+    """
+
+    of_grid: tuple[int | None, ...]
+    is_sorted: bool
+    extra: int
+    recovered: int
+    time_unit: str
+
+
+def place_rows(layout: Layout, places: Places, grid: Grid) -> Rows:
+    """Return which row of the file belongs to which row of the grid: by the time, else by row numbers, else in order."""
+    count = len(layout.body)
+    unit, recovered = "s", 0
+    if TIME in places.places:
+        at = places.places[TIME].at
+        cells = [row[at] for row in layout.body]
+        unit = _time_unit(layout.heads[at].unit, cells, grid)
+        times, recovered = _times(cells, PRINTED["s"][unit])
+        targets = _by_time(times, _coarse(cells) * PRINTED["s"][unit], grid)
+    elif INDEX in places.places and (numbers := _row_numbers(layout, places.places[INDEX].at)):
+        targets = [number if 0 <= number < grid.rows else None for number in numbers]
+    else:
+        targets = [place if place < grid.rows else None for place in range(count)]
+    of_grid = _unique(layout, places, targets, grid.rows)
+    on_grid = [target for target in targets if target is not None]
+    is_sorted = any(later < earlier for earlier, later in pairwise(on_grid))
+    return Rows(of_grid, is_sorted, targets.count(None), recovered, unit)
+
+
+def _coarse(cells: Sequence[Printed]) -> float:
+    """Return the unit of the last place that the times are printed with."""
+    return min((10.0 ** max(cell.place, -300) for cell in cells if cell.is_number), default=0.0)
+
+
+def _time_unit(head: str, cells: Sequence[Printed], grid: Grid) -> str:
+    """Return s or ms: from the head, else from the length of the printed motion."""
+    if head in PRINTED["s"]:
+        return head
+    values = [cell.value for cell in cells if cell.is_number]
+    steps = sorted(later - earlier for earlier, later in pairwise(sorted(values)) if later > earlier)
+    return "ms" if steps and 0.8 < steps[len(steps) // 2] / (1000 * grid.step) < 1.25 else "s"
+
+
+def _times(cells: Sequence[Printed], factor: float) -> tuple[list[float], int]:
+    """Return the times of the rows in s, those that a spreadsheet made a date of taken from the progression of the others."""
+    times = [cell.value * factor if cell.is_number else math.nan for cell in cells]
+    known = [(place, time) for place, time in enumerate(times) if math.isfinite(time)]
+    spoilt = [place for place, cell in enumerate(cells) if cell.flag in {"date", "error", "formula", "missing"}]
+    if not spoilt or len(known) < 2:
+        return times, 0
+    (first, start), (last, end) = known[0], known[-1]
+    step = (end - start) / (last - first)
+    if step and all(abs(start + (place - first) * step - time) <= _NEAR * abs(step) for place, time in known):
+        return [start + (place - first) * step if math.isnan(time) else time for place, time in enumerate(times)], len(spoilt)
+    return times, 0
+
+
+def _by_time(times: Sequence[float], unit: float, grid: Grid) -> list[int | None]:
+    """Return the row of the grid for each time.  Times printed coarser than half a step count in their order."""
+    in_order = unit > 0.5 * grid.step and len(times) <= grid.rows
+    if in_order and all(abs(time - place * grid.step) <= 0.51 * unit + _NEAR * grid.step for place, time in enumerate(times)):
+        return list(range(len(times)))
+    rows: list[int | None] = []
+    for time in times:
+        # Compared before it is rounded: a time may be as large as a number can be.
+        near = math.isfinite(time) and -0.5 < time / grid.step < grid.rows
+        place = round(time / grid.step) if near else -1
+        rows.append(place if 0 <= place < grid.rows and abs(time - place * grid.step) < _NEAR * grid.step else None)
+    return rows
+
+
+def _row_numbers(layout: Layout, at: int) -> list[int]:
+    """Return the rows from 0 that a column of row numbers means, [] where it is no such column."""
+    values = [row[at].value for row in layout.body]
+    if not all(math.isfinite(value) and value == math.floor(value) and 0 <= value < 10**6 for value in values):
+        return []
+    numbers = [int(value) for value in values]
+    start = min(numbers)
+    return [number - start for number in numbers] if start in {0, 1} and len(set(numbers)) == len(numbers) else []
+
+
+def _unique(layout: Layout, places: Places, targets: list[int | None], rows: int) -> tuple[int | None, ...]:
+    """Return the row of the file for each row of the grid; equal rows count once.  Raises `Refused` where two contradict."""
+    columns = [place.at for name, place in places.places.items() if name not in {TIME, INDEX}]
+    of_grid: list[int | None] = [None] * rows
+    for place, target in enumerate(targets):
+        if target is None:
+            continue
+        first = of_grid[target]
+        if first is None:
+            of_grid[target] = place
+        elif any(_contradict(layout.body[first][at], layout.body[place][at]) for at in columns):
+            raise doubtful("two_rows", row=target + 1)
+    return tuple(of_grid)
+
+
+def _contradict(first: Printed, second: Printed) -> bool:
+    return (first.value, first.flag) != (second.value, second.flag) and (first.is_number or second.is_number)

@@ -1,0 +1,151 @@
+"""Sheets of a file -> the student's table on the assigned grid, with the record of how it was read.
+
+Enters: sheets, what is known of the file, the `Grid`.  Leaves: `Table`.  Raises `Refused`.
+Used by `tables_of_file.py`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import pairwise
+from typing import Any
+
+from coursework.grading.reading.expected import Grid, GridColumn
+from coursework.grading.reading.files.cells import Sheet
+from coursework.grading.reading.limits import unreadable
+from coursework.grading.reading.numbers import Printed
+from coursework.grading.reading.student_work import Reading, Table, TableColumn
+from coursework.grading.reading.submission import Note, note
+from coursework.grading.reading.table.columns import Place, Places, find_columns
+from coursework.grading.reading.table.digits import last_places
+from coursework.grading.reading.table.headers import INDEX, TIME
+from coursework.grading.reading.table.layout import Layout, lay_out
+from coursework.grading.reading.table.rows import Rows, place_rows
+from coursework.grading.reading.table.units import factor_of, unit_of_column, whole_turns
+
+_UNCOMPUTED = 0.2  # share of formulas without a value from which a file is sent back instead of marked
+_EMPTY = Printed("", math.nan, 0, 0, "missing")
+
+
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """Where sheets come from: file, encoding and separator as grades.json names them, what was noticed on the way."""
+
+    file: str
+    encoding: str
+    separator: str
+    notes: tuple[Note, ...] = ()
+
+
+def read_sheets(sheets: Sequence[Sheet], origin: Origin, grid: Grid) -> Table | None:
+    """Return the table of the first sheet that holds one, None where none does.  Raises `Refused`."""
+    columns = tuple((column.name, column.unit) for column in grid.columns)
+    for sheet in sheets:
+        layout = lay_out(sheet, origin.separator, columns)
+        if layout and _is_table(layout):
+            return _table(sheet, layout, origin, grid)
+    return None
+
+
+def _is_table(layout: Layout) -> bool:
+    """Return whether there are at least three columns of numbers, or two that are named."""
+    filled = sum(any(row[at].stands_for_number for row in layout.body) for at in range(len(layout.heads)))
+    return filled >= (2 if layout.has_heads else 3)
+
+
+def _table(sheet: Sheet, layout: Layout, origin: Origin, grid: Grid) -> Table:
+    standing = [cell for row in layout.body for cell in row if cell.stands_for_number]
+    uncomputed = sum(cell.flag == "formula" for cell in standing)
+    if uncomputed > _UNCOMPUTED * len(standing):
+        raise unreadable("formulas", cells=uncomputed)
+    places = find_columns(layout, grid.names, grid.step)
+    rows = place_rows(layout, places, grid)
+    if not any(row is not None for row in rows.of_grid):
+        raise unreadable("no_rows", step=grid.step, rows=grid.rows)
+    read = [_column(column, places.places[column.name], layout, rows) for column in grid.columns if column.name in places.places]
+    read = sorted(map(partial(_like_others, read), read), key=lambda column: column.at)
+    units: dict[str, dict[str, Any]] = {column.name: {"at": column.at, "by": column.by, "unit": column.unit} for column in read}
+    if TIME in places.places:
+        time = places.places[TIME]
+        units = {TIME: {"at": time.at + 1, "by": time.by, "unit": rows.time_unit}} | units
+    order = "sorted" if rows.is_sorted else "given"
+    reading = Reading(
+        origin.file, origin.encoding, origin.separator, layout.decimal, sheet.name, layout.transposed,
+        tuple(head.text for head in layout.heads) if layout.has_heads else (), units, len(layout.body), order,  # type: ignore[arg-type]
+    )  # fmt: skip
+    present = tuple(row is not None for row in rows.of_grid)
+    return Table(reading, tuple(read), present, origin.notes + tuple(_notes(layout, places, rows, read, grid)))
+
+
+def _column(column: GridColumn, place: Place, layout: Layout, rows: Rows) -> TableColumn:
+    cells = [_EMPTY if row is None else layout.body[row][place.at] for row in rows.of_grid]
+    decimals, steps = last_places(cells)
+    unit = unit_of_column(column, layout.heads[place.at].unit, [cell.value for cell in cells])
+    factor = factor_of(column, unit)
+    values = [cell.value * factor for cell in cells]
+    turns = whole_turns(column, values)
+    return TableColumn(
+        column.name, place.at + 1, place.by, unit,
+        tuple(value - turns * 2 * math.pi for value in values),
+        tuple(step * factor for step in steps),
+        tuple(cell.text for cell in cells), tuple(cell.flag for cell in cells), decimals, turns,
+    )  # fmt: skip
+
+
+def _like_others(columns: list[TableColumn], column: TableColumn) -> TableColumn:
+    """Return a column in exactly equal steps (a steady drive, whose zeros were dropped) with the decimals of those beside it."""
+    fixed = [other for other in columns if len(set(other.last_place)) == 1]
+    alike = [other.decimals for other in fixed if other.unit == column.unit and other is not column]
+    decimals = max(alike or [other.decimals for other in fixed], default=0)
+    if len(fixed) < len(columns) or decimals <= column.decimals or not _is_steady(column.values, column.decimals):
+        return column
+    finer = 10.0 ** (column.decimals - decimals)
+    return replace(column, decimals=decimals, last_place=tuple(step * finer for step in column.last_place))
+
+
+def _is_steady(values: Sequence[float], decimals: int) -> bool:
+    """Return whether numbers are one whole number, or exactly in equal steps, which no rounding leaves them."""
+    known = [value for value in values if math.isfinite(value)]
+    steps = [later - earlier for earlier, later in pairwise(known)]
+    if len(known) < len(values) or len(steps) < 2 or max(steps) - min(steps) > 1e-9 * max(1.0, abs(known[0]), abs(known[-1])):
+        return False
+    return decimals == 0 or abs(steps[0]) > 1e-9
+
+
+def _notes(layout: Layout, places: Places, rows: Rows, read: list[TableColumn], grid: Grid) -> list[Note]:
+    """Return what a reader of the page should know about how the table was read."""
+    notes = []
+    for unit, code in (("deg", "degrees"), ("deg/s", "degrees"), ("rpm", "rpm")):
+        if names := tuple(column.name for column in read if column.unit == unit):
+            notes.append(note(code, "deg_s" if unit == "deg/s" else "", columns=names))
+    if layout.transposed:
+        notes.append(note("transposed"))
+    if rows.is_sorted:
+        notes.append(note("rows_sorted"))
+    if missing := tuple(str(place + 1) for place, row in enumerate(rows.of_grid) if row is None):
+        notes.append(note("rows_missing", number=len(missing), rows=missing[:12]))
+    if rows.extra:
+        notes.append(note("rows_extra", number=rows.extra))
+    by_position = tuple(column.name for column in read if column.by == "position")
+    if by_position:
+        lost = [layout.heads[column.at - 1].text for column in read if column.by == "position"]
+        has_lost = any(text.startswith("?") for text in lost)
+        notes.append(note("greek_lost" if has_lost else "columns_by_position", columns=by_position))
+    if any(name not in {TIME, INDEX} for name in places.repeated):
+        notes.append(note("duplicate_column", columns=places.repeated))
+    dates = sum(flag == "date" for column in read for flag in column.flags)
+    if dates or (rows.recovered and _has_dates(layout, places)):
+        notes.append(note("date_cell", "date_cell" if dates else "date_cell_time", number=dates or rows.recovered))
+    if errors := sum(flag in {"error", "formula"} for column in read for flag in column.flags):
+        notes.append(note("error_cell", number=errors))
+    turned = [column for column in read if column.turns]
+    for column in turned:
+        notes.append(note("turns", column=column.name, number=column.turns))
+    return notes
+
+
+def _has_dates(layout: Layout, places: Places) -> bool:
+    return any(row[places.places[TIME].at].flag == "date" for row in layout.body)

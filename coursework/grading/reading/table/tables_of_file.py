@@ -1,0 +1,82 @@
+"""One file's bytes -> the table in it, whatever program wrote it.
+
+Enters: name and bytes of a file, the `Grid`.  Leaves: `Table`, or `Trouble`; never raises for what a student hands in.
+Used by `read_submission.py` and by whoever reads a single file (`precheck`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from coursework.grading.reading.expected import Grid
+from coursework.grading.reading.files import ods, xlsx
+from coursework.grading.reading.files.archive import Archive
+from coursework.grading.reading.files.cells import Sheet
+from coursework.grading.reading.files.encoding import Decoded, decode
+from coursework.grading.reading.files.text_table import sheet_of_text
+from coursework.grading.reading.limits import Refused, columns_read, rows_read, unreadable
+from coursework.grading.reading.student_work import Table, Trouble
+from coursework.grading.reading.submission import Note, note
+from coursework.grading.reading.table.table import Origin, read_sheets
+
+
+def read_table(content: bytes, name: str, grid: Grid) -> Table | Trouble:
+    r"""Return the table of one file, or why there is none that can be marked.
+
+    >>> from coursework.grading.reading.expected import Grid, GridColumn
+    >>> grid = Grid(0.1, 3, (GridColumn("phi1", "rad", (1.0, 1.1, 1.2)), GridColumn("w1", "1/s", (1.0, 1.0, 1.0))))
+    >>> table = read_table(b"t;phi1;w1\n0;1,0;1,0\n0,1;1,1;1,0\n0,2;1,2;1,0\n", "mine.csv", grid)
+    >>> table.column("phi1").values
+    (1.0, 1.1, 1.2)
+    """
+    try:
+        table = _read(content, name, grid)
+        if table is None:
+            raise unreadable("no_table", name=name)
+    except Refused as refused:
+        return refused.trouble
+    return table
+
+
+def _read(content: bytes, name: str, grid: Grid) -> Table | None:
+    if content.startswith(b"PK"):
+        return table_of_archive(Archive(content), name, grid)
+    return table_of_text(decode(content), name, grid)
+
+
+def is_spreadsheet(archive: Archive) -> bool:
+    """Return whether an archive is an xlsx or ods file."""
+    return xlsx.WORKBOOK in archive.parts or ods.CONTENT in archive.parts
+
+
+def table_of_archive(archive: Archive, name: str, grid: Grid) -> Table | None:
+    """Return the table of a spreadsheet.  Raises `Refused`."""
+    bounds = rows_read(grid.rows), columns_read(grid.rows)
+    sheets: Iterable[Sheet]
+    if xlsx.WORKBOOK in archive.parts:
+        sheets, kind = xlsx.sheets_of(archive, *bounds), "xlsx"
+    elif ods.CONTENT in archive.parts:
+        sheets, kind = ods.sheets_of(archive, *bounds), "ods"
+    else:
+        raise unreadable("damaged")
+    skipped: list[str] = []
+    for sheet in sheets:
+        table = read_sheets([sheet], Origin(name, kind, "cells", _told(sheet, skipped)), grid)
+        if table is not None:
+            return table
+        skipped.append(sheet.name or "")
+    raise unreadable("no_sheet_table", name=name)
+
+
+def table_of_text(decoded: Decoded, name: str, grid: Grid) -> Table | None:
+    """Return the table of a text, None for a text that holds none.  Raises `Refused`."""
+    found = sheet_of_text(decoded.text, grid.rows)
+    if found is None:
+        return None
+    sheet, separator = found
+    notes = (note("encoding"),) if decoded.had_nuls else ()
+    return read_sheets([sheet], Origin(name, decoded.encoding, separator, notes), grid)
+
+
+def _told(sheet: Sheet, skipped: list[str]) -> tuple[Note, ...]:
+    return (note("ignored_file", "sheet", sheet=sheet.name or ""),) if skipped else ()

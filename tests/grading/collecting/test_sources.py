@@ -1,0 +1,237 @@
+"""Folders and downloads: whose file is whose, what is never opened, and names that no system misreads."""
+
+from __future__ import annotations
+
+import io
+import os
+import unicodedata
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from coursework.grading.collecting.file_lists import FileList
+from coursework.grading.collecting.sources import Source, collect_one
+from coursework.grading.platforms.escapes import csv_text, shown
+from coursework.grading.platforms.names import file_stem
+from coursework.grading.reading.files.archive import Archive
+from coursework.grading.reading.submission import Submission
+from coursework.words.errors import InputError
+
+
+def write(folder: Path, *names: str, content: bytes = b"x") -> None:
+    for name in names:
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
+
+
+def read(path: Path) -> tuple[str, dict[str, Submission], dict[str, FileList]]:
+    with Source(path) as source:
+        return source.platform, {p.id: source.collect(p) for p in source.file_lists}, {p.id: p for p in source.file_lists}
+
+
+def names(submission: Submission) -> list[str]:
+    return [file.name for file in submission.files]
+
+
+def test_a_folder_of_folders(tmp_path: Path) -> None:
+    write(
+        tmp_path,
+        "ivanov/table.csv",
+        "ivanov/more/equations.txt",
+        "ivanov/.hidden",
+        "ivanov/~$t.xlsx",
+        "petrov/Thumbs.db",
+        "rubric.toml",
+    )
+    write(tmp_path, "ivanov/__MACOSX/x.csv", "ivanov/desktop.ini")
+    (tmp_path / "empty").mkdir()
+    platform, found, _ = read(tmp_path)
+    assert platform == "folder"
+    assert {student: names(submission) for student, submission in found.items()} == {
+        "empty": [], "ivanov": ["more/equations.txt", "table.csv"], "petrov": [],
+    }  # fmt: skip
+
+
+def test_a_flat_folder(tmp_path: Path) -> None:
+    write(tmp_path, "ivanov_table.csv", "ivanov_equations_2.txt", "petrov.csv", "petrov (1).csv", "Ідзик.xlsx")
+    platform, found, _ = read(tmp_path)
+    assert platform == "flat"
+    assert {student: names(submission) for student, submission in found.items()} == {
+        "ivanov": ["ivanov_equations_2.txt", "ivanov_table.csv"], "petrov": ["petrov (1).csv", "petrov.csv"],
+        "Ідзик": ["Ідзик.xlsx"],
+    }  # fmt: skip
+
+
+MOODLE = [
+    "Іван Франко_7000_assignsubmission_file/table.csv", "Іван Франко_7000_assignsubmission_onlinetext/onlinetext.html",
+    "Participant_7001_assignsubmission_file_/x.csv", "Team one_12_assignsubmission_file/deep/x.csv",
+    "Ann Lee_7002_assignsubmission_file_my_table.csv", "readme.txt",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("as_zip", [False, True])
+def test_moodle_in_all_its_forms(tmp_path: Path, as_zip: bool) -> None:
+    path = tmp_path / "in"
+    if as_zip:
+        path = tmp_path / "download.zip"
+        with zipfile.ZipFile(path, "w") as file:
+            for name in MOODLE:
+                file.writestr(name, b"x")
+    else:
+        write(path, *MOODLE)
+    platform, found, file_lists = read(path)
+    assert platform == "moodle"
+    assert {student: (file_lists[student].name, file_lists[student].number, names(found[student])) for student in found} == {
+        "Іван Франко_7000_assignsubmission_file": ("Іван Франко", "7000", ["onlinetext.html", "table.csv"]),
+        "Participant_7001_assignsubmission_file_": (None, "7001", ["x.csv"]),
+        "Team one_12_assignsubmission_file": ("Team one", "12", ["deep/x.csv"]),
+        "Ann Lee_7002_assignsubmission_file": ("Ann Lee", "7002", ["my_table.csv"]),
+    }
+    assert file_lists["Ann Lee_7002_assignsubmission_file"].folder == "Ann Lee_7002_assignsubmission_file"
+
+
+def test_canvas(tmp_path: Path) -> None:
+    write(tmp_path, "leeann_101_2001_table.csv", "leeann_101_2001_eq-1.txt", "ivanovivan_LATE_102_2002_my_table.csv")
+    platform, found, file_lists = read(tmp_path)
+    assert platform == "canvas"
+    assert {student: (file_lists[student].name, names(found[student])) for student in found} == {
+        "101": ("leeann", ["eq-1.txt", "table.csv"]), "102": ("ivanovivan", ["my_table.csv"]),
+    }  # fmt: skip
+    write(tmp_path, "leeann_101_2009_table.csv")
+    _, again, _ = read(tmp_path)
+    assert again["101"].review is not None
+    assert "2001 and 2009" in again["101"].review
+
+
+def test_ids_that_a_system_takes_for_one_need_a_person(tmp_path: Path) -> None:
+    path = tmp_path / "class.zip"
+    with zipfile.ZipFile(path, "w") as file:
+        for name in (
+            "Anna/t.csv",
+            "anna/t.csv",
+            "ivan/t.csv",
+            "ivan (1)/t.csv",
+            "zoe/t.csv",
+            f"{unicodedata.normalize('NFD', 'Zoë')}/t.csv",
+        ):
+            file.writestr(name, b"x")
+        file.writestr("../../evil/t.csv", b"x")
+    _, found, _ = read(path)
+    assert {student: submission.review is not None for student, submission in found.items()} == {
+        "Anna": True, "anna": True, "ivan": True, "ivan (1)": True, "zoe": False, "Zoë": False,
+    }  # fmt: skip
+
+
+def test_a_zip_from_an_old_russian_program(tmp_path: Path) -> None:
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w") as file:
+        file.writestr("xxxxxx/tabl.csv", b"x")
+        file.writestr("yy/tabl.csv", b"x")
+    raw = content.getvalue().replace(b"xxxxxx", "Иванов".encode("cp866"))
+    path = tmp_path / "class.zip"
+    path.write_bytes(raw)
+    _, found, _ = read(path)
+    assert set(found) == {"Иванов", "yy"}
+
+
+def test_a_part_without_a_name_is_left_out() -> None:
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w") as file:
+        file.writestr("table.csv", b"t,w1")
+        file.writestr("named.csv", b"x")
+    damaged = content.getvalue().replace(b"named.csv", b"\0amed.csv")
+    archive = Archive(damaged)
+    assert {name: archive.read(name, 10) for name in archive.parts} == {"table.csv": b"t,w1"}
+
+
+def test_a_folder_around_the_whole_zip_is_taken_off(tmp_path: Path) -> None:
+    path = tmp_path / "class.zip"
+    with zipfile.ZipFile(path, "w") as file:
+        file.writestr("Group 21/ivanov/table.csv", b"x")
+        file.writestr("Group 21/petrov/table.csv", b"x")
+        file.writestr("__MACOSX/Group 21/ivanov/._table.csv", b"x")
+    assert set(read(path)[1]) == {"ivanov", "petrov"}
+
+
+def test_only_regular_files_are_opened(tmp_path: Path) -> None:
+    secret = tmp_path / "secret.csv"
+    secret.write_bytes(b"key")
+    folder = tmp_path / "in" / "one"
+    write(folder, "good.txt", "table.csv/inner.txt")
+    os.link(secret, folder / "hard.csv")
+    aside = ["hard.csv", "table.csv"]
+    if os.name == "posix":  # elsewhere links need rights that students do not have, and there are no pipes in folders
+        (folder / "link.csv").symlink_to(secret)
+        (folder / "away").symlink_to(tmp_path)
+        os.mkfifo(folder / "pipe.csv")
+        aside += ["away", "link.csv", "pipe.csv"]
+    _, found, _ = read(tmp_path / "in")
+    assert names(found["one"]) == ["good.txt"]
+    assert sorted(str(note.text).partition(" ")[0].removeprefix("one/") for note in found["one"].notes) == sorted(aside)
+    assert {note.code for note in found["one"].notes} == {"ignored_file"}
+    assert names(collect_one(folder)) == ["good.txt"]
+
+
+def test_sizes_are_bounded_before_anything_is_read(tmp_path: Path) -> None:
+    folder = tmp_path / "in" / "one"
+    write(folder, "edge.csv", content=b"1" * 4 * 2**20)
+    write(folder, "over.csv", content=b"1" * (4 * 2**20 + 1))
+    with (folder / "huge.csv").open("wb") as file:
+        file.truncate(2**31)
+    submission = read(tmp_path / "in")[1]["one"]
+    assert {file.name: (file.size, len(file.content), file.trouble is None) for file in submission.files} == {
+        "edge.csv": (4 * 2**20, 4 * 2**20, True), "over.csv": (4 * 2**20 + 1, 4096, False), "huge.csv": (2**31, 4096, False),
+    }  # fmt: skip
+
+
+def test_a_submission_has_at_most_fifty_files_and_twenty_megabytes(tmp_path: Path) -> None:
+    write(tmp_path / "in" / "many", *(f"{k:02}.csv" for k in range(60)))
+    write(tmp_path / "in" / "large", *(f"{k}.csv" for k in range(6)), content=b"1" * 4 * 2**20)
+    found = read(tmp_path / "in")[1]
+    assert len(found["many"].files) == 50
+    assert [note.code for note in found["many"].notes] == ["ignored_file"]
+    assert [file.trouble is None for file in found["large"].files] == [True] * 5 + [False]
+
+
+def test_a_source_that_is_none_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "x.zip").write_bytes(b"no zip")
+    for path in (tmp_path / "x.zip", tmp_path / "nowhere"):
+        with pytest.raises(InputError, match=str(path.name)):
+            Source(path)
+
+
+@pytest.mark.parametrize(
+    ("student", "is_itself"),
+    [
+        ("ivanov", True), ("a.b@c-d_1", True), ("x" * 64, True), ("x" * 65, False), ("../../x", False), ("/etc/passwd", False),
+        ("a/b", False), (".", False), ("..", False), ("ivanov.", False), ("CON", False), ("con.txt", False), ("COM1", False),
+        ("lpt9.csv", False), ("COMA", True), ("a\nb", False), ("a\u202eb", False), ("a\u200bb", False), ("", False),
+        ("Іван", False),
+        ("x" * 300, False), ("\ud800", False),
+        ("-x", False), ("_x", False),
+    ],
+)  # fmt: skip
+def test_names_of_files_made_from_ids(student: str, is_itself: bool) -> None:
+    stem = file_stem(student)
+    assert (stem == student) is is_itself
+    if not is_itself:
+        assert stem.startswith("x-")
+        assert len(stem) == 18
+
+
+FORMULAS = [
+    "=1+1", "+cmd|'/c calc'!A0", "-2+3", "@SUM(A1)", "\t=1", "\r=1", "\n=1", "\0=1", "＝1", "＋1", "－1", "＠1", "  =1", '"=1',
+    "' =1",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("text", FORMULAS)
+def test_no_text_becomes_a_formula(text: str) -> None:
+    assert csv_text(text) == "'" + text
+
+
+def test_harmless_text_stays_and_hidden_letters_show() -> None:
+    assert csv_text("Іван О'Ніл =") == "Іван О'Ніл ="
+    assert shown("a\u202eb\u200bc\x07\n") == "a⟨U+202E⟩b⟨U+200B⟩c⟨U+0007⟩\n"

@@ -1,0 +1,18 @@
+"""Hundreds of broken files: no crash, no hang, no file opened for writing; 100 000 with `fuzz_readers`."""
+
+from __future__ import annotations
+
+from tests.grading.reading.fuzz_readers import REPEATED, run, run_repeated
+
+CASES = 600
+
+
+def test_hundreds_of_broken_files() -> None:
+    counts = run(CASES)
+    assert counts.total() == CASES
+    assert counts["table"] > CASES / 4
+    assert len(counts) >= 8
+
+
+def test_files_of_one_piece_repeated() -> None:
+    assert run_repeated(2**20).total() == 2 * len(REPEATED)
