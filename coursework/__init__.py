@@ -13,6 +13,8 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from coursework.system.version import VERSION
+
 if TYPE_CHECKING:
     from coursework.api import exact, solve
     from coursework.assigning.variants import draw, draw_many
@@ -28,7 +30,7 @@ if TYPE_CHECKING:
     from coursework.variant.record.variant import Variant
     from coursework.words.errors import CourseworkError, InputError, OutputError
 
-__version__ = "1.0.0"
+__version__ = VERSION
 
 _HOMES = {
     "coursework.api": ("solve", "exact"),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from coursework.cli import main
+from coursework.commands.cli import main
 
 if __name__ == "__main__":
     main()

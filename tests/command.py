@@ -5,7 +5,7 @@ Enters: arguments as a user types them.  Leaves: click's result: exit code, outp
 
 from click.testing import CliRunner, Result
 
-from coursework.cli import main
+from coursework.commands.cli import main
 
 
 def call(*arguments: object) -> Result:

@@ -12,7 +12,7 @@ import json, sys
 print(json.dumps(sorted(sys.modules)))
 """
 COMMAND = """
-from coursework.cli import main
+from coursework.commands.cli import main
 import contextlib, io
 with contextlib.redirect_stdout(io.StringIO()):
     try:

@@ -14,7 +14,7 @@ from pathlib import Path
 from click.testing import CliRunner
 
 import coursework
-from coursework.cli import main
+from coursework.commands.cli import main
 from coursework.results.accuracy import round_off
 from coursework.results.accuracy.timing import seconds
 from tests.grading.batch import classroom
@@ -116,7 +116,7 @@ def test_lines_for_the_shell_are_what_the_shell_can_run():
     assert lines == ["bash", "zsh", "fish"]
     for shell in lines:
         environment = {**os.environ, "_COURSEWORK_COMPLETE": f"{shell}_source"}
-        code = "from coursework.cli import main; main(prog_name='coursework')"
+        code = "from coursework.commands.cli import main; main(prog_name='coursework')"
         done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)
         assert "coursework" in done.stdout
 

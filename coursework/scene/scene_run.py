@@ -35,6 +35,7 @@ from coursework.scene.quantities import (
 )
 from coursework.scene.scene import Scene
 from coursework.system.on_demand import Plan, make_plan
+from coursework.system.version import VERSION
 from coursework.variant.record.variant import Variant
 from coursework.words.sentences import say
 
@@ -297,9 +298,7 @@ class SceneRun:
     @property
     def versions(self) -> dict[str, str]:
         """Return the versions that made the numbers."""
-        import coursework
-
         return {
-            "coursework": coursework.__version__, "python": platform.python_version(),
+            "coursework": VERSION, "python": platform.python_version(),
             "numpy": np.__version__, "sympy": SYMPY_VERSION,
         }  # fmt: skip

@@ -17,7 +17,7 @@ LIBRARIES = "import numpy, pandas, sympy"
 OWN_RUNS, BARE_RUNS, ROUNDS = 2, 5, 10
 # From its second run on a program's own modules are compiled already, as those of the libraries are when they are installed.
 KEEPS_COMPILED = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
-CALL = "from coursework.cli import main; main({arguments!r})"
+CALL = "from coursework.commands.cli import main; main({arguments!r})"
 
 
 def spent() -> float:

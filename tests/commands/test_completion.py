@@ -16,7 +16,7 @@ def offered(folder, *words, shell="bash"):
         **os.environ, "_COURSEWORK_COMPLETE": f"{shell}_complete", "COMP_WORDS": " ".join(words),
         "COMP_CWORD": str(len(words) - 1),
     }  # fmt: skip
-    code = "from coursework.cli import main; main(prog_name='coursework')"
+    code = "from coursework.commands.cli import main; main(prog_name='coursework')"
     command = [sys.executable, "-c", code]
     done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, encoding="utf-8", check=False)
     assert done.stderr == ""

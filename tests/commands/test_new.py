@@ -7,7 +7,7 @@ import pytest
 import coursework
 from coursework.variant.catalogue import names
 from coursework.words.data_folders import folder as data_folder
-from tests.test_cli import QUICK, call
+from tests.commands.test_cli import QUICK, call
 
 pytestmark = pytest.mark.usefixtures("folder")
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner, Result
 
-from coursework.cli import main
+from coursework.commands.cli import main
 from tests.grading.batch.classroom import EQUATIONS, csv
 from tests.grading.marking import students
 

@@ -8,7 +8,7 @@ import pymupdf
 import pytest
 from click.testing import CliRunner, Result
 
-from coursework.cli import main
+from coursework.commands.cli import main
 from coursework.words.custom_templates import templates_of
 from coursework.words.data_folders import folder
 from coursework.words.errors import InputError

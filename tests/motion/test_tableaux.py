@@ -13,7 +13,7 @@ import pytest
 from click.testing import CliRunner
 
 import coursework
-from coursework.cli import main
+from coursework.commands.cli import main
 from coursework.motion.integration.loops import generate_loop
 from coursework.motion.schemes import SCHEMES, Scheme, _density, _trees
 from coursework.report.formulas.lecture import lines
@@ -33,7 +33,7 @@ half, sixth = F(1, 2), F(1, 6)
 numbers = (0, half, 1), ((), (half,), (-1, 2)), (sixth, 4 * sixth, sixth)
 SCHEMES["kutta3"] = Scheme("kutta3", "Kutta of order three", *numbers, order=3)
 vocabulary.SCHEME_NAMES = (*vocabulary.SCHEME_NAMES, "kutta3")
-from coursework.cli import main
+from coursework.commands.cli import main
 main()
 """
 

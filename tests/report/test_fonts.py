@@ -5,7 +5,7 @@ from __future__ import annotations
 import pymupdf
 from click.testing import CliRunner
 
-from coursework.cli import main
+from coursework.commands.cli import main
 from tests.report.cut_font import FACE, FAMILY, signs_of, wanted
 
 

@@ -15,7 +15,7 @@ import pytest
 from click.testing import CliRunner
 
 import coursework
-from coursework.cli import main
+from coursework.commands.cli import main
 from coursework.report.pages import build_model, render_html
 from coursework.report.text import words
 from coursework.report.text.parts import Paragraph

@@ -11,7 +11,7 @@ import pytest
 from click.testing import CliRunner
 
 import coursework
-from coursework.cli import main
+from coursework.commands.cli import main
 from coursework.drawing.paper.record import Drawing
 from coursework.report.pages import build_model
 from coursework.report.sections import sections

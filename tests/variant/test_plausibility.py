@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from coursework.cli import main
+from coursework.commands.cli import main
 from coursework.variant.reading.reader import parse_variant
 
 PAGE = (Path(__file__).parent.parent / "reference" / "format_page_31.toml").read_text(encoding="utf-8")

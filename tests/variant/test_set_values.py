@@ -7,7 +7,7 @@ import pytest
 from click.testing import CliRunner
 
 import coursework
-from coursework.cli import main
+from coursework.commands.cli import main
 from coursework.variant.catalogue import names
 from coursework.variant.reading.reader import parse_variant
 from coursework.variant.reading.set_values import with_set

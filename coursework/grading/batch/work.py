@@ -13,11 +13,11 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
-import coursework
 from coursework.grading.batch.decisions import Override, overridden
 from coursework.grading.marking.grade import blank_grade
 from coursework.grading.marking.rubric import read_rubric
 from coursework.grading.reading.submission import Submission, submission_from
+from coursework.system.version import VERSION
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH, load_phrases
 
@@ -100,7 +100,7 @@ class Task:
 
     def key(self, setup: Setup) -> str:
         """Return the content a journal knows this work by, one hash a reason to grade anew; never a path or a clock."""
-        looks = (GRADING_VERSION, coursework.__version__, setup.pages, sorted(setup.pieces.items()), setup.language)
+        looks = (GRADING_VERSION, VERSION, setup.pages, sorted(setup.pieces.items()), setup.language)
         parts = {
             "files": json.dumps(self.submission.plain(), sort_keys=True),
             "variant": self.variant.sha256,

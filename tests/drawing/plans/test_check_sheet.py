@@ -246,7 +246,7 @@ def test_the_bar_measures_100_mm_in_the_pdf(tmp_path: Path) -> None:
 def test_the_blank_sheet_is_an_option(tmp_path: Path) -> None:
     from click.testing import CliRunner
 
-    from coursework.cli import main
+    from coursework.commands.cli import main
 
     asked = ["run", "31", "--blank", "--quantities", "graph_check", "--format", "html", "--out", str(tmp_path)]
     assert CliRunner().invoke(main, asked).exit_code == 0

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from coursework.cli import main
+from coursework.commands.cli import main
 from coursework.grading.batch import supervisor
 from tests.grading.batch.classroom import hand_in, small_class
 from tests.grading.marking import students

@@ -10,7 +10,7 @@ import distributed
 import pytest
 from click.testing import CliRunner
 
-from coursework.cli import main
+from coursework.commands.cli import main
 from tests.grading.batch.classroom import hand_in, small_class
 
 

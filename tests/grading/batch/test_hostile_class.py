@@ -17,7 +17,7 @@ import pytest
 from click.testing import CliRunner
 
 import coursework
-from coursework.cli import main
+from coursework.commands.cli import main
 from tests.grading.batch.classroom import EQUATIONS, NAMES, hand_in
 from tests.grading.batch.classroom import csv as table_csv
 from tests.grading.marking import students

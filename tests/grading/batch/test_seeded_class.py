@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from coursework.cli import main
+from coursework.commands.cli import main
 from tests.grading.batch.classroom import EQUATIONS, NAMES
 from tests.grading.marking import students
 from tests.grading.marking.seeded import SEED, visible_slip

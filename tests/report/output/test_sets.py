@@ -31,7 +31,7 @@ def replace(self, target):
         os._exit(9)
     return move(self, target)
 pathlib.Path.replace = replace
-from coursework.cli import main
+from coursework.commands.cli import main
 main({arguments!r})
 """
 

@@ -135,7 +135,7 @@ def test_what_auto_advises_passes_step_and_peak(name):
 
 
 def test_a_step_of_the_file_that_is_too_large_does_not_keep_auto_from_a_smaller_one(tmp_path, monkeypatch):
-    from tests.test_cli import call
+    from tests.commands.test_cli import call
 
     monkeypatch.chdir(tmp_path)
     text = (folder("variants") / "31.toml").read_text(encoding="utf-8").replace('step      = "0.02 s"', 'step = "0.23 s"')

@@ -8,7 +8,7 @@ import pytest
 from click.testing import CliRunner
 
 import coursework
-from coursework.cli import main
+from coursework.commands.cli import main
 from coursework.variant.reading.reader import parse_variant
 from tests.results.checks import closed_form
 from tests.results.checks.scenes import V31, found, solve, verdicts

@@ -9,7 +9,7 @@ import pytest
 from click.testing import CliRunner
 
 import coursework
-from coursework.cli import main
+from coursework.commands.cli import main
 from coursework.report.pages import build_model
 from coursework.report.pages.html import render_html
 from coursework.results.checks import check as records

@@ -15,7 +15,7 @@ from typing import Any, NoReturn
 
 import click
 
-from coursework.options import (
+from coursework.commands.options import (
     SET,
     VARIANT,
     CommandWithTemplates,

@@ -42,7 +42,7 @@ def unheard(*arguments):
     ],
 )
 def test_a_reader_that_leaves_changes_neither_status_nor_files(arguments, status, folder):
-    page = (Path(__file__).parent / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
+    page = (Path(__file__).parents[1] / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
     (folder / "stops.toml").write_text(page.replace('"4.35 rad"', '"0.02 rad"'), encoding="utf-8")
     found, said = unheard(*arguments)
     assert found == status
@@ -91,7 +91,7 @@ def fsync(number):
         signal.raise_signal(signal.SIGINT)
     real(number)
 coursework.system.whole_files.os.fsync = fsync
-from coursework.cli import main
+from coursework.commands.cli import main
 main({arguments!r})
 """
 
@@ -107,7 +107,7 @@ def test_an_interrupt_ends_with_130_and_one_sentence(at, folder):
 
 @pytest.mark.skipif(os.name == "nt", reason="an interrupt sent to another process is a POSIX signal")
 def test_an_interrupt_from_outside(folder):
-    code = HEARING + "from coursework.cli import main; print('begun', flush=True); main(['accuracy', '31'])"
+    code = HEARING + "from coursework.commands.cli import main; print('begun', flush=True); main(['accuracy', '31'])"
     process = subprocess.Popen(
         [sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True
     )

@@ -10,7 +10,7 @@ import pytest
 
 import coursework
 from coursework.system import whole_files
-from tests.test_cli import QUICK, call, process
+from tests.commands.test_cli import QUICK, call, process
 
 pytestmark = pytest.mark.usefixtures("folder")
 

@@ -10,13 +10,13 @@ from pathlib import Path
 import pytest
 
 import coursework
-from coursework.cli import main
+from coursework.commands.cli import main
 from coursework.results.checks.check import CHECKS
 from coursework.variant.catalogue import entries
 from tests.command import call
 
 pytestmark = pytest.mark.usefixtures("folder")
-PAGE = (Path(__file__).parent / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
+PAGE = (Path(__file__).parents[1] / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
 QUICK = ["--quantities", "table,checks", "--format", "csv"]
 
 
@@ -227,7 +227,7 @@ def test_version():
 
 
 def test_every_command_is_in_the_readme():
-    text = (Path(__file__).parent.parent / "README.md").read_text(encoding="utf-8")
+    text = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
     for name in main.commands:
         assert f"coursework {name}" in text, name
 
