@@ -15,7 +15,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.motion.integration.motion import Motion, Stop
 from coursework.motion.schemes import SCHEMES
@@ -27,6 +26,7 @@ from coursework.scene.model.one_set import horizons
 from coursework.scene.model.rows import rows_of
 from coursework.scene.model.sets import prepare
 from coursework.scene.scene import Scene
+from coursework.system.arrays import Array, Flags
 from coursework.variant.catalogue import load
 from coursework.variant.judging.bounds import timed
 from coursework.variant.record.variant import Variant
@@ -36,8 +36,6 @@ from coursework.words.sentences import joined, say
 if TYPE_CHECKING:
     import pandas as pd
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 # Sets that are computed together: their columns stay in the processor's cache.
 TOGETHER = 2048
 

@@ -13,7 +13,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.assigning.ranges import Limits
 from coursework.equations.reduction.magnitude import largest
@@ -28,10 +27,10 @@ from coursework.scene.model.one_set import with_numbers
 from coursework.scene.model.rows import rows_of
 from coursework.scene.model.sets import prepare
 from coursework.scene.model.start import start_of
+from coursework.system.arrays import Array, Flags
 from coursework.variant.record.variant import MAX_ROWS, Variant
 from coursework.words.errors import CourseworkError
 
-Array = NDArray[np.float64]
 # The exact motion is followed in at least so many parts of a step, and of the whole: Runge-Kutta 4 is then right to 1e-8 where
 # Euler is off by 0.1, and the smallest determinant is missed by less than a thousandth.
 PARTS, FEWEST = 8, 400
@@ -115,7 +114,7 @@ def _beyond(limits: Limits, numbers: Mapping[str, float], step: float) -> str:
     return ""
 
 
-def _movable(model: Model, data: Data, sure: NDArray[np.bool_], horizons: Array) -> NDArray[np.bool_]:
+def _movable(model: Model, data: Data, sure: Flags, horizons: Array) -> Flags:
     """Return for which sets (n,) the whole motion is possible; those in doubt are searched one by one."""
     movable = sure.copy()
     places = np.flatnonzero(~sure)

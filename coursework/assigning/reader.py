@@ -16,7 +16,7 @@ from coursework.mechanism.groups import group_kind
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.units import KINDS, UnitFault, read, unlike
 from coursework.variant.record.variant import Variant
-from coursework.variant.toml.positions import Positions
+from coursework.variant.toml.positions import KeyPath, Positions
 from coursework.variant.toml.source import Source, read_source
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say
@@ -74,7 +74,7 @@ class _Reader:
             raise InputError(self.faults)
         return Ranges(tuple(found), limits, difficulty, self.source.file)
 
-    def _say(self, path: tuple[str | int, ...], key: str, *, at_key: bool = False, **values: object) -> None:
+    def _say(self, path: KeyPath, key: str, *, at_key: bool = False, **values: object) -> None:
         self.faults.append(self.source.fault(path, say(key, **values), at_key=at_key))
 
     def _known(self, section: Mapping[str, Any], known: Sequence[str], path: tuple[str, ...]) -> None:
@@ -160,7 +160,7 @@ class _Reader:
         whole = [int(amount.scaleb(decimals)) for amount in (first, step)]
         return Range(place, (), whole[0], whole[1], int((last - first) // step) + 1, decimals, unit)
 
-    def _amount(self, path: tuple[str | int, ...], value: Any, si: str) -> tuple[Decimal, str] | None:
+    def _amount(self, path: KeyPath, value: Any, si: str) -> tuple[Decimal, str] | None:
         """Return number and unit of one value of a datum."""
         if not isinstance(value, (str, int, float)):
             self._say(path, "fault.A024")

@@ -23,6 +23,7 @@ from coursework.scene.model.variant_text import variant_text
 from coursework.variant.catalogue import load
 from coursework.variant.reading.reader import parse_variant
 from coursework.variant.record.variant import Variant
+from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.rewriting import SAID_OF_NUMBERS, rewritten
 from coursework.words.data_folders import folder
 from coursework.words.errors import InputError
@@ -65,9 +66,7 @@ class Assignment:
             variant = self.template.with_data(given, start, check_row=accepted.check_row)
             content = variant_text(variant, self.original, self._scheme).encode("utf-8")
         else:  # nothing follows from the data, so they need not be read twice
-            changes: dict[tuple[str | int, ...], Any] = {
-                path: text for path, text in accepted.values.items() if path[0] != "time"
-            }
+            changes: dict[KeyPath, Any] = {path: text for path, text in accepted.values.items() if path[0] != "time"}
             if accepted.check_row is not None:
                 changes["time", "check_row"] = accepted.check_row
             content = rewritten(self.original, changes, SAID_OF_NUMBERS).encode("utf-8")

@@ -26,6 +26,7 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.integration.motion import Motion
 from coursework.results.kinematics.points import point_rows
+from coursework.system.arrays import Array
 from coursework.words.sentences import say
 
 POSITIONS = 12
@@ -101,7 +102,7 @@ def _velocities(equations: VelocityEquations, motion: Motion) -> dict[str, Compl
     }
 
 
-def _hodograph(name: str, curve: Complex, rows: Complex, t: NDArray[np.float64]) -> Drawing:
+def _hodograph(name: str, curve: Complex, rows: Complex, t: Array) -> Drawing:
     both = np.concatenate([curve, rows])
     fastest = float(np.max(np.abs(both)))
     speed = next((s for s in SPEEDS if fastest / s <= LONGEST), SPEEDS[-1])

@@ -7,14 +7,12 @@ Source: procedure poxdf of [Pasika]; its five formulas are exact for polynomials
 from __future__ import annotations
 
 import math
-from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from coursework.mechanism.groups.assembly import numbers
-
-Array: TypeAlias = NDArray[np.float64]
+from coursework.system.arrays import Array
 
 NODES = 5
 # Row i: 12 h times the derivative at the i-th of five neighbours, as a sum over all five.

@@ -12,11 +12,11 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import SCHEMES
 from coursework.scene.way_to_motion import WayToMotion
+from coursework.system.arrays import Array
 from coursework.system.on_demand import Ledger, computed
 from coursework.variant.record.vocabulary import scheme_names
 
@@ -24,7 +24,6 @@ if TYPE_CHECKING:
     from coursework.results.checks.evidence import Evidence
     from coursework.results.checks.result import Finding
 
-Array = NDArray[np.float64]
 Named = tuple[tuple[str, ...], Array]
 Mismatch = tuple[tuple[str, str, float, float, float, float], ...]
 # More rows than this are not marched in extended numbers: a row there costs a hundred times one of the table.

@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.equations.codegen.programs import SYMPY_VERSION
 from coursework.equations.reduction.blocks import Reduction
@@ -34,6 +33,7 @@ from coursework.scene.quantities import (
     quantities_for,
 )
 from coursework.scene.scene import Scene
+from coursework.system.arrays import Array
 from coursework.system.on_demand import Plan, make_plan
 from coursework.system.version import VERSION
 from coursework.variant.record.variant import Variant
@@ -48,7 +48,6 @@ if TYPE_CHECKING:
     from coursework.results.kinematics.extra import ExtraTable
 
 T = TypeVar("T")
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, repr=False)

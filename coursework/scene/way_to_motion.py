@@ -12,7 +12,6 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.equations.codegen.straight_line import FormulaRefused
 from coursework.equations.codegen.tabulated import OutsideTable
@@ -39,6 +38,7 @@ from coursework.motion.singular.event import Event, NotFollowed
 from coursework.motion.singular.explain import explain, explain_passage
 from coursework.motion.singular.scaled_flow import Flow, compile_flow
 from coursework.motion.singular.search import Search, search_event
+from coursework.system.arrays import Array
 from coursework.system.on_demand import Ledger, computed
 from coursework.variant.judging.bounds import refuse_unbounded
 from coursework.variant.record.no_value import law_without_value, without_value
@@ -46,7 +46,6 @@ from coursework.variant.record.variant import Variant, whole_steps
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
-Array = NDArray[np.float64]
 # A periodic motion that lasts for many periods is looked at for dead points over the first two.
 PERIODS_LOOKED_AT = 2.2
 PLACES = 10  # times between two of the twelve positions of a period

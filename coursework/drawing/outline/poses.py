@@ -17,9 +17,9 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import symbol
 from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.motion.integration.motion import Motion
+from coursework.system.arrays import Array
 
 Complex = NDArray[np.complex128]
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from coursework.system.arrays import Array
+
 Segment = tuple[complex, complex]
 Rectangle = tuple[float, float, float, float]
 STILL = 1e-300  # stands for a step of 0, so that a line along an axis needs no case of its own

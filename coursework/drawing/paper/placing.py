@@ -12,7 +12,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from coursework.drawing.paper.cover import Array, Lines, Rectangle, Segment, shared, through
+from coursework.drawing.paper.cover import Lines, Rectangle, Segment, shared, through
+from coursework.system.arrays import Array
 
 Place = tuple[complex, complex, float]  # beside this point, rather in this direction, at this distance
 DIRECTIONS = 16  # in which a place is looked for

@@ -15,9 +15,9 @@ from coursework.drawing.outline.outline import Bar, Outline
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.motion.geometry.time_derivatives import jets
 from coursework.motion.integration.motion import Motion
+from coursework.system.arrays import Array
 
 Complex = NDArray[np.complex128]
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,9 +9,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
 from coursework.drawing.outline.lengths import stretching
 from coursework.drawing.outline.outline import Outline
 from coursework.drawing.outline.poses import all_rows
@@ -22,11 +19,11 @@ from coursework.drawing.plans.polygons import ACCELERATION, UNITS, VELOCITY, Pol
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.integration.motion import Motion
+from coursework.system.arrays import Array
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
 HEAD = ("row", "t", "motion", "plan", "kind", "from", "to", "x", "y", "unit")
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,9 +14,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from coursework.drawing.outline.outline import Bar, Outline
-from coursework.drawing.plans.moving import Array, Complex, Kinematics, Moving
+from coursework.drawing.plans.moving import Complex, Kinematics, Moving
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.motion.integration.motion import Motion
+from coursework.system.arrays import Array
 
 POLE = "pole"
 VELOCITY, ACCELERATION = "velocity", "acceleration"

@@ -19,10 +19,10 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
-from numpy.typing import NDArray
 
 from coursework.equations.codegen.straight_line import CALLS, Line, StraightLine
 from coursework.equations.codegen.tabulated import TableLaw
+from coursework.system.arrays import Array
 
 SYMPY_VERSION: str = sp.__version__
 _NAME = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
@@ -159,7 +159,7 @@ def compile_later(
     return call
 
 
-def as_columns(values: Sequence[Any], shape: tuple[int, ...]) -> NDArray[np.float64]:
+def as_columns(values: Sequence[Any], shape: tuple[int, ...]) -> Array:
     """Return numbers and arrays (*shape) as the columns of one array (*shape, k)."""
     columns = np.empty((*shape, len(values)))
     for place, value in enumerate(values):

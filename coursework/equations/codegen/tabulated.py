@@ -11,13 +11,12 @@ from functools import cached_property, reduce
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from coursework.system.arrays import Array
 from coursework.words.errors import Unplaced
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-Array = NDArray[np.float64]
 # Part of an interval by which round-off may lie beyond the table.
 _SLACK = 1e-6
 

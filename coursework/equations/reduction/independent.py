@@ -11,16 +11,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.matching import match, over_and_under
 from coursework.equations.reduction.system import LinearSystem, compile_system
+from coursework.system.arrays import Array
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say, say_count
 
-Array = NDArray[np.float64]
 # A row counts as dependent where what is left of it after projection is below this part of its length: 1e-9 lies far above
 # round-off (1e-16 times the condition of a benign scene) and far below any angle a task sheet can mean.
 DEPENDENT = 1e-9

@@ -12,14 +12,12 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
-from numpy.typing import NDArray
 
 from coursework.equations.codegen.names import private
 from coursework.equations.codegen.programs import Assign, Program, Statement, as_columns, compile_later, program
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.equations.reduction.symbolic import constants, local, symbol
-
-Array = NDArray[np.float64]
+from coursework.system.arrays import Array
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,7 +12,6 @@ from decimal import ROUND_HALF_UP, Decimal
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.grading.marking.answers import AnswerMarks, mark_answers
 from coursework.grading.marking.equations.equations import EquationMarks, Judge
@@ -26,10 +25,10 @@ from coursework.grading.marking.table.points import TablePoints, table_points
 from coursework.grading.marking.verdicts import Verdicts, verdicts
 from coursework.grading.reading.student_work import StudentWork, Table
 from coursework.grading.reading.submission import Note, note
+from coursework.system.arrays import Array
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-Array = NDArray[np.float64]
 GRADED = ("graded", "graded-with-notes")
 
 

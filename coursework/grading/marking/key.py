@@ -11,11 +11,10 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from coursework.system.arrays import Array
 from coursework.variant.record.variant import Variant
 
-Array = NDArray[np.float64]
 # (t (n,), q (n, m), data by name) -> every velocity (n, r) in the order of the table; NaN where there is none.
 Velocities = Callable[[Array, Array, Mapping[str, float]], Array]
 # (block, t (n,), q (n, m), velocities (n, r) of which those of earlier blocks are read) -> those of the block (n, size).

@@ -12,7 +12,6 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.api import solve
 from coursework.equations.reduction.structure import without_data
@@ -22,11 +21,11 @@ from coursework.many import Solutions, solve_many
 from coursework.motion.geometry.drive import breaks
 from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.scene.model.model import Model, model_of
+from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula, number
 from coursework.variant.record.variant import Law, Variant
 from coursework.words.errors import CourseworkError
 
-Array = NDArray[np.float64]
 _TURNING = ("sin", "cos", "tan")
 _DEGREE = Formula("/", (Formula("name", name="pi"), number(180)))
 

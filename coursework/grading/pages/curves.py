@@ -8,12 +8,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from coursework.system.arrays import Array, Flags
 from coursework.words.sentences import Phrases
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 WIDTH, HEIGHT, EDGE = 300.0, 110.0, 6.0
 MOST_POINTS = 80
 _CROSS = "m-3.5-3.5l7 7m0-7l-7 7"

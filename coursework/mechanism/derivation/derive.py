@@ -12,14 +12,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.mechanism.derivation.paths import Path, Projection, paths_of, projections_of
 from coursework.mechanism.derivation.segments import ZERO, PointGraph, point_graph
 from coursework.mechanism.mechanism import Mechanism
+from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate
 
-Array = NDArray[np.float64]
 SAME = 1e-8  # of the length of a row: far above round-off, far below a wrong sign
 SIMPLE = (-1.0, 0.0, 1.0)
 MOST_ROWS = 8  # of the motion that are looked at

@@ -12,12 +12,12 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from coursework.system.arrays import Array, Flags
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say, say_count
 
-Array: TypeAlias = NDArray[np.float64]
 Vectors: TypeAlias = NDArray[np.complex128]
-Rows: TypeAlias = NDArray[np.bool_]
+Rows: TypeAlias = Flags
 
 # A constant length, or (value, rate, second rate) of one that varies in time; each a number or one a row.
 Length: TypeAlias = ArrayLike | tuple[ArrayLike, ArrayLike, ArrayLike]

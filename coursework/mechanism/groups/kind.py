@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from coursework.mechanism.groups.assembly import Array
 from coursework.mechanism.groups.joint import Joint
 from coursework.mechanism.groups.pairs import GroupMotion, Guide, Pair
+from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula, number
 from coursework.variant.record.variant import Group
 

@@ -9,7 +9,8 @@ so K + h n with its own velocity and acceleration may stand for K everywhere, an
 from __future__ import annotations
 
 from coursework.mechanism.groups.pairs import Guide
-from coursework.mechanism.groups.plane import Array, Vectors, direction, vectors
+from coursework.mechanism.groups.plane import Vectors, direction, vectors
+from coursework.system.arrays import Array
 
 
 class Line:

@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from coursework.mechanism.groups.assembly import numbers
-from coursework.mechanism.groups.plane import Array, Vectors, rows_of, vectors
+from coursework.mechanism.groups.plane import Vectors, rows_of, vectors
+from coursework.system.arrays import Array
 
 STILL = (0.0, 0.0)
 

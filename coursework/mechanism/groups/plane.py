@@ -11,7 +11,8 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-Array: TypeAlias = NDArray[np.float64]
+from coursework.system.arrays import Array
+
 Vectors: TypeAlias = NDArray[np.complex128]
 
 

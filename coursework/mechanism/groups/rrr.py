@@ -13,11 +13,12 @@ from functools import partial
 import numpy as np
 
 from coursework.mechanism.groups import assembly
-from coursework.mechanism.groups.assembly import Array, CannotAssemble, Length, at, dead, metres, refuse, rows_where
+from coursework.mechanism.groups.assembly import CannotAssemble, Length, at, dead, metres, refuse, rows_where
 from coursework.mechanism.groups.joint import REVOLUTE, Joint
 from coursework.mechanism.groups.kind import Closed, GroupKind, Known, Shape, along, plus, unknowns
 from coursework.mechanism.groups.pairs import GroupMotion, Pair, count_rows, group_motion
 from coursework.mechanism.groups.plane import Vectors, angle_of, dot, vectors
+from coursework.system.arrays import Array
 from coursework.variant.record.variant import Group
 from coursework.words.sentences import say
 

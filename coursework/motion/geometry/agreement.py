@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.system import compile_system
 from coursework.motion.geometry.closure import Closure, compile_closure
+from coursework.system.arrays import Array, Flags
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
-Array = NDArray[np.float64]
 # Compared after scaling each row to its length: far above round-off, far below a wrong coefficient or sign.
 TOLERANCE = 1e-8
 _CONFIGURATIONS = 5
@@ -130,7 +130,7 @@ def _each_left_out(rows: Array, first: int) -> Array:
     return rows[:, kept]
 
 
-def _contradictory(rows: Array) -> NDArray[np.bool_]:
+def _contradictory(rows: Array) -> Flags:
     """Return which of the systems (…, k, n), each with its right side in the last column, have no solution (…)."""
     return np.asarray(_ranks(rows) > _ranks(rows[..., :-1]))
 

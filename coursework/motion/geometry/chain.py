@@ -11,7 +11,6 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import Symbols
@@ -20,6 +19,7 @@ from coursework.mechanism.groups import Guide, Pair, group_kind
 from coursework.mechanism.groups.kind import Known
 from coursework.motion.geometry.drive import integrals
 from coursework.motion.geometry.time_derivatives import compile_rows
+from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula, constant, spelled
 from coursework.variant.record.variant import Group, Variant
 from coursework.words.errors import Fault, InputError
@@ -28,8 +28,6 @@ from coursework.words.sentences import say
 
 if TYPE_CHECKING:
     import sympy as sp
-
-Array = NDArray[np.float64]
 
 
 def is_chain(variant: Variant) -> bool:

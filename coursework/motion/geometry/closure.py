@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
-from numpy.typing import NDArray
 
 from coursework.equations.codegen.programs import as_columns
 from coursework.equations.reduction.equations import VelocityEquations
@@ -20,10 +19,10 @@ from coursework.equations.reduction.matching import match
 from coursework.equations.reduction.symbolic import expanded, symbol
 from coursework.equations.reduction.system import compile_values
 from coursework.motion.geometry.drive import integrals
+from coursework.system.arrays import Array, Flags
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
-Array = NDArray[np.float64]
 MAX_NEWTON = 25
 # Sizes of a correction (rad or m): too far to be a correction at all; settled; small enough that round-off may stop its
 # shrinking; closed where the corrections run out.
@@ -134,7 +133,7 @@ class Closure:
             last = size
         return q if last < CLOSED else None
 
-    def newton_rows(self, times: Array, guess: Array, targets: Array) -> tuple[Array, NDArray[np.bool_]]:
+    def newton_rows(self, times: Array, guess: Array, targets: Array) -> tuple[Array, Flags]:
         """Return n positions (n, m) by one Newton over all rows, and which of them close their mechanism (n,).
 
         The rules of `newton`, row by row; a row that has settled is left alone.  Raises `LinAlgError` where some row is singular.

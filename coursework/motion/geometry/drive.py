@@ -9,18 +9,16 @@ from collections.abc import Sequence
 
 import numpy as np
 import sympy as sp
-from numpy.typing import NDArray
 
 from coursework.equations.codegen.programs import as_columns
 from coursework.equations.codegen.tabulated import TableLaw
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import TIME, symbol
 from coursework.equations.reduction.system import compile_values
+from coursework.system.arrays import Array
 from coursework.variant.record.variant import MAX_ROWS, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
-
-Array = NDArray[np.float64]
 
 
 def _gauss_legendre(count: int) -> tuple[Array, Array]:

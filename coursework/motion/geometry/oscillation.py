@@ -10,13 +10,12 @@ from fractions import Fraction
 
 import numpy as np
 import sympy as sp
-from numpy.typing import NDArray
 
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import TIME, symbol
 from coursework.equations.reduction.system import compile_values
+from coursework.system.arrays import Array
 
-Array = NDArray[np.float64]
 # A harmonic counts from this part of the power of the largest one on: of abs(sin) the first, of sin cubed the third.
 _POWER = 0.05
 # Frequencies whose quotients are fractions of whole numbers up to this have a common period.

@@ -7,17 +7,16 @@ Used by `way_to_motion.py` and by models of many sets.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.motion.geometry.chain import chain_positions
 from coursework.motion.geometry.closure import MAX_NEWTON, Closure, compile_closure
+from coursework.system.arrays import Array
 from coursework.variant.record.variant import Coordinate, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-Array = NDArray[np.float64]
 # A start value written with fewer digits than this (rad or m) is taken for another position, not for rounding.
 START_TOLERANCE = 1e-6
 # A correction beyond this (rad or m) leads to another assembly; below the other it is settled.

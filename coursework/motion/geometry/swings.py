@@ -10,15 +10,14 @@ from __future__ import annotations
 import itertools
 
 import numpy as np
-from numpy.typing import NDArray
 from sympy.core.function import AppliedUndef
 
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import symbol
 from coursework.motion.geometry.drive import breaks, drive_values
 from coursework.motion.geometry.oscillation import fastest, written_out
+from coursework.system.arrays import Array
 
-Array = NDArray[np.float64]
 # A swing counts from this part of the law's range on: of two waves the smaller then has about a twentieth of the power of the
 # larger, as for formulas.
 _OF_RANGE = 0.2

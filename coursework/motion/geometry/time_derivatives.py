@@ -8,17 +8,15 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-import numpy as np
 import sympy as sp
-from numpy.typing import NDArray
 
 from coursework.equations.codegen.names import acceleration, private
 from coursework.equations.codegen.programs import Assign, Program, as_columns, compile_function
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.equations.reduction.symbolic import TIME, constants, local, symbol
 from coursework.equations.reduction.system import scene_program
+from coursework.system.arrays import Array
 
-Array = NDArray[np.float64]
 RowFunction = Callable[..., Any]
 
 

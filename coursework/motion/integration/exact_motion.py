@@ -10,7 +10,6 @@ import itertools
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.motion.geometry.closure import Closure
@@ -20,10 +19,10 @@ from coursework.motion.integration.motion import Motion
 from coursework.motion.integration.passage import Passage
 from coursework.motion.integration.rates import Rates
 from coursework.motion.schemes import PRECISE, title_of
+from coursework.system.arrays import Array
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.sentences import say
 
-Array = NDArray[np.float64]
 # Two results of one interval must agree to this (rad or m) where no position is known; what is used is the extrapolated one.
 AGREEMENT = 1e-13
 # With half the step the error is smaller by this and 1: what is left of the difference of two results.

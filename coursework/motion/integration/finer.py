@@ -11,15 +11,14 @@ from contextlib import suppress
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.equations.codegen.tabulated import OutsideTable
 from coursework.motion.integration.exact_motion import refine
 from coursework.motion.integration.motion import Motion
 from coursework.motion.integration.rates import Rates
 from coursework.motion.schemes import PRECISE
+from coursework.system.arrays import Array
 
-Array = NDArray[np.float64]
 # Runge-Kutta steps an interval is followed by at least.
 _FEWEST = 2
 # What Runge-Kutta may be off at the end of an interval, as part of the range of the coordinate; the limit of a check is 0.05.

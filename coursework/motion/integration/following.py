@@ -10,15 +10,14 @@ from collections.abc import Callable
 from contextlib import suppress
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.equations.codegen.tabulated import OutsideTable
 from coursework.motion.geometry.closure import Closure
 from coursework.motion.integration.loops import generate_rows
 from coursework.motion.integration.rates import Rates
 from coursework.motion.schemes import PRECISE
+from coursework.system.arrays import Array
 
-Array = NDArray[np.float64]
 # A guess further than this from the closed position (rad or m) is not trusted to be the same assembly.
 FAR = 0.05
 # Rows guessed in one go: the guess drifts from row to row, and a failure costs no more than these.

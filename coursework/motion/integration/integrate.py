@@ -13,7 +13,6 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.motion.geometry.closure import Closure
 from coursework.motion.integration.loops import generate_rows
@@ -21,11 +20,11 @@ from coursework.motion.integration.motion import Motion, Stop, rows_before
 from coursework.motion.integration.passage import Passage
 from coursework.motion.integration.rates import Rates
 from coursework.motion.schemes import SCHEMES, Scheme
+from coursework.system.arrays import Array
 from coursework.variant.record.variant import whole_steps
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
-Array = NDArray[np.float64]
 Row = tuple[float, ...]  # coordinates, velocities, determinants
 # One step that turns a link whose angle stands in a determinant by more than this (rad) can cross a dead point unseen.
 WIDEST_STEP = 1.0

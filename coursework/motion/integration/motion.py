@@ -10,12 +10,11 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from coursework.system.arrays import Array
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
-Array = NDArray[np.float64]
 # A row this part of its own time before an event stands at the event: its velocities are no numbers any more.
 AT_EVENT = 1e-9
 

@@ -12,11 +12,10 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.equations.codegen.programs import Bound, build
+from coursework.system.arrays import Array
 
-Array = NDArray[np.float64]
 Field = Callable[..., Sequence[float]]
 
 # Place of a slope: its weight, for every slope of a step but the first.

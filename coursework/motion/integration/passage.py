@@ -15,12 +15,11 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.motion.integration.motion import AT_EVENT
 from coursework.motion.integration.rates import Rates
+from coursework.system.arrays import Array
 
-Array = NDArray[np.float64]
 # Distances of the flanks from the passage, and the weights with which their values give the one in the middle (error flank^4).
 FLANKS = (-2, -1, 1, 2)
 WEIGHTS = (-1 / 6, 2 / 3, 2 / 3, -1 / 6)

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.equations.codegen.names import private
 from coursework.equations.codegen.programs import Assign, Bound, Program, as_columns, compile_function, compile_later
@@ -21,11 +20,11 @@ from coursework.equations.reduction.statements import block_statements
 from coursework.equations.reduction.symbolic import constants, local, symbol
 from coursework.equations.reduction.system import scene_program
 from coursework.motion.geometry.drive import breaks
+from coursework.system.arrays import Array
 
 if TYPE_CHECKING:
     import sympy as sp
 
-Array = NDArray[np.float64]
 # Part of its time by which a step ends before a break of the drive: its last slope must still see the old formula.
 _BEFORE_BREAK = 1e-13
 

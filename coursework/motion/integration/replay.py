@@ -9,14 +9,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.motion.integration.integrate import Correction, corrected
 from coursework.motion.integration.motion import Motion
 from coursework.motion.integration.rates import Rates
 from coursework.motion.schemes import Scheme
-
-Array = NDArray[np.float64]
+from coursework.system.arrays import Array
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,11 +14,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.motion.singular.scaled_flow import Flow
+from coursework.system.arrays import Array
 
-Array = NDArray[np.float64]
 MAX_NEWTON = 12
 _CLOSE = 1e-13  # rad or m; Newton's last correction
 _NUDGE = 1e-6  # rad or m of the differences in Newton's matrix

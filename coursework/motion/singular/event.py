@@ -8,13 +8,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
+from coursework.system.arrays import Array
 from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,7 +13,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.equations.codegen.tabulated import OutsideTable
 from coursework.motion.integration.adaptive import integrate_adaptive
@@ -21,8 +20,8 @@ from coursework.motion.integration.passage import FLANKS, Passage, State
 from coursework.motion.singular.change_point import branches_at
 from coursework.motion.singular.event import Event
 from coursework.motion.singular.scaled_flow import Flow
+from coursework.system.arrays import Array
 
-Array = NDArray[np.float64]
 # The determinant at the inner flanks, and where the walk goes on (both of its largest value).
 _FLANK, _JUMP = 1e-2, 1e-6
 # A determinant that grows by less than this part of its largest value in the whole run is not seen to change its sign.

@@ -10,12 +10,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.motion.singular.scaled_flow import Clock
+from coursework.system.arrays import Array
 from coursework.words.errors import CourseworkError
 
-Array = NDArray[np.float64]
 # A bracket shrinks to this part of itself a trial, and to 1e-4 in so many; the rate is then right to the square of that.
 _GOLDEN, _TRIALS = (5**0.5 - 1) / 2, 19
 # Between two steps of the walk a rate rises by less than a twentieth: only rates so near to the largest are sought.

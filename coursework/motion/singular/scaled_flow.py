@@ -13,7 +13,6 @@ from dataclasses import dataclass, field
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.equations.codegen.names import private
 from coursework.equations.codegen.programs import Program, compile_function
@@ -24,8 +23,8 @@ from coursework.equations.reduction.statements import clock_statements
 from coursework.equations.reduction.symbolic import constants
 from coursework.equations.reduction.system import LinearSystem, compile_system, scene_program
 from coursework.motion.integration.order_eight import SLOPES, dormand_prince_8
+from coursework.system.arrays import Array
 
-Array = NDArray[np.float64]
 # Positions and times at which a determinant without a known largest value is looked at; any positive scale of its size does.
 _LOOKS = 16
 

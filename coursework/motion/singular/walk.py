@@ -16,7 +16,6 @@ import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.equations.codegen.tabulated import OutsideTable
 from coursework.motion.integration.adaptive import next_length
@@ -26,9 +25,9 @@ from coursework.motion.singular.event import Event, NotFollowed
 from coursework.motion.singular.passing import passage_at
 from coursework.motion.singular.peaks import Peaks, Piece
 from coursework.motion.singular.scaled_flow import Clock, Flow
+from coursework.system.arrays import Array
 from coursework.words.sentences import say
 
-Array = NDArray[np.float64]
 # A start whose determinant is this small leaves fewer than six digits of any velocity.
 SINGULAR = 1e-10
 # Followed to a local tolerance e, a motion passes a change point about sqrt(100 e) off: it is searched from 100 sqrt(e) on,

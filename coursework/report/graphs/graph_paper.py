@@ -14,9 +14,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from coursework.motion.integration.motion import Array
 from coursework.report.text.numbers import Numbers
 from coursework.report.text.symbols import Symbol
+from coursework.system.arrays import Array
 
 FACE = "'DejaVu Sans', Verdana, 'Segoe UI', sans-serif"
 LETTERS = 2.92  # mm: 8.3 points on paper, 11 pixels where a screen shows a graph at its size

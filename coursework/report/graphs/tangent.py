@@ -10,12 +10,12 @@ from html import escape
 
 import numpy as np
 
-from coursework.motion.integration.motion import Array
 from coursework.report.graphs import graph_paper
 from coursework.report.graphs.graph_paper import EXACT_PEN, SCHEME_INK, Field, axes, field_for, letters, sheet, smooth, words
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Figure
 from coursework.report.wording.closeness import LocalError, evidence
+from coursework.system.arrays import Array
 
 SIZE = (96.0, 40.0)  # mm; the screen of a phone shows it whole
 LETTER = 1.9  # mm, the mean width of a letter

@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 from coursework.drawing.outline.ground import hinge_ground, inward, racks, rail_side
 from coursework.drawing.outline.outline import Outline, Slot
 from coursework.drawing.outline.poses import Poses
-from coursework.drawing.paper.cover import STILL, Array
+from coursework.drawing.paper.cover import STILL
+from coursework.system.arrays import Array
 
 Complex = NDArray[np.complex128]
 # As drawing.js draws them: how far a slot and a rail go on behind the last place of a rider, how deep a rack and a hatching are,

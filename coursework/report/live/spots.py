@@ -14,8 +14,9 @@ import numpy as np
 
 from coursework.drawing.outline.outline import Bar, Outline
 from coursework.drawing.outline.poses import Poses
-from coursework.drawing.paper.cover import Array, clipped, shared
+from coursework.drawing.paper.cover import clipped, shared
 from coursework.report.live.scenery import Complex, Scenery, pairs, scenery_of
+from coursework.system.arrays import Array
 
 # Units across the drawing, on a wide screen and on a phone, as in drawing.js; the lengths below are units too.
 WIDTHS = (640, 380)

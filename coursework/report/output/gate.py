@@ -10,18 +10,16 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.report.output.reason import Formulas, Reason
 from coursework.results.checks.result import Finding
 from coursework.scene.quantities import CHECKS, PLOTS
 from coursework.scene.scene_run import SceneRun
+from coursework.system.arrays import Array, Flags
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +87,7 @@ def _blocks(run: SceneRun, pages: bool) -> Iterator[Block]:
         yield Block(("measured",), np.array([row[1:2] for row in run.graph.rows]).reshape(-1, 1), "graph_check")
 
 
-def _faults(run: SceneRun, block: Block, spoilt: NDArray[np.bool_]) -> Iterator[Fault]:
+def _faults(run: SceneRun, block: Block, spoilt: Flags) -> Iterator[Fault]:
     """Yield a fault for each quantity of a block that is not finite; the two components of a point are one quantity."""
     variant = run.variant
     points = dict(variant.points)

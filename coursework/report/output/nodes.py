@@ -10,11 +10,9 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula
-
-Array = NDArray[np.float64]
 
 
 class Moving(NamedTuple):

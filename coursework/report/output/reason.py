@@ -18,9 +18,9 @@ from coursework.report.output.nodes import Components, Moving, applied
 from coursework.variant.formula.tree import Formula, spelled
 from coursework.variant.record.no_value import in_order
 from coursework.variant.record.variant import Law, Variant
+from coursework.variant.toml.positions import KeyPath
 
 Rows = NDArray[np.intp]
-Path = tuple[str | int, ...]
 _KINDS = {"acos": "cosine", "asin": "cosine", "sqrt": "root", "log": "logarithm", "/": "division", "^": "power"}
 
 
@@ -30,7 +30,7 @@ class Reason:
     its argument; `of_slope`: the node has a value, but does not change at a finite rate.
     """
 
-    path: Path
+    path: KeyPath
     label: str
     node: str
     kind: str
@@ -71,7 +71,7 @@ class Formulas:
             if reason := self._of_law(section, law):
                 return reason
         for index, constraint in enumerate(self.variant.constraints):
-            path: Path = ("constraint", index, "closure" if constraint.is_closure else "equation")
+            path: KeyPath = ("constraint", index, "closure" if constraint.is_closure else "equation")
             for side in (constraint.left, constraint.right):
                 if reason := self._of(path, f"constraint {constraint.name}", side):
                     return reason
@@ -115,7 +115,7 @@ class Formulas:
         except OutsideTable:  # it says so itself, long before a table is written
             self.values.pop(law.name, None)
 
-    def _of(self, path: Path, label: str, formula: Formula, name: str = "", rows: Rows | None = None) -> Reason | None:
+    def _of(self, path: KeyPath, label: str, formula: Formula, name: str = "", rows: Rows | None = None) -> Reason | None:
         """Evaluate a formula, in some rows only; keep it under its name, or return why it has no value."""
         chosen = np.arange(len(self.t)) if rows is None else rows
         self.values.pop(name, None)
@@ -129,7 +129,7 @@ class Formulas:
             self.values[name] = found
         return None
 
-    def _reason(self, path: Path, label: str, lost: _NotFinite) -> Reason:
+    def _reason(self, path: KeyPath, label: str, lost: _NotFinite) -> Reason:
         node = lost.node
         argument = node.args[-1] if node.op == "/" else node.args[0] if node.args else node
         names = tuple(name for name in argument.names() if name != "pi")

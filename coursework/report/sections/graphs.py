@@ -11,7 +11,7 @@ from html import escape
 
 import numpy as np
 
-from coursework.motion.integration.motion import Array, Motion
+from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import DEFAULT_SCHEME, title_of
 from coursework.report.graphs import graph_paper
 from coursework.report.graphs.graph_paper import (
@@ -30,6 +30,7 @@ from coursework.report.graphs.graph_paper import (
 )
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Panel, Panels, Part
+from coursework.system.arrays import Array
 
 SIZE = (82.0, 42.0)  # mm; two stand beside each other in 170 mm
 MOST_PANELS = 8  # of one figure: as many as a page holds

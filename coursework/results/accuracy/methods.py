@@ -12,7 +12,6 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.motion.integration.adaptive import integrate_adaptive
 from coursework.motion.integration.following import follow_closure
@@ -21,9 +20,9 @@ from coursework.motion.integration.loops import Loop, generate_loop
 from coursework.motion.schemes import DEFAULT_SCHEME, SCHEMES, title_of
 from coursework.results.accuracy.problem import TIMED, Bounds, Problem
 from coursework.results.accuracy.trace import trace
+from coursework.system.arrays import Array
 from coursework.words.sentences import say, say_count
 
-Array = NDArray[np.float64]
 # Steps a row; the first order needs more of them to show itself.
 USUAL_SUBSTEPS = (1, 2, 4, 8, 16, 64)
 FIRST_ORDER_SUBSTEPS = (*USUAL_SUBSTEPS, 256, 1024, 4096)

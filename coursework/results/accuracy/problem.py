@@ -16,13 +16,12 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.motion.geometry.closure import Closure
 from coursework.motion.integration.rates import Rates
 from coursework.motion.schemes import SCHEMES
+from coursework.system.arrays import Array
 
-Array = NDArray[np.float64]
 _OPERATION = re.compile(r"[-+*/(]")
 # Every scheme once with the step of the table may take so much; a table that takes more is not studied.
 MOST_WORK = 250e6

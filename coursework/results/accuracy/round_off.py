@@ -10,12 +10,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.motion.integration.extended_precision import march_in
 from coursework.motion.integration.rates import Rates
+from coursework.system.arrays import Array
 
-Array = NDArray[np.float64]
 # Steps a row: from the coursework's step to where single precision loses more than the scheme gains, also with t = i*h.
 SUBSTEPS = (1, 4, 16, 64, 256, 1024, 4096, 16384)
 

@@ -13,19 +13,18 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.motion.integration.loops import Loop, generate_loop
 from coursework.motion.integration.rates import Rates
 from coursework.motion.schemes import PRECISE, SCHEMES, Scheme, title_of
 from coursework.results.accuracy.step_rules import StepRules
 from coursework.results.accuracy.timing import seconds
+from coursework.system.arrays import Array
 from coursework.variant.record.variant import MAX_ROWS
 from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
-Array = NDArray[np.float64]
 # Where a number of steps does not do, this part of itself more is tried, then twice this part, three times …
 _FINER = 0.1
 # As many as a table has rows.

@@ -14,7 +14,6 @@ import time
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.motion.integration.exact_motion import refine
 from coursework.motion.integration.following import NotReached, follow_closure
@@ -26,9 +25,9 @@ from coursework.results.accuracy.record import AccuracyStudy, StudyRow
 from coursework.results.accuracy.sentences import sentences_of
 from coursework.results.accuracy.timing import seconds
 from coursework.results.accuracy.trace import errors, slope
+from coursework.system.arrays import Array
 from coursework.words.sentences import say
 
-Array = NDArray[np.float64]
 # Closed positions and a refined run that differ by more (rad or m) are two motions, not two roundings of one.
 SAME = 1e-9
 

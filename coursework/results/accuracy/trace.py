@@ -11,11 +11,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.motion.integration.loops import Loop
-
-Array = NDArray[np.float64]
+from coursework.system.arrays import Array
 
 
 @dataclass(frozen=True, slots=True)

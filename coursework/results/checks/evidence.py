@@ -12,7 +12,6 @@ from functools import cached_property
 from typing import TypeVar, cast
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.system import compile_system
@@ -21,10 +20,10 @@ from coursework.motion.integration.motion import Motion, Stop
 from coursework.motion.integration.passage import Passage
 from coursework.motion.integration.rates import Rates
 from coursework.motion.integration.replay import Replay
+from coursework.system.arrays import Array, Flags
 from coursework.variant.record.variant import Variant
 from coursework.words.sentences import say
 
-Array = NDArray[np.float64]
 Fact = TypeVar("Fact")
 # The task sheet ends its table at a round number beside the period (0.48 s for 0.480366 s): that counts as the period.
 NEAR_PERIOD = 0.01
@@ -115,7 +114,7 @@ class Evidence:
         return self.variant.unit_of(name)
 
     @cached_property
-    def angles(self) -> NDArray[np.bool_]:
+    def angles(self) -> Flags:
         """Return which of the judged columns are angles (k,)."""
         return np.array([self.unit(name) == "rad" for name in self.names], dtype=bool)
 

@@ -10,7 +10,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.equations.reduction.blocks import Reduction
 from coursework.equations.reduction.equations import VelocityEquations
@@ -19,8 +18,7 @@ from coursework.equations.reduction.system import compile_system
 from coursework.motion.geometry.time_derivatives import acceleration_rest, compile_rows
 from coursework.motion.integration.motion import Motion
 from coursework.motion.integration.passage import WEIGHTS, Passage
-
-Array = NDArray[np.float64]
+from coursework.system.arrays import Array
 
 
 def accelerations(equations: VelocityEquations, reduction: Reduction, motion: Motion, passages: Sequence[Passage] = ()) -> Array:

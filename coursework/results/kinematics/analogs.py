@@ -15,11 +15,11 @@ from dataclasses import replace
 from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from coursework.mechanism.groups.pairs import GroupMotion, Pair
+from coursework.system.arrays import Array
 
-Array: TypeAlias = NDArray[np.float64]
 Level: TypeAlias = Callable[[Array, Array], tuple[Array, Array]]
 
 

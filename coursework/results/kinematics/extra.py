@@ -10,17 +10,15 @@ import itertools
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.motion.integration.motion import Motion
 from coursework.results.kinematics.analogs import acceleration_analog, velocity_analog
 from coursework.results.kinematics.invariants import from_true
+from coursework.system.arrays import Array
 from coursework.variant.record.variant import Coordinate, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,10 +16,9 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from coursework.results.kinematics.analogs import (
     acceleration_analog,
@@ -27,8 +26,7 @@ from coursework.results.kinematics.analogs import (
     true_velocity,
     velocity_analog,
 )
-
-Array: TypeAlias = NDArray[np.float64]
+from coursework.system.arrays import Array
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -7,13 +7,11 @@ Used by `drawing/trajectories.py` and `motion_results.py`.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.motion.geometry.time_derivatives import jets
 from coursework.motion.integration.motion import Motion
-
-Array = NDArray[np.float64]
+from coursework.system.arrays import Array
 
 
 def point_rows(equations: VelocityEquations, motion: Motion, second: Array | None = None) -> tuple[tuple[str, ...], Array]:

@@ -13,15 +13,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from coursework.mechanism.groups.assembly import at, dead, numbers, refuse, require_mode, rows_where, tolerance
+from coursework.system.arrays import Array
 from coursework.words.sentences import say
-
-Array: TypeAlias = NDArray[np.float64]
 
 MODES = {1: "group.mode.outside", -1: "group.mode.inside"}
 # How far the synthesised crank may differ at its first angle from the length asked for there, as a part of

@@ -11,16 +11,14 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from coursework.system.arrays import Array
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.units import KINDS, MAX_NUMBER, UnitFault, read, unlike
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, say
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from coursework.equations.codegen.names import private
 from coursework.equations.codegen.programs import Assign, Statement, compile_function
@@ -29,6 +29,7 @@ from coursework.motion.settings import Settings
 from coursework.scene.exact_scene import scene_of
 from coursework.scene.model.data import Data, read_data
 from coursework.scene.scene import Scene
+from coursework.system.arrays import Array
 from coursework.variant.catalogue import load
 from coursework.variant.record.changes import follow_from
 from coursework.variant.record.variant import Variant
@@ -36,7 +37,6 @@ from coursework.variant.record.variant import Variant
 if TYPE_CHECKING:
     import sympy as sp
 
-Array = NDArray[np.float64]
 Columns = list[Any]
 
 

@@ -10,14 +10,14 @@ import math
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.scene.model.data import Data
+from coursework.system.arrays import Array
 from coursework.variant.formula.tree import FormulaFault, evaluate
 from coursework.variant.record.variant import Variant
 
 
-def horizons(template: Variant, data: Data) -> NDArray[np.float64]:
+def horizons(template: Variant, data: Data) -> Array:
     """Return how long (n,) the motion of each set must go on (s); nan where its data give no time."""
     if any({*formula.names()} & {*data.changed} for formula in template.times.values()):
         return np.array([with_numbers(template, data, index).time.whole for index in range(data.count)])

@@ -9,7 +9,6 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.motion.integration.integrate import WIDEST_STEP
 from coursework.motion.integration.rates import latest
@@ -17,9 +16,7 @@ from coursework.motion.schemes import Scheme
 from coursework.scene.model.model import Model
 from coursework.scene.model.sets import Sets
 from coursework.scene.model.watch import stacked
-
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
+from coursework.system.arrays import Array, Flags
 
 
 def rows_of(model: Model, sets: Sets, scheme: Scheme, times: Array) -> tuple[Array, Flags]:

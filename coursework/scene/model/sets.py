@@ -17,9 +17,8 @@ from coursework.scene.model.data import Data
 from coursework.scene.model.model import Columns, Model
 from coursework.scene.model.start import close, start_of
 from coursework.scene.model.watch import fewest_steps, frequencies, stacked, sure_to_move
+from coursework.system.arrays import Array, Flags
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 # How many times more steps those sets get that a first look leaves in doubt.
 _CLOSER = 4
 # Parts of the run at which equations that are not solved are held against the velocities found, and how exactly they must fit.

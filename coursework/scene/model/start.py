@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.equations.codegen.programs import as_columns
 from coursework.equations.reduction.symbolic import symbol
@@ -20,13 +19,12 @@ from coursework.motion.geometry.closure import OPEN
 from coursework.motion.geometry.start import START_TOLERANCE
 from coursework.scene.model.data import Data
 from coursework.scene.model.model import Columns, Model
+from coursework.system.arrays import Array, Flags
 from coursework.variant.record.variant import Group
 
 if TYPE_CHECKING:
     import sympy as sp
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 # Corrections by Newton's rule and the size (rad, m) below which the last one is round-off.
 _MOST, _SETTLED = 12, 1e-11
 

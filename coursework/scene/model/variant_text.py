@@ -9,7 +9,8 @@ from __future__ import annotations
 from coursework.equations.reduction.equations import differentiate
 from coursework.mechanism.mechanism import build
 from coursework.motion.geometry.start import START_TOLERANCE, start_values
-from coursework.variant.record.variant import Path, Variant
+from coursework.variant.record.variant import Variant
+from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.rewriting import SAID_OF_NUMBERS, rewritten
 
 _DECIMALS = 9
@@ -22,7 +23,7 @@ def variant_text(variant: Variant, original: str, scheme: str = "") -> str:
     Starts that follow from other data are written as the geometry closes them.  Where data were set, what the file says of its
     own numbers (remarks, quotes) is left out.  Raises `InputError` where the geometry does not close.
     """
-    changes: dict[Path, str | float] = {p: value for p, value in variant.changes.items() if not isinstance(value, float)}
+    changes: dict[KeyPath, str | float] = {p: value for p, value in variant.changes.items() if not isinstance(value, float)}
     if scheme:
         changes["time", "scheme"] = scheme
     moved = [place for place, c in enumerate(variant.coordinates) if c.start is None and c.near is not None]

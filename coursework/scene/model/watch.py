@@ -19,14 +19,12 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.equations.reduction.symbolic import TIME, symbol
 from coursework.motion.schemes import PRECISE
 from coursework.scene.model.model import Columns, Model
+from coursework.system.arrays import Array, Flags
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 # The widest turn of a driven angle or of the argument of a sine in the drive in one step (rad), and the fewest steps.
 TURN, FEWEST, MOST = 0.5, 12, 4000
 # The distance from zero, as part of the determinant's largest value, that is asked for beyond dips and errors.

@@ -11,11 +11,10 @@ from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate
 from coursework.variant.record.no_value import in_order
 from coursework.variant.record.variant import Law, Variant
+from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
 from coursework.words.errors import Fault
 from coursework.words.sentences import say
-
-Path = tuple[str | int, ...]
 
 
 def faults_at_start(variant: Variant, source: Source) -> list[Fault]:
@@ -46,11 +45,11 @@ def faults_at_start(variant: Variant, source: Source) -> list[Fault]:
     return faults
 
 
-def _key(section: str, law: Law, source: Source) -> Path:
+def _key(section: str, law: Law, source: Source) -> KeyPath:
     return section, next(key for key in source.data[section] if spell(key) == law.name)
 
 
-def _value(formula: Formula, values: Mapping[str, float], path: Path, source: Source, faults: list[Fault]) -> float | None:
+def _value(formula: Formula, values: Mapping[str, float], path: KeyPath, source: Source, faults: list[Fault]) -> float | None:
     """Return a value, or None where it needs what is not known yet, or after a fault."""
     if not {*formula.names()} <= {*values, "pi"}:
         return None

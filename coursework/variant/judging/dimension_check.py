@@ -13,8 +13,9 @@ from coursework.variant.dimensions.exponents import Dimension, is_known, si_unit
 from coursework.variant.dimensions.formulas import Clash, Measurer, Term
 from coursework.variant.formula.tree import Formula
 from coursework.variant.judging.dimension_words import Blame, disagreement_of, fault_of_datum, fault_of_either, fault_of_terms
-from coursework.variant.record.places import Path, Place, measures, places
+from coursework.variant.record.places import Place, measures, places
 from coursework.variant.record.variant import Variant
+from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
 from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
@@ -34,9 +35,9 @@ class Dimensions:
     places: tuple[Place, ...]
     known: Mapping[str, Dimension]
     fault: Fault | None
-    disagreement: tuple[Path, Sentence] | None
-    numbers: tuple[tuple[Path, Formula, str], ...]
-    times_as_angles: tuple[tuple[Path, Formula], ...]
+    disagreement: tuple[KeyPath, Sentence] | None
+    numbers: tuple[tuple[KeyPath, Formula, str], ...]
+    times_as_angles: tuple[tuple[KeyPath, Formula], ...]
 
     def si_of(self, name: str) -> str:
         """Return the SI unit of what a name measures, "" where the file does not tell."""
@@ -50,15 +51,15 @@ class _Outcome:
     measurer: Measurer
     clash: Clash | None = None
     place: Place | None = None
-    numbers: list[tuple[Path, Formula, str]] = field(default_factory=list)
-    times_as_angles: list[tuple[Path, Formula]] = field(default_factory=list)
+    numbers: list[tuple[KeyPath, Formula, str]] = field(default_factory=list)
+    times_as_angles: list[tuple[KeyPath, Formula]] = field(default_factory=list)
 
     def solved(self, dimension: Dimension) -> Dimension | None:
         found = self.measurer.system.reduced(dimension)
         return found if is_known(found) else None
 
 
-def check_dimensions(variant: Variant, source: Source, times: Mapping[Path, Formula]) -> Dimensions:
+def check_dimensions(variant: Variant, source: Source, times: Mapping[KeyPath, Formula]) -> Dimensions:
     """Return whether every +, =, argument and place of a file can hold, exponents of length and time being unknowns."""
     names = measures(variant)
     listed = tuple(places(variant, names, times))
@@ -73,7 +74,7 @@ def check_dimensions(variant: Variant, source: Source, times: Mapping[Path, Form
     return Dimensions(listed, known, fault, disagreement, tuple(outcome.numbers), tuple(outcome.times_as_angles))
 
 
-def _freed(variant: Variant, times: Mapping[Path, Formula], free: Path | None = None) -> _Outcome:
+def _freed(variant: Variant, times: Mapping[KeyPath, Formula], free: KeyPath | None = None) -> _Outcome:
     """Return a pass in which the datum at the path `free` may measure anything."""
     names = measures(variant, free)
     return _pass(variant, names, places(variant, names, times))
@@ -107,7 +108,7 @@ def _judge(place: Place, measurer: Measurer) -> None:
 
 
 def _fault(
-    clash: Clash, place: Place, outcome: _Outcome, variant: Variant, source: Source, times: Mapping[Path, Formula]
+    clash: Clash, place: Place, outcome: _Outcome, variant: Variant, source: Source, times: Mapping[KeyPath, Formula]
 ) -> Fault:
     at = source.path_of(place.path)
     names = outcome.measurer.names
@@ -150,7 +151,7 @@ def _data(variant: Variant) -> Iterator[Blame]:
         yield Blame(("unknowns", name), name, "", unit, unit)
 
 
-def _mends_itself(place: Place, variant: Variant, times: Mapping[Path, Formula], passes: int) -> bool:
+def _mends_itself(place: Place, variant: Variant, times: Mapping[KeyPath, Formula], passes: int) -> bool:
     """Return whether the formula holds as soon as one name is taken out of a product, or one term put into a bracket."""
     for shorter in islice(chain(_shortened(place.formulas[0]), _bracketed(place.formulas[0])), passes):
         drive, functions = (

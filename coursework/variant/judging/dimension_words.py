@@ -11,7 +11,8 @@ from dataclasses import dataclass, replace
 from coursework.variant.dimensions.exponents import NUMBER, Dimension, dimension_of, unit_like, units_shown, what
 from coursework.variant.dimensions.formulas import Clash, Term
 from coursework.variant.formula.tree import Formula, spelled
-from coursework.variant.record.places import Path, Place
+from coursework.variant.record.places import Place
+from coursework.variant.toml.positions import KeyPath
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
@@ -23,7 +24,7 @@ _MOST_LETTERS = 80
 class Blame:
     """A datum with a unit: where it stands, its number and unit as written; `must` is what it would have to measure."""
 
-    path: Path
+    path: KeyPath
     name: str
     text: str
     unit: str

@@ -13,8 +13,9 @@ from coursework.variant.formula.tree import Formula, terms
 from coursework.variant.formula.units import UNITS
 from coursework.variant.judging.dimension_check import Dimensions
 from coursework.variant.judging.dimension_words import text_of
-from coursework.variant.record.places import Path, Place
+from coursework.variant.record.places import Place
 from coursework.variant.record.variant import Given, Remark, Variant
+from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
@@ -25,7 +26,9 @@ _FAR = 30.0
 _LENGTHS = ("mm", "cm", "m"), ("мм", "см", "м")
 
 
-def remarks_on(variant: Variant, dimensions: Dimensions, source: Source, grads: Iterable[tuple[Path, str]]) -> tuple[Remark, ...]:
+def remarks_on(
+    variant: Variant, dimensions: Dimensions, source: Source, grads: Iterable[tuple[KeyPath, str]]
+) -> tuple[Remark, ...]:
     """Return every remark on a file, in file order."""
     angles = tuple(_terms_of_angles(dimensions.places))
     phases = {term.name for _, term in angles if term.op == "name"}  # names that stand alone as a term of an angle
@@ -38,7 +41,7 @@ def remarks_on(variant: Variant, dimensions: Dimensions, source: Source, grads: 
     return tuple(Remark(code, line, sentence) for line, code, sentence in sorted(lines))
 
 
-_Found = tuple[str, Path, Sentence]
+_Found = tuple[str, KeyPath, Sentence]
 
 
 def _angles(
@@ -61,7 +64,7 @@ def _angles(
             yield "ANGLE", place.path, say("remark.angle_in", place=place.label, text=f"{size:.10g}", turns=size / _TURN)
 
 
-def _turned(name: str, value: float, text: str, path: Path) -> Iterator[_Found]:
+def _turned(name: str, value: float, text: str, path: KeyPath) -> Iterator[_Found]:
     if abs(value) > _TURN * (1 + 1e-12):
         yield "ANGLE", path, say("remark.angle", name=name, text=text, turns=abs(value) / _TURN)
 

@@ -7,16 +7,15 @@ from __future__ import annotations
 
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, spelled
 from coursework.variant.record.variant import Variant
+from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
 from coursework.words.errors import Fault
 from coursework.words.sentences import say
 
-Path = tuple[str | int, ...]
-
 
 def faults_of_zero_lengths(variant: Variant, source: Source) -> list[Fault]:
     """Return a fault for each length behind @ or of a group that is zero, and for each velocity that only zeros multiply."""
-    places: list[tuple[Path, Formula]] = [(("points", name), formula) for name, formula in variant.points]
+    places: list[tuple[KeyPath, Formula]] = [(("points", name), formula) for name, formula in variant.points]
     places += [(("closure", "holds", i), formula) for i, formula in enumerate(variant.holds)]
     for i, constraint in enumerate(variant.constraints):
         key = "closure" if constraint.is_closure else "equation"

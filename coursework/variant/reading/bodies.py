@@ -8,6 +8,7 @@ from __future__ import annotations
 from coursework.variant.reading import schema
 from coursework.variant.reading.parts import Parts
 from coursework.variant.record.variant import Frame, Group, Guide, Link
+from coursework.variant.toml.positions import KeyPath
 from coursework.words.sentences import closest, say
 
 
@@ -15,7 +16,7 @@ def read_group(index: int, entry: schema.Group, parts: Parts) -> Group:
     """Return one group of a chain, or its crank."""
     path = ("group", index)
 
-    listed: list[tuple[tuple[str | int, ...], schema.Guide]] = [((*path, "guide"), entry.guide)] if entry.guide else []
+    listed: list[tuple[KeyPath, schema.Guide]] = [((*path, "guide"), entry.guide)] if entry.guide else []
     listed += [((*path, "guides", i), guide) for i, guide in enumerate(entry.guides)]
     guides = tuple(
         Guide(

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from coursework.variant.formula.alphabet import foreign_letter, spell
 from coursework.variant.formula.reader import FUNCTION_WORDS
 from coursework.variant.reading.schema import VariantFile
+from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
 from coursework.words.errors import Fault
 from coursework.words.sentences import say
@@ -36,8 +37,8 @@ class Names:
 
     kinds: dict[str, str] = field(default_factory=dict)
     forms: dict[str, list[str]] = field(default_factory=dict)
-    declarations: list[tuple[str, str, tuple[str | int, ...]]] = field(default_factory=list)
-    columns: list[tuple[str, tuple[str | int, ...]]] = field(default_factory=list)
+    declarations: list[tuple[str, str, KeyPath]] = field(default_factory=list)
+    columns: list[tuple[str, KeyPath]] = field(default_factory=list)
 
     @classmethod
     def declared(cls, file: VariantFile) -> Names:
@@ -64,7 +65,7 @@ class Names:
                 names._add(group.meets, "point", ("group", index, "meets"))
         return names
 
-    def _add(self, name: str, kind: str, path: tuple[str | int, ...]) -> None:
+    def _add(self, name: str, kind: str, path: KeyPath) -> None:
         self.declarations.append((name, kind, path))
         plain = spell(name)
         if plain not in self.kinds:

@@ -14,6 +14,7 @@ from typing import Literal
 from coursework.variant.formula import reader, units
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, part_of_pi
 from coursework.variant.reading.names import Names
+from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
 from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
@@ -29,7 +30,6 @@ _SCOPES = {
     "velocity": {"given", "drive", "coordinate", "function", "rate", "unknown"},
 }
 _ADVISED = 100
-Path = tuple[str | int, ...]
 Kind = Literal["scalar", "vector", "any"]
 
 
@@ -42,20 +42,20 @@ class Parts:
         self.sure = sure
         self.faults: list[Fault] = []
         self.values: dict[str, float] = {}
-        self.times: dict[Path, Formula] = {}
-        self.grads: list[tuple[Path, str]] = []
-        self._unread: list[tuple[Path, str, str]] = []
+        self.times: dict[KeyPath, Formula] = {}
+        self.grads: list[tuple[KeyPath, str]] = []
+        self._unread: list[tuple[KeyPath, str, str]] = []
 
-    def say(self, path: Path, message: Sentence, column: int = 0) -> None:
+    def say(self, path: KeyPath, message: Sentence, column: int = 0) -> None:
         """Keep a fault."""
         self.faults.append(self.source.fault(path, message, column))
 
-    def undeclared(self, path: Path, message: Sentence, column: int = 0) -> None:
+    def undeclared(self, path: KeyPath, message: Sentence, column: int = 0) -> None:
         """Keep a fault about a name that is not declared, unless another fault has hidden its declaration."""
         if self.sure:
             self.say(path, message, column)
 
-    def quantity(self, path: Path, value: str | int | float, wanted: str = "") -> units.Quantity:
+    def quantity(self, path: KeyPath, value: str | int | float, wanted: str = "") -> units.Quantity:
         """Return "value unit" in SI.
 
         Advice about a unit that is not known offers units of what is `wanted` (an SI unit); with "" it waits until the rest
@@ -86,7 +86,7 @@ class Parts:
             self.say(path, units.unknown(text, unit, si) if unit else units.unknown_unit(text, si))
         self._unread = []
 
-    def unit(self, path: Path, text: str) -> str:
+    def unit(self, path: KeyPath, text: str) -> str:
         """Return the SI unit named by `text`, "" after a fault."""
         unit = units.plain_unit(text)
         if unit not in units.UNITS:
@@ -94,7 +94,7 @@ class Parts:
             return ""
         return units.UNITS[unit][1]
 
-    def number(self, path: Path, value: str | int | float, si: str) -> float:
+    def number(self, path: KeyPath, value: str | int | float, si: str) -> float:
         """Return a quantity of unit `si`, or the value of a formula of given data such as "2*pi/p"; nan after a fault."""
         if isinstance(value, str) and not units.is_quantity(value):
             tree = self.times[path] = self.formula(path, value, "scalar", "time")
@@ -111,7 +111,7 @@ class Parts:
             return math.nan
         return read.value if read is not _NOTHING else math.nan
 
-    def scalar(self, path: Path, value: str | int | float, scope: str = "geometry", wanted: str = "") -> Formula:
+    def scalar(self, path: KeyPath, value: str | int | float, scope: str = "geometry", wanted: str = "") -> Formula:
         """Return a formula, also from a bare number or a quantity such as "30 deg", which must measure what is `wanted`."""
         if isinstance(value, str) and not units.is_quantity(value):
             return self.formula(path, value, "scalar", scope)
@@ -122,7 +122,7 @@ class Parts:
         size = Formula("number", name=repr(abs(read.value)), si=read.si) if quarters is None else part_of_pi(abs(quarters) / 2)
         return size if read.value >= 0 else Formula("neg", (size,))
 
-    def equation(self, path: Path, text: str, *, closure: bool) -> tuple[Formula, Formula]:
+    def equation(self, path: KeyPath, text: str, *, closure: bool) -> tuple[Formula, Formula]:
         """Return both sides of a velocity equation, or of a closure (two scalars or two vectors)."""
         try:
             left, right = reader.parse_equation(text, vectors=closure)
@@ -137,7 +137,7 @@ class Parts:
             self.say(path, text)
         return left, right
 
-    def formula(self, path: Path, text: str, kind: Kind, scope: str = "geometry") -> Formula:
+    def formula(self, path: KeyPath, text: str, kind: Kind, scope: str = "geometry") -> Formula:
         """Return one formula with every name resolved; a fault leaves zero in its place."""
         try:
             tree = reader.parse(text, vectors=scope == "geometry")
@@ -151,13 +151,13 @@ class Parts:
             self.say(path, say(wants, text=text[:60]))
         return tree
 
-    def known_point(self, path: Path, name: str) -> None:
+    def known_point(self, path: KeyPath, name: str) -> None:
         """Keep a fault where `name` is no point."""
         points = [point for point, kind in self.names.kinds.items() if kind == "point"]
         if self.names.canonical(name) not in points:
             self.undeclared(path, say("fault.V059", name=name, hint=closest(name, points)))
 
-    def _resolve(self, path: Path, tree: Formula, scope: str) -> Formula:
+    def _resolve(self, path: KeyPath, tree: Formula, scope: str) -> Formula:
         if tree.op != "name":
             args = tuple([self._resolve(path, arg, scope) for arg in tree.args])
             return tree if all(map(operator.is_, args, tree.args)) else Formula(tree.op, args, tree.name, tree.column)
@@ -175,7 +175,7 @@ class Parts:
                 self.undeclared(path, say("fault.V053", name=tree.name[:40], hint=advice), tree.column)
         return tree if name == tree.name else Formula("name", (), name, tree.column)
 
-    def _kind(self, path: Path, tree: Formula) -> str:
+    def _kind(self, path: KeyPath, tree: Formula) -> str:
         """Return scalar or vector; "?" after a fault."""
         if tree.op == "name":
             known = tree.name in self.names.kinds or tree.name in {"t", "pi"}

@@ -44,6 +44,7 @@ from coursework.variant.record.variant import (
 )
 from coursework.variant.record.variant import whole_steps as _whole_steps
 from coursework.variant.record.vocabulary import GROUP_KINDS, scheme_names
+from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source, read_bytes, read_source
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say, unfolded
@@ -101,7 +102,7 @@ def _build(source: Source, name: str, path: Path | None) -> Variant:
     )
 
 
-def _read_again(source: Source, name: str, path: Path | None, changes: Mapping[tuple[str | int, ...], Any]) -> Variant:
+def _read_again(source: Source, name: str, path: Path | None, changes: Mapping[KeyPath, Any]) -> Variant:
     """Return the variant of a file some of whose values are others."""
     return _build(source.changed(changes), name, path)
 
@@ -146,7 +147,7 @@ def _driven(name: str | None, parts: Parts) -> str | None:
     return parts.names.canonical(name)
 
 
-def _lines(source: Source) -> dict[tuple[str | int, ...], int]:
+def _lines(source: Source) -> dict[KeyPath, int]:
     """Return the line of each key, names in the tool's own spelling."""
     lines = source.positions.lines
     return {tuple(spell(part) if isinstance(part, str) else part for part in path): line for path, line in lines.items()}
@@ -186,7 +187,7 @@ def _law(section: str, key: str, value: Any, parts: Parts) -> Law:
     return Law(name, _formula(path, value, parts, scope))
 
 
-def _formula(path: tuple[str | int, ...], value: str | int | float, parts: Parts, scope: str) -> Formula:
+def _formula(path: KeyPath, value: str | int | float, parts: Parts, scope: str) -> Formula:
     """Return the formula of a law; a value with a unit, such as "10 rpm", is one too."""
     text = str(value)
     with_unit = is_quantity(text) and any(letter.isalpha() or letter == "°" for letter in text)
@@ -252,7 +253,7 @@ def _time(entry: schema.Time, parts: Parts) -> Time:
     return Time(step, end, period, entry.check_row, scheme=_scheme(entry.scheme, ("time", "scheme"), parts))
 
 
-def _scheme(name: str | None, path: tuple[str | int, ...], parts: Parts) -> str:
+def _scheme(name: str | None, path: KeyPath, parts: Parts) -> str:
     """Return the name of a scheme, "" for none."""
     if name is not None and name not in scheme_names():
         known = ", ".join(scheme_names())
@@ -282,7 +283,7 @@ def _angle_names(formulas: Iterable[Formula], groups: tuple[Group, ...]) -> set[
     return angles
 
 
-def _rules(variant: Variant, source: Source, times: Iterable[tuple[str | int, ...]]) -> list[Fault]:
+def _rules(variant: Variant, source: Source, times: Iterable[KeyPath]) -> list[Fault]:
     """What only the whole file can show."""
     faults = []
     if variant.sought and not (variant.constraints or variant.groups or variant.driven or variant.holds):

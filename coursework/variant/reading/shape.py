@@ -18,12 +18,12 @@ from pydantic import ValidationError
 
 from coursework.variant.reading import schema
 from coursework.variant.record.vocabulary import GROUP_KINDS
+from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, either, load_phrases, say
 
-Path = tuple[str | int, ...]
 Entry = dict[str, Any]
 
 
@@ -40,7 +40,7 @@ def read_shape(source: Source) -> Shape:
     """Return the checked file.  Raises `InputError` only where no stand-in lets the rest be read."""
     data = source.data
     faults: list[Fault] = []
-    repaired: set[Path] = set()
+    repaired: set[KeyPath] = set()
     while True:
         try:
             return Shape(schema.VariantFile.model_validate(data), faults, not any(map(_takes_names, repaired)))
@@ -55,7 +55,7 @@ def read_shape(source: Source) -> Shape:
                 _repair(data, path, entry)
 
 
-def _takes_names(path: Path) -> bool:
+def _takes_names(path: KeyPath) -> bool:
     if len(path) == 1:
         meant = difflib.get_close_matches(str(path[0]), schema.VariantFile.model_fields, n=1)
         return not meant or meant[0] not in _WITHOUT_NAMES
@@ -68,18 +68,18 @@ _WITHOUT_NAMES = {
 }  # fmt: skip
 
 
-def _entries(errors: Iterable[Any], data: dict[str, Any]) -> dict[Path, Entry]:
+def _entries(errors: Iterable[Any], data: dict[str, Any]) -> dict[KeyPath, Entry]:
     """Return one entry for each path of the file.
 
     pydantic puts names of types into a path and gives an entry for each type that a value might have had; the steps that
     the file does not have are left out, and of a table only the entries of the kind of table that was meant are kept.
     """
-    grouped: dict[Path, list[tuple[str, Entry]]] = {}
+    grouped: dict[KeyPath, list[tuple[str, Entry]]] = {}
     for entry in errors:
         path, kind = _path_in(data, entry["loc"], entry["type"])
         grouped.setdefault(path, []).append((kind, entry))
     tables = [path for path, entries in grouped.items() if {kind for kind, _ in entries} & {"Table", "Pieces"}]
-    result: dict[Path, Entry] = {}
+    result: dict[KeyPath, Entry] = {}
     for path, entries in grouped.items():
         if isinstance(_at(data, path), dict) and any(other[: len(path)] == path and other != path for other in tables):
             continue  # the table's own entries say more than "this is no text"
@@ -89,9 +89,9 @@ def _entries(errors: Iterable[Any], data: dict[str, Any]) -> dict[Path, Entry]:
     return result
 
 
-def _path_in(data: Any, loc: Path, problem: str) -> tuple[Path, str]:
+def _path_in(data: Any, loc: KeyPath, problem: str) -> tuple[KeyPath, str]:
     """Return the part of pydantic's path that the file has, and the name of the kind of table in it."""
-    path: Path = ()
+    path: KeyPath = ()
     kind = ""
     for place, part in enumerate(loc):
         last = place == len(loc) - 1
@@ -104,7 +104,7 @@ def _path_in(data: Any, loc: Path, problem: str) -> tuple[Path, str]:
     return path, kind
 
 
-def _at(data: Any, path: Path) -> Any:
+def _at(data: Any, path: KeyPath) -> Any:
     for part in path:
         try:
             data = data[part]
@@ -113,14 +113,14 @@ def _at(data: Any, path: Path) -> Any:
     return data
 
 
-def _meant(data: dict[str, Any], path: Path) -> str:
+def _meant(data: dict[str, Any], path: KeyPath) -> str:
     """Return whether a law of several keys is meant for a table of numbers or for pieces."""
     owner = _at(data, path[:2])
     keys = set(owner) if isinstance(owner, dict) else set()
     return "Pieces" if "pieces" in keys or (path[0] == "drive" and not keys & {"table", "of", "method"}) else "Table"
 
 
-def _fault(path: Path, entry: Entry, source: Source) -> Fault:
+def _fault(path: KeyPath, entry: Entry, source: Source) -> Fault:
     key = str(path[-1]) if path else ""
     problem = entry["type"]
     if problem == "extra_forbidden":
@@ -160,7 +160,7 @@ _KINDS = {
 }  # fmt: skip
 
 
-def _expected(path: Path, entry: Entry) -> str:
+def _expected(path: KeyPath, entry: Entry) -> str:
     context = entry.get("ctx") or {}
     problem = entry["type"]
     if problem == "literal_error":
@@ -208,7 +208,7 @@ def _closest(entry: Entry) -> str:
     return closest(value, expected) if isinstance(value, str) else ""
 
 
-def _repair(data: dict[str, Any], path: Path, entry: Entry) -> None:
+def _repair(data: dict[str, Any], path: KeyPath, entry: Entry) -> None:
     """Put a stand-in in the place of a fault, or take it out."""
     if path[-1] == "[key]":
         path = path[:-1]
@@ -258,7 +258,7 @@ def _repair_time(data: dict[str, Any], inner: list[str | int]) -> None:
         time.pop(inner[0], None)
 
 
-def _known_keys(path: Path, data: dict[str, Any]) -> set[str]:
+def _known_keys(path: KeyPath, data: dict[str, Any]) -> set[str]:
     """Return the keys that may stand in the table at `path`."""
     if len(path) == 2 and path[0] in {"drive", "functions"}:
         model: Any = {"Table": schema.Table, "Pieces": schema.Pieces}[_meant(data, path)]

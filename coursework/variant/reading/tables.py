@@ -11,8 +11,9 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from coursework.system.arrays import Array
+from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
 from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
@@ -38,7 +39,7 @@ class TableFault(ValueError):
         self.message = message
 
 
-def read_table(name: str, source: Source, path: tuple[str | int, ...], faults: list[Fault]) -> Rows:
+def read_table(name: str, source: Source, path: KeyPath, faults: list[Fault]) -> Rows:
     """Return the rows of a table; a fault is added to `faults` and an empty table returned."""
     try:
         return _rows(name, _text(name, source))
@@ -122,7 +123,7 @@ def _rows(name: str, text: str) -> Rows:
     return tuple(rows)
 
 
-def _is_uneven(arguments: NDArray[np.float64], printed: list[str]) -> bool:
+def _is_uneven(arguments: Array, printed: list[str]) -> bool:
     """Return whether a node is off its even place by more than its printed digits explain.
 
     An argument is rounded by half the place of its own last digit, and its even place by half of the first one's and the

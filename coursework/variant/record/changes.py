@@ -14,13 +14,14 @@ from typing import Any
 
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.units import KINDS, UNITS, UnitFault, read, unlike
-from coursework.variant.record.variant import Changes, Path, Variant
+from coursework.variant.record.variant import Changes, Variant
+from coursework.variant.toml.positions import KeyPath
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, say
 
 
-def with_changes(read: Callable[[Mapping[Path, Any]], Variant], variant: Variant, changed: Changes) -> Variant:
+def with_changes(read: Callable[[Mapping[KeyPath, Any]], Variant], variant: Variant, changed: Changes) -> Variant:
     """Return the variant as its file would be with other values; `read` reads the file with the new value of each key.
 
     Raises `InputError` for a name or a unit that does not fit, and with what the changed file is refused for.
@@ -35,9 +36,9 @@ def with_changes(read: Callable[[Mapping[Path, Any]], Variant], variant: Variant
     return replace(fresh, coordinates=tuple(moved), time=replace(fresh.time, own_step=own), changes=changes)
 
 
-def _new_values(variant: Variant, changed: Changes) -> dict[Path, float | str]:
+def _new_values(variant: Variant, changed: Changes) -> dict[KeyPath, float | str]:
     """Return the new value of each key.  Raises `InputError` for a name or a unit that does not fit."""
-    changes: dict[Path, float | str] = {}
+    changes: dict[KeyPath, float | str] = {}
     data = {one.name: (one.si, one.unit) for one in variant.given}
     for key, value in changed.given.items():
         name = _known(variant, key, list(data), "datum")
@@ -54,7 +55,7 @@ def _new_values(variant: Variant, changed: Changes) -> dict[Path, float | str]:
     return changes
 
 
-def follow_from(variant: Variant, changes: Iterable[Path]) -> frozenset[str]:
+def follow_from(variant: Variant, changes: Iterable[KeyPath]) -> frozenset[str]:
     """Return the coordinates whose start follows from other data by the geometry and is not among the changes itself."""
     named = {path[1] for path in changes if path[0] in {"given", "coordinates"}}
     formulas = [formula for _, formula in variant.points] + [f for law in variant.functions for f in law.formulas]

@@ -11,10 +11,9 @@ from graphlib import TopologicalSorter
 
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any
 from coursework.variant.record.variant import Law, Variant
+from coursework.variant.toml.positions import KeyPath
 from coursework.words.errors import Fault
 from coursework.words.sentences import say
-
-Path = tuple[str | int, ...]
 
 
 def without_value(variant: Variant, t: float, position: Mapping[str, float]) -> Fault | None:
@@ -26,7 +25,7 @@ def without_value(variant: Variant, t: float, position: Mapping[str, float]) -> 
             values |= {law.name: _within(law, values[law.of].real)} if law.of in values else {}
             continue
         place = next((place for place in reversed(range(len(law.pieces))) if law.pieces[place][0] <= t), 0)
-        path: Path = (section, law.name, "pieces", place, 1) if law.pieces else (section, law.name)
+        path: KeyPath = (section, law.name, "pieces", place, 1) if law.pieces else (section, law.name)
         formula = law.pieces[place][1] if law.pieces else law.formula
         if formula is not None and (fault := _judged(variant, path, law.name, formula, values, t)):
             return fault
@@ -64,7 +63,7 @@ def _within(law: Law, argument: float) -> float:
     return next((value for at, value in reversed(law.table) if at <= argument), law.table[0][1])
 
 
-def _judged(variant: Variant, path: Path, name: str, formula: Formula, values: dict[str, complex], t: float) -> Fault | None:
+def _judged(variant: Variant, path: KeyPath, name: str, formula: Formula, values: dict[str, complex], t: float) -> Fault | None:
     """Keep the value of a formula under its name; return a fault where it has none, nothing where a name is not known yet."""
     if not {*formula.names()} <= values.keys():
         return None

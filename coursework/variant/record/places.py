@@ -12,9 +12,9 @@ from coursework.variant.dimensions.exponents import LENGTH, NUMBER, TIME, Dimens
 from coursework.variant.formula.tree import Formula
 from coursework.variant.record.variant import Constraint, Group, Law, Variant
 from coursework.variant.record.vocabulary import GROUP_KINDS
+from coursework.variant.toml.positions import KeyPath
 from coursework.words.sentences import say
 
-Path = tuple[str | int, ...]
 _LENGTH: Dimension = {LENGTH: 1}
 _TIME: Dimension = {TIME: 1}
 _SPEED: Dimension = {LENGTH: 1, TIME: -1}
@@ -27,14 +27,14 @@ class Place:
     `label` says what the formula gives the value of ("VMy" of VMy = …); `velocity`: it is a velocity equation.
     """
 
-    path: Path
+    path: KeyPath
     formulas: tuple[Formula, ...]
     wanted: Dimension | None = None
     label: str = ""
     velocity: bool = False
 
 
-def measures(variant: Variant, free: Path | None = None) -> dict[str, Dimension]:
+def measures(variant: Variant, free: KeyPath | None = None) -> dict[str, Dimension]:
     """Return what every name measures; names without a unit, and the datum at the path `free`, are unknowns."""
     names: dict[str, Dimension] = {"t": _TIME, "pi": NUMBER}
     for given in variant.given:
@@ -55,7 +55,7 @@ def measures(variant: Variant, free: Path | None = None) -> dict[str, Dimension]
     return names | dict.fromkeys(points, _LENGTH)
 
 
-def places(variant: Variant, names: Mapping[str, Dimension], times: Mapping[Path, Formula]) -> Iterator[Place]:
+def places(variant: Variant, names: Mapping[str, Dimension], times: Mapping[KeyPath, Formula]) -> Iterator[Place]:
     """Yield constraints, geometry, drive, functions and times; `times` are the formulas of [time] and of pieces."""
     velocities = {*variant.rates, *(name for name, _ in variant.unknowns)}
     for index, constraint in enumerate(variant.constraints):
@@ -101,10 +101,10 @@ def _geometry(variant: Variant) -> Iterator[Place]:
         yield Place(("frame", "circles", index, "radius"), (radius,), _LENGTH, say("place.circle.radius", number=index + 1))
 
 
-def _group(path: Path, group: Group) -> Iterator[Place]:
+def _group(path: KeyPath, group: Group) -> Iterator[Place]:
     number = int(path[1]) + 1
 
-    def place(key: Path, formula: Formula, wanted: Dimension) -> Place:
+    def place(key: KeyPath, formula: Formula, wanted: Dimension) -> Place:
         index = next((part + 1 for part in key if isinstance(part, int)), 0)
         return Place((*path, *key), (formula,), wanted, say(f"place.group.{key[0]}", number=index, group=number))
 

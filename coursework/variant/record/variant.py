@@ -26,6 +26,7 @@ from coursework.variant.record.entries import (
     whole_steps,
 )
 from coursework.variant.record.texts import Texts
+from coursework.variant.toml.positions import KeyPath
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
@@ -34,7 +35,6 @@ __all__ = [
     "Quote", "Remark", "Time", "Variant", "whole_steps",
 ]  # fmt: skip
 
-Path = tuple[str | int, ...]
 Values = Mapping[str, float | str]
 
 # More rows than this nobody reads; a step much smaller than the coursework needs is a slip of the pen.
@@ -85,10 +85,10 @@ class Variant:
     remarks: tuple[str, ...] = ()
     quotes: tuple[Quote, ...] = ()
     plausibility: tuple[Remark, ...] = ()
-    lines: Mapping[tuple[str | int, ...], int] = field(default_factory=dict, repr=False, compare=False)
-    times: Mapping[Path, Formula] = field(default_factory=dict, repr=False, compare=False)  # what is computed from data
+    lines: Mapping[KeyPath, int] = field(default_factory=dict, repr=False, compare=False)
+    times: Mapping[KeyPath, Formula] = field(default_factory=dict, repr=False, compare=False)  # what is computed from data
     reread: Callable[[Variant, Changes], Variant] | None = field(default=None, repr=False, compare=False)
-    changes: Mapping[Path, float | str] = field(default_factory=dict, repr=False, compare=False)
+    changes: Mapping[KeyPath, float | str] = field(default_factory=dict, repr=False, compare=False)
     texts: Mapping[str, Texts] = field(default_factory=dict, repr=False, compare=False)
 
     @property
@@ -174,7 +174,7 @@ class Variant:
         """Return the variant with another step or end (s)."""
         own = self.time.own_step or self.time.step
         time = replace(self.time, step=step or self.time.step, end=end or self.time.end, own_step=own)
-        changes: dict[Path, float | str] = {}
+        changes: dict[KeyPath, float | str] = {}
         for key in ("step", "end"):
             if getattr(time, key) != getattr(self.time, key):
                 changes["time", key] = getattr(time, key)

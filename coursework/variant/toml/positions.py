@@ -9,6 +9,7 @@ import re
 from bisect import bisect_right
 from dataclasses import dataclass, field
 
+KeyPath = tuple[str | int, ...]  # where a key stands: names of tables, places in lists
 _BLANK = re.compile(r"(?:[ \t\n]+|#[^\n]*)*")
 _KEY_PART = re.compile(r"""[ \t]*(?:"((?:\\.|[^"\\\n])*)"|'([^'\n]*)'|([\w-]+))[ \t]*""")
 _STRING = re.compile(
@@ -18,8 +19,6 @@ _BARE = re.compile(r"[^,\]}#\n]+")
 # A key and a value on one line, as nearly every pair is.
 _PLAIN = re.compile(r"""([\w-]+)[ \t]*=[ \t]*(?!\"{3}|'{3})("(?:\\.|[^"\\\n])*"|'[^'\n]*'|[^\s"'\[{,\]}#][^,\]}#\n]*)""")
 
-Path = tuple[str | int, ...]
-
 
 @dataclass(slots=True)
 class Positions:
@@ -28,16 +27,16 @@ class Positions:
     `spans`: where the text of each value begins and ends (letters from 0).
     """
 
-    values: dict[Path, tuple[int, int]] = field(default_factory=dict)
-    keys: dict[Path, tuple[int, int]] = field(default_factory=dict)
-    spans: dict[Path, tuple[int, int]] = field(default_factory=dict)
+    values: dict[KeyPath, tuple[int, int]] = field(default_factory=dict)
+    keys: dict[KeyPath, tuple[int, int]] = field(default_factory=dict)
+    spans: dict[KeyPath, tuple[int, int]] = field(default_factory=dict)
 
     @property
-    def lines(self) -> dict[Path, int]:
+    def lines(self) -> dict[KeyPath, int]:
         """Return the line of each key, and of each entry of a list."""
         return {path: line for places in (self.values, self.keys) for path, (line, _) in places.items()}
 
-    def find(self, path: Path, *, key: bool = False) -> tuple[int, int]:
+    def find(self, path: KeyPath, *, key: bool = False) -> tuple[int, int]:
         """Return (line, column) of the value at `path`, of its `key`, or of the nearest known ancestor; else (0, 0)."""
         while path:
             for places in (self.keys, self.values) if key else (self.values, self.keys):
@@ -60,10 +59,10 @@ class _Scanner:
         self.at = 0
         self.found = Positions()
         self.starts = [0, *(match.end() for match in re.finditer("\n", text))]
-        self.counts: dict[Path, int] = {}
+        self.counts: dict[KeyPath, int] = {}
 
     def document(self) -> Positions:
-        table: Path = ()
+        table: KeyPath = ()
         while self.blank():
             if self.text.startswith("[", self.at):
                 table = self.header()
@@ -76,11 +75,11 @@ class _Scanner:
         self.at = self._end(_BLANK)
         return self.at < len(self.text)
 
-    def header(self) -> Path:
+    def header(self) -> KeyPath:
         several = self.text.startswith("[[", self.at)
         self.at += 1 + several
         begin = self.place()
-        path: Path = ()
+        path: KeyPath = ()
         names = self.key()
         for number, name in enumerate(names, start=1):
             path = (*path, name)
@@ -93,7 +92,7 @@ class _Scanner:
         self.at = following if following >= 0 else len(self.text)
         return path
 
-    def pair(self, table: Path) -> None:
+    def pair(self, table: KeyPath) -> None:
         begin = self.place()
         if plain := _PLAIN.match(self.text, self.at):
             path = (*table, plain[1])
@@ -107,8 +106,8 @@ class _Scanner:
         self.at = min(len(self.text), self.text.find("=", self.at) + 1 or len(self.text))
         self.value(path)
 
-    def key(self) -> Path:
-        names: Path = ()
+    def key(self) -> KeyPath:
+        names: KeyPath = ()
         while match := _KEY_PART.match(self.text, self.at):
             names = (*names, next(part for part in (*match.groups(), "") if part is not None))
             self.at = match.end()
@@ -118,7 +117,7 @@ class _Scanner:
         self.at += 1
         return names
 
-    def value(self, path: Path) -> None:
+    def value(self, path: KeyPath) -> None:
         self.blank()
         # The text of a long string begins after three quotation marks; columns are counted from one.
         shift = 2 if self.text.startswith(('"""', "'''"), self.at) else 0
@@ -131,7 +130,7 @@ class _Scanner:
             self.at = max(self.at + 1, self._end(_STRING if opening in {'"', "'"} else _BARE))
         self.found.spans.setdefault(path, (begin, begin + len(self.text[begin : self.at].rstrip())))
 
-    def inside(self, path: Path, closing: str) -> None:
+    def inside(self, path: KeyPath, closing: str) -> None:
         """Step through a list or an inline table."""
         self.at += 1
         entry = 0

@@ -13,7 +13,7 @@ from functools import lru_cache
 from typing import Any
 
 from coursework.variant.formula.alphabet import spell
-from coursework.variant.toml.positions import Path, Positions, locate
+from coursework.variant.toml.positions import KeyPath, Positions, locate
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
@@ -23,7 +23,7 @@ _REMARK = re.compile(r"[ \t]*#[^\n]*")
 _SCHEMA_LINE = re.compile(r"\A#:schema[^\n]*\n\s*")
 
 
-def rewritten(text: str, changes: Mapping[Path, Any], drop: Iterable[str] = ()) -> str:
+def rewritten(text: str, changes: Mapping[KeyPath, Any], drop: Iterable[str] = ()) -> str:
     """Return the text with changed values; a key that the file does not have is added to its section.
 
     `drop` names sections and keys of the top level to be left out.  The line that names a schema goes, for a copy lies
@@ -48,7 +48,7 @@ def _line_starts(text: str) -> tuple[int, ...]:
     return (0, *(match.end() for match in re.finditer("\n", text)))
 
 
-def _replacement(text: str, found: Positions, path: Path, value: Any) -> tuple[int, int, str]:
+def _replacement(text: str, found: Positions, path: KeyPath, value: Any) -> tuple[int, int, str]:
     """Return where a value goes, up to where, and its text."""
     written = json.dumps(value, ensure_ascii=False)
     own = _spelt(found.spans, path)
@@ -86,13 +86,13 @@ def _removals(text: str, found: Positions, name: str) -> Iterable[tuple[int, int
             yield begin, end, ""
 
 
-def _is_header(text: str, found: Positions, path: Path) -> bool:
+def _is_header(text: str, found: Positions, path: KeyPath) -> bool:
     """Return whether a key stands in square brackets at the head of a section."""
     at = _offset(text, *found.keys[path])
     return path not in found.spans and text[text.rfind("\n", 0, at) + 1 : at].strip() in {"[", "[["}
 
 
-def _spelt(paths: Iterable[Path], wanted: Path) -> Path | None:
+def _spelt(paths: Iterable[KeyPath], wanted: KeyPath) -> KeyPath | None:
     """Return a path as the file spells it; None where it has none such."""
     plain = tuple(spell(part) if isinstance(part, str) else part for part in wanted)
     for path in paths:

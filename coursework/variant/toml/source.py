@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from coursework.variant.formula.alphabet import spell
-from coursework.variant.toml.positions import Positions, locate
+from coursework.variant.toml.positions import KeyPath, Positions, locate
 from coursework.variant.toml.toml_faults import explained
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
@@ -44,7 +44,7 @@ class Source:
     data: dict[str, Any]
     positions: Positions
 
-    def changed(self, changes: Mapping[tuple[str | int, ...], Any]) -> Source:
+    def changed(self, changes: Mapping[KeyPath, Any]) -> Source:
         """Return the file with other values; names in `changes` are in the tool's own spelling."""
         data = copy.deepcopy(self.data)
         for path, value in changes.items():
@@ -57,7 +57,7 @@ class Source:
             inner[key] = value
         return replace(self, data=data)
 
-    def fault(self, path: tuple[str | int, ...], message: Sentence, column: int = 0, *, at_key: bool = False) -> Fault:
+    def fault(self, path: KeyPath, message: Sentence, column: int = 0, *, at_key: bool = False) -> Fault:
         """Return a fault at a value, or at its key; `column` counts inside the value's text (1 = its first character)."""
         line, start = self.positions.find(path, key=at_key)
         place = ".".join(str(part + 1) if isinstance(part, int) else part for part in path)
@@ -70,9 +70,9 @@ class Source:
         place = say("place.column", place=place, column=column) if column else place
         return Fault(message, self.file, line or 1, where if line else 0, place)
 
-    def path_of(self, path: tuple[str | int, ...]) -> tuple[str | int, ...]:
+    def path_of(self, path: KeyPath) -> KeyPath:
         """Return a path with names in the tool's own spelling as the file spells it; one `guide` is the first of `guides`."""
-        found: tuple[str | int, ...] = ()
+        found: KeyPath = ()
         data: Any = self.data
         for part in path:
             if isinstance(part, int) and found[-1:] == ("guide",):
@@ -145,7 +145,7 @@ def read_source(content: bytes, file: str, folder: Path | Mapping[str, bytes]) -
     return source
 
 
-def _huge(data: Any, path: tuple[str | int, ...]) -> Iterator[tuple[tuple[str | int, ...], int]]:
+def _huge(data: Any, path: KeyPath) -> Iterator[tuple[KeyPath, int]]:
     """Yield path and bits of every whole number that is beyond any meaning."""
     if isinstance(data, int) and data.bit_length() > _MOST_BITS:
         yield path, data.bit_length()

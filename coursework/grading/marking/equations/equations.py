@@ -13,17 +13,16 @@ from functools import cached_property
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.grading.marking.equations.edits import Edit, Values, applied, edits
 from coursework.grading.marking.equations.numbers import NoValue, real, size_of, value_of
 from coursework.grading.marking.equations.probe import Probe, exact_probe, kinds, random_probe
 from coursework.grading.marking.key import Key
 from coursework.grading.reading.student_work import EquationLine
+from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula, number, spelled
 from coursework.words.errors import Fault
 
-Array = NDArray[np.float64]
 Verdict = Literal["right", "rounded", "closure", "wrong", "unreadable"]
 # Residual over the sum of its terms: round-off; data printed with three or four digits; the exact motion's own accuracy.
 RIGHT, ROUNDED, ON_CLOSURE = 1e-9, 2e-3, 1e-7

@@ -10,8 +10,8 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula
 
 _CALLS: dict[str, Any] = {
@@ -87,7 +87,7 @@ def _size(tree: Formula, names: Mapping[str, Any]) -> Any:
     return np.abs(_value(tree, names, {}))
 
 
-def real(values: Any, rows: int) -> NDArray[np.float64]:
+def real(values: Any, rows: int) -> Array:
     """Return a scalar value as an array (rows,).  Raises `NoValue` for a vector."""
     if np.iscomplexobj(values):
         raise NoValue("a vector stands where a number was expected")

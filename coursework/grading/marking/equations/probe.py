@@ -10,15 +10,14 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.equations.codegen.tabulated import OutsideTable, TableLaw
 from coursework.grading.marking.equations.numbers import value_of
 from coursework.grading.marking.key import Key
 from coursework.mechanism.mechanism import build
+from coursework.system.arrays import Array
 from coursework.variant.record.variant import Law, Variant
 
-Array = NDArray[np.float64]
 POINTS = 8
 # Half of an angle's range on either side is added: off the closure, and still the same mechanism.
 WIDER = 0.5

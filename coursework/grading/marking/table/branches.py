@@ -12,7 +12,6 @@ from dataclasses import replace
 from itertools import combinations, islice
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.api import solve
 from coursework.equations.reduction.equations import differentiate
@@ -20,10 +19,10 @@ from coursework.mechanism.mechanism import build
 from coursework.motion.geometry.closure import Closure, closed_start, compile_closure
 from coursework.motion.geometry.start import start_values
 from coursework.motion.schemes import DEFAULT_SCHEME
+from coursework.system.arrays import Array, Flags
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import CourseworkError
 
-Array = NDArray[np.float64]
 MOST = 7  # assemblies: three groups turned in every way
 _GUESSES, _SEED = 64, 31  # positions that Newton sets out from; the same ones on every machine
 _SAME = 1e-6  # rad or m
@@ -87,7 +86,7 @@ def _roots(closure: Closure, variant: Variant) -> Iterator[Array]:
                 yield root
 
 
-def _apart(first: Array, second: Array, turning: NDArray[np.bool_]) -> float:
+def _apart(first: Array, second: Array, turning: Flags) -> float:
     """Return the largest difference of two positions, angles apart by whole turns being one."""
     difference = first - second
     difference[turning] = (difference[turning] + np.pi) % _TURN - np.pi

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.grading.marking.key import SHOWN, Key, sensitivity
+from coursework.system.arrays import Array, Flags
 
-Array = NDArray[np.float64]
 Marks = NDArray[np.str_]
 # Half a unit of the last place, and a little for the last bit.
 HALF = 0.505
@@ -49,7 +49,7 @@ class Way:
     expected: Array
     tolerance: Array
 
-    def holds(self, values: Array) -> NDArray[np.bool_]:
+    def holds(self, values: Array) -> Flags:
         """Return where the values are right this way."""
         with np.errstate(invalid="ignore"):
             return np.asarray(np.abs(values - self.expected) <= self.tolerance)
@@ -66,21 +66,21 @@ class Cells:
     student: Student
     marks: Marks
     ways: tuple[Way, ...]
-    too_coarse: NDArray[np.bool_]
+    too_coarse: Flags
     computed_to: int | None
 
     @property
-    def wrong(self) -> NDArray[np.bool_]:
+    def wrong(self) -> Flags:
         """Return where a shown cell is right in no way."""
         return np.asarray(self.marks == WRONG)
 
     @property
-    def missing(self) -> NDArray[np.bool_]:
+    def missing(self) -> Flags:
         """Return where nothing can be judged."""
         return np.asarray(self.marks == MISSING)
 
     @property
-    def carried(self) -> NDArray[np.bool_]:
+    def carried(self) -> Flags:
         """Return where a cell is right only from the student's own earlier cells."""
         return np.isin(self.marks, CARRIED)
 
@@ -108,7 +108,7 @@ def mark_cells(key: Key, student: Student) -> Cells:
     return Cells(student, marks, ways, too_coarse, computed_to)
 
 
-def _shown(key: Key, student: Student) -> NDArray[np.bool_]:
+def _shown(key: Key, student: Student) -> Flags:
     m = len(key.coordinates)
     coarsest = np.full(student.values.shape[1], SHOWN * key.gap)
     coarsest[m:] /= key.step

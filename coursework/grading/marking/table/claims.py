@@ -11,12 +11,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.grading.marking.key import Key, sensitivity
 from coursework.grading.marking.table.cells import HALF, LEAST, SLACK, Student, velocity_tolerance
+from coursework.system.arrays import Array
 
-Array = NDArray[np.float64]
 # A hypothesis is worth a closer look where this part of the velocities lies within this many of Euler's tolerances.
 _NEARLY, _NEAR = 0.85, 60.0
 

@@ -9,12 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.grading.marking.table.claims import Claim, Printed
 from coursework.grading.marking.table.other_data import other_columns, other_data, other_tables
+from coursework.system.arrays import Array
 
-Array = NDArray[np.float64]
 STEPS = (0.1, 0.5, 2.0, 10.0)
 ROUNDED_TO = (1, 2, 3)
 

@@ -10,15 +10,13 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import ANGLES, EARLIER, KEY, STEP, STEP_TRUE, Cells, Student, mark_cells
 from coursework.grading.marking.table.claims import Claim, Printed
 from coursework.grading.marking.table.hypotheses import claims
+from coursework.system.arrays import Array, Flags
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 # Named from this share on, if it explains this much more than Euler's rules do; nearly as good ones are ties.
 NAMED, BETTER, TIE = 0.93, 0.02, 0.005
 # A table wrong in fewer cells has slips, not a misconception.

@@ -10,12 +10,11 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.grading.marking.table.cells import HALF, SLACK, Student
 from coursework.grading.marking.table.claims import Claim, Printed
+from coursework.system.arrays import Array
 
-Array = NDArray[np.float64]
 FACTORS = (10.0, 0.1, 2.0, 0.5, -1.0)
 # Columns count as exchanged where, put back, this part of them is the key's.
 _LIKE_KEY = 0.8

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.grading.marking.equations.equations import EquationMarks, difference
 from coursework.grading.marking.equations.numbers import NoValue, real, value_of
@@ -18,9 +17,8 @@ from coursework.grading.marking.key import Key, sensitivity
 from coursework.grading.marking.table.cells import Cells, velocity_tolerance
 from coursework.grading.marking.table.claims import Claim, Printed
 from coursework.grading.marking.table.misconceptions import claim_share, euler_cells
+from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula
-
-Array = NDArray[np.float64]
 
 
 def own_share(key: Key, cells: Cells, equations: EquationMarks) -> float:

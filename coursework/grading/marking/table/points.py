@@ -8,10 +8,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import GIVEN, KEY, STEP, STEP_TRUE, Cells
+from coursework.system.arrays import Flags
 
 # Rows whose velocities are all shown and right, below which steps made with them prove nothing.
 ENOUGH_ROWS = 0.6
@@ -47,7 +47,7 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
     return TablePoints(float(credit.sum()) / count if count else 0.0, count, start_right, rows_enough)
 
 
-def true_steps(key: Key, cells: Cells) -> NDArray[np.bool_]:
+def true_steps(key: Key, cells: Cells) -> Flags:
     """Return which steps of angles (n - 1, m) follow from the printed row before, where both are there."""
     step = next(way for way in cells.ways if way.name == STEP)
     m = len(key.coordinates)

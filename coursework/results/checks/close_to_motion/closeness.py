@@ -8,13 +8,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.results.checks.evidence import LIMIT, Evidence, turns, worst
 from coursework.results.checks.result import Finding, percent, skipped
+from coursework.system.arrays import Array
 from coursework.words.sentences import say
 
-Array = NDArray[np.float64]
 # Rows that the scheme has made follow from each other to round-off (5e-13 of the scale at most in the tool's own runs).
 SPOILT = 1e-9
 

@@ -8,16 +8,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.equations.reduction.system import compile_values
 from coursework.motion.geometry.closure import Closure
 from coursework.results.checks.evidence import LIMIT, Evidence
 from coursework.results.checks.result import Finding, Verdict, percent
+from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula, evaluate, spelled
 from coursework.variant.record.variant import Variant
 
-Array = NDArray[np.float64]
 # A length below this part of the longest is none: it stands for a point that coincides with another.
 _NO_LENGTH = 1e-9
 # An equation open by less, in parts of the shortest length, is open by round-off only.

@@ -11,16 +11,15 @@ from dataclasses import dataclass, replace
 from functools import cache
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.motion.integration.finer import exact_at, prolonged
 from coursework.motion.integration.motion import Motion
 from coursework.results.checks.evidence import LIMIT, NO_ERROR, Evidence, turns
 from coursework.results.checks.result import Finding, percent, skipped
+from coursework.system.arrays import Array
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
-Array = NDArray[np.float64]
 # Part of the scale by which the exact motion may miss its start after the stated period.  Measured over 38 stated periods:
 # T off by 0.2 % (three digits of it) moves the exact motion by at most 0.021, T off by 2 % by at least 0.031.
 RETURNS = 0.03

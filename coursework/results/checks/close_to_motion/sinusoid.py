@@ -7,15 +7,14 @@ Least squares on a constant, t, and cos, sin of every k w, k = 1, 2, 3, w the fr
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.motion.geometry.drive import frequencies
 from coursework.motion.integration.finer import finer
 from coursework.motion.integration.motion import Motion
 from coursework.results.checks.evidence import NEAR_PERIOD, Evidence
 from coursework.results.checks.result import Finding, Verdict, floored, skipped
+from coursework.system.arrays import Array
 
-Array = NDArray[np.float64]
 # In a benign mechanism the first three harmonics carry more than this part of an oscillation (catalogue: 0.984 to 1.000).
 SHARE = 0.9
 HARMONICS = (1, 2, 3)

@@ -8,7 +8,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.magnitude import largest
@@ -17,13 +16,13 @@ from coursework.equations.reduction.tidy import as_formula
 from coursework.motion.integration.integrate import WIDEST_STEP
 from coursework.results.checks.evidence import Evidence
 from coursework.results.checks.result import Finding, floored, skipped
+from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula
 from coursework.words.sentences import joined, say
 
 if TYPE_CHECKING:
     import sympy as sp
 
-Array = NDArray[np.float64]
 # A double has sixteen digits; six of them are more than any table of the coursework shows.
 DIGITS, FEWEST = 16.0, 6.0
 # Ruiz' scaling has settled to a few percent after this many rounds, and the condition number wants no more.

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.equations.codegen.programs import as_columns
 from coursework.equations.codegen.tabulated import TableLaw
@@ -20,10 +19,10 @@ from coursework.equations.reduction.system import compile_system, compile_values
 from coursework.results.checks.close_to_motion.drift import shortest_length
 from coursework.results.checks.evidence import LIMIT, Evidence, scales_of
 from coursework.results.checks.result import Finding, percent, skipped
+from coursework.system.arrays import Array
 from coursework.variant.record.variant import Law
 from coursework.words.sentences import joined, say
 
-Array = NDArray[np.float64]
 # A table with more decimals than this was computed, not rounded for print.
 _MOST_DECIMALS = 12
 # A number read and converted lies this part of itself beside the decimal it was printed as.
