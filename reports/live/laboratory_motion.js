@@ -111,9 +111,9 @@ const motion = {
     this.worst = truth ? largestError(this.rows, truth) : { value: NaN, place: 0, row: 1 };
     this.first ??= { error: this.worst.value, evaluations: this.rows.evaluations };
   },
-  // March once more with what is tried now: what the stop-watch times.
-  *again(into = this.timed, h = this.h, truth = this.truth) {
-    if (truth) yield* march(into, tried.scheme, h, this.start, this.d, truth.dead);
+  // March once more, with what is tried now or another scheme: what the stop-watch times.
+  *again(into = this.timed, h = this.h, truth = this.truth, scheme = tried.scheme) {
+    if (truth) yield* march(into, scheme, h, this.start, this.d, truth.dead);
     else Object.assign(clear(into, h, 0), { lost: true });
   },
   get dead() {

@@ -28,7 +28,7 @@ const panels = {
     this.all = data.shown.map((name) => {
       const home = element("div");
       home.dataset.panel = name;
-      byId("live-panels").append(home);
+      byId("live-panels").lastElementChild.before(home);
       const panel = svg("svg", { viewBox: `0 0 ${WIDE} ${HIGH}`, role: "img" }, home);
       svg("rect", { width: WIDE, height: HIGH, fill: "#fff" }, panel);
       panel.dataset.box = `${LEFT} ${TOP} ${RIGHT} ${BOTTOM}`;

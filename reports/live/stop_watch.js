@@ -1,14 +1,17 @@
-// The time that a table takes on this very machine, and the diagram of error against time in which each try leaves a mark.
+// The time that a table takes on this very machine, and the diagram of error against time: every scheme with the step of the
+// page has a mark from the beginning, and each try leaves one.
 // Enters: `motion`.  Leaves: `watch`.  Nothing here is ever printed, and no number of the report depends on it.
 const MARKS = {
   euler: "M-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0", midpoint: "M-4 4h8l-4 -8z", heun: "M-4 -4h8v8h-8z",
   ralston: "M-4 -4h8l-4 8z", rk4: "M0 -5l5 5l-5 5l-5 -5z",
 };
 const MOST_TABLES = 2 ** 16;
+// Rounds whose best counts: for what is tried, and for each scheme it is compared with.
+const OWN_ROUNDS = 6, OTHER_ROUNDS = 3;
 const OTHER_MARK = "M-4 -4l8 8m-8 0l8 -8";
 
 const watch = {
-  tries: [],
+  tries: [], schemes: [],
   // What is tried now has not been measured yet.
   open() {
     tell("lab-time", "…", "");
@@ -17,26 +20,45 @@ const watch = {
   later() {
     work.later(200, this.measure());
   },
-  // The best of some rounds, each of so many tables that the clock of a browser can tell; nothing waits longer than for one round.
   *measure() {
+    const best = motion.rows.n ? yield* this.best(() => motion.again(), OWN_ROUNDS) : NaN;
+    if (best > 0) this.note(best);
+    else tell("lab-time", "–", "");
+    yield* this.compare();
+  },
+  // The other schemes with the step of the page, as long as the data are those of the page too.
+  *compare() {
+    if (tried.value !== null || !motion.truth) return;
+    for (const scheme of Object.keys(data.schemes)) {
+      if (this.schemes.some((one) => one.scheme === scheme)) continue;
+      const table = () => motion.again(motion.timed, data.step, motion.truth, scheme);
+      yield* table();
+      const error = motion.timed.n ? largestError(motion.timed, motion.truth).value : 0;
+      const time = error > 0 ? yield* this.best(table, OTHER_ROUNDS) : NaN;
+      this.schemes.push({ scheme, h: data.step, error, time });
+      if (time > 0) this.draw();
+    }
+  },
+  // The best of some rounds (ms), each of so many tables that the clock of a browser can tell; nothing waits longer than for
+  // one round.  A clock that stands still measures nothing: NaN.
+  *best(table, rounds) {
     let many = 1, best = Infinity;
-    for (let round = 0; round < 6; ) {
-      // A clock that stands still measures nothing.
-      if (!motion.rows.n || many > MOST_TABLES) return tell("lab-time", "–", "");
-      const took = yield* this.round(many);
+    for (let round = 0; round < rounds; ) {
+      if (many > MOST_TABLES) return NaN;
+      const took = yield* this.round(table, many);
       if (took < 4) many *= 2;
       else {
         best = Math.min(best, took / many);
         round++;
       }
     }
-    this.note(best);
+    return best;
   },
   // The time (ms) of so many tables; a long table is interrupted, and the clock with it.
-  *round(many) {
+  *round(table, many) {
     let took = 0, begun = performance.now();
     for (let i = 0; i < many; i++) {
-      for (const _ of motion.again()) {
+      for (const _ of table()) {
         const now = performance.now();
         if (now - begun < 8) continue;
         took += now - begun;
@@ -65,7 +87,10 @@ const watch = {
       const low = Math.floor(Math.log10(Math.min(...values)) - 0.05), high = Math.ceil(Math.log10(Math.max(...values)) + 0.05);
       return [low, high];
     };
-    const [t0, t1] = powers(this.tries.map((one) => one.time)), [e0, e1] = powers(this.tries.map((one) => one.error));
+    // A scheme that has been tried with this step has the mark of the try.
+    const again = (one) => this.tries.some((own) => own.scheme === one.scheme && own.h === one.h && own.error === one.error);
+    const marks = [...this.schemes.filter((one) => one.time > 0 && !again(one)), ...this.tries], own = this.tries.at(-1);
+    const [t0, t1] = powers(marks.map((one) => one.time)), [e0, e1] = powers(marks.map((one) => one.error));
     const x = (time) => left + ((right - left) * (Math.log10(time) - t0)) / (t1 - t0);
     const y = (error) => bottom - ((bottom - top) * (Math.log10(error) - e0)) / (e1 - e0);
     field.replaceChildren();
@@ -82,15 +107,15 @@ const watch = {
     const title = (text, x, y, anchor) => (svg("text", { x, y, "text-anchor": anchor, class: "live-title" }, field).textContent = text);
     title(say("error_axis", { unit: data.unit_words[data.coordinates[motion.worst.place]] }), left + 6, 17, "start");
     title(data.words.time_axis, right, bottom + 34, "end");
-    this.tries.forEach((one, i) => {
-      const now = i === this.tries.length - 1;
-      const mark = svg("path", { d: MARKS[one.scheme] ?? OTHER_MARK, class: now ? "live-mark live-last" : "live-mark" }, field);
+    for (const one of marks) {
+      const mark = svg("path", { d: MARKS[one.scheme] ?? OTHER_MARK, class: one === own ? "live-mark live-last" : "live-mark" }, field);
       mark.setAttribute("transform", `translate(${f1(x(one.time))} ${f1(y(one.error))})`);
       mark.dataset.scheme = one.scheme;
+      if (this.tries.includes(one)) mark.dataset.tried = "";
       const told = svg("title", {}, mark);
       const name = data.words["scheme_" + one.scheme];
       told.textContent = `${name}, h = ${plain(one.h, 4)} ${data.words.s}: ${shown(one.error, 3)}, ${this.duration(one.time)}`;
-    });
-    tell("lab-key", [...new Set(this.tries.map((one) => one.scheme))].map((name) => data.words["scheme_" + name]).join(", "));
+    }
+    tell("lab-key", [...new Set(marks.map((one) => one.scheme))].map((name) => data.words["scheme_" + name]).join(", "));
   },
 };

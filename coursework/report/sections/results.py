@@ -12,7 +12,14 @@ from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Cell, Column, Paragraph, Part, Table
 from coursework.report.text.tables import motion_parts, pieces
 from coursework.report.text.text_runs import numeral, runs
-from coursework.report.wording.closeness import LocalError, evidence, largest_step_error, splits, unreturned
+from coursework.report.wording.closeness import (
+    LocalError,
+    evidence,
+    largest_error_sentence,
+    largest_step_error,
+    splits,
+    unreturned,
+)
 from coursework.results.checks.close_to_motion.period import Split
 from coursework.scene.quantities import CHECKS
 
@@ -92,6 +99,8 @@ def _why(context: PageContext, found: list[Split], step: LocalError | None) -> l
             told.append(say("why.half"))
         else:
             told.append(say("why.order", scheme=title[:1].upper() + title[1:], order=scheme.order, less=2**scheme.order))
+    if context.run.tableau is not None and (largest := largest_error_sentence(context)):
+        told.append(largest)
     if context.run.tableau is None and context.run.distance_to_exact is not None:
         told.append(say("why.exact", sentence=context.told(context.run.distance_to_exact.sentence)))
     told += _period(context, found)

@@ -15,7 +15,7 @@ from coursework.report.text.numbers import NOTHING, TIGHT, first_of
 from coursework.report.text.page_context import STOP_DIGITS, PageContext
 from coursework.report.text.parts import Beside, Cell, Column, Paragraph, Part, Result, Runs, Table, TitleBlock
 from coursework.report.text.text_runs import LONGEST_NAME, runs
-from coursework.report.wording.closeness import largest_errors, splits, unreturned
+from coursework.report.wording.closeness import largest_error_sentence, splits, unreturned
 from coursework.report.wording.data_meanings import coordinate_meanings, meanings
 from coursework.report.wording.sought import sought
 from coursework.results.checks.summary import summary
@@ -251,7 +251,7 @@ def _checked(context: PageContext) -> str:
 
 
 def _misses(context: PageContext) -> list[Runs]:
-    """Return last minus first row of the coordinates, and the scheme's largest error for each unit."""
+    """Return last minus first row of the coordinates, and of rows that are the motion itself the scheme's largest error."""
     say, numbers, told = context.words, context.numbers, []
     coordinates, left = context.run.motion.coordinate_names, unreturned(context)
     moved = [split for split in left if split.name in coordinates]
@@ -263,9 +263,9 @@ def _misses(context: PageContext) -> list[Runs]:
         told.append(runs(say("result.misses", gaps=say("join.comma").join(gaps))))
     elif any(split.name in coordinates for split in splits(context)):
         told.append(runs(say("result.repeats_positions" if left else "result.repeats")))
-    if errors := largest_errors(context):
-        listed = say("join.semicolon").join(say("result.where", **error.told(context)) for error in errors)
-        told.append(runs(say("result.error", scheme=errors[0].scheme, errors=listed)))
+    # Beside rows that are the motion itself there is no other word of how far the scheme's are off.
+    if context.run.tableau is None and (sentence := largest_error_sentence(context)):
+        told.append(runs(sentence))
     return told
 
 

@@ -102,6 +102,15 @@ def largest_errors(context: PageContext) -> list[LargestError]:
     return told
 
 
+def largest_error_sentence(context: PageContext) -> str:
+    """Return the scheme's largest error for each unit, with degrees; "" where none is known or to be seen."""
+    errors, say = largest_errors(context), context.words
+    if not errors:
+        return ""
+    listed = say("join.semicolon").join(say("result.where", **error.told(context)) for error in errors)
+    return say("result.error", scheme=errors[0].scheme, errors=listed)
+
+
 def _title(context: PageContext, own: bool) -> str:
     from coursework.motion.schemes import DEFAULT_SCHEME
 

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.motion.schemes import SCHEMES
 
 pytestmark = pytest.mark.browser
 PHASE = 0.1168893  # s: where variant 31 with alpha = 0.02 stops, from the closed form of its driven point
@@ -101,6 +102,32 @@ def test_a_table_that_no_scheme_alone_has_made_is_not_called_that_of_the_page(wr
     assert opened(written("example-3")).page.inner_text("#lab-ratio") == ""
 
 
+def marks_of(page: Any, which: str) -> list[str]:
+    return page.page.eval_on_selector_all(f"#lab-diagram [data-scheme]{which}", "all => all.map(one => one.dataset.scheme)")
+
+
+@pytest.mark.parametrize("name", ["31", "example-3"])
+def test_every_scheme_has_its_mark_before_anything_is_moved(written: Any, opened: Any, name: str) -> None:
+    page = opened(written(name))
+    page.page.wait_for_selector(f"#lab-diagram [data-scheme] >> nth={len(SCHEMES) - 1}")
+    assert sorted(marks_of(page, "")) == sorted(SCHEMES)
+    assert marks_of(page, "[data-tried]") == ["euler"]
+    page.set("#lab-scheme", "rk4", "change")
+    page.page.wait_for_selector("#lab-diagram [data-scheme=rk4][data-tried]")
+    assert sorted(marks_of(page, "")) == sorted(SCHEMES)  # the try has taken the place of the mark
+
+
+def test_data_of_another_mechanism_are_compared_with_nothing(written: Any, opened: Any) -> None:
+    """Moved at once, before a scheme has been measured: no mark is made with the data of the page for those of the reader."""
+    page = opened(written("31"))
+    page.set("#lab-datum", "0.96")
+    page.page.wait_for_selector("#lab-diagram [data-scheme][data-tried]")
+    page.page.wait_for_timeout(500)
+    assert set(marks_of(page, "[data-tried]")) == {"euler"}
+    page.page.click("#lab-reset")
+    page.page.wait_for_selector(f"#lab-diagram [data-scheme] >> nth={len(SCHEMES) - 1}")
+
+
 def test_each_try_leaves_a_mark_with_the_time_it_took(written: Any, opened: Any) -> None:
     page = opened(written("31"))
     for halvings in (0, 1, 2):
@@ -109,8 +136,7 @@ def test_each_try_leaves_a_mark_with_the_time_it_took(written: Any, opened: Any)
     page.set("#lab-scheme", "heun", "change")
     page.page.wait_for_selector("#lab-time:not([data-value=''])")
     assert 0 < float(page.value("#lab-time")) < 1
-    marks = page.page.eval_on_selector_all("#lab-diagram [data-scheme]", "all => all.map(one => one.dataset.scheme)")
-    assert marks == ["euler", "euler", "euler", "heun"]
+    assert marks_of(page, "[data-tried]") == ["euler", "euler", "euler", "heun"]
     assert page.said == []
 
 

@@ -32,7 +32,7 @@ window.setTimeout = (act, wait, ...rest) => later(() => {
 addEventListener("DOMContentLoaded", () => {
   const count = (wanted) => document.querySelectorAll(wanted).length;
   const drawn = document.querySelector(".live-body path").getAttribute("d");
-  window.first = {...done, panels: count("#live-panels svg"), lines: count("#lab-table tbody tr"), drawn};
+  window.first = {...done, panels: count("#live-panels [data-panel]"), lines: count("#lab-table tbody tr"), drawn};
 }, true);
 """
 # The page is told that frames come 1/60 s apart, however slowly they come: what a row lights up is not for every frame.
@@ -175,7 +175,7 @@ def test_a_move_draws_few_pieces_for_each_paint_those_in_sight_first(written: An
         page.eval_on_selector(place, "at => at.scrollIntoView()")
         page.wait_for_timeout(300)
         on_screen = "at => { const {top, bottom} = at.getBoundingClientRect(); return bottom >= 0 && top <= innerHeight; }"
-        in_sight = page.locator("#live-panels svg").evaluate_all(
+        in_sight = page.locator("#live-panels [data-panel] svg").evaluate_all(
             f"all => all.filter({on_screen}).map(at => at.closest('[data-panel]').dataset.panel)"
         )
         frames = page.evaluate(BY_FRAME, ["#lab-scheme", scheme, "change"])
