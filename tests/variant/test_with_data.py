@@ -143,3 +143,20 @@ def test_a_table_in_memory_is_as_bounded_as_one_on_disk():
     beside = {one.name: b"0,1\n" * 70_000 for one in path.parent.glob("*.csv")}
     with pytest.raises(coursework.InputError, match="at most 262144 are read"):
         parse_variant(path.read_bytes(), path.stem, beside)
+
+
+def test_a_rod_of_less_than_nothing_is_refused_by_data_as_by_its_file():
+    """Just inside: the shortest rod is read, whether or not it can be put together; a crank the other way round is one."""
+    variant = coursework.load("example-1")
+    assert variant.with_data(given={"r2": 1e-9}).values["r2"] == 1e-9
+    assert variant.with_data(given={"r1": -0.4}).values["r1"] == -0.4
+    with pytest.raises(coursework.InputError) as by_data:
+        variant.with_data(given={"r2": -1e-9})
+    text = find("example-1").read_text(encoding="utf-8")
+    with pytest.raises(coursework.InputError) as by_file:
+        parse_variant(text.replace('r2 = "1.0 m"', 'r2 = "-1e-9 m"'))
+    told = [
+        [(fault.code, fault.line, fault.column, str(fault.message)) for fault in error.value.faults]
+        for error in (by_data, by_file)
+    ]
+    assert told[0] == told[1] == [("V308", 43, 16, "r2: a finite length above zero was expected, found -1e-09.")]

@@ -21,6 +21,7 @@ from coursework.motion.geometry.drive import integrals
 from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula, constant, spelled
+from coursework.variant.judging.lengths import refused_length
 from coursework.variant.record.variant import Group, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
@@ -70,7 +71,7 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
             told = say("fault.V306", **known, letters=named) if named else say("fault.V305", **known)
             raise _fault(told, number, group, variant) from error
         except ValueError as error:
-            raise _fault(say("fault.V308", reason=str(error)), number, group, variant) from error
+            raise _fault(refused_length(str(error)), number, group, variant) from error
         for column, place in enumerate(places):
             coordinate = variant.coordinates[place]
             angle = coordinate.unit == "rad"

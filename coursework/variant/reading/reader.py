@@ -21,8 +21,8 @@ from coursework.variant.formula.units import is_quantity, measured
 from coursework.variant.judging.at_start import faults_at_start
 from coursework.variant.judging.bounds import exceeded
 from coursework.variant.judging.dimension_check import check_dimensions
+from coursework.variant.judging.lengths import faults_of_lengths
 from coursework.variant.judging.plausibility import remarks_on
-from coursework.variant.judging.zero_lengths import faults_of_zero_lengths
 from coursework.variant.reading import schema
 from coursework.variant.reading.bodies import read_frame, read_group, read_link
 from coursework.variant.reading.names import Names
@@ -300,4 +300,4 @@ def _rules(variant: Variant, source: Source, times: Iterable[KeyPath]) -> list[F
     if variant.driven and (missing := [law for law in (f"V{variant.driven}{part}" for part in "xy") if law not in laws]):
         message = say("fault.V048", point=variant.driven, missing=tuple(missing))
         faults.append(source.fault(("closure", "driven"), message))
-    return faults + faults_of_zero_lengths(variant, source)
+    return faults + faults_of_lengths(variant, source)

@@ -1,6 +1,7 @@
-"""Links without length: their angular velocities mean nothing, so they are refused before anything is computed.
+"""Links without length, whose angular velocities mean nothing, and of a negative one: refused before anything is computed.
 
-Enters: a `Variant` and its `Source`.  Leaves: faults.  Used by `reader.py` only.  Source: hard case H16.
+Enters: a `Variant` and its `Source`.  Leaves: faults.  Used by `reader.py`; the sentence about a length that becomes negative
+during the motion is told by `motion/geometry/chain.py`.  Source: hard case H16.
 """
 
 from __future__ import annotations
@@ -10,11 +11,14 @@ from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
 from coursework.words.errors import Fault
+from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 
-def faults_of_zero_lengths(variant: Variant, source: Source) -> list[Fault]:
-    """Return a fault for each length behind @ or of a group that is zero, and for each velocity that only zeros multiply."""
+def faults_of_lengths(variant: Variant, source: Source) -> list[Fault]:
+    """Return a fault for each length behind @ or of a group that is zero, for each of a dyad that is negative, and for each
+    velocity that only zeros multiply.
+    """
     places: list[tuple[KeyPath, Formula]] = [(("points", name), formula) for name, formula in variant.points]
     places += [(("closure", "holds", i), formula) for i, formula in enumerate(variant.holds)]
     for i, constraint in enumerate(variant.constraints):
@@ -22,9 +26,26 @@ def faults_of_zero_lengths(variant: Variant, source: Source) -> list[Fault]:
         places += [(("constraint", i, key), side) for side in (constraint.left, constraint.right)]
     lengths = [(path, node.args[0]) for path, formula in places for node in formula.walk() if node.op == "@"]
     lengths += [(("group", i, "lengths", j), f) for i, group in enumerate(variant.groups) for j, f in enumerate(group.lengths)]
-    found = dict.fromkeys((path, spelled(length)) for path, length in lengths if _is_zero(length, variant))
+    found = dict.fromkeys((path, spelled(length)) for path, length in lengths if _value(length, variant) == 0)
     faults = [source.fault(path, say("fault.V087", text=text)) for path, text in found]
-    return faults or _lost(variant, source)
+    return faults + _negative(variant, source) or _lost(variant, source)
+
+
+def refused_length(reason: str) -> Sentence:
+    """Return what is told of a group with a length that no rod can have."""
+    return say("fault.V308", reason=reason)
+
+
+def _negative(variant: Variant, source: Source) -> list[Fault]:
+    """Return a fault for each rod of a dyad whose length is below zero; a crank that is given so only points the other way."""
+    faults = []
+    for i, group in enumerate(variant.groups):
+        for j, length in enumerate(group.lengths if len(group.coordinates) > 1 else ()):
+            value = _value(length, variant)
+            if value is not None and value < 0:
+                reason = say("group.positive.alone", what=spelled(length), found=value, row=0)
+                faults.append(source.fault(("group", i, "lengths", j), refused_length(reason)))
+    return faults
 
 
 def _lost(variant: Variant, source: Source) -> list[Fault]:
@@ -53,16 +74,17 @@ def _beside_zero(tree: Formula, variant: Variant, zero: str) -> list[tuple[str, 
     if tree.op == "*":
         first, second = tree.args
         return [
-            *_beside_zero(first, variant, zero or (spelled(second) if _is_zero(second, variant) else "")),
-            *_beside_zero(second, variant, zero or (spelled(first) if _is_zero(first, variant) else "")),
+            *_beside_zero(first, variant, zero or (spelled(second) if _value(second, variant) == 0 else "")),
+            *_beside_zero(second, variant, zero or (spelled(first) if _value(first, variant) == 0 else "")),
         ]
     return [entry for arg in tree.args for entry in _beside_zero(arg, variant, zero)]
 
 
-def _is_zero(length: Formula, variant: Variant) -> bool:
+def _value(length: Formula, variant: Variant) -> float | None:
+    """Return a length that follows from the data alone (m), None for any other."""
     if not {*length.names()} <= {*variant.values, "pi"}:
-        return False
+        return None
     try:
-        return evaluate(length, variant.values) == 0
+        return evaluate(length, variant.values)
     except FormulaFault:
-        return False
+        return None
