@@ -8,8 +8,6 @@ What one student gets depends on that student alone; a further student adds file
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,10 +19,11 @@ from coursework.assigning.page_words import Plain
 from coursework.assigning.ranges import MEASURES
 from coursework.assigning.sheet import sheet, sheet_html, sheets_pdf
 from coursework.assigning.variants import Assignment
-from coursework.grading.platforms.escapes import csv_text
+from coursework.grading.platforms.escapes import text_cell
 from coursework.grading.platforms.roster import Roster
 from coursework.report.text.words import Words
 from coursework.scene.scene import Scene
+from coursework.system.csv_text import csv_text
 from coursework.system.whole_files import refused, write_bytes
 
 ROSTER, CLASS, PDF = "roster.csv", "class.html", "sheets.pdf"
@@ -77,20 +76,16 @@ def roster_csv(handouts: Sequence[Handout], assignment: Assignment) -> str:
     names = [one.name for one in assignment.ranges.ranges]
     head = ["id", "name", "email", "variant", "least_decimals", *names, *MEASURES]
     more = [key for key in (handouts[0].student.more if handouts else {}) if key not in head]
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\r\n")
-    writer.writerow([*head, *more])
-    for handout in handouts:
-        student, accepted = handout.student, handout.individual.accepted
-        writer.writerow(
-            [
-                student.id, csv_text(student.name), student.email, f"{handout.stem}.toml", handout.least_decimals,
-                *(accepted.values[one.path] for one in assignment.ranges.ranges),
-                *(difficulty_text(accepted.numbers[name]) for name in MEASURES),
-                *(csv_text(student.more.get(key, "")) for key in more),
-            ]
-        )  # fmt: skip
-    return text.getvalue()
+    rows = [
+        [
+            handout.student.id, text_cell(handout.student.name), handout.student.email, f"{handout.stem}.toml",
+            handout.least_decimals, *(handout.individual.accepted.values[one.path] for one in assignment.ranges.ranges),
+            *(difficulty_text(handout.individual.accepted.numbers[name]) for name in MEASURES),
+            *(text_cell(handout.student.more.get(key, "")) for key in more),
+        ]
+        for handout in handouts
+    ]  # fmt: skip
+    return csv_text([*head, *more], rows, "\r\n")
 
 
 def _write(path: Path, content: bytes) -> None:

@@ -6,13 +6,12 @@ Used by `assign.py`.
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Sequence
 
 from coursework.assigning.handout import Handout
 from coursework.assigning.page_words import Equation, Plain, equation, lettered, mathematics, named, symbol_runs
 from coursework.assigning.sheet import LONGEST, data_rows, pictures, start_rows
+from coursework.report.output.tables import timed_csv
 from coursework.report.text.numbers import unit_text, with_unit
 from coursework.report.text.words import Words
 from coursework.scene.scene import Scene
@@ -22,11 +21,7 @@ from coursework.words.templates import clean, filled
 def key_csv(handout: Handout) -> str:
     """Return the Euler table: header t, then the columns; SI; shortest text that reads back to the same number."""
     motion = handout.motion
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(["t", *motion.names])
-    writer.writerows([repr(t), *map(repr, row)] for t, row in zip(motion.t.tolist(), motion.rows.tolist(), strict=True))
-    return text.getvalue()
+    return timed_csv(motion.names, motion.t, motion.rows)
 
 
 def key_equations(scene: Scene, words: Words) -> tuple[list[Equation], list[Equation]]:

@@ -6,9 +6,7 @@ Used by `cli.py`; one faulty file never stops the rest.
 
 from __future__ import annotations
 
-import csv
 import glob
-import io
 import sys
 import traceback
 from collections import Counter
@@ -30,6 +28,7 @@ from coursework.report.output.write import write_set
 from coursework.results.checks.result import Verdict
 from coursework.scene.quantities import CHECKS
 from coursework.system.budget import Budget, watched
+from coursework.system.csv_text import csv_text
 from coursework.system.file_set import clear_leftovers, working_folder
 from coursework.system.whole_files import write_bytes
 from coursework.variant.catalogue import find, load
@@ -196,13 +195,13 @@ def run_several(variants: Sequence[str], jobs: int, task: RunTask) -> int:
 
 def summary_csv(ordered: Iterable[Outcome]) -> str:
     """Return the summary: a line a variant, its exit status, rows, checks by verdict, what went wrong and the code of a fault."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(["variant", "folder", "status", "rows", *(verdict.lower() for verdict in VERDICTS), "sentence", "code"])
-    for each in ordered:
-        counts = [each.verdicts[verdict] for verdict in VERDICTS]
-        writer.writerow([each.item.variant, each.item.folder, each.status, each.rows, *counts, each.sentence, each.code])
-    return text.getvalue()
+    head = ["variant", "folder", "status", "rows", *(verdict.lower() for verdict in VERDICTS), "sentence", "code"]
+    rows = (
+        [each.item.variant, each.item.folder, each.status, each.rows, *(each.verdicts[verdict] for verdict in VERDICTS),
+         each.sentence, each.code]
+        for each in ordered
+    )  # fmt: skip
+    return csv_text(head, rows)
 
 
 def summary_lines(ordered: Sequence[Outcome]) -> Iterator[str]:

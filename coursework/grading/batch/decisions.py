@@ -39,18 +39,15 @@ class Override:
 def read_overrides(content: bytes, file: str, known: Collection[str], rubric: Rubric) -> dict[str, tuple[Override, ...]]:
     """Return the decisions by id of `known` students.  Raises `InputError` with every fault."""
     cells = read_cells(content, file)
-    head = [cell.value.strip().casefold() for cell in cells.records[0]] if cells.records else []
-    if missing := [name for name in COLUMNS[:3] if name not in head]:
+    if missing := [name for name in COLUMNS[:3] if name not in cells.columns]:
         raise InputError([Fault(say("fault.G028", missing=missing[0], columns=",".join(COLUMNS)), file, 1)])
     ids = {same_key(student): student for student in known}
     found: dict[str, list[Override]] = {}
     faults: list[Fault] = []
-    for record in cells.records[1:]:
-        values = {name: record[head.index(name)].value.strip() if head.index(name) < len(record) else "" for name in COLUMNS
-                  if name in head}  # fmt: skip
+    for record, values in cells.named(COLUMNS):
         if not any(values.values()):
             continue
-        line = record[0].line
+        line = cells.records[record][0].line
         student = ids.get(same_key(values["id"]))
         if student is None:
             hint = closest(values["id"], list(known))
@@ -66,7 +63,7 @@ def read_overrides(content: bytes, file: str, known: Collection[str], rubric: Ru
         if not number.is_number or not 0 <= number.value <= most:
             faults.append(Fault(say("fault.G031", most=most, points=values["points"][:80]), file, line))
             continue
-        found.setdefault(student, []).append(Override(check, float(number.value), values.get("reason", "")))
+        found.setdefault(student, []).append(Override(check, float(number.value), values["reason"]))
     if faults:
         raise InputError(faults)
     return {student: tuple(listed) for student, listed in found.items()}

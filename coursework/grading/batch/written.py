@@ -6,22 +6,21 @@ Used by the command only.
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from coursework.grading.batch.class_list import ClassList, Place
-from coursework.grading.batch.gradebook import Change, Graded, page_name
+from coursework.grading.batch.gradebook import Graded, page_name
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.pages.class_facts import ClassFacts
 from coursework.grading.pages.class_page import class_page
 from coursework.grading.platforms.canvas import Gradebook
-from coursework.grading.platforms.escapes import csv_text
+from coursework.grading.platforms.escapes import text_cell
 from coursework.grading.platforms.feedback_zip import feedback_zip
 from coursework.grading.platforms.worksheet import Worksheet
+from coursework.system.csv_text import csv_text
 from coursework.system.whole_files import write_bytes
 from coursework.words.sentences import ENGLISH, Phrases, load_phrases
 
@@ -65,7 +64,7 @@ def write_gradebook(
     changes = [(change.id, change.before, change.after, change.reason) for change in graded.changes]
     page = class_page(facts, changes, [(str(entry["name"]), list(entry["files"])) for entry in strangers], words)
     write_bytes(out / "class.html", page.encode("utf-8"))
-    write_bytes(out / "changes.csv", _changes(graded.changes))
+    write_bytes(out / "changes.csv", _csv(("id", "before", "after", "reason"), changes))
     if worksheet is not None:
         write_bytes(out / "worksheet.csv", worksheet.filled(_marks(listed, graded, words)))
         written.append("worksheet.csv")
@@ -110,16 +109,7 @@ def _number(value: float | None) -> str:
 
 
 def _csv(head: Sequence[str], lines: Iterable[Sequence[str]]) -> bytes:
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\r\n")
-    writer.writerow(head)
-    writer.writerows([csv_text(cell) for cell in line] for line in lines)
-    return ("\ufeff" + text.getvalue()).encode("utf-8")
-
-
-def _changes(changes: Sequence[Change]) -> bytes:
-    head = ("id", "before", "after", "reason")
-    return _csv(head, [(change.id, change.before, change.after, change.reason) for change in changes])
+    return csv_text(head, (map(text_cell, line) for line in lines), "\r\n").encode("utf-8-sig")
 
 
 def _json(rubric: Rubric, records: Sequence[str], strangers: Sequence[Mapping[str, Any]], facts: ClassFacts) -> Iterator[bytes]:

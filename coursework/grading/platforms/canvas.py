@@ -18,7 +18,7 @@ from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
 _ASSIGNMENT = re.compile(r".+ \([0-9]+\)")
-_KEYS = ("ID", "SIS User ID", "SIS Login ID")
+_KEYS = ("id", "sis user id", "sis login id")
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,18 +28,16 @@ class Gradebook:
     cells: CellText
     column: int
     students: tuple[int, ...]
-    points_possible: float | None
 
     def record_of(self, keys: tuple[str, ...], name: str | None) -> int | None:
         """Return the record of a student: by Canvas's ID, SIS user ID, SIS login ID (any of `keys`), else by the exact name."""
-        titles = [cell.value for cell in self.cells.records[0]]
+        columns = self.cells.columns
         wanted = {same_key(key) for key in keys if key}
         for title in _KEYS:
-            if title in titles:
-                place = titles.index(title)
-                fitting = [record for record in self.students if same_key(self._value(record, place)) in wanted - {""}]
-                if len(fitting) == 1:
-                    return fitting[0]
+            ids = {record: same_key(self.cells.value(record, columns.get(title))) for record in self.students}
+            fitting = [record for record, student in ids.items() if student in wanted - {""}]
+            if len(fitting) == 1:
+                return fitting[0]
         if not name:
             return None
         named = Counter(spelling for record in self.students for spelling in self._names(record))
@@ -50,24 +48,20 @@ class Gradebook:
         """Return the export with points in its column, by record; excused students and equal grades stay as they are."""
         changes = {}
         for record, value in points.items():
-            before = self._value(record, self.column)
+            before = self.cells.value(record, self.column)
             number = printed(before, ".")
             if before.upper() == "EX" or (number.is_number and round(number.value, 2) == round(value, 2)):
                 continue
             changes[record, self.column] = f"{value:.2f}".rstrip("0").rstrip(".")
         return self.cells.replaced(changes)
 
-    def _value(self, record: int, place: int) -> str:
-        cells = self.cells.records[record]
-        return cells[place].value.strip() if place < len(cells) else ""
-
     def _names(self, record: int) -> set[str]:
         """Return a student's name as it stands, and turned where it is "Last, First" or stands in two columns."""
-        titles = [cell.value for cell in self.cells.records[0]]
-        if "LastName" in titles and "FirstName" in titles:
-            last, first = (self._value(record, titles.index(title)) for title in ("LastName", "FirstName"))
+        columns = self.cells.columns
+        if "lastname" in columns and "firstname" in columns:
+            last, first = (self.cells.value(record, columns[title]) for title in ("lastname", "firstname"))
             return {name_key(f"{last}, {first}"), name_key(f"{first} {last}"), name_key(f"{last} {first}")}
-        whole = self._value(record, 0)
+        whole = self.cells.value(record, 0)
         last, comma, first = whole.partition(",")
         return {name_key(whole), name_key(f"{first} {last}"), name_key(f"{last} {first}")} if comma else {name_key(whole)}
 
@@ -80,42 +74,31 @@ def read_gradebook(content: bytes, file: str, points: float) -> Gradebook:
     cells = read_cells(content, file)
     if len(cells.records) < 2:
         raise InputError([Fault(say("fault.G011"), file)])
-    titles = [cell.value for cell in cells.records[0]]
-    possible = next((k for k, record in enumerate(cells.records[1:6], start=1) if _is_possible(record[0].value)), None)
+    titles = cells.titles
+    possible = next((k for k in range(1, min(6, len(cells.records))) if cells.value(k, 0) == "Points Possible"), None)
     listed = [place for place, title in enumerate(titles) if _ASSIGNMENT.fullmatch(title)]
     fitting = [place for place in listed if possible is None or _points(cells, possible, place) in (points, None)]
     known = "; ".join(titles[place] for place in listed) or "none"
     if not fitting:
         message = say("fault.G012", points=points, known=known)
         raise InputError([Fault(message, file, 1)])
-    students = tuple(k for k in range(1, len(cells.records)) if k > (possible or 0) and _is_student(cells, k, titles))
+    students = tuple(k for k in range(1, len(cells.records)) if k > (possible or 0) and _is_student(cells, k))
     if len(fitting) > 1:
-        empty = [
-            place
-            for place in fitting
-            if not any(cells.records[k][place].value.strip() for k in students if place < len(cells.records[k]))
-        ]
+        empty = [place for place in fitting if not any(cells.value(k, place) for k in students)]
         if len(empty) != 1:
             names = "; ".join(titles[place] for place in fitting)
             message = say("fault.G013", points=points, names=names)
             raise InputError([Fault(message, file, 1)])
         fitting = empty
-    return Gradebook(cells, fitting[0], students, _points(cells, possible, fitting[0]) if possible else None)
+    return Gradebook(cells, fitting[0], students)
 
 
-def _is_possible(text: str) -> bool:
-    return text.strip() == "Points Possible"
-
-
-def _is_student(cells: CellText, record: int, titles: list[str]) -> bool:
+def _is_student(cells: CellText, record: int) -> bool:
     """Return whether a record is a student and not Canvas's own test student or a line of settings."""
-    row = cells.records[record]
-    place = titles.index("ID") if "ID" in titles else 0
-    has_id = place < len(row) and bool(row[place].value.strip())
-    return has_id and not row[0].value.startswith("    ") and row[0].value.strip() != "Student, Test"
+    has_id = bool(cells.value(record, cells.columns.get("id", 0)))
+    return has_id and not cells.records[record][0].value.startswith("    ") and cells.value(record, 0) != "Student, Test"
 
 
 def _points(cells: CellText, record: int, place: int) -> float | None:
-    row = cells.records[record]
-    number = printed(row[place].value, ".") if place < len(row) else None
-    return number.value if number and number.is_number else None
+    number = printed(cells.value(record, place), ".")
+    return number.value if number.is_number else None

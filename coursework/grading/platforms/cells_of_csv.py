@@ -1,12 +1,12 @@
 """A platform's CSV with the place of every cell, so that some cells change and every other byte stays.
 
 Enters: the bytes of a worksheet or gradebook.  Leaves: `CellText`, and the bytes with chosen cells replaced.
-Used by `worksheet.py`, `canvas.py`, `roster.py`.
+Used by `worksheet.py`, `canvas.py`, `roster.py` and `decisions.py`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from coursework.grading.reading.files.encoding import decode
@@ -38,6 +38,27 @@ class CellText:
     mark: bytes
     separator: str
     records: tuple[tuple[CsvCell, ...], ...]
+
+    @property
+    def titles(self) -> list[str]:
+        """Return what stands in the cells of the first record."""
+        return [cell.value.strip() for cell in self.records[0]] if self.records else []
+
+    @property
+    def columns(self) -> dict[str, int]:
+        """Return which column (from 0) has a title, in small letters; of two alike the first."""
+        return {title.casefold(): place for place, title in reversed([*enumerate(self.titles)])}
+
+    def value(self, record: int, column: int | None) -> str:
+        """Return what stands in one column of a record; "" where the record ends before it, or there is no such column."""
+        cells = self.records[record]
+        return cells[column].value.strip() if column is not None and column < len(cells) else ""
+
+    def named(self, names: Iterable[str]) -> Iterator[tuple[int, dict[str, str]]]:
+        """Yield (record, what stands under each of `names`) of every record but the head."""
+        places = {name: self.columns.get(name) for name in names}
+        for record in range(1, len(self.records)):
+            yield record, {name: self.value(record, place) for name, place in places.items()}
 
     def replaced(self, changes: Mapping[tuple[int, int], str]) -> bytes:
         """Return the file with some cells changed: (record, cell) to its new text, written out with its quotation marks."""

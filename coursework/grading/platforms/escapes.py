@@ -10,10 +10,10 @@ import unicodedata
 _STARTS_FORMULA = tuple("=+-@＝＋－＠\t\r\n\0")
 
 
-def csv_text(text: str) -> str:
+def text_cell(text: str) -> str:
     """Return a text cell that no spreadsheet takes for a formula: where it might be one, a `'` stands first.
 
-    >>> csv_text("=HYPERLINK(1)"), csv_text("Ann")
+    >>> text_cell("=HYPERLINK(1)"), text_cell("Ann")
     ("'=HYPERLINK(1)", 'Ann')
     """
     first = text.lstrip(" \"'\u00a0")

@@ -42,19 +42,17 @@ def read_roster(content: bytes, file: str) -> Roster:
     cells = read_cells(content, file)
     if not cells.records:
         raise InputError([Fault(say("fault.G017"), file)])
-    head = [cell.value.strip() for cell in cells.records[0]]
-    places = {title.casefold(): place for place, title in reversed([*enumerate(head)])}
-    if "id" not in places:
+    head = cells.titles
+    if "id" not in cells.columns:
         advice = closest("id", head) or say("hint.first_line", line="id,name,email,variant")
         raise InputError([Fault(say("fault.G018", head=", ".join(head[:10]), advice=advice), file, 1)])
     students: list[Student] = []
     faults: list[Fault] = []
     seen: dict[str, int] = {}
-    for record in cells.records[1:]:
-        values = [cell.value.strip() for cell in record]
-        told = {name: values[places[name]] if name in places and places[name] < len(values) else "" for name in COLUMNS}
-        line = record[0].line
-        if not any(values):
+    more = {title: place for place, title in enumerate(head) if title.casefold() not in COLUMNS}
+    for record, told in cells.named(COLUMNS):
+        line = cells.records[record][0].line
+        if not any(cell.value.strip() for cell in cells.records[record]):
             continue
         student = unicodedata.normalize("NFC", told["id"])
         if not student:
@@ -62,10 +60,8 @@ def read_roster(content: bytes, file: str) -> Roster:
         elif first := seen.get(same_key(student)):
             faults.append(Fault(say("fault.G020", student=student, first=first), file, line))
         seen.setdefault(same_key(student), line)
-        more = {
-            title: values[place] for place, title in enumerate(head) if title.casefold() not in COLUMNS and place < len(values)
-        }
-        students.append(Student(student, told["name"], told["email"], told["variant"], more, line))
+        kept = {title: cells.value(record, place) for title, place in more.items()}
+        students.append(Student(student, told["name"], told["email"], told["variant"], kept, line))
     if faults:
         raise InputError(faults)
     return Roster(tuple(students))

@@ -13,7 +13,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from coursework.grading.platforms.cells_of_csv import CellText, read_cells
-from coursework.grading.platforms.escapes import csv_text, shown
+from coursework.grading.platforms.escapes import shown, text_cell
 from coursework.grading.platforms.names import name_key
 from coursework.grading.reading.numbers import printed
 from coursework.words.errors import Fault, InputError
@@ -85,7 +85,7 @@ class Worksheet:
             if "comment" not in self.columns:  # comments are switched off for the assignment
                 continue
             escaped = html.escape(shown(comment[:_MOST_COMMENT])).replace("\n", "<br>")
-            changes[row.record, self.columns["comment"]] = self.cells.quoted(csv_text(escaped))
+            changes[row.record, self.columns["comment"]] = self.cells.quoted(text_cell(escaped))
         return self.cells.replaced(changes)
 
 
@@ -94,8 +94,8 @@ def read_worksheet(content: bytes, file: str) -> Worksheet:
     cells = read_cells(content, file)
     if len(cells.records) < 2:
         raise InputError([Fault(say("fault.G021"), file)])
-    titles = [cell.value.strip().casefold() for cell in cells.records[0]]
-    found = {name: titles.index(title) for name, known in _TITLES.items() for title in known.split(",") if title in titles}
+    titles = cells.columns
+    found = {name: titles[title] for name, known in _TITLES.items() for title in known.split(",") if title in titles}
     maximum = found.get("maximum", _column_of_maximum(cells))
     if maximum is None:
         message = say("fault.G022")
@@ -103,8 +103,9 @@ def read_worksheet(content: bytes, file: str) -> Worksheet:
     columns = {"identifier": 0, "name": 1, "grade": maximum - 1, "maximum": maximum} | found
     if columns["grade"] < 1:
         raise InputError([Fault(say("fault.G023"), file, 1)])
-    if "maximum" not in found and len(titles) - 1 >= maximum + _AFTER_MAXIMUM:
-        columns.setdefault("comment", len(titles) - 1)
+    last = len(cells.titles) - 1
+    if "maximum" not in found and last >= maximum + _AFTER_MAXIMUM:
+        columns.setdefault("comment", last)
     if "email" not in columns:
         columns |= _email_column(cells)
     greatest, mark = _maximum(cells, maximum)
@@ -125,11 +126,11 @@ def _column_of_maximum(cells: CellText) -> int | None:
 
 def _maximum(cells: CellText, place: int) -> tuple[float, str]:
     """Return the greatest grade and the sheet's decimal mark."""
-    values = [record[place].value.strip() for record in cells.records[1:] if place < len(record)]
-    first = next((value for value in values if value), "")
+    values = [value for record in range(1, len(cells.records)) if (value := cells.value(record, place))]
+    first = next(iter(values), "")
     mark = "," if "," in first and "." not in first else "."
     number = printed(first, mark)
-    if not number.is_number or number.value <= 0 or len({value for value in values if value}) != 1:
+    if not number.is_number or number.value <= 0 or len({*values}) != 1:
         message = say("fault.G024", first=first[:20])
         raise InputError([Fault(message, cells.file, 2)])
     return number.value, mark
@@ -150,8 +151,7 @@ def _email_column(cells: CellText) -> dict[str, int]:
 
 def _rows(cells: CellText, columns: Mapping[str, int]) -> tuple[WorksheetRow, ...]:
     def value(record: int, name: str) -> str:
-        place = columns.get(name, -1)
-        return cells.records[record][place].value.strip() if 0 <= place < len(cells.records[record]) else ""
+        return cells.value(record, columns.get(name))
 
     whole = [record for record in range(1, len(cells.records)) if len(cells.records[record]) > max(columns.values())]
     names = Counter(name_key(value(record, "name")) for record in whole)

@@ -12,7 +12,7 @@ import pytest
 
 from coursework.grading.collecting.file_lists import FileList
 from coursework.grading.collecting.sources import Source, collect_one
-from coursework.grading.platforms.escapes import csv_text, shown
+from coursework.grading.platforms.escapes import shown, text_cell
 from coursework.grading.platforms.names import file_stem
 from coursework.grading.reading.files.archive import Archive
 from coursework.grading.reading.submission import Submission
@@ -229,9 +229,9 @@ FORMULAS = [
 
 @pytest.mark.parametrize("text", FORMULAS)
 def test_no_text_becomes_a_formula(text: str) -> None:
-    assert csv_text(text) == "'" + text
+    assert text_cell(text) == "'" + text
 
 
 def test_harmless_text_stays_and_hidden_letters_show() -> None:
-    assert csv_text("Іван О'Ніл =") == "Іван О'Ніл ="
+    assert text_cell("Іван О'Ніл =") == "Іван О'Ніл ="
     assert shown("a\u202eb\u200bc\x07\n") == "a⟨U+202E⟩b⟨U+200B⟩c⟨U+0007⟩\n"

@@ -12,6 +12,7 @@ from coursework.grading.collecting.file_lists import FileList
 from coursework.grading.collecting.matching import Matched, match
 from coursework.grading.platforms.autograder import Outcome, PartOutcome, gradescope, prairielearn, results_json
 from coursework.grading.platforms.canvas import read_gradebook
+from coursework.grading.platforms.cells_of_csv import read_cells
 from coursework.grading.platforms.feedback_zip import feedback_zip
 from coursework.grading.platforms.roster import read_roster
 from coursework.grading.platforms.worksheet import read_worksheet
@@ -225,3 +226,18 @@ def test_prairielearn() -> None:
     big = prairielearn(Outcome("graded", 1, 100, "x" * 10**6, [PartOutcome(str(k), 0, 25, "ω" * 10**6) for k in range(4)]))
     assert len(results_json(big)) < 10**6
     assert json.loads(results_json(results)) == results
+
+
+def test_a_cell_is_found_by_its_title_and_is_empty_where_the_record_ends_before_it() -> None:
+    cells = read_cells(b"ID, Name ,id\n7, Ann ,8\n9\n", "r.csv")
+    assert (cells.titles, cells.columns) == (["ID", "Name", "id"], {"id": 0, "name": 1})
+    assert [*cells.named(("id", "name", "email"))] == [
+        (1, {"id": "7", "name": "Ann", "email": ""}),
+        (2, {"id": "9", "name": "", "email": ""}),
+    ]
+    assert (cells.value(1, 2), cells.value(1, 3), cells.value(1, None)) == ("8", "", "")
+
+
+def test_a_short_first_line_of_a_roster_loses_no_further_column() -> None:
+    students = read_roster(b"id,group\na\nb,ME-21\n", "r.csv").students
+    assert [student.more for student in students] == [{"group": ""}, {"group": "ME-21"}]
