@@ -211,8 +211,8 @@ def test_links_that_follow_from_groups_or_points_are_constructed_too(name: str) 
 def test_without_a_check_row_it_is_row_4() -> None:
     variant = at_row(load("31"), None)
     run = solve(variant, quantities=["graph_check"])
-    assert run.graph is not None
-    assert (run.graph.row, run.graph.time) == (4, pytest.approx(0.06))
+    assert run.graph_check is not None
+    assert (run.graph_check.row, run.graph_check.time) == (4, pytest.approx(0.06))
 
 
 def test_the_record_of_a_run_has_what_was_read() -> None:
@@ -228,7 +228,7 @@ def test_the_record_of_a_run_has_what_was_read() -> None:
 
 def test_not_asked_for_is_not_computed() -> None:
     run = solve("31", quantities=["table"])
-    assert run.graph is None
+    assert run.graph_check is None
     assert "graph_check" not in run.scene.ledger.calls
 
 
@@ -236,16 +236,16 @@ def test_what_is_missing_is_said() -> None:
     variant = load("31")
     bare = replace(at_row(variant, None), links=())
     with pytest.raises(InputError, match=r"needs \[links\]; this variant has none"):
-        _ = solve(bare, quantities=["graph_check"]).graph
+        _ = solve(bare, quantities=["graph_check"]).graph_check
     with pytest.raises(InputError, match="links of constant length; AO changes"):
-        _ = solve("variable-crank", quantities=["graph_check"]).graph
-    assert solve(variant, end=0.04, quantities=["graph_check"]).graph is None  # the table ends before row 4
+        _ = solve("variable-crank", quantities=["graph_check"]).graph_check
+    assert solve(variant, end=0.04, quantities=["graph_check"]).graph_check is None  # the table ends before row 4
     with pytest.raises(InputError, match="ask for the whole table"):
-        _ = solve(variant, quantities=["w3", "graph_check"]).graph
+        _ = solve(variant, quantities=["w3", "graph_check"]).graph_check
 
 
 def test_a_motion_that_stops_before_the_row_has_no_check() -> None:
     variant = load("31")
     phase = replace(variant, given=tuple(replace(g, value=0.02) if g.name == "alpha" else g for g in variant.given))
-    assert solve(at_row(phase, 7), quantities=["graph_check"]).graph is None  # the dead point is at 0.1169 s, row 6.8
-    assert solve(at_row(phase, 4), quantities=["graph_check"]).graph is not None
+    assert solve(at_row(phase, 7), quantities=["graph_check"]).graph_check is None  # the dead point is at 0.1169 s, row 6.8
+    assert solve(at_row(phase, 4), quantities=["graph_check"]).graph_check is not None
