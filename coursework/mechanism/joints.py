@@ -1,7 +1,7 @@
 """The joints of a mechanism, made once: from [links] and [frame] where a file has them, else from its chain of groups.
 
 Enters: a `Variant` and its points as formulas.  Leaves: `Linkage`, the moving bodies and every `Joint` between them.
-Used by `mechanism.py` (mobility), `equations/reduction/meaning.py`, `tracing.py` and `drawing/plans/sketch.py` (centres).
+Used by `mechanism.py` (mobility), `equations/reduction/meaning.py` and `tracing.py`.
 """
 
 from __future__ import annotations

@@ -271,7 +271,7 @@ class SceneRun:
         return self.of(ACCURACY) if self.asks(ACCURACY) else None
 
     @property
-    def graph(self) -> GraphCheck | None:
+    def graph_check(self) -> GraphCheck | None:
         """Return the graph-analytical check, None where it was not asked for or the motion stops before its row."""
         return self.of(GRAPH_CHECK) if self.asks(GRAPH_CHECK) else None
 

@@ -70,7 +70,7 @@ def test_the_impossible_drive_of_variant_31(reading: ModuleType) -> None:
 
 def test_a_check_row_at_rest_is_drawn_and_compared_without_percentages() -> None:
     run = coursework.solve(with_set(coursework.load("robot-arm"), (), 1), quantities=["table", "graph_check"])
-    assert run.graph is not None and all(reading.table == 0 for reading in run.graph.readings)
+    assert run.graph_check is not None and all(reading.table == 0 for reading in run.graph_check.readings)
     (section,) = (section for section in build_model(run).sections if section.name == "graph_check")
     (table,) = (part for part in section.parts if isinstance(part, Table))
     assert {row[-1] for row in table.rows} == {NOTHING}

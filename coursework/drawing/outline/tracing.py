@@ -77,7 +77,7 @@ class _Pencil:
             at = self.name_of(through)
             held = next((bar.link for bar in self.bars if bar.corners == (at,)), "")
             on_link = any(at in bar.corners for bar in self.bars)
-            rider = at if on_link or at in contacts else ""
+            rider = at if through.op == "name" and (on_link or at in contacts) else ""
             toward = self.direction(at, angle)
             self.rails.append(Rail(at, at, toward, rider, at in contacts))
             if rider and at not in contacts:

@@ -34,7 +34,7 @@ def solve_plan(pose: Pose, velocities: Mapping[str, complex]) -> Solved:
     rows: list[dict[int, float]] = []
     right: list[float] = []
 
-    def say(row: dict[int, float], value: float = 0.0) -> None:
+    def require(row: dict[int, float], value: float = 0.0) -> None:
         rows.append(row)
         right.append(value)
 
@@ -43,37 +43,37 @@ def solve_plan(pose: Pose, velocities: Mapping[str, complex]) -> Solved:
 
     for name, velocity in velocities.items():
         if name in column:
-            say({column[name]: 1.0}, velocity.real)
-            say({column[name] + 1: 1.0}, velocity.imag)
+            require({column[name]: 1.0}, velocity.real)
+            require({column[name] + 1: 1.0}, velocity.imag)
     for name, along in pose.guided.items():
         if name in column:
-            say(vector(name, 1j * along))
+            require(vector(name, 1j * along))
     for body in pose.bodies:
         first = body.points[0] if body.points else ""
         for name in body.points[1:]:
             arm = 1j * (pose.positions[name] - pose.positions[first])
             for axis in (1 + 0j, 1j):
                 part = (axis.conjugate() * arm).real
-                say({**vector(name, axis), **vector(first, axis, -1.0), turn[body.name]: -part / size})
+                require({**vector(name, axis), **vector(first, axis, -1.0), turn[body.name]: -part / size})
         if body.guide:
-            say({turn[body.name]: 1.0})
+            require({turn[body.name]: 1.0})
         if body.rate is not None and body.rate in pose.rates:
-            say({turn[body.name]: 1.0}, pose.rates[body.rate] * size)
+            require({turn[body.name]: 1.0}, pose.rates[body.rate] * size)
     same = {body.rate: body.name for body in reversed(pose.bodies) if body.rate}
     for body in pose.bodies:
         if body.rate and same[body.rate] != body.name:
-            say({turn[body.name]: 1.0, turn[same[body.rate]]: -1.0})
+            require({turn[body.name]: 1.0, turn[same[body.rate]]: -1.0})
     for bar, (pivot, along, sleeve) in pose.sleeves.items():
         first = next(body.points[0] for body in pose.bodies if body.name == bar)
         arm = 1j * (pose.positions[pivot] - pose.positions[first])
         normal = 1j * along
         part = (normal.conjugate() * arm).real
-        say(
+        require(
             {**vector(first, normal), **vector(pivot, normal, -1.0), turn[bar]: part / size}
             if first != pivot
             else {turn[bar]: 0.0}
         )
-        say({turn[bar]: 1.0, turn[sleeve]: -1.0})
+        require({turn[bar]: 1.0, turn[sleeve]: -1.0})
     count = 2 * len(points) + len(pose.bodies)
     matrix = np.zeros((len(rows), count))
     for k, row in enumerate(rows):

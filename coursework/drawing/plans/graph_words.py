@@ -83,15 +83,15 @@ def drift(sketch: Sketch) -> list[str]:
     now, start = sketch.pose.positions, sketch.start
     allowed = RIGID * sketch.pose.size
     found = []
-    for link in sketch.links:
-        joints = dict.fromkeys(name for name in (*link.points, link.wheel, link.contact) if name)
-        for a, b in itertools.combinations(joints, 2):
-            if link.contact in {a, b} and link.wheel not in {a, b}:
+    for body in sketch.pose.bodies:
+        centre, contact = sketch.wheels.get(body.name, ("", sketch.racks.get(body.name, "")))
+        for a, b in itertools.combinations(body.points, 2):
+            if contact in {a, b} and centre not in {a, b}:
                 continue
             length, first = abs(now[a] - now[b]), abs(start[a] - start[b])
             if abs(length - first) > allowed:
                 key = "drawing.long" if length > first else "drawing.short"
-                found.append(say(key, side=f"{a}{b}", link=link.name, off=1e3 * float(abs(length - first))))
-    found += [say("drawing.beside", point=r.point, off=1e3 * float(abs(r.off))) for r in sketch.rails if abs(r.off) > allowed]
-    found += [say("drawing.off", point=t.point, off=1e3 * float(abs(t.off))) for t in sketch.tracks if abs(t.off) > allowed]
+                found.append(say(key, side=f"{a}{b}", link=body.name, off=1e3 * float(abs(length - first))))
+    for key, left in (("drawing.beside", sketch.off_rails), ("drawing.off", sketch.off_tracks)):
+        found += [say(key, point=point, off=1e3 * abs(off)) for point, off in left if abs(off) > allowed]
     return [say("drawing.drifted", found=joined(found, "join.semicolon"))] if found else []

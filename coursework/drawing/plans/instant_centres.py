@@ -89,7 +89,7 @@ class _Paper:
     def __post_init__(self) -> None:
         self.rates.update(self.pose.rates)
         self.directions.update(self.pose.guided)
-        for name in self.pose.fixed:
+        for name in sorted(self.pose.fixed):
             self.velocities[name] = 0j
         for name, velocity in self.pose.velocities.items():
             self._move(name, velocity)

@@ -34,7 +34,6 @@ def tangent_figure(context: PageContext, step: LocalError) -> Figure | None:
     exact = evidence(context).exact
     if exact is None:
         return None
-    say = context.words
     begin, end = step.row - 1, step.row
     rows = slice(max(begin - 1, 0), min(end + 2, len(exact.t)))
     q, rate = exact.column(step.column), exact.column(step.rate_name)
@@ -63,7 +62,7 @@ def tangent_figure(context: PageContext, step: LocalError) -> Figure | None:
     for at, value in (foot, top):
         inside += f'<circle class="dots" cx="{field.x(at):.2f}" cy="{field.y(value):.2f}" r="0.9" fill="{SCHEME_INK}"/>'
     told = {"symbol": symbol.text, "row": step.row, "next": step.row + 1, "gap": gap}
-    alt, caption = say("tangent.alt", **told), context.lettered(say("tangent.caption", **told))
+    alt, caption = context.words("tangent.alt", **told), context.lettered(context.words("tangent.caption", **told))
     return Figure(sheet(field, inside), *SIZE, alt, caption, id="tangent")
 
 

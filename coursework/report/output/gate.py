@@ -82,9 +82,9 @@ def _blocks(run: SceneRun, pages: bool) -> Iterator[Block]:
     if study is not None:
         rows = np.array([[row.max_error, row.end_error] for row in study.rows if not row.failed]).reshape(-1, 2)
         yield Block(("max_error", "end_error"), rows, "accuracy")
-    if pages and run.graph is not None:
+    if pages and run.graph_check is not None:
         # A block that turns with its lever has no column of its own in the table: only what is measured must be finite.
-        yield Block(("measured",), np.array([row[1:2] for row in run.graph.rows]).reshape(-1, 1), "graph_check")
+        yield Block(("measured",), np.array([row[1:2] for row in run.graph_check.rows]).reshape(-1, 1), "graph_check")
 
 
 def _faults(run: SceneRun, block: Block, spoilt: Flags) -> Iterator[Fault]:

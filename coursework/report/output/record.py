@@ -55,7 +55,7 @@ def record(run: SceneRun) -> dict[str, Any]:
         "summary": run.summary,
         "lesson": asdict(run.distance_to_exact) if run.distance_to_exact is not None else None,
         "checks": [_finding(check) for check in checks],
-        **({"graph_check": _graph(run.graph)} if run.graph is not None else {}),
+        **({"graph_check": _graph(run.graph_check)} if run.graph_check is not None else {}),
     }
 
 

@@ -36,7 +36,7 @@ class Results:
     def compute(self, pages: bool) -> None:
         """Compute what is asked for and look at every number, so that a fault comes before the first file."""
         if pages:
-            _ = self.run.extra_tables, self.run.graph
+            _ = self.run.extra_tables, self.run.graph_check
         with under_way("gate"):
             pass_gate(self.run, pages)
 

@@ -26,10 +26,10 @@ from coursework.words.templates import filled
 
 def drawing(context: PageContext) -> list[Part]:
     """The drawing of the graph-analytical check, upright and as wide as the notebook."""
-    graph, say = context.run.graph, context.words
+    graph, words = context.run.graph_check, context.words
     if graph is None:
         return []
-    return [replace(part, exact=False) for part in [drawn(context, graph.drawing(say.written))]]
+    return [replace(part, exact=False) for part in [drawn(context, graph.drawing(words.written))]]
 
 
 def method_line(context: PageContext) -> str:

@@ -53,7 +53,7 @@ def _told(study: AccuracyStudy) -> list[StudyRow]:
 
 
 def _figure(context: PageContext, study: AccuracyStudy) -> Figure:
-    say = context.words
+    words = context.words
     methods = []
     for name in dict.fromkeys(row.method for row in _finished(study)):
         rows = [row for row in _finished(study) if row.method == name]
@@ -63,14 +63,14 @@ def _figure(context: PageContext, study: AccuracyStudy) -> Figure:
             tuple(row.max_error for row in rows), tuple(row.end_error for row in rows),
             study.orders.get(name), _order_text(context, study, name),
         ))  # fmt: skip
-    labels = {key: say(f"accuracy.{key}") for key in ("evaluations", "seconds", "end_legend", "own_legend", "floor_legend")}
+    labels = {key: words(f"accuracy.{key}") for key in ("evaluations", "seconds", "end_legend", "own_legend", "floor_legend")}
     own = (study.own[1], study.own[3] if study.seconds_shown else None, study.own[2]) if study.own else None
-    page = Panels(tuple(methods), own, study.floor, say("accuracy.error", unit=_unit(context)), labels)
+    page = Panels(tuple(methods), own, study.floor, words("accuracy.error", unit=_unit(context)), labels)
     floor = context.with_unit(context.numbers.scalar(study.floor, 2), _unit(context))
-    caption = say("accuracy.caption_two" if page.timed else "accuracy.caption_one")
-    reference = say("accuracy.reference", label=printed(context.told(study.reference_label)).rstrip(".。"))
-    caption = say.sentences([caption, say("accuracy.caption_rest", floor=floor), reference])
-    alt = say("accuracy.alt", methods=say.listing([method.name for method in methods]))
+    caption = words("accuracy.caption_two" if page.timed else "accuracy.caption_one")
+    reference = words("accuracy.reference", label=printed(context.told(study.reference_label)).rstrip(".。"))
+    caption = words.sentences([caption, words("accuracy.caption_rest", floor=floor), reference])
+    alt = words("accuracy.alt", methods=words.listing([method.name for method in methods]))
     svg, height = panels(page)
     return Figure(svg, WIDTH, height, alt, context.lettered(caption))
 
@@ -142,12 +142,12 @@ def _failures(context: PageContext, study: AccuracyStudy) -> list[Part]:
 
 
 def _overhead(context: PageContext, study: AccuracyStudy) -> list[Part]:
-    say = context.words
+    words = context.words
     if not study.overhead or not study.seconds_shown:
         return []
     labels = [context.told(label, LONGEST_NAME) for label, _ in study.overhead]
     texts = [context.numbers.duration(seconds) for _, seconds in study.overhead]
-    svg, height = bars(labels, [seconds for _, seconds in study.overhead], texts, say("accuracy.seconds"))
-    alt = say("accuracy.overhead_alt", parts=say.listing([f"{a} {b}" for a, b in zip(labels, texts, strict=True)]))
+    svg, height = bars(labels, [seconds for _, seconds in study.overhead], texts, words("accuracy.seconds"))
+    alt = words("accuracy.overhead_alt", parts=words.listing([f"{a} {b}" for a, b in zip(labels, texts, strict=True)]))
     where = [Paragraph(context.say("accuracy.machine", **study.machine), "note")] if study.machine else []
     return [Figure(svg, WIDTH, height, alt, context.say("accuracy.overhead")), *where]

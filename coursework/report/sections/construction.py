@@ -21,7 +21,7 @@ PERCENT_DECIMALS = 2  # of a difference in percent, in every row alike
 
 def graph_check(context: PageContext) -> list[Part]:
     """The drawing by which the table is checked, true to scale, and both results side by side."""
-    graph = context.run.graph
+    graph = context.run.graph_check
     if graph is None:
         return []
     sheet: list[Part] = [*drawn_parts(context, graph.drawing(context.words.written, blank=context.run.blank))]

@@ -36,14 +36,14 @@ def control(context: PageContext) -> list[Part]:
 
 
 def _claim(context: PageContext, finding: Finding) -> str:
-    say = context.words
+    words = context.words
     key = f"control.{finding.code}.{'right' if finding.verdict == 'PASS' else 'wrong'}"
-    if finding.verdict == "PASS" and finding.value == 0 and say.has(same := f"control.{finding.code}.same"):
+    if finding.verdict == "PASS" and finding.value == 0 and words.has(same := f"control.{finding.code}.same"):
         key = same
-    if not say.has(key):
+    if not words.has(key):
         return context.told(finding.title)
     symbol = context.lettering(finding.column) if finding.column in context.run.variant.columns else ""
-    return say(key, symbol=symbol or say("control.column"), row=finding.row or 1)
+    return words(key, symbol=symbol or words("control.column"), row=finding.row or 1)
 
 
 def _number(context: PageContext, finding: Finding) -> Cell:

@@ -16,24 +16,24 @@ from coursework.report.text.text_runs import runs
 
 def dead_point(context: PageContext) -> list[Part]:
     """When, where and why the motion stops, and what it means for the mechanism."""
-    stop, say = context.run.stop, context.words
+    stop, words = context.run.stop, context.words
     if stop is None:
         return []
     time = context.quantity(stop.time, "s", STOP_DIGITS)
-    facts = [(say("stop.row"), runs(row_at(context, stop.row)))]
+    facts = [(words("stop.row"), runs(row_at(context, stop.row)))]
     if stop.block:
-        facts.append((say("stop.block"), context.symbol_runs(stop.block)))
+        facts.append((words("stop.block"), context.symbol_runs(stop.block)))
     if stop.coordinates:
-        facts.append((say("stop.configuration"), runs(_values(context, stop.coordinates))))
-    facts += [(say("stop.branches"), runs(_values(context, branch))) for branch in stop.branches]
+        facts.append((words("stop.configuration"), runs(_values(context, stop.coordinates))))
+    facts += [(words("stop.branches"), runs(_values(context, branch))) for branch in stop.branches]
     facts += [
-        (say(f"stop.{key}"), context.rich(text)) for key, text in (("cause", stop.cause), ("meaning", stop.meaning)) if text
+        (words(f"stop.{key}"), context.rich(text)) for key, text in (("cause", stop.cause), ("meaning", stop.meaning)) if text
     ]
     if context.run.phases:
-        facts.append((say("stop.phases"), context.rich(context.run.phases)))
-    kept = say("stop.kept", row=len(context.run.motion.t))
+        facts.append((words("stop.phases"), context.rich(context.run.phases)))
+    kept = words("stop.kept", row=len(context.run.motion.t))
     kind = context.event(stop.kind)
-    lead = say("stop.lead", kind=kind[:1].upper() + kind[1:], time=time) + say("join.sentences")
+    lead = words("stop.lead", kind=kind[:1].upper() + kind[1:], time=time) + words("join.sentences")
     drawing = context.run.at_stop()
     figure = [drawn(context, drawing)] if drawing is not None else []
     return [Paragraph(runs(kept), "callout", lead), Facts(facts), *figure]

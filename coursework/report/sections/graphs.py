@@ -100,7 +100,7 @@ def _rows(context: PageContext, name: str, curve: Callable[[str], tuple[Array, A
 
 
 def _figure(context: PageContext, shown: Sequence[Rows], number: int) -> Panels:
-    run, say = context.run, context.words
+    run, words = context.run, context.words
     is_exact = run.tableau is None
     scheme = context.told(title_of(DEFAULT_SCHEME) if is_exact else run.scheme_title)
     legend = []
@@ -109,18 +109,18 @@ def _figure(context: PageContext, shown: Sequence[Rows], number: int) -> Panels:
     if any(len(rows.curve) for rows in shown):
         legend.append((_sample(dotted=False), context.say("graphs.exact")))
     names = [rows.name for rows in shown]
-    caption = say("graphs.caption", symbols=context.symbol_list(names))
+    caption = words("graphs.caption", symbols=context.symbol_list(names))
     if len(legend) == 2:
-        caption = say.sentences([caption, say("graphs.seen")])
+        caption = words.sentences([caption, words("graphs.seen")])
     if run.stop is not None:
-        stop = say("graphs.stop", kind=context.event(run.stop.kind), time=context.quantity(run.stop.time, "s"))
-        caption = say.sentences([caption, stop])
+        stop = words("graphs.stop", kind=context.event(run.stop.kind), time=context.quantity(run.stop.time, "s"))
+        caption = words.sentences([caption, stop])
     panels = [_panel(context, rows) for rows in shown]
     return Panels(f"panels-{number}", *SIZE, legend, panels, context.lettered(caption))
 
 
 def _panel(context: PageContext, rows: Rows) -> Panel:
-    run, say = context.run, context.words
+    run, words = context.run, context.words
     unit = context.unit(run.variant.unit_of(rows.name))
     symbol = context.symbol(rows.name)
     stop = [np.array([run.stop.time])] if run.stop is not None else []
@@ -138,7 +138,7 @@ def _panel(context: PageContext, rows: Rows) -> Panel:
         inside += f'<path class="dots" fill="{SCHEME_INK}" d="{dots(field, rows.t, rows.values)}"/>'
     both = np.concatenate([rows.values, rows.curve])
     low, high = (context.quantity(float(value), unit, 4) for value in (both.min(), both.max()))
-    alt = say("graphs.alt", symbol=symbol.text, low=low, high=high)
+    alt = words("graphs.alt", symbol=symbol.text, low=low, high=high)
     return Panel(rows.name, sheet(field, inside), alt)
 
 

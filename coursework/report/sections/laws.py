@@ -40,14 +40,14 @@ def _law(context: PageContext, law: Law) -> Display:
 
 
 def _tabulated(context: PageContext, law: Law) -> str:
-    say = context.words
+    words = context.words
     known, unit = f"drive.method.{law.method}", context.run.variant.unit_of(law.of)
-    return say(
+    return words(
         "drive.table",
         symbol=context.lettering(law.name),
         of=context.lettering(law.of),
         count=len(law.table),
         first=context.quantity(law.table[0][0], unit),
         last=context.quantity(law.table[-1][0], unit),
-        method=say(known) if say.has(known) else clean(law.method),
+        method=words(known) if words.has(known) else clean(law.method),
     )

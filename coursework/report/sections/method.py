@@ -14,29 +14,29 @@ from coursework.words.templates import clean
 
 def method(context: PageContext) -> list[Part]:
     """By which formula, with which step and which programs the numbers came about."""
-    run, say = context.run, context.words
+    run, words = context.run, context.words
     coordinates = run.motion.coordinate_names
     rates = [c.rate for c in run.variant.coordinates if c.name in coordinates]
     if run.tableau is None:
         label = clean(context.words.written(run.motion.label)).rstrip(".")
-        told = [say("method.rows_exact", step=context.quantity(run.step, "s"), label=label)]
-        return [Paragraph(context.lettered(say.sentences([*told, *_lesson(context)]))), *_versions(context)]
+        told = [words("method.rows_exact", step=context.quantity(run.step, "s"), label=label)]
+        return [Paragraph(context.lettered(words.sentences([*told, *_lesson(context)]))), *_versions(context)]
     intro = context.say("method.intro", title=context.told(run.scheme_title), order=run.tableau.order)
     formula = Equations([Display(math, text) for math, text in lecture.lines(run.tableau)])
     parts: list[Part] = [Paragraph(intro), formula]
     sentences = [
-        say("method.meaning", coordinates=context.symbol_list(coordinates), rates=context.symbol_list(rates)),
-        say("method.time", step=context.quantity(run.step, "s"), evaluations=context.numbers.whole(run.motion.evaluations)),
+        words("method.meaning", coordinates=context.symbol_list(coordinates), rates=context.symbol_list(rates)),
+        words("method.time", step=context.quantity(run.step, "s"), evaluations=context.numbers.whole(run.motion.evaluations)),
     ]
     if run.settings.project:
-        sentences.append(say.count("method.project", run.settings.project))
+        sentences.append(words.count("method.project", run.settings.project))
     if run.settings.gain:
         product = context.numbers.plain(run.settings.gain * run.step)
-        sentences.append(say("method.gain", gain=context.quantity(run.settings.gain, "1/s"), product=product))
+        sentences.append(words("method.gain", gain=context.quantity(run.settings.gain, "1/s"), product=product))
     if context.exact is not None:
-        label = context.words.written(context.exact.label) or say("graphs.exact")
-        sentences.append(say("method.exact", label=clean(label).rstrip(".")))
-    parts.append(Paragraph(context.lettered(say.sentences(sentences))))
+        label = context.words.written(context.exact.label) or words("graphs.exact")
+        sentences.append(words("method.exact", label=clean(label).rstrip(".")))
+    parts.append(Paragraph(context.lettered(words.sentences(sentences))))
     if run.motion.notes:
         parts.append(Bullets([context.rich(note) for note in run.motion.notes]))
     return [*parts, *_versions(context)]

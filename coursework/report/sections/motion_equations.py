@@ -73,15 +73,15 @@ def _shown(context: PageContext, equation: ShownEquation) -> Display:
 
 
 def _derived_from_points(context: PageContext, found: Derivation) -> list[Part]:
-    say = context.words
+    words = context.words
     nought = [f"{known.point}{axis}" for known in found.graph.known for axis in "xy" if known.part(axis) == ZERO]
     zero = [context.symbol(f"V{clean(name)}") for name in nought]
     line = [Display(f"{one.typst} = 0", f"{one.text} = 0") for one in zero]
-    ways = say("join.comma").join(unbroken("–".join(clean(point) for point in path.points)) for path in found.paths)
+    ways = words("join.comma").join(unbroken("–".join(clean(point) for point in path.points)) for path in found.paths)
     nought_first: list[Part] = [Paragraph(context.say("constraints.joints")), Equations(line, flow=True)] if zero else []
     return [
         *nought_first,
-        Paragraph(runs(say("constraints.paths", paths=ways))),
+        Paragraph(runs(words("constraints.paths", paths=ways))),
         Equations([_vector_equation(path) for path in found.paths], flow=True),
         Paragraph(context.say("constraints.projections")),
         Equations([_projection(context, one) for one in found.projections]),
@@ -162,32 +162,32 @@ def _reduction(function: str, offset: Fraction, has_base: bool) -> Display:
 
 def _rank(context: PageContext, found: Derivation) -> list[Part]:
     """Return how many equations are independent, which are sums of others, and which say what no path says."""
-    say = context.words
+    words = context.words
     count = len(found.projections)
-    told = [say("constraints.rank", count=count, rank=found.rank)] if count > found.rank else []
+    told = [words("constraints.rank", count=count, rank=found.rank)] if count > found.rank else []
     if 1 < count == found.rank:
-        told.append(say("constraints.rank_all"))
+        told.append(words("constraints.rank_all"))
     sums = [_sum(one) for one in found.dependent if one.terms]
     if sums:
-        told.append(say("constraints.sums", sums=say("join.semicolon").join(sums)))
+        told.append(words("constraints.sums", sums=words("join.semicolon").join(sums)))
     names = {one.name for one in found.projections}
     mixed = [f"({clean(name, 40)})" for name in found.followed if name not in names]
     if mixed:
-        told.append(say("constraints.mixed", names=say.listing(mixed)))
+        told.append(words("constraints.mixed", names=words.listing(mixed)))
     confirmed, open_to_doubt = _confirmed(context, found.beyond)
-    told += [say("constraints.beyond_compared", names=say.listing(confirmed))] if confirmed else []
-    told += [say("constraints.beyond", names=say.listing(open_to_doubt))] if open_to_doubt else []
-    return [Paragraph(runs(say.sentences(told)))] if told else []
+    told += [words("constraints.beyond_compared", names=words.listing(confirmed))] if confirmed else []
+    told += [words("constraints.beyond", names=words.listing(open_to_doubt))] if open_to_doubt else []
+    return [Paragraph(runs(words.sentences(told)))] if told else []
 
 
 def _unchecked(context: PageContext, written: Sequence[str]) -> str:
     """Return what is known of the signs of equations that no path between points gives."""
-    say = context.words
+    words = context.words
     confirmed, open_to_doubt = _confirmed(context, written)
     if not confirmed:
-        return say("constraints.unchecked")
-    rest = [say("constraints.open", names=say.listing(open_to_doubt))] if open_to_doubt else []
-    return say.sentences([say("constraints.compared", names=say.listing(confirmed)), *rest])
+        return words("constraints.unchecked")
+    rest = [words("constraints.open", names=words.listing(open_to_doubt))] if open_to_doubt else []
+    return words.sentences([words("constraints.compared", names=words.listing(confirmed)), *rest])
 
 
 def _confirmed(context: PageContext, names: Sequence[str]) -> tuple[list[str], list[str]]:

@@ -45,13 +45,6 @@ class PageContext:
         return self.words.numbers
 
     @property
-    def beside(self) -> Motion | None:
-        """Return what the plots draw thin behind the rows: the exact motion, or the scheme's rows behind exact ones."""
-        if not self.run.asks(PLOTS):
-            return None
-        return self.run.exact if self.run.tableau else self.run.scene.scheme_rows
-
-    @property
     def exact(self) -> Motion | None:
         """Return the exact motion where the plots ask for it; looking at it computes it."""
         return self.run.exact if self.run.asks(PLOTS) else None

@@ -137,8 +137,8 @@ class Beside:
 class Figure:
     """A drawing: SVG, its size in mm, the words for those who cannot see it, a caption; `exact` = true to scale.
 
-    `id` is that of the element on the page; `landscape`: wider than the column, so that paper is turned for it; `least` is
-    the width (mm) below which a screen does not show it, so that its words can be read.
+    `id` is that of the element on the page; `least` is the width (mm) below which a screen does not show it, so that its
+    words can be read.
     """
 
     svg: str
@@ -149,7 +149,6 @@ class Figure:
     exact: bool = False
     label: str = ""
     id: str = ""
-    landscape: bool = False
     least: float = field(init=False)
     kind: str = field(default="figure", init=False)
 

@@ -74,21 +74,21 @@ def rules_for(rows: int) -> list[int]:
 
 def motion_parts(context: PageContext) -> list[Part]:
     """Return the table of the motion and the sentences that belong to it."""
-    run, say = context.run, context.words
+    run, words = context.run, context.words
     names = run.motion.names
     units = [run.variant.unit_of(name) for name in names]
     step = context.quantity(run.step, "s")
     is_exact = run.tableau is None
     scheme = context.told(run.scheme_title)
-    caption = say("table.caption_exact", step=step) if is_exact else say("table.caption", scheme=scheme, step=step)
+    caption = words("table.caption_exact", step=step) if is_exact else words("table.caption", scheme=scheme, step=step)
     notes = []
     check_row = run.variant.time.check_row
     if check_row is not None and check_row <= len(run.motion.t):
-        notes.append(say("table.check_row" if run.asks(GRAPH_CHECK) else "table.marked", mark=MARK, row=check_row))
+        notes.append(words("table.check_row" if run.asks(GRAPH_CHECK) else "table.marked", mark=MARK, row=check_row))
     if run.stop is not None:
         time = context.quantity(run.stop.time, "s")
-        notes.append(say("table.stopped", row=len(run.motion.t), time=time))
-    return _by_row(context, Grid(names, units, run.motion.rows), run.motion.t, caption, say.sentences(notes))
+        notes.append(words("table.stopped", row=len(run.motion.t), time=time))
+    return _by_row(context, Grid(names, units, run.motion.rows), run.motion.t, caption, words.sentences(notes))
 
 
 def extra_parts(context: PageContext, extra: ExtraTable) -> list[Part]:

@@ -22,19 +22,19 @@ def sought(context: PageContext) -> list[str]:
 
     A linear velocity stands in no drawing, so it is told what moves with it, u = ds/dt or u = V_Sx.
     """
-    run, say = context.run, context.words
+    run, words = context.run, context.words
     end, step = context.quantity(run.end, "s"), context.quantity(run.step, "s")
-    unknowns = say.listing([_explained(context, name) for name in run.variant.sought])
-    told = [say("statement.find", unknowns=unknowns, end=end, step=step)]
+    unknowns = words.listing([_explained(context, name) for name in run.variant.sought])
+    told = [words("statement.find", unknowns=unknowns, end=end, step=step)]
     time = run.variant.time
     if time.period is not None:
         key = "statement.period_plain" if PERIOD in run.variant.values else "statement.period"
-        told.append(say(key, period=context.quantity(time.period, "s")))
+        told.append(words(key, period=context.quantity(time.period, "s")))
     is_exact = run.tableau is None
-    told.append(say("statement.method_exact") if is_exact else say("statement.method", scheme=context.told(run.scheme_title)))
+    told.append(words("statement.method_exact") if is_exact else words("statement.method", scheme=context.told(run.scheme_title)))
     if time.check_row is not None and run.asks(GRAPH_CHECK):
         when = context.quantity((time.check_row - 1) * time.step, "s")
-        told.append(say("statement.check_row", row=time.check_row, time=when))
+        told.append(words("statement.check_row", row=time.check_row, time=when))
     return told
 
 

@@ -26,8 +26,8 @@ def check_of(name: str, row: int | None = None) -> GraphCheck:
     """Return the check of a catalogue's variant, in its own row or another; the variant is solved once."""
     run = run_of(name)
     if row is None:
-        assert run.graph is not None
-        return run.graph
+        assert run.graph_check is not None
+        return run.graph_check
     equations = replace(run.scene.equations, variant=at_row(run.variant, row))
     check = check_graph(run.scene.mechanism, equations, run.motion, run.exact)
     assert check is not None

@@ -193,8 +193,8 @@ def test_the_drawing_is_the_same_every_time() -> None:
 def test_names_cannot_break_out_of_the_drawing() -> None:
     run, evil = run_of("31"), '"><script>alert(1)</script>&\x01\u202e' + 30 * "3"
     links = tuple(replace(link, name=evil) if link.name == "3" else link for link in run.variant.links)
-    equations = replace(run.scene.equations, variant=replace(run.variant, links=links))
-    check = check_graph(run.scene.mechanism, equations, run.motion, run.exact)
+    mechanism = replace(run.scene.mechanism, variant=replace(run.variant, links=links))
+    check = check_graph(mechanism, run.scene.equations, run.motion, run.exact)
     assert check is not None
     svg = check.drawing().svg
     assert "&lt;script&gt;" in svg and "<script" not in svg
@@ -218,7 +218,7 @@ def test_a_mechanism_without_size_is_drawn_all_the_same() -> None:
     still = scene(points, [Body("1", ("A", "B"))], fixed="A")
     full = check_of("31").sketch
     drawn = replace(full.outline, bars=(), wheels=(), rails=(), hinges=(), driven=()), full.poses, full.row
-    sketch = Sketch(still, (), (), ("A",), (Link("1", ("A", "B"), None, None, None),), points, {}, {}, ("B",), (), *drawn)
+    sketch = Sketch(still, (), (), ("A",), points, {}, {}, ("B",), (), *drawn)
     nothing = Findings({}, {}, {}, {}, ("1",))
     from coursework.drawing.plans.drawing import draw
 

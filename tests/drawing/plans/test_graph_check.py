@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import json
 import math
 from dataclasses import replace
@@ -16,7 +17,7 @@ from coursework.drawing.plans.sketch import read_sketch
 from coursework.report.output.record import record
 from coursework.words.errors import InputError
 from tests.drawing import measured
-from tests.drawing.plans.checked import DRAWABLE, at_row, check_of, run_of, svg_of
+from tests.drawing.plans.checked import DRAWABLE, at_row, check_of, run_of, sketch_of, svg_of
 
 REFERENCE = Path(__file__).parents[2] / "reference" / "variants"
 DIGITS_OF_THE_REFERENCE = 1e-9
@@ -60,6 +61,36 @@ def test_variant_31_in_the_row_of_the_coursework() -> None:
         "Link 4 rolls: its instantaneous centre is the contact P.",
         "The scheme has drifted, so this row does not close: P stands 7.05 mm off its rail.",
     )
+
+
+# What slides or rolls on rails in the files: the point, and the direction in which it slides in degrees.
+GUIDED = {"v102": {"C": 90.0}, "v110": {"C": 0.0, "A": 45.0}, "v112": {"C": 0.0}, "31": {}}
+ROLLING = {"31": 0.0, "v101": 45.0, "v107": 0.0}
+
+
+@pytest.mark.parametrize("name", GUIDED)
+def test_what_slides_moves_along_the_rail_of_its_file(name: str) -> None:
+    sketch = sketch_of(name)
+    found = {point: math.degrees(cmath.phase(along)) for point, along in sketch.pose.guided.items()}
+    assert found == pytest.approx(GUIDED[name])
+    assert all(abs(along) == pytest.approx(1) for along in sketch.pose.guided.values())
+    assert [point for point, _ in sketch.off_rails] == (list(GUIDED[name]) or ["P"])
+    assert not sketch.pose.fixed & set(GUIDED[name])
+    at, start = sketch.pose.positions, sketch.start
+    for point, off in sketch.off_rails:
+        across = 1j * sketch.pose.guided.get(point, 1 + 0j)
+        assert off == pytest.approx(((at[point] - start[point]) * across.conjugate()).real, abs=1e-12)
+
+
+@pytest.mark.parametrize(("name", "angle"), ROLLING.items())
+def test_where_a_wheel_rolls_on_a_rail_it_rests(name: str, angle: float) -> None:
+    sketch = sketch_of(name)
+    assert "P" in sketch.pose.fixed
+    assert "P" not in sketch.pose.guided
+    ((point, off),) = sketch.off_rails
+    moved = sketch.pose.positions["P"] - sketch.start["P"]
+    assert point == "P"
+    assert off == pytest.approx((moved * cmath.rect(1, -math.radians(angle))).imag, abs=1e-12)
 
 
 @pytest.mark.parametrize("name", DRAWABLE)
@@ -211,8 +242,8 @@ def test_links_that_follow_from_groups_or_points_are_constructed_too(name: str) 
 def test_without_a_check_row_it_is_row_4() -> None:
     variant = at_row(load("31"), None)
     run = solve(variant, quantities=["graph_check"])
-    assert run.graph is not None
-    assert (run.graph.row, run.graph.time) == (4, pytest.approx(0.06))
+    assert run.graph_check is not None
+    assert (run.graph_check.row, run.graph_check.time) == (4, pytest.approx(0.06))
 
 
 def test_the_record_of_a_run_has_what_was_read() -> None:
@@ -228,7 +259,7 @@ def test_the_record_of_a_run_has_what_was_read() -> None:
 
 def test_not_asked_for_is_not_computed() -> None:
     run = solve("31", quantities=["table"])
-    assert run.graph is None
+    assert run.graph_check is None
     assert "graph_check" not in run.scene.ledger.calls
 
 
@@ -236,16 +267,16 @@ def test_what_is_missing_is_said() -> None:
     variant = load("31")
     bare = replace(at_row(variant, None), links=())
     with pytest.raises(InputError, match=r"needs \[links\]; this variant has none"):
-        _ = solve(bare, quantities=["graph_check"]).graph
+        _ = solve(bare, quantities=["graph_check"]).graph_check
     with pytest.raises(InputError, match="links of constant length; AO changes"):
-        _ = solve("variable-crank", quantities=["graph_check"]).graph
-    assert solve(variant, end=0.04, quantities=["graph_check"]).graph is None  # the table ends before row 4
+        _ = solve("variable-crank", quantities=["graph_check"]).graph_check
+    assert solve(variant, end=0.04, quantities=["graph_check"]).graph_check is None  # the table ends before row 4
     with pytest.raises(InputError, match="ask for the whole table"):
-        _ = solve(variant, quantities=["w3", "graph_check"]).graph
+        _ = solve(variant, quantities=["w3", "graph_check"]).graph_check
 
 
 def test_a_motion_that_stops_before_the_row_has_no_check() -> None:
     variant = load("31")
     phase = replace(variant, given=tuple(replace(g, value=0.02) if g.name == "alpha" else g for g in variant.given))
-    assert solve(at_row(phase, 7), quantities=["graph_check"]).graph is None  # the dead point is at 0.1169 s, row 6.8
-    assert solve(at_row(phase, 4), quantities=["graph_check"]).graph is not None
+    assert solve(at_row(phase, 7), quantities=["graph_check"]).graph_check is None  # the dead point is at 0.1169 s, row 6.8
+    assert solve(at_row(phase, 4), quantities=["graph_check"]).graph_check is not None

@@ -139,19 +139,28 @@ def test_no_word_of_a_plan_lies_on_another(name: str) -> None:
         assert not drawing.wide
 
 
-def arrows(drawing: Drawing, inset: bool = False) -> dict[tuple[str, str, str], complex]:
-    """Return the arrows (mm, y up) by kind, from, to: from the beginning of the shaft to the tip of the head."""
-    found: dict[tuple[str, str, str], complex] = {}
+Arrow = tuple[str, str, str]
+
+
+def shafts(drawing: Drawing, inset: bool = False) -> dict[Arrow, tuple[complex, complex]]:
+    """Return the arrows (mm, y up) by kind, from, to: where the shaft begins and the tip of the head."""
+    tails: dict[Arrow, complex] = {}
+    found: dict[Arrow, tuple[complex, complex]] = {}
     for node in ElementTree.fromstring(drawing.svg).iter():
         if "data-kind" in node.attrib and ("data-inset" in node.attrib) == inset:
             key = (node.attrib["data-kind"], node.attrib["data-from"], node.attrib["data-to"])
             if node.tag.endswith("line"):
-                found[key] = -complex(float(node.attrib["x1"]), float(node.attrib["y1"]))
+                tails[key] = complex(float(node.attrib["x1"]), -float(node.attrib["y1"]))
             else:
                 tip = re.match(r"M(-?[\d.]+) (-?[\d.]+)", node.attrib["d"])
                 assert tip is not None
-                found[key] = (found[key] + complex(float(tip[1]), float(tip[2]))).conjugate()
+                found[key] = tails[key], complex(float(tip[1]), -float(tip[2]))
     return found
+
+
+def arrows(drawing: Drawing, inset: bool = False) -> dict[Arrow, complex]:
+    """Return the arrows (mm, y up) by kind, from, to, as vectors."""
+    return {key: tip - tail for key, (tail, tip) in shafts(drawing, inset).items()}
 
 
 @pytest.mark.parametrize("name", REFERENCE)
@@ -171,6 +180,28 @@ def test_vectors_are_drawn_to_the_scale_that_is_said(name: str) -> None:
         assert f"1 mm = {scale:g} m/s" in drawing.caption
         (bar,) = measured.lines(drawing.svg, "data-bar")
         assert abs(bar.b - bar.a) == pytest.approx(100, abs=0.05)
+
+
+@pytest.mark.parametrize("name", [*REFERENCE, "31", "v107"])
+def test_an_acceleration_plan_has_every_vector_and_its_parts_follow_each_other(name: str) -> None:
+    """Normal or Coriolis part from the image it is added to, then the part along the unknown line, which ends at the image."""
+    row = run_of(name).of(run_plans()).row
+    here = {key[2:]: z for key, z in vectors(name, row).items() if key[:2] == ("table", "acceleration")}
+    drawn = shafts(drawings_of(name)["acceleration-plan"])
+    unit = max(map(abs, here.values())) / max(abs(tip - tail) for tail, tip in drawn.values())
+    assert set(drawn) == {key for key, vector in here.items() if abs(vector) / unit > 0.3}
+    pole = drawn[next(key for key in drawn if key[1] == "pole" and key[0] in {"absolute", "normal"})][0]
+    images = {end: pole + vector / unit for (kind, _, end), vector in here.items() if kind == "absolute"} | {"pole": pole}
+    for (kind, start, end), (tail, tip) in drawn.items():
+        assert tip - tail == pytest.approx(here[kind, start, end] / unit, abs=0.05)
+        begins = images.get(start, pole)
+        if kind in {"tangential", "sliding"}:
+            first = next(here[other, start, end] for other in ("normal", "coriolis") if (other, start, end) in here)
+            assert tail == pytest.approx(begins + first / unit, abs=0.05)
+            if end in images:
+                assert tip == pytest.approx(images[end], abs=0.05)
+        else:
+            assert tail == pytest.approx(begins, abs=0.05)
 
 
 def test_what_is_too_short_is_drawn_again_enlarged() -> None:
