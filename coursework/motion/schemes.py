@@ -78,14 +78,16 @@ class Scheme:
         """Return how many slopes a step computes."""
         return len(self.nodes)
 
-    def step(self, f: Slopes, t: Any, q: Any, h: Any) -> Any:
+    def step(self, f: Slopes, t: Any, q: Any, h: Any, first: Any = None) -> Any:
         """Return the position after one step of h from q at t; `f(t, q)` gives the slopes, numbers or arrays.
+
+        `first` is the slope at (t, q) itself where it is known.
 
         >>> SCHEMES["euler"].step(lambda t, q: -q, 0.0, 1.0, 0.1)
         0.9
         """
-        found: list[Any] = []
-        for node, row in zip(self.nodes, self.inner, strict=True):
+        found: list[Any] = [] if first is None else [first]
+        for node, row in list(zip(self.nodes, self.inner, strict=True))[len(found) :]:
             found.append(f(t + _part(node, h) if node else t, row.added(q, h, found)))
         return self.outer.added(q, h, found)
 

@@ -51,7 +51,7 @@ def refine(rates: Rates, start: Sequence[float], times: Array) -> tuple[Array, f
         edges = [begin, *[b for b in rates.breaks if begin < b < end], end]
         q = rows[-1]
         for a, b in itertools.pairwise(edges):
-            q, left, taken = _halved(loop, a, min(b, rates.latest(b)), q)
+            q, left, taken = _halved(loop, a, min(b, rates.may_look_until(b)), q)
             gap, steps = gap + left, steps + taken
         rows.append(q)
     return np.array(rows), gap, steps
@@ -96,12 +96,16 @@ def passing_motion(
             about = (times >= first.time) & (times <= last.time)
             positions[about] = passage.positions(times[about])
             begin, q = last.time, last.position
-    velocities, determinants = rates.table(times, positions)
-    return Motion(
-        times, positions, velocities, determinants, np.zeros((len(times), 0)), rates.coordinates, rates.velocities, EXACT,
-        float(times[1] - times[0]) if len(times) > 1 else 0.0, PRECISE.slopes * steps,
-        label=say("exact.refined", gap=gap, scheme=title_of(PRECISE)), notes=notes,
-    )  # fmt: skip
+    return _refined(rates, times, positions, gap, steps, notes)
+
+
+def _refined(rates: Rates, times: Array, positions: Array, gap: float, steps: int, notes: tuple[str, ...] = ()) -> Motion:
+    label = say("exact.refined", gap=gap, scheme=title_of(PRECISE))
+    return rates.motion(times, positions, EXACT, _step(times), PRECISE.slopes * steps, label=label, notes=notes)
+
+
+def _step(times: Array) -> float:
+    return float(times[1] - times[0]) if len(times) > 1 else 0.0
 
 
 def exact_motion(
@@ -112,27 +116,16 @@ def exact_motion(
 
     Raises `NotReached` where a closure cannot be followed although no dead point was found before.
     """
-    evaluations = 0
     if chain is not None:
         positions, label = chain(times), say("exact.groups")
     elif closure is not None and closure.complete:
         positions, label = follow_closure(closure, rates, times), say("exact.closure")
     else:
-        positions, gap, steps = refine(rates, start, times)
-        evaluations = PRECISE.slopes * steps
-        label = say("exact.refined", gap=gap, scheme=title_of(PRECISE))
-    velocities, determinants = rates.table(times, positions)
-    return Motion(
-        times, positions, velocities, determinants, np.zeros((len(times), 0)),
-        rates.coordinates, rates.velocities, EXACT, float(times[1] - times[0]) if len(times) > 1 else 0.0, evaluations,
-        label=label,
-    )  # fmt: skip
+        return _refined(rates, times, *refine(rates, start, times))
+    return rates.motion(times, positions, EXACT, _step(times), label=label)
 
 
 def no_rows(rates: Rates) -> Motion:
     """Return the exact motion of a mechanism that cannot begin to move."""
-    empty = np.zeros((0, 0))
-    return Motion(
-        np.zeros(0), np.zeros((0, len(rates.coordinates))), np.zeros((0, len(rates.velocities))), empty, empty.copy(),
-        rates.coordinates, rates.velocities, EXACT, 0.0, 0, label=say("exact.nothing"),
-    )  # fmt: skip
+    q, velocities, determinants = (np.zeros((0, len(names))) for names in (rates.coordinates, rates.velocities, rates.blocks))
+    return rates.motion(np.zeros(0), q, EXACT, 0.0, known=(velocities, determinants), label=say("exact.nothing"))

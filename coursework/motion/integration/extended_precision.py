@@ -36,7 +36,7 @@ def march_in(
     rows = [q]
     with np.errstate(all="ignore"):
         for index in range(steps):
-            looks = {"_latest": kind(rates.latest((index + 1) * step))} if rates.breaks else {}
+            looks = {"_latest": kind(rates.may_look_until((index + 1) * step))} if rates.breaks else {}
             q = tuple(map(kind, loop(t, 1, h, *q, **looks)))
             t = t + h if running_time else kind(index + 1) * h
             if (index + 1) % every == 0:

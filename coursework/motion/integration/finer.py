@@ -14,6 +14,7 @@ import numpy as np
 
 from coursework.equations.codegen.tabulated import OutsideTable
 from coursework.motion.integration.exact_motion import refine
+from coursework.motion.integration.hermite import hermite
 from coursework.motion.integration.motion import Motion
 from coursework.motion.integration.rates import Rates
 from coursework.motion.schemes import PRECISE
@@ -54,22 +55,14 @@ def _followed(exact: Motion, rates: Rates, parts: int, intervals: int, times: Ar
     length = exact.step / steps
     t, q = exact.t[:intervals], exact.coordinates[:intervals]
     size = q.shape[1]
-    latest = np.array([rates.latest(end) for end in (t + exact.step).tolist()]) if rates.breaks else np.inf
-
-    def slopes(at: Array, position: Array) -> Array:
-        return rates.table(np.minimum(at, latest), position)[0][:, :size]
-
+    slopes = rates.slopes_of_rows(t + exact.step)
     positions, rising = np.empty((2, steps + 1, intervals, size))
     with np.errstate(all="ignore"):
         for index in range(steps + 1):
             positions[index] = q
-            first = rising[index] = slopes(t + index * length, q)
+            rising[index] = slopes(t + index * length, q)
             if index < steps:
-
-                def begun(at: Array, position: Array, *, first: Array = first, own: Array = q) -> Array:
-                    return first if position is own else slopes(at, position)
-
-                q = PRECISE.step(begun, t + index * length, q, length)
+                q = PRECISE.step(slopes, t + index * length, q, length, rising[index])
         filled = _between(positions, length * rising, np.arange(parts) * steps / parts)
     left = np.full((intervals, size), np.inf)
     known = len(exact.coordinates[1 : intervals + 1])
@@ -91,10 +84,8 @@ def _between(positions: Array, moved: Array, places: Array) -> Array:
     """
     index = places.astype(int)
     share = (places - index)[:, None, None]
-    rest = 1 - share
-    begin = (1 + 2 * share) * rest**2 * positions[index] + share * rest**2 * moved[index]
-    end = share**2 * (3 - 2 * share) * positions[index + 1] - share**2 * rest * moved[index + 1]
-    return np.asarray(np.moveaxis(begin + end, 0, 1))
+    found = hermite(positions[index], positions[index + 1], moved[index], moved[index + 1], share)
+    return np.asarray(np.moveaxis(found, 0, 1))
 
 
 def exact_at(exact: Motion, rates: Rates, time: float) -> Array | None:

@@ -82,7 +82,7 @@ class _Follower:
         """Return rows of the precise scheme after `row`, where it stands at q, up to `last` or to where the scheme fails."""
         rows: list[tuple[float, ...]] = []
         with suppress(ArithmeticError, ValueError, OutsideTable):
-            self.march(row, last, float(times[1]), self.rates.latest, rows.append, *q.tolist())
+            self.march(row, last, float(times[1]), self.rates.may_look_until, rows.append, *q.tolist())
         return np.array([found[: len(q)] for found in rows[1:]]).reshape(-1, len(q))
 
     def certain(self, times: Array, guess: Array, targets: Array) -> Array:
@@ -118,12 +118,10 @@ class _Follower:
 
     def _predicted(self, t: float, h: float, q: Array) -> Array:
         """Return the position after four steps of the precise scheme over h (s)."""
+        slopes = self.rates.slopes()
         for part in range(_SUBSTEPS):
-            q = PRECISE.step(self._slopes, t + part * h / _SUBSTEPS, q, h / _SUBSTEPS)
+            q = PRECISE.step(slopes, t + part * h / _SUBSTEPS, q, h / _SUBSTEPS)
         return q
-
-    def _slopes(self, t: float, q: Array) -> Array:
-        return np.array(self.rates.evaluate(t, *q.tolist())[: len(q)])
 
     def _signs(self, t: float, q: Array) -> Array:
         return _signs(self.rates, q, t)

@@ -8,7 +8,7 @@ correction is asked for, the same steps are made one by one, which tells why a m
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 
@@ -68,18 +68,16 @@ def march(
     size, velocities = len(rates.coordinates), len(rates.velocities)
     width = size + velocities + len(rates.blocks)
     table = np.fromiter(itertools.chain.from_iterable(rows), float, len(rows) * width).reshape(len(rows), width)
-    return Motion(
-        times[: len(rows)].copy(), table[:, :size].copy(), table[:, size : size + velocities].copy(),
-        table[:, size + velocities :].copy(), np.zeros((len(rows), 0)), rates.coordinates, rates.velocities, scheme, step,
-        max(0, len(rows) - 1) * SCHEMES[scheme].slopes, stop,
-    )  # fmt: skip
+    known = table[:, size : size + velocities].copy(), table[:, size + velocities :].copy()
+    evaluations = max(0, len(rows) - 1) * SCHEMES[scheme].slopes
+    return rates.motion(times[: len(rows)].copy(), table[:, :size].copy(), scheme, step, evaluations, known, stop=stop)
 
 
 def _generated(rates: Rates, scheme: Scheme, start: Sequence[float], step: float, last: int, guarded: Sequence[int]) -> list[Row]:
     """Return the rows up to `last`, or up to the first one after which something is to be told."""
     rows: list[Row] = []
     with suppress(ZeroDivisionError, ValueError, OverflowError):
-        generate_rows(scheme, rates, guarded, WIDEST_STEP)(0, last, step, rates.latest, rows.append, *start)
+        generate_rows(scheme, rates, guarded, WIDEST_STEP)(0, last, step, rates.may_look_until, rows.append, *start)
     return rows
 
 
@@ -92,10 +90,6 @@ def _followed(
     first = max(0, len(rows) - 1)
     q = np.array(rows.pop()[:size] if rows else start, dtype=float)
     targets = correction.closure.targets(times) if correction and correction.closure and last >= 0 else None
-
-    def slopes(t: float, q: Array) -> Array:
-        return np.array(rates.evaluate(t, *q.tolist())[:size])
-
     for index, t in enumerate(times[first:].tolist(), start=first):
         try:
             row = rates.evaluate(t, *q.tolist())
@@ -108,9 +102,8 @@ def _followed(
         rows.append((*q.tolist(), *row))
         if index == last:
             break
-        known = _Known(row[:size], t, q, slopes, rates.latest((index + 1) * step))
         try:
-            moved = scheme.step(known, t, q, step)
+            moved = scheme.step(rates.slopes((index + 1) * step), t, q, step, np.array(row[:size]))
         except (ZeroDivisionError, ValueError, OverflowError):
             stop = _first_stop(stop, _broken("event.singular_inside", index, t, step, q, rates))
             break
@@ -133,21 +126,6 @@ def _first_stop(true: Stop | None, own: Stop) -> Stop:
     if true is None:
         return own
     return replace(true, meaning=say("event.both", meaning=true.meaning, cause=own.cause))
-
-
-class _Known:
-    """The slopes function of one step, which looks no further than `latest` (s).
-
-    The value at the row's own (t, q) is already known and not computed again.
-    """
-
-    def __init__(
-        self, first: tuple[float, ...], t: float, q: Array, slopes: Callable[[float, Array], Array], latest: float
-    ) -> None:
-        self.first, self.t, self.q, self.slopes, self.latest = np.array(first), t, q, slopes, latest
-
-    def __call__(self, t: float, q: Array) -> Array:
-        return self.first if q is self.q and t == self.t else self.slopes(min(t, self.latest), q)
 
 
 def corrected(

@@ -56,7 +56,7 @@ def generate_rows(scheme: Scheme, rates: Rates, guarded: Sequence[int], widest: 
 
     A row is (*coordinates, *velocities, *determinants) at t = i*h.  The march ends before `last` where a determinant changes
     its sign, a guarded coordinate turns by more than `widest` (rad) in a step or a coordinate leaves the numbers; whoever
-    calls finds out which.  `latest(t)` says how far a step that ends at t may look (`Rates.latest`).
+    calls finds out which.  `latest(t)` says how far a step that ends at t may look (`Rates.may_look_until`).
     """
     return build(_rows_source(scheme, _Shape.of(rates), tuple(guarded), widest), "rows", rates.body)
 

@@ -20,6 +20,8 @@ from coursework.equations.reduction.statements import block_statements
 from coursework.equations.reduction.symbolic import constants, local, symbol
 from coursework.equations.reduction.system import scene_program
 from coursework.motion.geometry.drive import breaks
+from coursework.motion.integration.motion import Motion
+from coursework.motion.schemes import Slopes
 from coursework.system.arrays import Array
 
 if TYPE_CHECKING:
@@ -46,17 +48,37 @@ class Rates:
     body: Bound
     breaks: tuple[float, ...] = ()
 
-    def latest(self, end: float) -> float:
+    def may_look_until(self, end: float) -> float:
         """Return how far (s) a step that ends at `end` may look: up to a break of the drive that lies there, else any time."""
-        return latest(self.breaks, end)
+        return may_look_until(self.breaks, end)
+
+    def slopes(self, end: float = math.inf) -> Slopes:
+        """Return `f(t, q)`, the slopes (m,) of a step that ends at `end` (s), in the arithmetic of the march."""
+        size, latest = len(self.coordinates), self.may_look_until(end)
+        return lambda t, q: np.array(self.evaluate(min(t, latest), *q.tolist())[:size])
+
+    def slopes_of_rows(self, ends: Array) -> Slopes:
+        """Return `f(t, q)`, the slopes (n, m) of n steps at once, each of which ends at its own of `ends` (s)."""
+        size = len(self.coordinates)
+        latest = np.array([self.may_look_until(end) for end in ends.tolist()]) if self.breaks else np.inf
+        return lambda t, q: self.table(np.minimum(t, latest), q)[0][:, :size]
 
     def table(self, t: Array, q: Array) -> tuple[Array, Array]:
         """Return velocities (n, k) and determinants (n, blocks) for rows of coordinates (n, m)."""
         values = as_columns(self.rows(t, *q.T), np.shape(t))
         return values[:, : len(self.velocities)], values[:, len(self.velocities) :]
 
+    def motion(
+        self, t: Array, q: Array, scheme: str, step: float, evaluations: int = 0,
+        known: tuple[Array, Array] | None = None, **told: Any,
+    ) -> Motion:  # fmt: skip
+        """Return the motion with rows at `t` (n,) s and `q` (n, m); `known`: what `table` returns, where that is known."""
+        velocities, determinants = known or self.table(t, q)
+        bare, names = np.zeros((len(t), 0)), (self.coordinates, self.velocities)
+        return Motion(t, q, velocities, determinants, bare, *names, scheme, step, evaluations, **told)
 
-def latest(breaks: Sequence[float], end: float) -> float:
+
+def may_look_until(breaks: Sequence[float], end: float) -> float:
     """Return how far (s) a step that ends at `end` may look: up to a break that lies there, else any time."""
     at_break = any(abs(end - time) <= _BEFORE_BREAK * time for time in breaks)
     return end * (1 - _BEFORE_BREAK) if at_break else math.inf

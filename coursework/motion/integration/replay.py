@@ -30,13 +30,7 @@ class Replay:
         """Return all rows (n, m + k): coordinates by one step from the row before, velocities from the row's own coordinates."""
         if self.correction is not None:
             return np.array([self.row(motion, index) for index in range(len(motion.t))])
-        t, q, ends = motion.t[:-1], motion.coordinates[:-1], motion.t[1:]
-        latest = np.array([self.rates.latest(end) for end in ends.tolist()]) if self.rates.breaks else np.inf
-        size = len(self.rates.coordinates)
-
-        def slopes(at: Array, position: Array) -> Array:
-            return self.rates.table(np.minimum(at, latest), position)[0][:, :size]
-
+        t, q, slopes = motion.t[:-1], motion.coordinates[:-1], self.rates.slopes_of_rows(motion.t[1:])
         with np.errstate(all="ignore"):
             moved = self.scheme.step(slopes, t, q, motion.step) if len(t) else q
             velocities, _ = self.rates.table(motion.t, motion.coordinates)
@@ -44,17 +38,12 @@ class Replay:
 
     def row(self, motion: Motion, index: int) -> Array:
         """Return one row (m + k,) in the arithmetic of the march itself, one number at a time."""
-        rates, size = self.rates, len(self.rates.coordinates)
+        rates = self.rates
         own = rates.evaluate(float(motion.t[index]), *motion.coordinates[index].tolist())[: len(rates.velocities)]
         if index == 0:
             return np.array([*self.start, *own])
         t, q, step = float(motion.t[index - 1]), motion.coordinates[index - 1], motion.step
-        latest = rates.latest(index * step)
-
-        def slopes(at: float, position: Array) -> Array:
-            return np.array(rates.evaluate(min(at, latest), *position.tolist())[:size])
-
-        moved = self.scheme.step(slopes, t, q, step)
+        moved = self.scheme.step(rates.slopes(index * step), t, q, step)
         if self.correction is not None and self.correction.closure is not None:
             targets = self.correction.closure.targets(motion.t)
             moved = corrected(self.correction, targets, index - 1, step, t, q, moved)

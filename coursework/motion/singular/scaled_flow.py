@@ -30,7 +30,7 @@ _LOOKS = 16
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class BlockColumns:
     """Where one block stands in the values of the linear system.
 
     `entries` of its matrix row by row (-1, the zero behind all values, where there is none); `rights` of its right side;
@@ -53,7 +53,7 @@ class Flow:
     """
 
     system: LinearSystem
-    places: tuple[Place, ...]
+    places: tuple[BlockColumns, ...]
     largest: tuple[float, ...]
     rates: tuple[tuple[bool, int], ...]
     compile_clock: Callable[[int], Callable[..., tuple[float, ...]]]
@@ -95,11 +95,9 @@ class Flow:
             for column, value in zip(place.unknowns, _solve(values, place, _rest(values, place, u)), strict=True):
                 u[column] = value
         place = self.places[block]
-        size = len(place.unknowns)
-        matrix = np.array([values[entry] for entry in place.entries]).reshape(size, size)
         known = values[self.known : -1]
         velocities = np.array([known[index] if driven else u[index] for driven, index in self.rates])
-        return matrix, np.array(_rest(values, place, u)), velocities
+        return _matrix(values, place), np.array(_rest(values, place, u)), velocities
 
     def velocities(self, t: float, q: Sequence[float], block: int, chosen: Sequence[float]) -> list[float | None]:
         """Return every unknown velocity where those of `block` are `chosen`; None from a later block that is singular."""
@@ -161,7 +159,7 @@ def compile_flow(equations: VelocityEquations, reduction: Reduction, start: Sequ
             tuple((entry, column) for (other, column), entry in entry_at.items() if other == row and column not in columns)
             for row in rows
         )
-        places.append(Place(entries, tuple(count + row for row in rows), earlier if any(earlier) else (), tuple(columns)))
+        places.append(BlockColumns(entries, tuple(count + row for row in rows), earlier if any(earlier) else (), tuple(columns)))
     rates = tuple(
         (rate in system.known, (system.known if rate in system.known else system.unknowns).index(rate))
         for rate in equations.variant.rates
@@ -188,7 +186,7 @@ def _compile_clock(equations: VelocityEquations, reduction: Reduction, clock: in
     return compile_function("clock", arguments, body, [f"_pace * {result}" for result in results])
 
 
-def _largest_seen(system: LinearSystem, place: Place, begin: Sequence[float], end: float) -> float:
+def _largest_seen(system: LinearSystem, place: BlockColumns, begin: Sequence[float], end: float) -> float:
     """Return the largest |determinant| at the start and at some positions and times around it, 1 where none is found."""
     found = 0.0
     for look in range(_LOOKS):
@@ -201,7 +199,7 @@ def _largest_seen(system: LinearSystem, place: Place, begin: Sequence[float], en
     return found if 0.0 < found < float("inf") else 1.0
 
 
-def _rest(values: Sequence[float], place: Place, u: Sequence[float]) -> list[float]:
+def _rest(values: Sequence[float], place: BlockColumns, u: Sequence[float]) -> list[float]:
     if not place.earlier:
         return [values[right] for right in place.rights]
     return [
@@ -210,23 +208,23 @@ def _rest(values: Sequence[float], place: Place, u: Sequence[float]) -> list[flo
     ]
 
 
-def _determinant(values: Sequence[float], place: Place) -> float:
+def _determinant(values: Sequence[float], place: BlockColumns) -> float:
     if len(place.unknowns) > 3:
         return float(np.linalg.det(_matrix(values, place)))
     return _cramer(values, place, (0.0,) * len(place.unknowns))[1]
 
 
-def _matrix(values: Sequence[float], place: Place) -> Array:
+def _matrix(values: Sequence[float], place: BlockColumns) -> Array:
     size = len(place.unknowns)
     return np.array([values[entry] for entry in place.entries]).reshape(size, size)
 
 
-def _solve(values: Sequence[float], place: Place, rest: Sequence[float]) -> Sequence[float]:
+def _solve(values: Sequence[float], place: BlockColumns, rest: Sequence[float]) -> Sequence[float]:
     above, below = _cramer(values, place, rest)
     return [value / below for value in above]
 
 
-def _cramer(values: Sequence[float], place: Place, rest: Sequence[float]) -> tuple[Sequence[float], float]:
+def _cramer(values: Sequence[float], place: BlockColumns, rest: Sequence[float]) -> tuple[Sequence[float], float]:
     """Return adj(A) rest and det A; for four unknowns and more A^-1 rest and 1."""
     entries = [values[entry] for entry in place.entries]
     if len(rest) == 1:

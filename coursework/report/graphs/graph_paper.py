@@ -14,6 +14,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from coursework.motion.integration.hermite import hermite
 from coursework.report.text.numbers import Numbers
 from coursework.report.text.symbols import Symbol
 from coursework.system.arrays import Array
@@ -93,8 +94,7 @@ def smooth(t: Array, values: Array, rates: Array, between: int = BETWEEN) -> tup
     between = max(1, min(between, MOST_POINTS // (len(t) - 1)))
     s = np.arange(between) / between
     h = np.diff(t)[:, None]
-    begin, end, out, into = values[:-1, None], values[1:, None], rates[:-1, None], rates[1:, None]
-    cubic = begin * (1 + 2 * s) * (1 - s) ** 2 + h * out * s * (1 - s) ** 2 + end * s**2 * (3 - 2 * s) + h * into * s**2 * (s - 1)
+    cubic = hermite(values[:-1, None], values[1:, None], h * rates[:-1, None], h * rates[1:, None], s)
     times = t[:-1, None] + h * s
     return np.append(times.ravel(), t[-1]), np.append(cubic.ravel(), values[-1])
 

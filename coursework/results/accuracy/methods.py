@@ -90,7 +90,7 @@ def left_out(problem: Problem, bounds: Bounds) -> list[str]:
 
 
 def _by_loop(problem: Problem, loop: Loop, substeps: int, cost: int) -> tuple[Array, int]:
-    return trace(loop, problem.start, problem.step, problem.marks, substeps, problem.rates.latest), cost
+    return trace(loop, problem.start, problem.step, problem.marks, substeps, problem.rates.may_look_until), cost
 
 
 def _projected(problem: Problem, newton: int, substeps: int) -> tuple[Array, int]:
@@ -102,12 +102,7 @@ def _projected(problem: Problem, newton: int, substeps: int) -> tuple[Array, int
 
 
 def _adaptive(problem: Problem, tolerance: float) -> tuple[Array, int]:
-    size = len(problem.start)
-
-    def field(t: float, q: Array) -> Array:
-        return np.array(problem.rates.evaluate(t, *q.tolist())[:size])
-
-    return integrate_adaptive(field, np.array(problem.start, dtype=float), problem.times, tolerance)
+    return integrate_adaptive(problem.rates.slopes(), np.array(problem.start, dtype=float), problem.times, tolerance)
 
 
 def _closed(problem: Problem) -> tuple[Array, int]:

@@ -78,7 +78,7 @@ class Problem:
         return tuple(sorted({*range(0, self.rows, self.pace), *at_breaks, self.rows}))
 
     def _ends_at(self, row: int) -> bool:
-        return math.isfinite(self.rates.latest(row * self.step))
+        return math.isfinite(self.rates.may_look_until(row * self.step))
 
     @property
     def times(self) -> Array:

@@ -205,7 +205,7 @@ def _rows(loop: Loop, rates: Rates, start: Sequence[float], end: float, steps: i
     rows = [q]
     for index in range(steps):
         try:
-            length = min(h, rates.latest((index + 1) * h) - index * h) if rates.breaks else h
+            length = min(h, rates.may_look_until((index + 1) * h) - index * h) if rates.breaks else h
             q = loop(index * h, inner, length / inner, *q)
         except (ArithmeticError, ValueError):
             return np.full((steps + 1, len(q)), np.inf if inner == 1 else 0.0)

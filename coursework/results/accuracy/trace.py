@@ -32,7 +32,7 @@ def trace(
 ) -> Array:  # fmt: skip
     """Return the positions (n, m) in the rows `marks`, which begin with 0 and are `step` apart, with `substeps` steps a row.
 
-    `latest(t)`: how far the steps before the row at t may look (`Rates.latest`); a row there is a mark.
+    `latest(t)`: how far the steps before the row at t may look (`Rates.may_look_until`); a row there is a mark.
     """
     q = tuple(start)
     found = [q]

@@ -6,16 +6,13 @@ Used by `many.py`.
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from coursework.motion.integration.integrate import WIDEST_STEP
-from coursework.motion.integration.rates import latest
 from coursework.motion.schemes import Scheme
 from coursework.scene.model.model import Model
 from coursework.scene.model.sets import Sets
-from coursework.scene.model.watch import stacked
+from coursework.scene.model.watch import slopes, stacked
 from coursework.system.arrays import Array, Flags
 
 
@@ -39,12 +36,7 @@ def rows_of(model: Model, sets: Sets, scheme: Scheme, times: Array) -> tuple[Arr
                 good &= (determinants * before > 0).all(axis=0)
             before = determinants
             if index + 1 < len(times):
-                last = latest(model.breaks, (index + 1) * step)
-
-                def slopes(time: Any, at: Array, *, first: Array = row[m : 2 * m], own: Array = q, last: float = last) -> Array:
-                    return first if at is own else stacked(model.program(min(time, last), *at, *numbers)[:m], at)
-
-                moved = scheme.step(slopes, t, q, step)
+                moved = scheme.step(slopes(model, numbers, (index + 1) * step), t, q, step, row[m : 2 * m])
                 if guarded:
                     good &= (np.abs(moved[guarded] - q[guarded]) <= WIDEST_STEP).all(axis=0)
                 q = moved

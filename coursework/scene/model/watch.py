@@ -21,7 +21,8 @@ from typing import Any
 import numpy as np
 
 from coursework.equations.reduction.symbolic import TIME, symbol
-from coursework.motion.schemes import PRECISE
+from coursework.motion.integration.rates import may_look_until
+from coursework.motion.schemes import PRECISE, Slopes
 from coursework.scene.model.model import Columns, Model
 from coursework.system.arrays import Array, Flags
 
@@ -33,7 +34,6 @@ MARGIN = 0.02
 GROWTH, SLOPE = 30.0, 4.0
 # A determinant that stays below this part of the largest value it can have is not judged by its own largest value.
 _FLAT = 1e-6
-_BEFORE_BREAK = 1e-13
 
 
 @dataclass(slots=True)
@@ -81,14 +81,9 @@ def sure_to_move(model: Model, numbers: Columns, q: Array, end: float, steps: in
     watch = Watch.at(determinants)
     error, moved = np.zeros(q.shape[1]), np.zeros(q.shape[1])
     for t, after in itertools.pairwise(times):
-        h, latest = after - t, after * (1 - _BEFORE_BREAK) if after in breaks else math.inf
-        first = slope
-
-        def slopes(time: Any, at: Array, *, first: Array = first, latest: float = latest, own: Array = q) -> Array:
-            return first if at is own else rates(min(time, latest), at)[0]
-
-        ahead = PRECISE.step(slopes, t, q, h)
-        slope, determinants = rates(min(after, latest), ahead)
+        h, first = after - t, slope
+        ahead = PRECISE.step(slopes(model, numbers, after), t, q, h, first)
+        slope, determinants = rates(min(after, may_look_until(model.breaks, after)), ahead)
         middle = (q + ahead) / 2 + h / 8 * (first - slope)
         there, between = rates(t + h / 2, middle)
         watch.look(between)
@@ -132,6 +127,12 @@ def frequencies(model: Model, slopes: Sequence[Any], numbers: Columns, count: in
         size = np.abs(value)
         found = np.maximum(found, np.max(size, axis=0) if np.ndim(size) == 2 else size)
     return found
+
+
+def slopes(model: Model, numbers: Columns, end: float) -> Slopes:
+    """Return `f(t, q)`, the slopes (m, n) of all sets in a step that ends at `end` (s)."""
+    latest, m = may_look_until(model.breaks, end), len(model.coordinates)
+    return lambda t, q: stacked(model.program(min(t, latest), *q, *numbers)[:m], q)
 
 
 def stacked(values: Sequence[Any], like: Array) -> Array:

@@ -100,7 +100,7 @@ def test_a_break_is_a_row_looked_at():
     long = Problem(rates, (0.0, 0.0), 0.003, 4001, None, ("rad", "rad"))
     assert long.pace == 3
     assert 1001 in long.marks
-    rows = trace(generate_loop(SCHEMES["rk4"], rates), long.start, long.step, long.marks, 1, rates.latest)
+    rows = trace(generate_loop(SCHEMES["rk4"], rates), long.start, long.step, long.marks, 1, rates.may_look_until)
     exact = 6 * np.minimum(long.times, 3.003) - 2 * np.maximum(long.times - 3.003, 0)
     assert np.max(np.abs(rows[:, 0] - exact)) < 1e-11
 

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from coursework.equations.codegen.tabulated import OutsideTable
 from coursework.motion.geometry.drive import breaks
 from coursework.motion.integration.exact_motion import refine
+from coursework.motion.integration.hermite import hermite
 from coursework.results.checks.evidence import LIMIT, NO_ERROR, Evidence, turns, worst
 from coursework.results.checks.result import Finding, percent, skipped
 
@@ -127,11 +128,9 @@ def _between(evidence: Evidence, row: Array, part: Array) -> tuple[Array, Array]
     exact = evidence.exact
     assert exact is not None
     size, h = exact.coordinates.shape[1], exact.step
-    x = part[:, None]
     begin, end = exact.coordinates[row], exact.coordinates[row + 1]
     out, into = h * exact.velocities[row, :size], h * exact.velocities[row + 1, :size]
-    cubic = begin + x * (out + x * (3 * (end - begin) - 2 * out - into + x * (out + into - 2 * (end - begin))))
-    return exact.t[row] + part * h, cubic
+    return exact.t[row] + part * h, hermite(begin, end, out, into, part[:, None])
 
 
 def _looked_into(evidence: Evidence, row: int, place: int) -> Jump | None:

@@ -1,0 +1,18 @@
+"""The cubic through both ends of an interval with the slopes there.
+
+Enters: values and what their slopes move in the interval.  Leaves: values between.
+Used by `finer.py`, `continuity.py` and `graph_paper.py`.
+"""
+
+from __future__ import annotations
+
+from coursework.system.arrays import Array
+
+
+def hermite(begin: Array, end: Array, out: Array, into: Array, part: Array) -> Array:
+    """Return the values at a `part` of the interval, 0 at its begin and 1 at its end; shapes that go together.
+
+    `out` and `into`: the slopes at `begin` and `end` times the length of the interval.
+    """
+    rest = 1 - part
+    return begin * (1 + 2 * part) * rest**2 + out * part * rest**2 + end * part**2 * (3 - 2 * part) - into * part**2 * rest
