@@ -6,7 +6,7 @@ Used by `cli.py`.
 from __future__ import annotations
 
 from coursework.api import solve
-from coursework.commands.run import tell_remarks
+from coursework.commands.run_on_screen import tell_remarks
 from coursework.commands.screen import tell, title_of
 from coursework.run import Run
 from coursework.variant.catalogue import load

@@ -116,6 +116,7 @@ def main() -> None:
 @click.option("--gain", type=float, default=0.0, help="Baumgarte's gain in 1/s (a teaching knob; gain times step below 2).")
 @click.option("--precision", type=click.Choice(["double", "single"]), default="double", help="single: see what round-off does.")
 @click.option("--strict", is_flag=True, help="End with status 1 also where a check only needs a finer step (COARSE).")
+@click.option("--verbose", is_flag=True, help="Print every check with its number on a terminal too, as for a file or a program.")
 @click.option("--plan", is_flag=True, help="Print what would be computed and what is left out, and stop.")
 @click.option("--profile", is_flag=True, help="Print calls and time of every quantity.")
 @spoken(passed_on=True)

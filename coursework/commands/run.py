@@ -1,6 +1,6 @@
-"""`coursework run`: compute, write, tell in a few lines.
+"""`coursework run`: compute, write, tell.
 
-Used by `check.py` and `several.py`.
+Enters: the options of the command.  Leaves: files, lines on the screen, an exit status.  Used by `several.py`.
 """
 
 from __future__ import annotations
@@ -10,12 +10,12 @@ from pathlib import Path
 from typing import Any
 
 from coursework.api import solve
-from coursework.commands.screen import in_language, tell, title_of
+from coursework.commands.run_on_screen import tell_run, tell_run_briefly
+from coursework.commands.screen import is_terminal, tell
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
 from coursework.report.output.formats import FORMATS, PAGES, Format, chosen
 from coursework.report.output.results import Results
 from coursework.report.output.write import write_set
-from coursework.results.checks.result import GROUPS, never_more
 from coursework.run import Run
 from coursework.system.file_set import files_of, working_folder
 from coursework.variant.catalogue import load
@@ -24,14 +24,12 @@ from coursework.variant.record.variant import Variant
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
-from coursework.words.sentences import joined, say, say_count
-
-LEFT_OF_ZERO = 1e-12  # of the largest entry of a column: what round-off leaves of a zero, told as 0 on the screen
+from coursework.words.sentences import say, say_count
 
 
 def run_variant(
     variant: str, *, out: Path | None, formats: tuple[str, ...] | None, step: str | None, error: float | None, end: float | None,
-    scheme: str | None, precision: str, strict: bool, plan: bool, profile: bool, language: str, live: bool,
+    scheme: str | None, precision: str, strict: bool, plan: bool, profile: bool, verbose: bool, language: str, live: bool,
     set_values: tuple[str, ...], check_row: int | None, **options: Any,
 ) -> int:  # fmt: skip
     """Return the exit status of one run."""
@@ -63,7 +61,8 @@ def run_variant(
     folder = out or Path(f"coursework-{read.name}")
     older = earlier_files(folder)
     written = write_all(run, folder, wanted, language, live)
-    tell_run(run, folder, written)
+    tell_result = tell_run if verbose or not is_terminal() else tell_run_briefly
+    tell_result(run, folder, written)
     tell_older(folder, older, written)
     if profile:
         tell(say("screen.profile_head"))
@@ -175,62 +174,3 @@ def tell_older(folder: Path, older: tuple[str, ...] | None, written: list[str]) 
         older = tuple(f"{Results.stem}.{each.suffix}" for each in FORMATS)
     if left := [name for name in older if name not in written and (folder / name).exists()]:
         tell(say("screen.from_earlier_run", left=tuple(left)))
-
-
-def tell_remarks(run: Run) -> None:
-    """Print what looks like a slip of the pen in the file."""
-    for remark in run.variant.plausibility:
-        tell(say("screen.check", code=remark.code, sentence=say("remark.line", line=remark.line, sentence=remark.sentence)))
-
-
-def tell_run(run: Run, folder: Path, written: list[str]) -> None:
-    """Print the result, its summary first."""
-    motion = run.motion
-    if run.summary:
-        tell(run.summary)
-    tell(f"{title_of(run.variant)}  ({run.variant.name})")
-    if run.variant.set_values:
-        tell(say("run.set", listed=tuple(f"{name} = {value}" for name, value in run.variant.set_values.items())))
-    tell(say("screen.scheme_step_rows", scheme=run.scheme_title, step=motion.step, count=len(motion.t)))
-    if run.distance_to_exact is not None:
-        tell(run.distance_to_exact.sentence)
-    if gain := run.settings.gain:
-        share = gain * motion.step
-        tell(say("screen.gain", gain=gain, share=share, kept=1 - share))
-    if len(motion.t):
-        sizes = abs(motion.rows).max(axis=0).tolist()
-        for key, row in (("screen.first", 0), ("screen.last", -1)):
-            shown = [
-                value if abs(value) > LEFT_OF_ZERO * size else 0.0
-                for value, size in zip(motion.rows[row].tolist(), sizes, strict=True)
-            ]
-            pairs = zip(motion.names, shown, strict=True)
-            values = joined([say("screen.named", name=name, value=value) for name, value in pairs], "join.numbers")
-            tell(say(key, time=float(motion.t[row]), values=values))
-    if run.stop is not None:
-        tell(say("screen.stopped_by", kind=run.stop.name, sentence=run.stop.sentence))
-        if run.scene.phases:
-            tell(run.scene.phases)
-    tell_remarks(run)
-    if "checks" in run.asked:
-        tell_checks(run)
-    tell(say("screen.written_to", out=folder, files=", ".join(written)))
-
-
-def tell_checks(run: Run) -> None:
-    """Print what every check has found, group by group, and the sentences of those that did not pass."""
-    for group in GROUPS:
-        tell(say(f"checks.group.{group}"))
-        for check in (check for check in run.checks if check.group == group):
-            parts = [f"  {in_language(say(f'checks.mark.{check.verdict}'))} {check.verdict:<6} {check.code:<16}"]
-            if check.value is not None:
-                bare = {"value": never_more(check.value, check.unit, 3)}  # three digits are shown
-                parts.append(say("screen.value_unit", **bare, unit=check.unit) if check.unit else say("screen.value", **bare))
-            if check.limit is not None:
-                parts.append(say("screen.limit", limit=check.limit))
-            parts += [say("screen.column", column=check.column)] if check.column else []
-            parts += [say("screen.row", row=check.row)] if check.row else []
-            tell(joined(parts, "join.nothing"))
-    for check in run.checks:
-        if check.verdict in {"COARSE", "FAIL", "ERROR"} and check.code != "STOP":
-            tell(say("screen.check", code=check.code, sentence=check.sentence))

@@ -6,6 +6,11 @@ Used by the other commands and `cli.py`.
 
 from __future__ import annotations
 
+import re
+import shutil
+import sys
+import textwrap
+import unicodedata
 from contextvars import ContextVar
 from typing import TYPE_CHECKING
 
@@ -17,6 +22,9 @@ from coursework.words.sentences import ENGLISH, load_phrases
 if TYPE_CHECKING:
     from coursework.variant.record.variant import Variant
 
+_TIED = "\ue00e"
+_BEFORE_NUMBER = re.compile(r"(?<=\S) (?=[-−]?\d)")
+WIDE = {"W", "F"}  # what Unicode calls letters two columns wide
 _SPOKEN: ContextVar[str] = ContextVar("language", default=ENGLISH)
 
 
@@ -41,6 +49,25 @@ def title_of(variant: Variant) -> str:
 def tell(text: str, *, err: bool = False) -> None:
     """Print a line."""
     click.echo(in_language(text), err=err)
+
+
+def is_terminal() -> bool:
+    """Return whether standard output is a terminal, before which a person sits, and neither a file nor a program."""
+    return sys.stdout is not None and sys.stdout.isatty()
+
+
+def tell_wrapped(text: str, *, hanging: str = "") -> None:
+    """Print a paragraph for a terminal: lines as wide as it is, broken between words, all but the first with `hanging` before.
+
+    What is written without gaps between words, as Chinese is, the terminal itself breaks.
+    """
+    line = in_language(text)
+    if not any(unicodedata.east_asian_width(letter) in WIDE for letter in line):
+        width = shutil.get_terminal_size().columns - 1  # some terminals break a line that fills theirs
+        kept = _BEFORE_NUMBER.sub(_TIED, line)  # a number stays with the word before it
+        lines = textwrap.wrap(kept, width, subsequent_indent=hanging, break_long_words=False, break_on_hyphens=False)
+        line = "\n".join(lines).replace(_TIED, " ")
+    click.echo(line)
 
 
 def tell_faults(error: CourseworkError) -> None:

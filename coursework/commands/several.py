@@ -144,7 +144,7 @@ def run_variants(
     if not is_several(variants) and not combined:
         with watched(limits, variants[0], tell_last):
             return run_variant(variants[0], out=out, formats=formats, language=language, **options)
-    for_one = {name: options.pop(name) for name in ("plan", "profile", "precision", "error")}
+    for_one = {name: options.pop(name) for name in ("plan", "profile", "precision", "error", "verbose")}
     if for_one["plan"] or for_one["profile"] or for_one["error"] or for_one["precision"] == "single" or options["step"] == "auto":
         raise InputError(say("fault.C032"))
     task = RunTask(out or Path("coursework-runs"), formats, language, options, limits, templates, combined)

@@ -1,0 +1,143 @@
+"""What a run says on the screen: in brief to who sits before a terminal, in full with `--verbose` and to a file or a program.
+
+Enters: a `Run`, the folder and the names of its files.  Leaves: lines on standard output.  Used by `run.py` and `check.py`.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from coursework.commands.screen import in_language, tell, tell_wrapped, title_of
+from coursework.results.checks.result import GROUPS, Finding, never_more
+from coursework.results.checks.summary import summary
+from coursework.run import Run
+from coursework.scene.quantities import CHECKS
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say
+
+LEFT_OF_ZERO = 1e-12  # of the largest entry of a column: what round-off leaves of a zero, told as 0 on the screen
+NOT_PASSED = {"COARSE", "FAIL", "ERROR"}
+INDENT = "    "
+
+
+def tell_remarks(run: Run) -> None:
+    """Print what looks like a slip of the pen in the file."""
+    for remark in run.variant.plausibility:
+        tell(say("screen.check", code=remark.code, sentence=say("remark.line", line=remark.line, sentence=remark.sentence)))
+
+
+def tell_run(run: Run, folder: Path, written: list[str]) -> None:
+    """Print the result, its summary first, with every check."""
+    if run.summary:
+        tell(run.summary)
+    tell(f"{title_of(run.variant)}  ({run.variant.name})")
+    if changed := _set_values(run):
+        tell(changed)
+    tell(_how_computed(run))
+    for line in (*_about_rows(run), *_first_and_last(run), *_why_stopped(run)):
+        tell(line)
+    tell_remarks(run)
+    if run.asks(CHECKS):
+        tell_checks(run)
+    tell(say("screen.written_to", out=folder, files=", ".join(written)))
+
+
+def tell_run_briefly(run: Run, folder: Path, written: list[str]) -> None:
+    """Print what was computed and whether it is right and close, two rows, what did not pass and what to do, where the files are.
+
+    Checks have names here, not codes, and what to take against all of them is said once.
+    """
+    tell_wrapped(say("screen.computed", title=title_of(run.variant), name=run.variant.name, how=_how_computed(run)))
+    findings = run.checks if run.asks(CHECKS) else ()
+    if findings:
+        tell_wrapped(summary(findings, is_motion=run.tableau is None, named=lambda finding: finding.title))
+    for line in (_set_values(run), *_about_rows(run)):
+        if line:
+            tell_wrapped(line)
+    for line in _first_and_last(run):
+        tell_wrapped(line, hanging=INDENT)
+    for line in _why_stopped(run):
+        tell_wrapped(line)
+    tell_remarks(run)
+    advice: dict[str, None] = {}  # in the order of the checks, each once
+    for finding in findings:
+        if finding.verdict in NOT_PASSED and finding.code != "STOP":
+            fact, *further = _parted(finding)
+            advice |= dict.fromkeys(further)
+            mark = say(f"checks.mark.{finding.verdict}")
+            tell_wrapped(say("screen.not_passed", mark=mark, title=finding.title, sentence=fact), hanging=INDENT)
+    for line in advice:
+        tell_wrapped(line)
+    tell_wrapped(say("screen.written_to", out=folder, files=", ".join(written)))
+    if findings:
+        tell_wrapped(say("screen.more_with_verbose"))
+
+
+def _parted(finding: Finding) -> list[str]:
+    """Return what a check has found and, where it says so, what to take."""
+    sentence = finding.sentence
+    parts = sentence.values.get("parts") if isinstance(sentence, Sentence) and finding.option else None
+    return list(parts) if isinstance(parts, tuple) else [sentence]
+
+
+def _how_computed(run: Run) -> Sentence:
+    return say("screen.scheme_step_rows", scheme=run.scheme_title, step=run.motion.step, count=len(run.motion.t))
+
+
+def _set_values(run: Run) -> str:
+    changed = run.variant.set_values
+    return say("run.set", listed=tuple(f"{name} = {value}" for name, value in changed.items())) if changed else ""
+
+
+def _about_rows(run: Run) -> list[str]:
+    """Return how far exact rows are from those of the scheme, and what Baumgarte's gain does to them."""
+    told: list[str] = []
+    if run.distance_to_exact is not None:
+        told.append(run.distance_to_exact.sentence)
+    if gain := run.settings.gain:
+        share = gain * run.motion.step
+        told.append(say("screen.gain", gain=gain, share=share, kept=1 - share))
+    return told
+
+
+def _first_and_last(run: Run) -> list[str]:
+    motion = run.motion
+    if not len(motion.t):
+        return []
+    sizes = abs(motion.rows).max(axis=0).tolist()
+    told: list[str] = []
+    for key, row in (("screen.first", 0), ("screen.last", -1)):
+        shown = [
+            value if abs(value) > LEFT_OF_ZERO * size else 0.0
+            for value, size in zip(motion.rows[row].tolist(), sizes, strict=True)
+        ]
+        pairs = zip(motion.names, shown, strict=True)
+        values = joined([say("screen.named", name=name, value=value) for name, value in pairs], "join.numbers")
+        told.append(say(key, time=float(motion.t[row]), values=values))
+    return told
+
+
+def _why_stopped(run: Run) -> list[str]:
+    if run.stop is None:
+        return []
+    told = [say("screen.stopped_by", kind=run.stop.name, sentence=run.stop.sentence)]
+    return [*told, run.scene.phases] if run.scene.phases else list(told)
+
+
+def tell_checks(run: Run) -> None:
+    """Print what every check has found, group by group, and the sentences of those that did not pass."""
+    for group in GROUPS:
+        tell(say(f"checks.group.{group}"))
+        for check in (check for check in run.checks if check.group == group):
+            parts = [f"  {in_language(say(f'checks.mark.{check.verdict}'))} {check.verdict:<6} {check.code:<16}"]
+            if check.value is not None:
+                bare = {"value": never_more(check.value, check.unit, 3)}  # three digits are shown
+                parts.append(say("screen.value_unit", **bare, unit=check.unit) if check.unit else say("screen.value", **bare))
+            if check.limit is not None:
+                parts.append(say("screen.limit", limit=check.limit))
+            parts += [say("screen.column", column=check.column)] if check.column else []
+            parts += [say("screen.row", row=check.row)] if check.row else []
+            tell(joined(parts, "join.nothing"))
+    for check in run.checks:
+        if check.verdict in NOT_PASSED and check.code != "STOP":
+            tell(say("screen.check", code=check.code, sentence=check.sentence))

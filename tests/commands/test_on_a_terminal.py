@@ -1,0 +1,133 @@
+"""Before a terminal a run is told in brief: what was computed, whether it is right and close, what to do; elsewhere in full."""
+
+import os
+import re
+import subprocess
+import sys
+
+import pytest
+
+from coursework.commands import screen
+from tests.command import call
+
+pytestmark = pytest.mark.usefixtures("folder")
+QUICK = ["--quantities", "table,checks", "--format", "csv"]
+CODE = re.compile(r"\b(?:ACCURACY|PERIOD-POSITION|CONTINUITY|DRIFT|RESIDUAL|PEAK)\b")
+
+
+@pytest.fixture
+def terminal(monkeypatch):
+    """Standard output as a terminal of eighty columns."""
+    monkeypatch.setattr("coursework.commands.run.is_terminal", lambda: True)
+    monkeypatch.setattr("coursework.commands.screen.shutil.get_terminal_size", lambda: os.terminal_size((80, 24)))
+
+
+def test_a_run_fits_one_screen_and_says_the_point_first(terminal):
+    result = call("run", "31", *QUICK)
+    assert result.exit_code == 0
+    lines = result.stdout.splitlines()
+    assert len(lines) <= 24
+    assert max(map(len, lines)) < 80
+    text = " ".join(result.stdout.split())
+    assert text.startswith(
+        "Rolling wheel, right-angled link, crank and rod (31): explicit Euler, h = 0.02 s, 25 rows. The table is computed right: "
+        "5 of 5. It is not close to the motion: largest error 70 % (phi1, row 20); take --step h/18."
+    )
+    assert "≈ Closeness to the motion: Computed right, but not close to the exact motion." in text
+    assert not CODE.search(text)
+    assert text.count("Take --step h/18 (0.00111111 s), or --scheme rk4 at this step (0.005 %).") == 1
+    assert lines[-2:] == [
+        "Written to coursework-31: table.csv, run.json", "Every check with its number: the same command with --verbose.",
+    ]  # fmt: skip
+
+
+def test_a_run_in_which_everything_passes_names_no_check(terminal):
+    lines = call("run", "31", "--scheme", "rk4", *QUICK).stdout.splitlines()
+    assert not [line for line in lines if line.lstrip().startswith(("≈", "✗", "!", "✓", "–"))]
+    assert len(lines) < 12
+
+
+def test_without_checks_there_is_no_word_of_them(terminal):
+    text = call("run", "31", "--quantities", "table", "--format", "csv").stdout
+    assert "computed right" not in text
+    assert "--verbose" not in text
+    assert "  first t = 0 s: phi1 1.63," in text
+
+
+def test_a_check_that_fails_and_a_motion_that_stops_are_told(terminal, folder):
+    page = (folder / "stops.toml", folder / "wrong.toml")
+    call("new", "stops", "--from", "31", "--set", "alpha=0.02rad")
+    stopped = call("run", str(page[0]), *QUICK)
+    assert stopped.exit_code == 1
+    assert "Stopped (dead point): At t = 0.116889 s" in " ".join(stopped.stdout.split())
+    call("new", "wrong", "--from", "31", "--set", "period=0.40s")
+    failed = call("run", str(page[1]), *QUICK)
+    assert failed.exit_code == 1
+    assert "✗ Period, positions: " in failed.stdout
+    assert "Wrong: Period, positions" in " ".join(failed.stdout.split())
+
+
+def test_what_was_changed_is_told(terminal):
+    text = " ".join(call("run", "31", "--set", "p=12", "--gain", "1", *QUICK).stdout.split())
+    assert "p = 12" in text
+    assert "Baumgarte's gain 1 1/s" in text
+
+
+@pytest.mark.parametrize("language", ["ru", "uk", "zh"])
+def test_in_every_language(terminal, language):
+    text = call("run", "31", *QUICK, "--language", language).stdout
+    assert "≈" in text
+    assert "--verbose" in text
+    assert not CODE.search(text)
+    assert "Every check" not in text
+
+
+def test_verbose_is_what_a_pipe_gets(terminal):
+    brief = call("run", "31", *QUICK).stdout
+    full = call("run", "31", *QUICK, "--verbose").stdout
+    assert brief != full
+    assert "  ≈ COARSE ACCURACY         0.698 of the scale (limit 0.05), phi1, row 20" in full.splitlines()
+    piped = subprocess.run([sys.executable, "-m", "coursework", "run", "31", *QUICK], capture_output=True, check=True)
+    assert piped.stdout.decode("utf-8").splitlines() == full.splitlines()
+
+
+def test_the_record_is_the_same(terminal, folder):
+    call("run", "31", *QUICK, "--out", "brief")
+    call("run", "31", *QUICK, "--verbose", "--out", "full")
+    assert (folder / "brief" / "run.json").read_bytes() == (folder / "full" / "run.json").read_bytes()
+
+
+def test_several_variants_may_be_verbose_too(terminal):
+    assert call("run", "31", "v101", *QUICK, "--verbose").exit_code == 0
+
+
+@pytest.mark.parametrize(("width", "count"), [(22, 2), (23, 1)])
+def test_a_line_is_broken_where_it_does_not_fit_and_keeps_a_number_with_its_word(monkeypatch, capsys, width, count):
+    monkeypatch.setattr("coursework.commands.screen.shutil.get_terminal_size", lambda: os.terminal_size((width, 24)))
+    screen.tell_wrapped("  first w2 -1, w3 5.55", hanging="    ")
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) == count
+    assert lines[-1].endswith("w3 5.55")
+
+
+def test_a_real_terminal_is_noticed(folder):
+    pty = pytest.importorskip("pty", reason="this system has no pseudo-terminals")
+    ours, theirs = pty.openpty()
+    command = [sys.executable, "-m", "coursework", "run", "31", *QUICK]
+    with subprocess.Popen(command, stdout=theirs, stderr=subprocess.PIPE, env={**os.environ, "COLUMNS": "80"}) as process:
+        os.close(theirs)
+        told = b""
+        while True:
+            try:
+                part = os.read(ours, 4096)
+            except OSError:  # Linux says so where the other end is closed
+                break
+            if not part:
+                break
+            told += part
+        assert process.wait() == 0
+    os.close(ours)
+    text = told.decode("utf-8")
+    assert text.startswith("Rolling wheel")
+    assert "≈ Closeness to the motion" in text
+    assert "COARSE" not in text
