@@ -6,6 +6,8 @@
     coursework.write_report(run, "report.html")
 
 Nothing is imported until it is used: `coursework --help` must not wait for SymPy.
+
+Changes.  1.0.0: the first version.
 """
 
 from __future__ import annotations

@@ -6,6 +6,7 @@ import re
 import shlex
 import subprocess
 import sys
+import textwrap
 import tomllib
 import zipfile
 from functools import partial
@@ -14,15 +15,27 @@ from pathlib import Path
 from click.testing import CliRunner
 
 import coursework
+from coursework import mechanism
+from coursework.assigning import ranges
 from coursework.commands.cli import main
 from coursework.results.accuracy import round_off
 from coursework.results.accuracy.timing import seconds
+from coursework.variant.reading import schema
+from coursework.words import errors
 from tests.grading.batch import classroom
 from tests.grading.marking import students
 
 ROOT = Path(__file__).parent.parent
 TEXT = (ROOT / "README.md").read_text(encoding="utf-8")
-COMMANDS = [line.split("#")[0].strip() for line in re.search(r"```sh\n(.*?)```", TEXT, re.S)[1].splitlines()]
+
+
+def commands_of(section):
+    """Return the commands of the first block of a section, as written."""
+    block = re.search(r"```sh\n(.*?)```", TEXT.partition(f"## {section}\n")[2], re.S)[1]
+    return [line.split("#")[0].strip() for line in block.splitlines()]
+
+
+COMMANDS = [*commands_of("For a student"), *commands_of("As a library")]
 
 
 def test_commands_run_as_written_one_after_the_other(tmp_path, monkeypatch):
@@ -42,8 +55,7 @@ def test_commands_run_as_written_one_after_the_other(tmp_path, monkeypatch):
 def test_instructors_commands_run_from_a_download_of_moodle_to_grades(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     moodle_download(tmp_path)
-    section = TEXT.partition("## For instructors")[2]
-    commands = [line.split("#")[0].strip() for line in re.search(r"```sh\n(.*?)```", section, re.S)[1].splitlines()]
+    commands = commands_of("For an instructor")
     assert len(commands) == 3
     for command in commands:
         result = CliRunner().invoke(main, shlex.split(command)[1:])
@@ -61,16 +73,46 @@ def test_instructors_commands_run_from_a_download_of_moodle_to_grades(tmp_path, 
 def test_individual_variants_go_from_a_roster_to_grades(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "class.csv").write_text("id,name,email\nada,Ada Lovelace,ada@example.org\n", encoding="utf-8")
-    section = TEXT.partition("## Everyone a variant of their own")[2]
-    commands = [line.split("#")[0].strip() for line in re.search(r"```sh\n(.*?)```", section, re.S)[1].splitlines()]
+    commands = commands_of("Everyone a variant of their own")
     assert len(commands) == 3
     for command in commands:
         result = CliRunner().invoke(main, shlex.split(command)[1:])
         assert result.exit_code == 0, (command, result.output)
     (grade,) = csv.DictReader((tmp_path / "class" / "marks" / "grades.csv").read_text(encoding="utf-8-sig").splitlines())
     assert (grade["id"], grade["table"]) == ("ada", "60.00")
-    ranges = re.search(r"```toml\n(\[given\].*?)```", section, re.S)[1]
-    assert coursework.draw("31", tomllib.loads(ranges), 1, "ada").values["p"] in {12.5, 13.08}
+
+
+def test_the_example_of_a_ranges_file_can_be_drawn_from():
+    example = textwrap.dedent(re.search(r"( {4}\[given\].*?)\nA draw", ranges.__doc__, re.S)[1])
+    assert coursework.draw("31", tomllib.loads(example), 1, "ada").values["p"] in {12.5, 13.08}
+
+
+def test_every_key_of_the_format_is_explained_beside_a_file_that_has_it():
+    told = [line.rsplit(maxsplit=1)[1] for line in schema.__doc__.splitlines() if re.match(r" {4}\S", line)]
+    assert len(told) >= 11
+    assert all((ROOT / name).is_file() for name in told)
+    sections = set(schema.json_schema()["properties"]) - {"format", "title", "source", "$schema"}
+    assert {name for name in sections if name not in schema.__doc__} == set()
+
+
+def test_what_readme_says_elsewhere_is_there():
+    """Words of the field, sources and changes stand in the rooms they speak of."""
+    assert all(word in mechanism.__doc__ for word in ("Driven point", "Mobility", "Dead point", "Analog"))
+    assert all(source in coursework.groups.__doc__ for source in ("Ponomarev", "Pasika", "[deck]", "[library]"))
+    assert coursework.__version__ in coursework.__doc__.partition("Changes.")[2]
+    letters = {
+        code[0]
+        for code in tomllib.loads((ROOT / "reports/words.en.toml").read_text(encoding="utf-8"))["fault"]
+        if code[1:].isdigit()
+    }
+    assert letters == set(re.findall(r"\b([A-Z]) (?=a |ranges|the |data|grading|writing|limits|words)", errors.__doc__))
+
+
+def test_it_stays_short():
+    assert len(TEXT.splitlines()) <= 250
+    first = TEXT.partition("## For a student")[0]
+    assert len(first.splitlines()) <= 25
+    assert re.search(r"!\[.*\]\(reports/moving.gif\)", first)
 
 
 def test_own_templates_stand_before_those_of_the_package(tmp_path, monkeypatch):

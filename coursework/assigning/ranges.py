@@ -2,6 +2,29 @@
 
 Enters: nothing.  Leaves: the frozen records `Ranges`, `Range`, `Limits`, `Difficulty`.
 Used by every part of this room; made by `reader.py`.
+
+A ranges file; seven templates have theirs in `variants/ranges/`, with the measured share of draws that can move:
+
+    [given]
+    r1    = { from = "0.82 m", to = "1.08 m", step = "0.001 m" }   # any of these, printed with these digits
+    p     = { choice = ["12.5 1/s", "13.08 1/s"] }
+    [start]                                # coordinates that the geometry leaves free
+    phi1  = { from = "1.5 rad", to = "1.76 rad", step = "0.01 rad" }
+    [time]
+    check_row = { from = 3, to = 9, step = 1 }
+    [limits]                               # all optional
+    least_determinant  = 0.2               # scaled, over the whole motion
+    least_transmission = "12 deg"          # the same as an angle
+    largest_velocity   = "30 1/s"          # in the Euler table
+    least_rows_a_turn  = 10                # that a turn at the largest velocity would have
+    tries = 2000                           # draws a student
+    [difficulty]
+    band    = 0.30                         # each number within ±30 % of the median of the class, whoever is in it
+    numbers = ["euler_error", "least_determinant", "largest_velocity"]     # also one_step_gap
+
+A draw is SHA-256 of seed, template, ranges and student: a student who comes later changes nobody else's data.  It is taken where
+the whole motion is possible, Euler's table steps over nothing, the limits hold and the mechanism is as hard as the others; ranges
+that leave too few are refused with the reasons counted.
 """
 
 from __future__ import annotations

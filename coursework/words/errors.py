@@ -1,7 +1,12 @@
 """Everything a user can be told.
 
 Enters: where a fault was found and what it is.  Leaves: one sentence a line, in file order.
-Used by every floor above; imports nothing of the project.
+Used by every floor above.
+
+Each fault has a code, the same in every language: V a variant file, A ranges and rosters of individual variants, C the command
+line, D data given from Python, G grading, W writing, E limits of time and memory, L words files.  Its sentence stands under its
+code in [fault] of `reports/words.<language>.toml`.  What can be computed but looks like a slip (alpha = 249.2 rad, r1 = "953 m"
+beside 0.847 m) is a remark: on the screen, on page 1 and under "remarks" in `run.json`; remarks change no status.
 """
 
 from __future__ import annotations

@@ -5,7 +5,12 @@ Enters: external pairs and guides with their velocities and accelerations.  Leav
 
 The exact motion of a chain takes the positions of a group alone: velocities come from the reduction, which also knows
 drives and equations beside the chain.  With velocities and accelerations the functions are procedures for students.
-To add a group: write one file with its function and its `GroupKind`, and add that to `GROUPS`.
+Sources: B. B. Ponomarev, coursework guide, Irkutsk 1995 (variant 31); [deck] slides on kinematic simulation with basic Assur
+groups; [library] a library of Assur-group procedures; V. R. Pasika, slider-crank with variable crank length.  Their misprints are
+shown by tests in `tests/mechanism/groups/test_printed_faults.py`; reference numbers are in `tests/reference/`.
+
+To add a group: write one file with its function and its `GroupKind`, add that to `GROUPS`, and
+its name to `variant/record/vocabulary.py`.
 """
 
 from __future__ import annotations

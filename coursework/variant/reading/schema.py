@@ -3,6 +3,28 @@
 Enters: the plain data of a TOML file.  Leaves: a checked `VariantFile`, or pydantic's list of faults.
 The only room that knows pydantic; `variants/variant.schema.json` is made from it.
 Used by `variant/` and `grading/`.
+
+Beyond [given], [drive], [coordinates], [unknowns], [time] and one [[constraint]] for each velocity equation: a constraint may be
+a position equation (closure = "B + r2 @ phi2 = D + r3 @ phi3"), and a chain of Assur groups may stand for all of them ([[group]],
+kinds crank, RRR, RRP, RPR, RPP, PRP; see `variants/example-1.toml` to `example-6.toml`).  Keys, each with a file that has it:
+
+    teaches, remarks            what the variant shows; paragraphs for its page  variants/example-3.toml
+    [text.ru], [text.uk] …      title, source, teaches, remarks, because, means in another language  variants/31.toml
+    [[group]] guide, guides     guides (through, angle, offset), which may move  variants/prp.toml
+    coordinates, unit           without start: a chain gives the start by itself  variants/homework.toml
+    [time] scheme               "euler" … "rk4", or "exact": the motion without a scheme's error  variants/example-3.toml
+    [[quote]]                   a number that the remarks quote; QUOTE holds the table to it  variants/example-3.toml
+    [functions]                 a length as formula, pieces, or { table = …, of = "phi1" }  variants/variable-crank-table.toml
+    [drive] table               { table = "v.csv", of = "t" }: measured over time  coursework/motion/geometry/drive.py
+    [drive] pieces              [["0 s", "0"], ["0.1 s", "V"]]: a drive that changes its formula  variants/engine-start.toml
+    [links] slides              the link along which this one slides (a sleeve on a bar)  variants/v107.toml
+    [frame] circles             a fixed cylinder that a wheel rolls on  variants/v108.toml
+    [points], [links], [frame]  where points are, which links they belong to, what is fixed  variants/31.toml
+    [closure], [ask]            which point is driven, what is held; quantities beside the table  variants/31.toml
+
+Units: m cm mm in ft, rad deg ° grad, s ms min, what these make a second or a minute (m/s, deg/s, rev/s, m/s^2 …), rpm, and the
+same in Cyrillic (мм, град, об/мин …); 1/s is rad/s, 1/min is rev/min, "grad" is read as degrees, Hz is refused because it does
+not say which of the two is meant.
 """
 
 from __future__ import annotations
