@@ -27,9 +27,9 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import PLURALS, Phrases, joined, load_phrases, say, say_count, unfolded
 from tests.report import words_missing
 from tests.report.real import text_of
-from tests.report.test_sentences_of_a_page import keys
+from tests.report.text.test_sentences_of_a_page import keys
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 # Sections of the words file that the rooms below the report speak by keys that stand in their source.
 FINDINGS = {
     "join", "amount", "unit", "check", "event", "phase", "determinant", "equation", "exact", "scheme", "study", "drawing",
