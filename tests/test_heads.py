@@ -6,8 +6,9 @@ from pathlib import Path
 
 import pytest
 
-PACKAGE = Path(__file__).parent.parent / "coursework"
-TREES = {path.relative_to(PACKAGE): ast.parse(path.read_text(encoding="utf-8")) for path in sorted(PACKAGE.rglob("*.py"))}
+from tests.sources import PACKAGE, files, nodes, tree
+
+TREES = {path.relative_to(PACKAGE): tree(path) for path in files()}
 USED = re.compile(r"\b(?:[Uu]sed|[Rr]ead|[Mm]ade)(?: only)? by (.*?)(?:\.(?:\s|$)|;)", re.S)
 
 
@@ -16,12 +17,12 @@ def dotted(path: Path) -> str:
     return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
 
 
-def imported(tree: ast.Module) -> set[str]:
-    nodes = [node for node in ast.walk(tree) if isinstance(node, ast.ImportFrom) and node.module]
-    return {node.module for node in nodes} | {f"{node.module}.{alias.name}" for node in nodes for alias in node.names}
+def imported(path: Path) -> set[str]:
+    found = [node for node in nodes(path) if isinstance(node, ast.ImportFrom) and node.module]
+    return {node.module for node in found} | {f"{node.module}.{alias.name}" for node in found for alias in node.names}
 
 
-IMPORTS = {path: imported(tree) for path, tree in TREES.items()}
+IMPORTS = {path: imported(PACKAGE / path) for path in TREES}
 NAMED = [
     (path, named)
     for path, tree in TREES.items()

@@ -3,7 +3,6 @@
 import ast
 import re
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
@@ -15,6 +14,8 @@ from coursework.mechanism.groups.joint import PRISMATIC, REVOLUTE, Joint, JointK
 from coursework.mechanism.joints import FRAME, linkage
 from coursework.mechanism.mechanism import build
 from coursework.variant.catalogue import names
+from tests import sources
+from tests.sources import PACKAGE
 
 
 def joints(variant):
@@ -103,18 +104,16 @@ KINDS = {name: kind for name, kind in vars(joint).items() if isinstance(kind, Jo
 
 def test_no_kind_is_named_where_it_is_not_made():
     """Others ask the record: no text is the name of a kind, and no constant of one stands outside the files that make joints."""
-    package = Path(coursework.__file__).parent
     makers = {
         "mechanism/joints.py",
-        *(f"mechanism/groups/{path.name}" for path in (package / "mechanism" / "groups").glob("*.py")),
+        *(f"mechanism/groups/{path.name}" for path in (PACKAGE / "mechanism" / "groups").glob("*.py")),
     }
     told = {kind.name for kind in KINDS.values()}
-    for path in package.rglob("*.py"):
-        place, text = path.relative_to(package).as_posix(), path.read_text(encoding="utf-8")
-        nodes = [*ast.walk(ast.parse(text))]
+    for path in sources.files():
+        place, nodes = path.relative_to(PACKAGE).as_posix(), sources.nodes(path)
         if place != "mechanism/groups/joint.py":
             assert told.isdisjoint(node.value for node in nodes if isinstance(node, ast.Constant)), place
         if place not in makers:
-            assert not re.search(rf"\b({'|'.join(KINDS)})\b", text), place
+            assert not re.search(rf"\b({'|'.join(KINDS)})\b", sources.text(path)), place
         compared = [side for node in nodes if isinstance(node, ast.Compare) for side in (node.left, *node.comparators)]
         assert not [side for side in compared if isinstance(side, ast.Name) and side.id in KINDS], place

@@ -20,6 +20,7 @@ from coursework.report.formulas.lecture import lines
 from coursework.report.pages import build_model
 from coursework.variant.record import vocabulary
 from tests.report.real import text_of
+from tests.sources import files, nodes
 
 ROOT = Path(__file__).parents[2]
 HALF, SIXTH = Fraction(1, 2), Fraction(1, 6)
@@ -195,7 +196,7 @@ def test_no_scheme_is_named_outside_its_file():
     """
     named = re.compile("|".join(rf"\b{re.escape(word)}" for s in SCHEMES.values() for word in (s.name, s.title)), re.IGNORECASE)
     found = []
-    for path in (ROOT / "coursework").rglob("*.py"):
+    for path in files():
         if path.name not in {"schemes.py", "vocabulary.py"} and "marking" not in path.parts:
             found += [
                 f"{path.name}:{line} {text}"
@@ -209,10 +210,9 @@ def test_no_scheme_is_named_outside_its_file():
 
 def _texts_and_names(path):
     """Yield (line, text) of every text that is no docstring and of every name in a Python file."""
-    tree = ast.parse(path.read_text(encoding="utf-8"))
     blocks = (ast.Module, ast.ClassDef, ast.FunctionDef)
-    docs = {id(n.body[0].value) for n in ast.walk(tree) if isinstance(n, blocks) and n.body and isinstance(n.body[0], ast.Expr)}
-    for node in ast.walk(tree):
+    docs = {id(n.body[0].value) for n in nodes(path) if isinstance(n, blocks) and n.body and isinstance(n.body[0], ast.Expr)}
+    for node in nodes(path):
         if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in docs:
             yield node.lineno, node.value
         elif isinstance(node, (ast.Name, ast.Attribute, ast.alias)):

@@ -1,9 +1,7 @@
 """A quantity is one record: added to `QUANTITIES` it is asked for, planned, counted and shown; nowhere else is it named."""
 
-import ast
 import csv
 import json
-from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -24,6 +22,7 @@ from coursework.system.on_demand import computed
 from coursework.variant.record.variant import Variant
 from coursework.words.data_folders import folder
 from coursework.words.sentences import say
+from tests.sources import PACKAGE, files, strings
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="50mm" viewBox="0 0 100 50"><path d="M0 0L9 9"/></svg>'
 
@@ -133,14 +132,6 @@ def test_every_record_is_shown_somewhere():
     assert all(one.compute.__doc__ for one in QUANTITIES)
 
 
-@cache
-def strings(path):
-    """Return the text constants of a file that are not docstrings."""
-    tree = ast.parse(path.read_text(encoding="utf-8"))
-    prose = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
-    return {node.value for node in ast.walk(tree) if isinstance(node, ast.Constant) and id(node) not in prose}
-
-
 # What is shown by its record alone; "points" is a section of a file too, and read by that name.
 BY_RECORD = [
     one.name for one in QUANTITIES if not isinstance(one.shows, OwnSection) and one.name not in Variant.__dataclass_fields__
@@ -149,6 +140,5 @@ BY_RECORD = [
 
 @pytest.mark.parametrize("name", BY_RECORD)
 def test_no_other_file_names_a_quantity(name):
-    package = Path(coursework.__file__).parent
-    naming = {path.relative_to(package).as_posix() for path in package.rglob("*.py") if name in strings(path)}
+    naming = {path.relative_to(PACKAGE).as_posix() for path in files() if name in strings(path)}
     assert naming <= {"scene/quantities.py", "scene/motion_results.py"}

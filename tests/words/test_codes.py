@@ -6,12 +6,12 @@ import ast
 import re
 import tomllib
 from collections import Counter
-from collections.abc import Iterator
 from pathlib import Path
 
 import coursework
 from coursework.words.errors import Fault
 from coursework.words.sentences import say
+from tests.sources import files, nodes
 
 ROOT = Path(__file__).parents[2]
 WORDS = tomllib.loads((ROOT / "reports" / "words.en.toml").read_text(encoding="utf-8"))
@@ -23,19 +23,14 @@ TELLING = {
 }  # fmt: skip
 
 
-def sources() -> Iterator[tuple[Path, ast.Module]]:
-    for path in sorted((ROOT / "coursework").rglob("*.py")):
-        yield path, ast.parse(path.read_text(encoding="utf-8"))
-
-
 def codes() -> list[str]:
     return sorted(key for key in WORDS["fault"] if CODE.fullmatch(key))
 
 
 def test_every_code_is_used_at_one_place() -> None:
     used: Counter[str] = Counter()
-    for _, tree in sources():
-        for node in ast.walk(tree):
+    for path in files():
+        for node in nodes(path):
             if isinstance(node, ast.Constant) and isinstance(node.value, str):
                 used.update(re.findall(r"\bfault\.([A-Z]\d{3})\b", node.value))
     assert sorted(used) == codes()
@@ -43,8 +38,8 @@ def test_every_code_is_used_at_one_place() -> None:
 
 
 def test_no_sentence_of_a_fault_stands_in_python() -> None:
-    for path, tree in sources():
-        for node in ast.walk(tree):
+    for path in files():
+        for node in nodes(path):
             if not isinstance(node, ast.Call):
                 continue
             name = node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")

@@ -1,17 +1,14 @@
 """A kind of group is one record in one file: added to `GROUPS`, and named where a file may name it,
 it is read, solved, explained and counted everywhere."""
 
-import ast
 import json
 import subprocess
 import sys
-from functools import cache
-from pathlib import Path
 
 import pytest
 
-import coursework
 from coursework.mechanism.groups import GROUPS
+from tests.sources import PACKAGE, files, strings
 
 # A second name for the dyad RRP, whose dead point means something else; the tool has never heard of it.
 DUMMY = """
@@ -76,19 +73,10 @@ def test_a_kind_alone_is_found_everywhere(tmp_path):
     assert found["schema"]
 
 
-@cache
-def strings(path):
-    """Return the text constants of a file that are not docstrings."""
-    tree = ast.parse(path.read_text(encoding="utf-8"))
-    prose = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
-    return [node.value for node in ast.walk(tree) if isinstance(node, ast.Constant) and id(node) not in prose]
-
-
 @pytest.mark.parametrize("kind", GROUPS, ids=repr)
 def test_no_kind_is_named_outside_its_file(kind):
-    package = Path(coursework.__file__).parent
     home = f"mechanism/groups/{kind.name.lower()}.py"
-    naming = {path.relative_to(package).as_posix() for path in package.rglob("*.py") if kind.name in strings(path)}
+    naming = {path.relative_to(PACKAGE).as_posix() for path in files() if kind.name in strings(path)}
     assert naming - {"mechanism/groups/__init__.py", "procedures.py"} == {
         home,
         "variant/record/vocabulary.py",

@@ -14,7 +14,6 @@ import pytest
 
 import coursework
 from coursework.report.output.record import stamp_of
-from coursework.scene import scene_run
 from coursework.system import file_set
 from coursework.system.file_set import files_of, publish, working_folder
 from coursework.words.errors import OutputError
@@ -75,7 +74,7 @@ def test_the_stamp_follows_variant_options_and_version_alone(folder, monkeypatch
         stamp(student="A"), stamp(group="A"), stamp(date="A"), stamp(project=1), stamp(gain=1.0), stamp(quantities=["phi3"]),
         stamp_of(coursework.solve("31"), "uk"),
     ]  # fmt: skip
-    monkeypatch.setattr(scene_run, "VERSION", "9.9.9")
+    monkeypatch.setattr("coursework.scene.scene_run.VERSION", "9.9.9")
     assert len({plain, stamp(), *others}) == len(others) + 2
 
 

@@ -86,7 +86,7 @@ BELOW = {
     "graph.alt", "graph.caption", "graph.blank", "graph.close", "graph.fastest", "graph.frame", "derivation.long.one",
     "derivation.long.other",
 }  # fmt: skip
-# What the page itself says; all else is said by the rooms below it: tests/report/test_language.py.
+# What the page itself says; all else is said by the rooms below it: test_language.py.
 PAGE = {
     "decimal", "or", "title", "statement", "result", "count", "section", "given", "drive", "constraints", "derivation",
     "table", "first_last", "why", "tangent", "control", "graphs", "stop", "checks", "graph", "accuracy", "method",

@@ -56,7 +56,7 @@ remarks = [{evil}]
 [text.en.means]
 r1 = {evil}
 """
-V31 = (Path(__file__).parents[2] / "variants" / "31.toml").read_text(encoding="utf-8")
+V31 = (Path(__file__).parents[3] / "variants" / "31.toml").read_text(encoding="utf-8")
 
 
 def put(field: str, text: str = V31) -> str:

@@ -27,9 +27,10 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import PLURALS, Phrases, joined, load_phrases, say, say_count, unfolded
 from tests.report import words_missing
 from tests.report.real import text_of
-from tests.report.test_sentences_of_a_page import keys
+from tests.report.text.test_sentences_of_a_page import keys
+from tests.sources import files, nodes
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 # Sections of the words file that the rooms below the report speak by keys that stand in their source.
 FINDINGS = {
     "join", "amount", "unit", "check", "event", "phase", "determinant", "equation", "exact", "scheme", "study", "drawing",
@@ -148,8 +149,8 @@ def test_every_finding_of_the_words_file_is_said_somewhere() -> None:
         for path in (ROOT / "reports").glob("*.j2")
         for key in re.findall(r'say\("([\w.-]+)"', path.read_text(encoding="utf-8"))
     }
-    for path in (ROOT / "coursework").rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for path in files():
+        for node in nodes(path):
             if isinstance(node, ast.Constant) and isinstance(node.value, str):
                 spoken.add(re.escape(node.value) + r"(\.(one|other|plain|timed))?")
             elif isinstance(node, ast.JoinedStr):

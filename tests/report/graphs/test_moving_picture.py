@@ -17,7 +17,7 @@ from coursework.report.text.symbols import symbol
 from coursework.words.errors import InputError
 from coursework.words.sentences import load_phrases
 
-README_PICTURE = Path(__file__).parents[2] / "reports" / "moving.gif"
+README_PICTURE = Path(__file__).parents[3] / "reports" / "moving.gif"
 
 
 def picture(**options):
@@ -77,7 +77,7 @@ def test_a_rack_reaches_its_gear_from_its_slider_and_a_rail_is_hatched_below(rac
 
 
 def test_a_file_without_points_has_nothing_to_show(tmp_path):
-    text = (Path(__file__).parents[2] / "variants" / "31.toml").read_text(encoding="utf-8")
+    text = (Path(__file__).parents[3] / "variants" / "31.toml").read_text(encoding="utf-8")
     bare = tmp_path / "bare.toml"
     kept = text.partition("[points]")[0] + '[ask]\nquantities = ["table"]\n'
     bare.write_text(kept, encoding="utf-8")
