@@ -72,6 +72,6 @@ def timed_study(run: Run) -> AccuracyStudy:
     made = scene.results.by_scheme
     with click.progressbar(length=45, label=in_language(say("screen.progress.measure")), file=sys.stderr) as bar:
         return make_study(
-            problem, run.exact, made.mismatch, made.motion.scheme,
+            problem, run.exact, made.motion.scheme,
             timed=True, overhead=overhead, progress=lambda _label: bar.update(1),
         )  # fmt: skip

@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     from coursework.results.checks.result import Finding
 
 Named = tuple[tuple[str, ...], Array]
-Mismatch = tuple[tuple[str, str, float, float, float, float], ...]
 # More rows than this are not marched in extended numbers: a row there costs a hundred times one of the table.
 MOST_EXTENDED = 2001
 
@@ -117,12 +116,3 @@ class MotionResults:
         from coursework.results.checks.check import check_motion
 
         return check_motion(self.evidence)
-
-    @computed("evidence", "motion")
-    def mismatch(self) -> Mismatch:
-        """Last row minus first row of every coordinate: scheme error + period mismatch + round-off."""
-        from coursework.results.checks.close_to_motion.period import mismatch
-
-        splits = mismatch(self.evidence) or ()
-        names = self.motion.coordinate_names
-        return tuple((s.name, s.unit, s.total, s.scheme, s.period, s.roundoff) for s in splits if s.name in names)

@@ -150,7 +150,7 @@ def graph_check(results: MotionResults) -> GraphCheck | None:
     return check_graph(results.scene.mechanism, results.scene.equations, results.motion, results.scene.exact)
 
 
-@computed("stop", "rates", "start", "exact", "closure", "mismatch", "motion", "search")
+@computed("stop", "rates", "start", "exact", "closure", "motion", "search")
 def accuracy(results: MotionResults) -> AccuracyStudy | None:
     """What accuracy costs in evaluations: every scheme, projections, an adaptive pair, the exact closure (not timed)."""
     from coursework.results.accuracy.problem import Problem
@@ -162,7 +162,7 @@ def accuracy(results: MotionResults) -> AccuracyStudy | None:
     units = tuple(coordinate.unit for coordinate in scene.variant.coordinates)
     problem = Problem(scene.rates, scene.start, scene.variant.time.step, len(scene.exact.t) - 1, scene.closure, units)
     results = results.by_scheme
-    return make_study(problem, scene.exact, results.mismatch, results.motion.scheme)
+    return make_study(problem, scene.exact, results.motion.scheme)
 
 
 @computed("mechanism", "equations", "one_period")

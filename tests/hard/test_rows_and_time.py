@@ -13,6 +13,7 @@ from coursework.motion.integration.integrate import march
 from coursework.motion.integration.loops import generate_loop
 from coursework.motion.schemes import SCHEMES
 from coursework.results.accuracy.trace import trace
+from coursework.results.checks.close_to_motion.period import mismatch
 from coursework.variant.record.variant import whole_steps
 from coursework.words.errors import InputError
 from tests.hard.scenes import CASES, V31, check, expected, numbers, scene, solve
@@ -25,15 +26,15 @@ def test_h18_the_mismatch_is_split_into_scheme_period_and_round_off():
     wanted = expected("H18")
     assert float(wanted["T"]) == pytest.approx(PERIOD, rel=1e-15)
     assert float(wanted["T/dt"]) == pytest.approx(PERIOD / 0.02, rel=1e-15)
-    budget = {name: (total, scheme, period, rounding) for name, _, total, scheme, period, rounding in run.results.mismatch}
+    split = {one.name: one for one in mismatch(run.results.evidence)}
     for name, exact, euler in zip(
         ("phi1", "phi2", "phi3"), wanted["exact mismatch phi"], wanted["euler mismatch phi"], strict=True
     ):  # fmt: skip
-        total, scheme, period, rounding = budget[name]
-        assert total == pytest.approx(float(euler), abs=1e-10)
-        assert period == pytest.approx(float(exact), abs=1e-11)
-        assert abs(rounding) < 1e-14
-        assert total == pytest.approx(scheme + period + rounding, abs=1e-15)
+        one = split[name]
+        assert one.total == pytest.approx(float(euler), abs=1e-10)
+        assert one.period == pytest.approx(float(exact), abs=1e-11)
+        assert abs(one.roundoff) < 1e-14
+        assert one.total == pytest.approx(one.scheme + one.period + one.roundoff, abs=1e-15)
 
 
 def test_h19_a_drive_that_turns_half_a_period_a_step_is_refused():

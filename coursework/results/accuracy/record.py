@@ -30,19 +30,16 @@ class StudyRow:
 
 @dataclass(frozen=True, slots=True)
 class AccuracyStudy:
-    """`rows`; measured `orders` by method (`end_orders` from the last row alone); the coursework's `own` point
-    (method, evaluations, error, seconds); round-off `floor`; `reference_label`; `budget` of the last row per coordinate
-    (name, unit, total, scheme, period, round-off); `sentences`; `overhead` (what, seconds); `machine` where it was timed;
+    """`rows`; measured `orders` by method; the coursework's `own` point (method, evaluations, error, seconds); round-off
+    `floor`; `reference_label`; `sentences`; `overhead` (what, seconds); `machine` where it was timed;
     `left_out`: what a long table leaves no work for.
     """
 
     rows: tuple[StudyRow, ...]
     orders: Mapping[str, float]
-    end_orders: Mapping[str, float]
     own: tuple[str, int, float, float | None] | None
     floor: float
     reference_label: str
-    budget: Sequence[tuple[str, str, float, float, float, float]]
     sentences: Sequence[str]
     overhead: Sequence[tuple[str, float]]
     seconds_shown: bool

@@ -1,6 +1,6 @@
 """The work-precision study of one problem.
 
-Enters: a problem, its exact motion, the mismatch of its period.  Leaves: frozen `AccuracyStudy`.
+Enters: a problem, its exact motion.  Leaves: frozen `AccuracyStudy`.
 Protocol (numerics.md 2.2): error = maximum over the coursework's grid and all coordinates against a reference that is
 independent of the schemes; the error of the last row alone is kept beside it because it understates.
 Used by `commands/accuracy.py` and `quantities.py`.
@@ -33,12 +33,12 @@ SAME = 1e-9
 
 
 def make_study(
-    problem: Problem, exact: Motion, budget: Sequence[tuple[str, str, float, float, float, float]], scheme: str,
+    problem: Problem, exact: Motion, scheme: str,
     *, timed: bool = False, overhead: Sequence[tuple[str, float]] = (), progress: Callable[[str], None] | None = None,
 ) -> AccuracyStudy:  # fmt: skip
     """Return the study; with `timed` every trial is also timed (some 0.4 s each)."""
     if problem.work > MOST_WORK:
-        return _without_runs(problem, exact, budget, timed)
+        return _without_runs(problem, exact, timed)
     bounds = TIMED if timed else PAGE
     reference = exact.coordinates[list(problem.marks)]
     other, gap, _ = refine(problem.rates, problem.start, problem.times)
@@ -83,11 +83,9 @@ def make_study(
     return AccuracyStudy(
         tuple(rows),
         orders,
-        end_orders,
         own,
         floor,
         label,
-        tuple(budget),
         told,
         tuple(overhead),
         timed,
@@ -96,12 +94,10 @@ def make_study(
     )
 
 
-def _without_runs(
-    problem: Problem, exact: Motion, budget: Sequence[tuple[str, str, float, float, float, float]], timed: bool
-) -> AccuracyStudy:
-    """Return the study of a table too long for any run: what the last row's difference is made of, and why no more."""
+def _without_runs(problem: Problem, exact: Motion, timed: bool) -> AccuracyStudy:
+    """Return the study of a table too long for any run: why there is no more."""
     told = (say("study.no_runs", rows=problem.rows + 1, work=problem.work, most=MOST_WORK),)
-    return AccuracyStudy((), {}, {}, None, 0.0, exact.label, tuple(budget), (), (), timed, {}, told)
+    return AccuracyStudy((), {}, None, 0.0, exact.label, (), (), timed, {}, told)
 
 
 def _finer(problem: Problem, fine: int, *, closed: bool) -> Array:

@@ -21,11 +21,11 @@ def test_the_first_time_is_one_and_the_others_are_measured_by_it(problem_and_run
     problem, run = problem_and_run
     ticks = itertools.count(2, 2)
     monkeypatch.setattr(making, "seconds", lambda work: next(ticks) / 1000)
-    rows = making.make_study(problem, run.exact, (), "euler", timed=True).rows
+    rows = making.make_study(problem, run.exact, "euler", timed=True).rows
     assert (rows[0].method, rows[0].evaluations) == ("explicit Euler", 24)
     assert [row.time_ratio for row in rows] == pytest.approx([*range(1, len(rows) + 1)])
 
 
 def test_nothing_is_told_where_nothing_is_timed(problem_and_run):
     problem, run = problem_and_run
-    assert {row.time_ratio for row in making.make_study(problem, run.exact, (), "euler").rows} == {None}
+    assert {row.time_ratio for row in making.make_study(problem, run.exact, "euler").rows} == {None}

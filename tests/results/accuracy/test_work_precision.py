@@ -96,10 +96,9 @@ def test_ratios_over_the_grid_and_at_the_end(found):
 
 
 def test_measured_orders_and_words(scene, run):
-    study = make_study(scene, run.exact, run.results.mismatch, "euler")
+    study = make_study(scene, run.exact, "euler")
     for method, order in {"explicit Euler": 1, "midpoint": 2, "Heun": 2, "Runge-Kutta 4": 4}.items():
         assert study.orders[method] == pytest.approx(order, abs=0.1)
-    assert study.end_orders["Heun"] > 2.8
     text = " ".join(study.sentences)
     assert "24 steps of explicit Euler: 0.152 rad (8.7°) off at worst" in text
     assert "14\u202f000 times less error than Euler for 4 times the evaluations" in text
@@ -118,22 +117,9 @@ def test_a_method_that_fails_is_listed_not_dropped(run):
 
     scene = Problem(run.scene.rates, run.scene.start, 0.02, 24, run.scene.closure, ("rad",) * 3)
     broken = Problem(replace(run.scene.rates, evaluate=no_value), scene.start, scene.step, scene.rows, None, scene.units)
-    failed = [row for row in make_study(broken, run.exact, (), "euler").rows if row.failed]
+    failed = [row for row in make_study(broken, run.exact, "euler").rows if row.failed]
     assert {row.method for row in failed} == {"Dormand-Prince 5(4)"}
     assert all("did not finish" in row.failed for row in failed)
-
-
-def test_budget_of_the_last_row(run):
-    """Last row minus first: scheme error, period, round-off (numerics.md 1.3)."""
-    expected = {
-        "phi1": (-0.082754, -0.083332, 0.000579),
-        "phi2": (-0.036865, -0.037128, 0.000263),
-        "phi3": (0.046754, 0.048785, -0.002031),
-    }
-    for name, _, total, scheme, period, roundoff in run.results.mismatch:
-        assert (total, scheme, period) == pytest.approx(expected[name], abs=2e-6)
-        assert abs(roundoff) < 1e-14
-        assert total == pytest.approx(scheme + period + roundoff, abs=1e-15)
 
 
 def test_a_table_is_measured_against_the_motion_its_schemes_solve():

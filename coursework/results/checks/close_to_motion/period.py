@@ -1,8 +1,8 @@
 """PERIOD-POSITION, PERIOD-VELOCITY, PERIOD-ASSEMBLY: the last row against the first, and what the difference is made of.
 
-Enters: `Evidence`.  Leaves: a `Finding` each, and `Split`, which the accuracy study shows.
+Enters: `Evidence`.  Leaves: a `Finding` each, and `Split`, which the page shows.
 total = scheme error + (T is not a whole number of steps) + round-off, signed, per column.
-Used by `check.py`, `motion_results.py`, `closeness.py` and `results.py`.
+Used by `check.py`, `closeness.py` and `results.py`.
 """
 
 from __future__ import annotations
