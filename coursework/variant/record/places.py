@@ -44,7 +44,7 @@ def measures(variant: Variant, free: KeyPath | None = None) -> dict[str, Dimensi
         names[law.name] = {law.name: 1}
     for coordinate in variant.coordinates:
         # A bare number may be a length or an angle: which of the two the guess of the reader does not decide here.
-        unknown = not coordinate.said or free == ("coordinates", coordinate.name)
+        unknown = not coordinate.unit_was_given or free == ("coordinates", coordinate.name)
         names[coordinate.name] = {coordinate.name: 1} if unknown else dimension_of(coordinate.unit)
         names[coordinate.rate] = added(names[coordinate.name], _TIME, -1)
     for name, unit in variant.unknowns:
