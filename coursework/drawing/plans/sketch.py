@@ -23,7 +23,7 @@ from coursework.mechanism.joints import FRAME, linkage
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.motion.integration.motion import Motion
-from coursework.variant.formula.tree import Formula
+from coursework.variant.formula.tree import named
 from coursework.variant.record.variant import Link, Variant
 from coursework.words.sentences import say
 
@@ -123,7 +123,7 @@ def with_links(variant: Variant, outline: Outline) -> Variant:
     rails = variant.frame.rails
     if not variant.links:
         points = dict(outline.points)
-        rails = tuple((Formula("name", name=r.rider), points[r.toward].args[1].args[1]) for r in outline.rails if r.rider)
+        rails = tuple((named(r.rider), points[r.toward].args[1].args[1]) for r in outline.rails if r.rider)
     hinges = tuple(name for name in outline.hinges if not name.startswith("~"))
     frame = replace(variant.frame, hinges=hinges, rails=rails)
     return replace(variant, links=(*variant.links, *more), frame=frame)
