@@ -66,7 +66,7 @@ def _refused_at_sight(template: Variant, data: Data, index: int, variant: Varian
     names = [name for name in data.changed if name in data.given]
     starts = zip(template.coordinates, data.start[index].tolist(), strict=True)
     same = all(variant.values[name] == template.values[name] for name in names)
-    if same and all(c.guess == start for c, start in starts if c.name in data.changed):
+    if same and all(c.start_or_guess == start for c, start in starts if c.name in data.changed):
         return Verdict("same")
     step, end = variant.time.step, variant.time.end
     sound = step > 0 and math.isfinite(end) and step * (1 - 1e-9) <= end <= MAX_ROWS * step

@@ -9,12 +9,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from coursework.assigning.handout import Handout
-from coursework.assigning.page_words import Equation, Plain, equation, lettered, mathematics, named, symbol_runs
+from coursework.assigning.page_words import Equation, Plain, equation, lettered, mathematics, symbol_runs
 from coursework.assigning.sheet import LONGEST, data_rows, pictures, start_rows
 from coursework.report.output.tables import timed_csv
 from coursework.report.text.numbers import unit_text, with_unit
 from coursework.report.text.words import Words
 from coursework.scene.scene import Scene
+from coursework.variant.formula.tree import named
 from coursework.words.templates import clean, filled
 
 

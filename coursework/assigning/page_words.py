@@ -15,7 +15,7 @@ from coursework.report.text.numbers import with_unit
 from coursework.report.text.symbols import symbol
 from coursework.report.text.text_runs import ITALIC, printed, runs
 from coursework.report.text.words import Words
-from coursework.variant.formula.tree import Formula
+from coursework.variant.formula.tree import Formula, named
 from coursework.variant.record.variant import Law, Variant
 from coursework.words.templates import clean
 
@@ -64,11 +64,6 @@ def equation(variant: Variant, left: Formula, right: Formula, words: Words, name
     """Return a displayed equation; `name` stands at its margin."""
     shown = marked(display(left, right, frozenset(velocities(variant)), name), words("decimal"))
     return {"math": shown.math, "text": shown.text, "name": shown.name}
-
-
-def named(name: str) -> Formula:
-    """Return the formula that is a name alone."""
-    return Formula("name", name=name)
 
 
 def drives(variant: Variant, words: Words) -> tuple[list[Equation], list[str]]:

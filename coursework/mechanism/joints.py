@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.groups.joint import PIN_IN_GUIDE, PRISMATIC, REVOLUTE, ROLLING, Joint
-from coursework.variant.formula.tree import Formula
+from coursework.variant.formula.tree import Formula, named
 from coursework.variant.record.variant import Group, Variant
 
 FRAME = "0"
@@ -83,9 +83,9 @@ def _of_links(variant: Variant) -> Iterator[Joint]:
             holds.setdefault(name, []).append(link.name)
     for name, bodies in holds.items():
         if name in variant.frame.hinges:
-            yield Joint(REVOLUTE, (bodies[0], FRAME), Formula("name", name=name))
+            yield Joint(REVOLUTE, (bodies[0], FRAME), named(name))
         for pair in itertools.pairwise(bodies):
-            yield Joint(REVOLUTE, pair, Formula("name", name=name))
+            yield Joint(REVOLUTE, pair, named(name))
     contacts = {link.contact for link in variant.links}
     for through, angle in variant.frame.rails:
         if through.op == "name" and through.name in holds and through.name not in contacts:
@@ -93,11 +93,11 @@ def _of_links(variant: Variant) -> Iterator[Joint]:
     for link in variant.links:
         if link.contact:
             touched = next((body for body in holds.get(link.contact, ()) if body != link.name), FRAME)
-            yield Joint(ROLLING, (link.name, touched), Formula("name", name=link.contact))
+            yield Joint(ROLLING, (link.name, touched), named(link.contact))
     sleeves = {frozenset((link.name, link.slides)): (link.name, link.slides) for link in variant.links if link.slides}
     for sleeve, bar in sleeves.values():
         own = next((name for name, bodies in holds.items() if sleeve in bodies), "")
-        yield Joint(PRISMATIC, (sleeve, bar), Formula("name", name=own) if own else None)
+        yield Joint(PRISMATIC, (sleeve, bar), named(own) if own else None)
 
 
 def chain_of_groups(variant: Variant, points: Mapping[str, Formula]) -> Linkage:

@@ -20,7 +20,7 @@ from coursework.drawing.paper.placing import Owner, Place
 from coursework.drawing.paper.sheet import BOLD, ITALIC
 from coursework.drawing.paper.symbols import length_word, name_word, short
 from coursework.mechanism.mechanism import Mechanism
-from coursework.variant.formula.tree import Formula, terms
+from coursework.variant.formula.tree import Formula, named, terms
 
 PARTS = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)  # of a line: where the word of it may stand, the middle first
 SHORT = 2.5  # mm: a shorter line bears no name
@@ -145,7 +145,7 @@ def _measured(painter: Painter, ends: tuple[str, str], free: Mapping[str, float]
     """Return the one datum as long as a part whose length the file leaves to be computed: the third side of a triangle."""
     size = abs(painter.place[ends[1]] - painter.place[ends[0]])
     alike = [name for name, value in free.items() if abs(value - size) <= SAME * size]
-    return Formula("name", name=alike[0]) if len(alike) == 1 else None
+    return named(alike[0]) if len(alike) == 1 else None
 
 
 def lies_on(line: Segment, other: Segment) -> bool:

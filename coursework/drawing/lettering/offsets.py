@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from coursework.drawing.paper.cover import Segment
 from coursework.drawing.paper.painter import Painter
 from coursework.mechanism.mechanism import Mechanism
-from coursework.variant.formula.tree import Formula
+from coursework.variant.formula.tree import Formula, named
 
 NOWHERE = 1e-9  # mm: between two points that near to each other there is no direction
 SAME = 1e-6  # of the way to its block: an offset measured and given agree within that
@@ -33,7 +33,7 @@ def offsets(painter: Painter, mechanism: Mechanism) -> Iterator[Offset]:
     """Yield the offsets that are data, each where a block slides at that distance."""
     given = {datum.name for datum in mechanism.variant.given}
     for group in mechanism.variant.groups:
-        sides = [(guide.through, guide.offset, Formula("name", name=group.meets or "")) for guide in group.guides]
+        sides = [(guide.through, guide.offset, named(group.meets or "")) for guide in group.guides]
         if group.start_points:
             sides.append((group.start_points[-1], group.offset, group.start_points[0]))
         for through, offset, rider in sides:

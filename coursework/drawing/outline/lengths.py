@@ -10,7 +10,7 @@ from string import ascii_uppercase
 
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.mechanism import Mechanism
-from coursework.variant.formula.tree import Formula, terms
+from coursework.variant.formula.tree import Formula, named, terms
 
 
 def arm_base(formula: Formula, coordinate: str) -> str:
@@ -37,13 +37,13 @@ def lengths(mechanism: Mechanism) -> dict[frozenset[str], Formula]:
     Beside a point at the origin also "D = (d, 0)" says one.
     """
     variant = mechanism.variant
-    minus = [Formula("-", (Formula("name", name=name), formula)) for name, formula in mechanism.points]
+    minus = [Formula("-", (named(name), formula)) for name, formula in mechanism.points]
     for group in variant.groups:
-        met = Formula("name", name=group.meets or "")
+        met = named(group.meets or "")
         minus += [Formula("-", (met, side)) for side in group_kind(group.kind).closure(group)[0] if group.meets]
     minus += [Formula("-", (c.left, c.right)) for c in mechanism.constraints if c.is_closure]
     for joint, sides in unnamed_joints(mechanism).items():
-        minus += [Formula("-", (Formula("name", name=joint), side)) for side in sides]
+        minus += [Formula("-", (named(joint), side)) for side in sides]
     minus += [hold.args[0] for hold in variant.holds if hold.op == "part"]
     found: dict[frozenset[str], Formula] = {}
     for formula in minus:

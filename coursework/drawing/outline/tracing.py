@@ -15,7 +15,7 @@ from coursework.drawing.outline.lengths import arm_base, unnamed_joints
 from coursework.drawing.outline.outline import Bar, Block, Outline, Rail, Slot, Track, Wheel
 from coursework.mechanism.joints import FRAME, Linkage, chain_of_groups, link_names
 from coursework.mechanism.mechanism import Mechanism
-from coursework.variant.formula.tree import Formula, number, terms
+from coursework.variant.formula.tree import Formula, named, number, terms
 from coursework.variant.record.variant import Variant
 
 
@@ -183,13 +183,13 @@ class _Pencil:
 
     def beside(self, at: str, length: Formula, angle: Formula) -> str:
         """Return the point at a length and angle from another; a new point is written out, so that each stands by itself."""
-        base = self.points[at] if at.startswith("~") else Formula("name", name=at)
+        base = self.points[at] if at.startswith("~") else named(at)
         return self.added(Formula("+", (base, Formula("@", (length, angle)))))
 
     def turning(self, rate: str | None) -> Formula:
         """Return the angle that goes with a rate, 0 where nothing does."""
         found = next((c.name for c in self.variant.coordinates if c.rate == rate), "")
-        return Formula("name", name=found) if found else number(0)
+        return named(found) if found else number(0)
 
     def added(self, formula: Formula) -> str:
         """Return the name of a new point."""

@@ -19,7 +19,7 @@ def largest(determinant: Formula, variant: Variant) -> float:
     values = {name: abs(value) for name, value in variant.values.items()} | {"pi": math.pi}
     for coordinate in variant.coordinates:
         if coordinate.unit == "m":
-            values[coordinate.name] = max(abs(coordinate.guess or 0.0), typical)
+            values[coordinate.name] = max(abs(coordinate.start_or_guess or 0.0), typical)
     return _bound(determinant, values)
 
 

@@ -6,11 +6,10 @@ Enters: the determinant as shown.  Leaves: words.  Used by `blocks.py`.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import reduce
 
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.joints import link_names, linkage
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, spelled
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, factors, product_of, spelled
 from coursework.variant.record.variant import Variant
 from coursework.words.sentences import joined, say
 
@@ -42,20 +41,21 @@ def _of_group(variant: Variant, equations: Sequence[str]) -> str:
 
 def vanishing(determinant: Formula, variant: Variant, at: Mapping[str, float] | None = None) -> Formula:
     """Return the determinant without sign and constant lengths: the part that can be zero (that is zero `at` a position)."""
-    factors = _vanishing(determinant, variant, at)
-    return reduce(lambda a, b: Formula("*", (a, b)), factors) if factors else determinant
+    found = _vanishing(determinant, variant, at)
+    return product_of(found) if found else determinant
 
 
 def _vanishing(determinant: Formula, variant: Variant, at: Mapping[str, float] | None) -> list[Formula]:
     lengths = {g.name for g in variant.given}
-    factors = [factor for factor in _factors(determinant) if not set(factor.names()) <= lengths or _is_nothing(factor, variant)]
-    if at is None or len(factors) < 2:
-        return factors
+    above = [factor for factor, power in factors(determinant, ("neg", "*", "/")) if power > 0]
+    found = [factor for factor in above if not set(factor.names()) <= lengths or _is_nothing(factor, variant)]
+    if at is None or len(found) < 2:
+        return found
     try:
-        sizes = [abs(evaluate(factor, {**variant.values, **at})) for factor in factors]
+        sizes = [abs(evaluate(factor, {**variant.values, **at})) for factor in found]
     except (FormulaFault, KeyError):  # a factor that depends on the drive
-        return factors
-    return [factor for factor, size in zip(factors, sizes, strict=True) if size <= _SMALL * max(sizes)] or factors
+        return found
+    return [factor for factor, size in zip(found, sizes, strict=True) if size <= _SMALL * max(sizes)] or found
 
 
 def _is_nothing(factor: Formula, variant: Variant) -> bool:
@@ -64,16 +64,6 @@ def _is_nothing(factor: Formula, variant: Variant) -> bool:
         return abs(evaluate(factor, variant.values)) < _ROUNDING
     except (FormulaFault, KeyError):
         return False
-
-
-def _factors(tree: Formula) -> list[Formula]:
-    if tree.op == "neg":
-        return _factors(tree.args[0])
-    if tree.op == "*":
-        return _factors(tree.args[0]) + _factors(tree.args[1])
-    if tree.op == "/":
-        return _factors(tree.args[0])
-    return [tree]
 
 
 def _factor(tree: Formula, variant: Variant) -> str:

@@ -18,7 +18,7 @@ import sympy as sp
 from coursework.equations.codegen.names import private, public
 from coursework.equations.reduction.sums import Term, gathered, written_sums
 from coursework.equations.reduction.symbolic import expanded
-from coursework.variant.formula.tree import Formula, number
+from coursework.variant.formula.tree import Formula, named, number, product_of
 from coursework.variant.record.variant import Variant
 
 # Beyond this many operations a formula is shown as it is: nobody reads it, and expanding it costs.
@@ -244,7 +244,7 @@ def _factors(numeral: int, atoms: Atoms, terms: tuple[Term, ...], order: Order) 
         parts.append(base if power == 1 else Formula("^", (base, number(power))))
     if terms:
         parts.append(_sum(terms, order))
-    return reduce(lambda a, b: Formula("*", (a, b)), parts) if parts else number(1)
+    return product_of(parts)
 
 
 def _sum(terms: tuple[Term, ...], order: Order) -> Formula:
@@ -261,9 +261,9 @@ def _sum(terms: tuple[Term, ...], order: Order) -> Formula:
 def _plain(expr: sp.Expr, order: Order) -> Formula:
     """Return one atom as a formula without rewriting inside."""
     if isinstance(expr, sp.Symbol):
-        return Formula("name", name=order.public(expr))
+        return named(order.public(expr))
     if expr == sp.pi:
-        return Formula("name", name="pi")
+        return named("pi")
     if expr.is_Rational:
         return number(Fraction(int(expr.p), int(expr.q)))
     if expr.is_Number:

@@ -22,12 +22,12 @@ from coursework.motion.geometry.drive import breaks
 from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.scene.model.model import Model, model_of
 from coursework.system.arrays import Array
-from coursework.variant.formula.tree import Formula, number
+from coursework.variant.formula.tree import Formula, mapped, named, number
 from coursework.variant.record.variant import Law, Variant
 from coursework.words.errors import CourseworkError
 
 _TURNING = ("sin", "cos", "tan")
-_DEGREE = Formula("/", (Formula("name", name="pi"), number(180)))
+_DEGREE = Formula("/", (named("pi"), number(180)))
 
 
 def key_of(variant: Variant) -> Key:
@@ -144,9 +144,8 @@ def _in_degrees(variant: Variant) -> Variant:
 
 
 def _degrees(tree: Formula) -> Formula:
-    args = tuple(_degrees(arg) for arg in tree.args)
-    if tree.op == "call" and tree.name in _TURNING:
-        args = (Formula("*", (args[0], _DEGREE)),)
-    if tree.op == "@":
-        args = (args[0], Formula("*", (args[1], _DEGREE)))
-    return replace(tree, args=args)
+    turned = mapped(tree, _degrees)
+    if tree.op == "@" or (tree.op == "call" and tree.name in _TURNING):
+        *length, angle = turned.args
+        return replace(turned, args=(*length, Formula("*", (angle, _DEGREE))))
+    return turned

@@ -7,9 +7,9 @@ Used by the pages.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, spelled
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, mapped, named, spelled
 
 INVERSE = {"asin", "acos", "atan", "atan2"}
 ROUND_OFF = 1e-12  # rad: two forms of one angle differ by less
@@ -26,9 +26,8 @@ class NamedAngles:
         """Return the formula with names in the place of the angles."""
         for name, angle in (*self.angles, *self.alike):
             if formula == angle:
-                return Formula("name", name=name)
-        args = tuple(self.put_in(arg) for arg in formula.args)
-        return replace(formula, args=args) if args != formula.args else formula
+                return named(name)
+        return mapped(formula, self.put_in)
 
 
 def named_angles(

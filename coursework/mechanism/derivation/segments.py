@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from coursework.mechanism.mechanism import Mechanism
-from coursework.variant.formula.tree import Formula, number
+from coursework.variant.formula.tree import Formula, named, number
 from coursework.variant.record.variant import Link, Variant
 
 ZERO = number(0)
@@ -189,7 +189,7 @@ def _angle(formula: Formula) -> Angle:
 
 def _part_of_pi(formula: Formula) -> Fraction | None:
     """Return q where a formula is q pi, None for any other."""
-    if formula == Formula("name", name="pi"):
+    if formula == named("pi"):
         return Fraction(1)
     if formula.op == "number":  # "90 deg" is read as 1.5707963267948966
         quarters = 2 * float(formula.value) / math.pi
@@ -209,7 +209,7 @@ def _part_of_pi(formula: Formula) -> Fraction | None:
 def _known(variant: Variant, points: Mapping[str, Formula], fixed: set[str]) -> list[Known]:
     """Return the points whose velocity is wholly or partly known: driven, fixed, guided, in contact with the frame."""
     found: dict[str, Known] = {}
-    laws = {law.name: ZERO if law.formula == ZERO else Formula("name", name=law.name) for law in variant.drive}
+    laws = {law.name: ZERO if law.formula == ZERO else named(law.name) for law in variant.drive}
     for name in points:
         x, y = laws.get(f"V{name}x"), laws.get(f"V{name}y")
         if x is not None or y is not None:
@@ -241,10 +241,10 @@ _AXES = (Fraction(0), Fraction(1, 2))
 def _speed_along(point: str, guided: list[str], variant: Variant) -> Formula | None:
     """Return the unknown that is the speed of a point along its guide: named after it, or the only one of one guided point."""
     speeds = [name for name, unit in variant.unknowns if unit == "m/s"]
-    named = [name for name in speeds if len(name) > 1 and name.endswith(point)]
-    if not named and len(guided) == len(speeds) == 1:
-        named = speeds
-    return Formula("name", name=named[0]) if len(named) == 1 else None
+    after_it = [name for name in speeds if len(name) > 1 and name.endswith(point)]
+    if not after_it and len(guided) == len(speeds) == 1:
+        after_it = speeds
+    return named(after_it[0]) if len(after_it) == 1 else None
 
 
 def _along(speed: Formula, angle: Formula) -> tuple[Formula, Formula]:
@@ -258,5 +258,5 @@ def _along(speed: Formula, angle: Formula) -> tuple[Formula, Formula]:
 def _touches_frame(contact: str, variant: Variant) -> bool:
     """Return whether the contact of a wheel rests: it lies on a rail or circle of the frame and on no other link."""
     others = sum(contact in link.points for link in variant.links)
-    on_rail = any(through == Formula("name", name=contact) for through, _ in variant.frame.rails)
+    on_rail = any(through == named(contact) for through, _ in variant.frame.rails)
     return not others and (on_rail or bool(variant.frame.circles))

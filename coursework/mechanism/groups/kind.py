@@ -12,12 +12,12 @@ from dataclasses import dataclass, field
 from coursework.mechanism.groups.joint import Joint
 from coursework.mechanism.groups.pairs import GroupMotion, Guide, Pair
 from coursework.system.arrays import Array
-from coursework.variant.formula.tree import Formula, number
+from coursework.variant.formula.tree import Formula, named, number
 from coursework.variant.record.variant import Group
 
 # The two ways round a loop as vectors, none where nothing closes, and the point the next group may hang on.
 Closed = tuple[tuple[Formula, ...], Formula]
-QUARTER = Formula("/", (Formula("name", name="pi"), number(2)))
+QUARTER = Formula("/", (named("pi"), number(2)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,7 +85,7 @@ class GroupKind:
 
 def unknowns(group: Group) -> list[Formula]:
     """Return the coordinates of a group as formulas."""
-    return [Formula("name", name=coordinate) for coordinate in group.coordinates]
+    return [named(coordinate) for coordinate in group.coordinates]
 
 
 def plus(*terms: Formula) -> Formula:

@@ -48,7 +48,7 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
     """
     variant = equations.variant
     names = [c.name for c in variant.coordinates]
-    q = np.tile([coordinate.guess or 0.0 for coordinate in variant.coordinates], (len(times), 1))
+    q = np.tile([coordinate.start_or_guess or 0.0 for coordinate in variant.coordinates], (len(times), 1))
     driven = [place for place, coordinate in enumerate(variant.coordinates) if coordinate.rate in variant.known_rates]
 
     def values(wanted: list[sp.Expr]) -> Array:
@@ -75,7 +75,7 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
         for column, place in enumerate(places):
             coordinate = variant.coordinates[place]
             angle = coordinate.unit == "rad"
-            q[:, place] = _continued(found[:, column], coordinate.guess) if angle else found[:, column]
+            q[:, place] = _continued(found[:, column], coordinate.start_or_guess) if angle else found[:, column]
     return q
 
 
@@ -104,7 +104,7 @@ def _mode(equations: VelocityEquations, group: Group, q: Array) -> int | None:
     if group.mode or not kind.modes:
         return group.mode
     chosen = [c for name in group.coordinates for c in equations.variant.coordinates if c.name == name]
-    starts = [(c.guess, c.unit) for c in chosen if c.guess is not None]
+    starts = [(c.start_or_guess, c.unit) for c in chosen if c.start_or_guess is not None]
     if len(starts) == len(chosen):
 
         def values(wanted: list[sp.Expr]) -> Array:

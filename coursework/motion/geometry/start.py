@@ -30,12 +30,12 @@ def start_values(equations: VelocityEquations) -> list[float]:
     """
     variant = equations.variant
     given = {name for group in variant.groups for name in group.coordinates}
-    missing = [c for c in variant.coordinates if c.guess is None and c.name not in given]
+    missing = [c for c in variant.coordinates if c.start_or_guess is None and c.name not in given]
     if missing:
         raise InputError([_fault(say("fault.V331", name=c.name), c, variant) for c in missing])
     if given:
         return _by_groups(equations)
-    start = np.array([c.guess for c in variant.coordinates], dtype=float)
+    start = np.array([c.start_or_guess for c in variant.coordinates], dtype=float)
     moved = [place for place, c in enumerate(variant.coordinates) if c.start is None]
     closure = compile_closure(equations, start.tolist()) if moved else None
     return [float(value) for value in (start if closure is None else _closed(closure, start, moved))]

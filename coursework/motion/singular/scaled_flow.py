@@ -164,7 +164,7 @@ def compile_flow(equations: VelocityEquations, reduction: Reduction, start: Sequ
         (rate in system.known, (system.known if rate in system.known else system.unknowns).index(rate))
         for rate in equations.variant.rates
     )
-    begin = list(start) if start is not None else [c.guess or 0.0 for c in equations.variant.coordinates]
+    begin = list(start) if start is not None else [c.start_or_guess or 0.0 for c in equations.variant.coordinates]
     largest = tuple(
         block.largest or _largest_seen(system, place, begin, equations.variant.time.end)
         for block, place in zip(reduction.blocks, places, strict=True)

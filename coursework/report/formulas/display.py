@@ -14,7 +14,7 @@ from dataclasses import replace
 from coursework.report.formulas.typst_math import Setter, text_equation
 from coursework.report.text.numbers import POINT
 from coursework.report.text.parts import Display, Runs
-from coursework.variant.formula.tree import Formula
+from coursework.variant.formula.tree import Formula, factors, product_of
 from coursework.words.templates import clean
 
 LINE = 64  # characters of text form (spaces and subscripts not counted) that fit a line of the printed page
@@ -83,24 +83,13 @@ def _spread(tree: Formula, plain: Setter) -> tuple[bool, Formula, Formula] | Non
     if above.op == "neg":
         inner = _spread(Formula("/", (above.args[0], below)) if below else above.args[0], plain)
         return None if inner is None else (not inner[0], inner[1], inner[2])
-    factors = list(_factors(above))
-    sums = [factor for factor in factors if factor.op in {"+", "-"}]
-    if not sums or (below is None and len(factors) == 1):
+    parts = [factor for factor, _ in factors(above)]
+    sums = [factor for factor in parts if factor.op in {"+", "-"}]
+    if not sums or (below is None and len(parts) == 1):
         return None
     widest = max(sums, key=lambda factor: _width(factor, plain))
-    others = [factor for factor in factors if factor is not widest] or [Formula("number", name="1")]
-    before = others[0]
-    for factor in others[1:]:
-        before = Formula("*", (before, factor))
+    before = product_of([factor for factor in parts if factor is not widest])
     return False, Formula("/", (before, below)) if below else before, widest
-
-
-def _factors(tree: Formula) -> Iterator[Formula]:
-    if tree.op == "*":
-        yield from _factors(tree.args[0])
-        yield from _factors(tree.args[1])
-    else:
-        yield tree
 
 
 def _folded(parts: list[Piece]) -> str:

@@ -71,8 +71,8 @@ class Formulas:
             if reason := self._of_law(section, law):
                 return reason
         for index, constraint in enumerate(self.variant.constraints):
-            path: KeyPath = ("constraint", index, "closure" if constraint.is_closure else "equation")
-            for side in (constraint.left, constraint.right):
+            path: KeyPath = ("constraint", index, constraint.key)
+            for side in constraint.sides:
                 if reason := self._of(path, f"constraint {constraint.name}", side):
                     return reason
         return None

@@ -12,7 +12,7 @@ from coursework.report.formulas.display import display
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Display, Equations, Paragraph, Part
 from coursework.report.text.text_runs import runs
-from coursework.variant.formula.tree import Formula
+from coursework.variant.formula.tree import named
 from coursework.variant.record.variant import Law
 from coursework.words.templates import clean
 
@@ -28,7 +28,7 @@ def laws_shown(context: PageContext, laws: tuple[Law, ...]) -> list[Part]:
 
 def _law(context: PageContext, law: Law) -> Display:
     if law.formula is not None:
-        return display(Formula("name", name=law.name), law.formula, context.rates)
+        return display(named(law.name), law.formula, context.rates)
     symbol = context.symbol(law.name)
     lines, texts = [], []
     for start, formula in law.pieces:

@@ -20,7 +20,7 @@ from coursework.report.formulas.display import display
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Bullets, Display, Equations, Paragraph, Part
 from coursework.report.text.text_runs import runs, unbroken
-from coursework.variant.formula.tree import Formula, number, part_of_pi
+from coursework.variant.formula.tree import Formula, named, number, part_of_pi
 from coursework.words.templates import clean
 
 
@@ -103,7 +103,7 @@ def _vector(point: str, about: str) -> str:
 
 def _projection(context: PageContext, one: Numbered) -> Display:
     projection = one.projection
-    left = Formula("name", name=f"V{projection.path.points[-1]}{projection.axis}")
+    left = named(f"V{projection.path.points[-1]}{projection.axis}")
     right = None if projection.start == ZERO else projection.start
     for term in projection.terms:
         piece = _term(term)
@@ -118,7 +118,7 @@ def _projection(context: PageContext, one: Numbered) -> Display:
 
 def _term(term: Term) -> Formula:
     turned = Formula("call", (_angle(term.angle),), term.function)
-    rate = Formula("name", name=term.rate)
+    rate = named(term.rate)
     if term.length is None:
         return Formula("*", (rate, turned))
     return Formula("*", (Formula("*", (rate, term.length)), turned))
@@ -151,7 +151,7 @@ _NUMBERS = {"cos": (1, 0, -1, 0), "sin": (0, 1, 0, -1)}
 def _reduction(function: str, offset: Fraction, has_base: bool) -> Display:
     """Return cos(phi + pi) = -cos phi, or cos 3pi/2 = 0."""
     quarters = _QUARTERS[offset]
-    phi = Formula("name", name="phi")
+    phi = named("phi")
     if not has_base:
         return display(Formula("call", (part_of_pi(offset),), function), number(_NUMBERS[function][quarters]))
     value = _VALUES[function][quarters]
@@ -247,18 +247,18 @@ def _two(context: PageContext, contour: Contour) -> list[Display]:
 def _points(context: PageContext, contours: Sequence[Contour]) -> list[Part]:
     """Return the places of the moving points that the contours begin at."""
     mechanism = context.run.scene.mechanism
-    named = {name for one in contours for side in (one.left, one.right) for name in side.names()}
+    met = {name for one in contours for side in (one.left, one.right) for name in side.names()}
     coordinates = {coordinate.name for coordinate in context.run.variant.coordinates}
     shown = [
-        display(Formula("name", name=name), _put_in(context, formula), context.rates)
+        display(named(name), _put_in(context, formula), context.rates)
         for name, formula in mechanism.points
-        if name in named and (set(formula.names()) & coordinates)
+        if name in met and (set(formula.names()) & coordinates)
     ]
     return [Paragraph(context.say("constraints.points")), Equations(shown, flow=True)] if shown else []
 
 
 def _constant_angles(context: PageContext) -> Iterator[Part]:
     """Yield the line that defines each constant angle."""
-    if lines := [display(Formula("name", name=name), angle, context.rates) for name, angle in context.angles.angles]:
+    if lines := [display(named(name), angle, context.rates) for name, angle in context.angles.angles]:
         yield Paragraph(context.say("constraints.angles"))
         yield Equations(lines, flow=True)

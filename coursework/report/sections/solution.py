@@ -14,7 +14,7 @@ from coursework.report.sections.first_step import first_step
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Display, Equations, Paragraph, Part, Runs
 from coursework.report.text.text_runs import runs
-from coursework.variant.formula.tree import Formula, number
+from coursework.variant.formula.tree import Formula, named, number
 from coursework.words.sentences import say
 from coursework.words.templates import clean
 
@@ -48,7 +48,7 @@ def _single(context: PageContext, block: Block, formulas: Solution, delta: str, 
     used = dict.fromkeys(name for _, formula in formulas for name in formula.names() if name in found)
     key = "derivation.from_with" if used else "derivation.from"
     origin = context.words(key, equations=_names(context, block), known=context.symbol_list(used))
-    shown = [_set(context, Formula("name", name=name), formula) for name, formula in formulas]
+    shown = [_set(context, named(name), formula) for name, formula in formulas]
     shown[0] = Display(shown[0].math, shown[0].text, before=runs(origin), after=_vanishing(context, block, delta))
     return [Equations(shown, compact=True)]
 
@@ -60,7 +60,7 @@ def _set(context: PageContext, left: Formula, right: Formula) -> Display:
 def _by_cramer(context: PageContext, block: Block, shown: Cramer, formulas: Solution, delta: str) -> list[Part]:
     """Return a block of two: the right sides gathered, the three determinants, the quotients."""
     say_, angles = context.words, context.angles
-    names = [Formula("name", name=name) for name in shown.unknowns]
+    names = [named(name) for name in shown.unknowns]
     put_in = context.symbol_list(shown.put_in)
     key = "derivation.cramer_put_in" if put_in else "derivation.cramer"
     intro = say_(key, equations=_names(context, block), unknowns=context.symbol_list(shown.unknowns), known=put_in)
@@ -68,7 +68,7 @@ def _by_cramer(context: PageContext, block: Block, shown: Cramer, formulas: Solu
         display(_gathered(row, names), angles.put_in(side), context.rates)
         for row, side in zip(shown.coefficients, shown.right_sides, strict=True)
     ]
-    determinants = [_set(context, Formula("name", name=delta), shown.determinant)]
+    determinants = [_set(context, named(delta), shown.determinant)]
     for place, numerator in enumerate(shown.numerators, start=1):
         determinants.append(_named(context, delta, place, numerator))
     quotients = [_quotient(context, name, delta, place, formula) for place, (name, formula) in enumerate(formulas, start=1)]
@@ -99,7 +99,7 @@ def _delta(context: PageContext, delta: str, place: int) -> tuple[str, str]:
 
 
 def _named(context: PageContext, delta: str, place: int, numerator: Formula) -> Display:
-    made = _set(context, Formula("name", name="Delta"), numerator)
+    made = _set(context, named("Delta"), numerator)
     math, text = _delta(context, delta, place)
     return Display(made.math.replace("Δ", math, 1), made.text.replace("Δ", text, 1))
 
@@ -109,7 +109,7 @@ def _quotient(context: PageContext, name: str, delta: str, place: int, formula: 
     symbol, below = context.symbol(name), context.symbol(delta)
     math, text = _delta(context, delta, place)
     right = context.angles.put_in(formula)
-    short = display(Formula("name", name=name), right, context.rates)
+    short = display(named(name), right, context.rates)
     if "\\" in short.math:  # of several lines, which say of themselves what they are
         return short
     source = f"{symbol.typst} = frac({math}, {below.typst}) = {setting.math(right, context.rates)}"
@@ -121,7 +121,7 @@ def _vanishing(context: PageContext, block: Block, delta: str, determinant: Form
     shown = determinant or block.determinant
     if shown is None or not set(shown.names()) - {"pi"}:
         return []  # of a plain number nobody asks where it is zero
-    text = setting.text_equation(Formula("name", name=delta), context.angles.put_in(shown), context.rates, in_sentence=True)
+    text = setting.text_equation(named(delta), context.angles.put_in(shown), context.rates, in_sentence=True)
     text = marked_text(text, context.numbers.mark)
     if block.meaning == say("determinant.never"):
         return context.lettered(context.words("derivation.never", determinant=text))

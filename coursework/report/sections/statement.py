@@ -177,7 +177,7 @@ def _data(context: PageContext) -> Table:
     for c in variant.coordinates:
         head = context.symbol_runs([c.name])
         if c.start is None:
-            how = context.words("given.from_groups" if c.near is None else "given.follows")
+            how = context.words("given.from_groups" if c.start_guess is None else "given.follows")
             rows.append([head, _between(context, measured[c.name], how), _first(context, c.name, c.unit)])
         else:
             how = context.words("given.at_start")

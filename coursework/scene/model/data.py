@@ -76,7 +76,7 @@ def read_data(variant: Variant, columns: Mapping[str, Any] | Any = None) -> Data
         raise _fault(variant, say("fault.D013", found=told))
     count = next(iter(lengths.values()), 1)
     every = {name: np.full(count, value) for name, value in variant.values.items()}
-    start = np.tile([np.nan if c.guess is None else c.guess for c in variant.coordinates], (count, 1))
+    start = np.tile([np.nan if c.start_or_guess is None else c.start_or_guess for c in variant.coordinates], (count, 1))
     for name, column in found.items():
         if name in places:
             start[:, places[name]] = column

@@ -108,9 +108,7 @@ class Model:
     def lengths(self) -> tuple[sp.Expr, ...]:
         """Return the lengths of links that are data or follow from data alone."""
         variant, symbols = self.variant, self.equations.symbols
-        formulas = [formula for _, formula in variant.points] + list(variant.holds)
-        formulas += [side for constraint in variant.constraints for side in (constraint.left, constraint.right)]
-        found = [node.args[0] for formula in formulas for node in formula.walk() if node.op == "@"]
+        found = [node.args[0] for _, formula in variant.formulas() for node in formula.walk() if node.op == "@"]
         found += [length for group in variant.groups for length in group.lengths]
         known = {*variant.values, "pi"}
         scalars = [symbols.scalar(length) for length in found if {*length.names()} <= known]

@@ -35,7 +35,7 @@ def with_numbers(template: Variant, data: Data, index: int) -> Variant:
     starts = data.start[index].tolist()
     guesses = [None if math.isnan(start) else start for start in starts]
     coordinates = tuple(
-        replace(c, start=guess if c.start is not None else None, near=None if c.start is not None else guess)
+        replace(c, start=guess if c.start is not None else None, start_guess=None if c.start is not None else guess)
         for c, guess in zip(template.coordinates, guesses, strict=True)
     )
     return replace(template, given=given, coordinates=coordinates, time=replace(template.time, **times))  # type: ignore[arg-type]

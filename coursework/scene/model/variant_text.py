@@ -26,7 +26,7 @@ def variant_text(variant: Variant, original: str, scheme: str = "") -> str:
     changes: dict[KeyPath, str | float] = {p: value for p, value in variant.changes.items() if not isinstance(value, float)}
     if scheme:
         changes["time", "scheme"] = scheme
-    moved = [place for place, c in enumerate(variant.coordinates) if c.start is None and c.near is not None]
+    moved = [place for place, c in enumerate(variant.coordinates) if c.start is None and c.start_guess is not None]
     if moved:
         start = start_values(differentiate(build(variant)))
         for place in moved:

@@ -7,12 +7,12 @@ Used where a variant file is read.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Hashable, Iterator, Sequence
+from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
 from coursework.variant.dimensions.exponents import NUMBER, TIME, Dimension, Exponent, System, added, dimension_of, is_known
-from coursework.variant.formula.tree import Formula, constant, terms
+from coursework.variant.formula.tree import Formula, constant, factors, terms
 
 _SUMS = {"+", "-", "neg"}
 _PRODUCTS = {"*", "/"}
@@ -125,7 +125,7 @@ class Measurer:
         total: Dimension = NUMBER
         numbers: list[Formula] = []
         any_measured = others = False
-        for factor, power in _factors(tree, 1):
+        for factor, power in factors(tree, _PRODUCTS):
             dimension, has = self._measure(factor)
             any_measured |= has
             if dimension is None:
@@ -176,11 +176,3 @@ def _is_of_time_alone(tree: Formula) -> bool:
 
 def _whole(power: Exponent) -> Exponent:
     return power.numerator if power.denominator == 1 else power
-
-
-def _factors(tree: Formula, power: int) -> Iterator[tuple[Formula, int]]:
-    if tree.op not in _PRODUCTS:
-        yield tree, power
-        return
-    yield from _factors(tree.args[0], power)
-    yield from _factors(tree.args[1], power if tree.op == "*" else -power)

@@ -9,9 +9,10 @@ from __future__ import annotations
 import cmath
 import math
 import operator
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from functools import reduce
 from typing import Any
 
 from coursework.words.sentence import Sentence
@@ -84,6 +85,39 @@ def number(value: Fraction | int) -> Formula:
     return Formula("/", (number(value.numerator), number(value.denominator)))
 
 
+def named(name: str) -> Formula:
+    """Return the node of a name."""
+    return Formula("name", name=name)
+
+
+def mapped(tree: Formula, change: Callable[[Formula], Formula]) -> Formula:
+    """Return a node with its arguments changed, the very node where none of them is."""
+    args = tuple([change(arg) for arg in tree.args])
+    return tree if all(map(operator.is_, args, tree.args)) else replace(tree, args=args)
+
+
+def replaced(tree: Formula, path: Sequence[int], by: Formula) -> Formula:
+    """Return a formula with another node in the place that a path leads to, argument by argument."""
+    if not path:
+        return by
+    place, *rest = path
+    return replace(tree, args=(*tree.args[:place], replaced(tree.args[place], rest, by), *tree.args[place + 1 :]))
+
+
+def factors(tree: Formula, within: Collection[str] = "*", power: int = 1) -> Iterator[tuple[Formula, int]]:
+    """Yield the factors of a product and their powers, 1 or -1; `within` names the operations that are taken apart."""
+    if tree.op not in within:
+        yield tree, power
+        return
+    for place, arg in enumerate(tree.args):
+        yield from factors(arg, within, -power if tree.op == "/" and place else power)
+
+
+def product_of(parts: Sequence[Formula]) -> Formula:
+    """Return the product of formulas, 1 where there are none."""
+    return reduce(lambda first, second: Formula("*", (first, second)), parts) if parts else number(1)
+
+
 def part_of_pi(part: Fraction) -> Formula:
     """Return pi, 3*pi/2 … for a part of pi that is not negative.
 
@@ -92,7 +126,7 @@ def part_of_pi(part: Fraction) -> Formula:
     """
     if part == 0:
         return number(0)
-    pi = Formula("name", name="pi")
+    pi = named("pi")
     above = pi if part.numerator == 1 else Formula("*", (number(part.numerator), pi))
     return above if part.denominator == 1 else Formula("/", (above, number(part.denominator)))
 

@@ -139,7 +139,7 @@ def _data(variant: Variant) -> Iterator[Blame]:
         if given.si:
             yield Blame(("given", given.name), given.name, given.text, given.unit, given.si)
     for coordinate in variant.coordinates:
-        if coordinate.said:
+        if coordinate.unit_was_given:
             yield Blame(
                 ("coordinates", coordinate.name),
                 coordinate.name,

@@ -19,12 +19,8 @@ def faults_of_lengths(variant: Variant, source: Source) -> list[Fault]:
     """Return a fault for each length behind @ or of a group that is zero, for each of a dyad that is negative, and for each
     velocity that only zeros multiply.
     """
-    places: list[tuple[KeyPath, Formula]] = [(("points", name), formula) for name, formula in variant.points]
-    places += [(("closure", "holds", i), formula) for i, formula in enumerate(variant.holds)]
-    for i, constraint in enumerate(variant.constraints):
-        key = "closure" if constraint.is_closure else "equation"
-        places += [(("constraint", i, key), side) for side in (constraint.left, constraint.right)]
-    lengths = [(path, node.args[0]) for path, formula in places for node in formula.walk() if node.op == "@"]
+    lengths: list[tuple[KeyPath, Formula]]
+    lengths = [(path, node.args[0]) for path, formula in variant.formulas() for node in formula.walk() if node.op == "@"]
     lengths += [(("group", i, "lengths", j), f) for i, group in enumerate(variant.groups) for j, f in enumerate(group.lengths)]
     found = dict.fromkeys((path, spelled(length)) for path, length in lengths if _value(length, variant) == 0)
     faults = [source.fault(path, say("fault.V087", text=text)) for path, text in found]

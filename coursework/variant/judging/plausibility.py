@@ -52,7 +52,7 @@ def _angles(
         if (
             coordinate.start is not None
             and coordinate.unit == "rad"
-            and (coordinate.bare or coordinate.written in {"rad", "рад"})
+            and (coordinate.start_has_no_unit or coordinate.written in {"rad", "рад"})
         ):
             yield from _turned(coordinate.name, coordinate.start, coordinate.text, ("coordinates", coordinate.name))
     for given in variant.given:
@@ -107,14 +107,14 @@ def _bare(variant: Variant, dimensions: Dimensions, phases: Collection[str]) -> 
     """Yield data and starts without a unit beside others with one; plain numbers and zeros need none."""
     if dimensions.disagreement:
         return  # what is known of the others is then no more than a guess
-    if not any(g.unit for g in variant.given) and not any(c.said and c.text for c in variant.coordinates):
+    if not any(g.unit for g in variant.given) and not any(c.unit_was_given and c.text for c in variant.coordinates):
         return
     for given in variant.given:
         measured = dimensions.known.get(given.name)
         if not given.si and given.value and (measured or (measured is not None and given.name in phases)):
             yield "NO-UNIT", ("given", given.name), _without_unit(given.name, given.text, dimensions.si_of(given.name))
     for coordinate in variant.coordinates:
-        if coordinate.start and coordinate.bare:
+        if coordinate.start and coordinate.start_has_no_unit:
             yield "NO-UNIT", ("coordinates", coordinate.name), _without_unit(coordinate.name, coordinate.text, coordinate.unit)
 
 

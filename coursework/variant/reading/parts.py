@@ -7,12 +7,11 @@ Used by `reader.py`.
 from __future__ import annotations
 
 import math
-import operator
 from collections.abc import Callable
 from typing import Literal
 
 from coursework.variant.formula import reader, units
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, part_of_pi
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, mapped, part_of_pi
 from coursework.variant.reading.names import Names
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
@@ -159,8 +158,7 @@ class Parts:
 
     def _resolve(self, path: KeyPath, tree: Formula, scope: str) -> Formula:
         if tree.op != "name":
-            args = tuple([self._resolve(path, arg, scope) for arg in tree.args])
-            return tree if all(map(operator.is_, args, tree.args)) else Formula(tree.op, args, tree.name, tree.column)
+            return mapped(tree, lambda arg: self._resolve(path, arg, scope))
         name = self.names.canonical(tree.name)
         kind = self.names.kinds.get(name)
         if name not in {"t", "pi"} and kind not in _SCOPES[scope]:

@@ -224,7 +224,7 @@ def _coordinate(key: str, entry: schema.Coordinate, parts: Parts, angles: set[st
     rate = parts.names.canonical(entry.rate)
     guessed = "rad" if name in angles else "m"
     if entry.start is None:
-        return Coordinate(name, rate, None, entry.unit or guessed, said=entry.unit is not None)
+        return Coordinate(name, rate, None, entry.unit or guessed, unit_was_given=entry.unit is not None)
     read = parts.quantity(path, entry.start, entry.unit or "")
     found = {"1": "rad"}.get(read.si, read.si)
     if found not in {"", "rad", "m"}:
@@ -232,8 +232,10 @@ def _coordinate(key: str, entry: schema.Coordinate, parts: Parts, angles: set[st
     elif entry.unit and found not in {"", entry.unit}:
         parts.say(path, say("fault.V070", measured=measured(entry.unit), unit=entry.unit, start=entry.start))
     unit = entry.unit or (found if found in {"rad", "m"} else guessed)
-    said = entry.unit is not None or found in {"rad", "m"}
-    return Coordinate(name, rate, read.value, unit, read.text, read.unit or unit, said=said, bare=not read.unit)
+    given = entry.unit is not None or found in {"rad", "m"}
+    return Coordinate(
+        name, rate, read.value, unit, read.text, read.unit or unit, unit_was_given=given, start_has_no_unit=not read.unit
+    )
 
 
 def _time(entry: schema.Time, parts: Parts) -> Time:

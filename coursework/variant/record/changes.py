@@ -31,7 +31,7 @@ def with_changes(read: Callable[[Mapping[KeyPath, Any]], Variant], variant: Vari
     fresh = read(changes)
     follow = follow_from(variant, new)
     pairs = zip(variant.coordinates, fresh.coordinates, strict=True)
-    moved = (replace(now, start=None, near=old.guess) if now.name in follow else now for old, now in pairs)
+    moved = (replace(now, start=None, start_guess=old.start_or_guess) if now.name in follow else now for old, now in pairs)
     own = None if "step" in changed.times else variant.time.own_step
     return replace(fresh, coordinates=tuple(moved), time=replace(fresh.time, own_step=own), changes=changes)
 
@@ -62,7 +62,7 @@ def follow_from(variant: Variant, changes: Iterable[KeyPath]) -> frozenset[str]:
     formulas += [side for one in variant.constraints if one.is_closure for side in (one.left, one.right)]
     formulas += [formula for group in variant.groups for formula in group.formulas]
     if not named.intersection(name for formula in formulas for name in formula.names()):
-        return frozenset(c.name for c in variant.coordinates if c.near is not None) - named
+        return frozenset(c.name for c in variant.coordinates if c.start_guess is not None) - named
     by_groups = {name for group in variant.groups for name in group.coordinates}
     closed = any(one.is_closure for one in variant.constraints)
     free = (c.name for c in variant.coordinates if c.rate not in variant.known_rates and (closed or c.name in by_groups))

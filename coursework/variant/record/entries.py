@@ -44,9 +44,9 @@ class Law:
 class Coordinate:
     """An integrated coordinate: `start` in rad or m, its rate's name.
 
-    `start` is None where a chain of groups gives it, and where other data have moved it: the closed position `near` a value.
-    `text` and `written` are number and unit as the file has them; `said` is False where its unit was found from its use,
-    `bare` is True where the start is a number without a unit.
+    `start` is None where a chain of groups gives it, and where other data have moved it: the closed position nearest to
+    `start_guess` (rad, m).  `text` and `written` are number and unit as the file has them; where not `unit_was_given`, the unit
+    was found from its use.
     """
 
     name: str
@@ -55,14 +55,14 @@ class Coordinate:
     unit: str
     text: str = ""
     written: str = ""
-    near: float | None = None
-    said: bool = True
-    bare: bool = False
+    start_guess: float | None = None
+    unit_was_given: bool = True
+    start_has_no_unit: bool = False
 
     @property
-    def guess(self) -> float | None:
+    def start_or_guess(self) -> float | None:
         """Return the value at t = 0, or what it lies near (rad, m); None where only a chain knows."""
-        return self.near if self.start is None else self.start
+        return self.start_guess if self.start is None else self.start
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,6 +105,16 @@ class Constraint:
     right: Formula
     is_closure: bool = False
     line: int = 0
+
+    @property
+    def sides(self) -> tuple[Formula, Formula]:
+        """Return left and right."""
+        return self.left, self.right
+
+    @property
+    def key(self) -> str:
+        """Return the key of the file that the equation stands behind."""
+        return "closure" if self.is_closure else "equation"
 
 
 @dataclass(frozen=True, slots=True)

@@ -29,16 +29,8 @@ def without_value(variant: Variant, t: float, position: Mapping[str, float]) -> 
         formula = law.pieces[place][1] if law.pieces else law.formula
         if formula is not None and (fault := _judged(variant, path, law.name, formula, values, t)):
             return fault
-    for name, formula in variant.points:
-        if fault := _judged(variant, ("points", name), name, formula, values, t):
-            return fault
-    for index, constraint in enumerate(variant.constraints):
-        key = "closure" if constraint.is_closure else "equation"
-        for side in (constraint.left, constraint.right):
-            if fault := _judged(variant, ("constraint", index, key), "", side, values, t):
-                return fault
-    for index, formula in enumerate(variant.holds):
-        if fault := _judged(variant, ("closure", "holds", index), "", formula, values, t):
+    for path, formula in variant.formulas():
+        if fault := _judged(variant, path, str(path[1]) if path[0] == "points" else "", formula, values, t):
             return fault
     return None
 

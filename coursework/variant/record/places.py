@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from coursework.variant.dimensions.exponents import LENGTH, NUMBER, TIME, Dimension, added, dimension_of
-from coursework.variant.formula.tree import Formula
+from coursework.variant.formula.tree import Formula, named
 from coursework.variant.record.variant import Constraint, Group, Law, Variant
 from coursework.variant.record.vocabulary import GROUP_KINDS
 from coursework.variant.toml.positions import KeyPath
@@ -44,7 +44,7 @@ def measures(variant: Variant, free: KeyPath | None = None) -> dict[str, Dimensi
         names[law.name] = {law.name: 1}
     for coordinate in variant.coordinates:
         # A bare number may be a length or an angle: which of the two the guess of the reader does not decide here.
-        unknown = not coordinate.said or free == ("coordinates", coordinate.name)
+        unknown = not coordinate.unit_was_given or free == ("coordinates", coordinate.name)
         names[coordinate.name] = {coordinate.name: 1} if unknown else dimension_of(coordinate.unit)
         names[coordinate.rate] = added(names[coordinate.name], _TIME, -1)
     for name, unit in variant.unknowns:
@@ -71,9 +71,8 @@ def places(variant: Variant, names: Mapping[str, Dimension], times: Mapping[KeyP
 
 
 def _constraint(index: int, constraint: Constraint) -> Place:
-    key = "closure" if constraint.is_closure else "equation"
-    both = (constraint.left, constraint.right)
-    return Place(("constraint", index, key), both, None, say("place.constraint", name=constraint.name), not constraint.is_closure)
+    place = ("constraint", index, constraint.key)
+    return Place(place, constraint.sides, None, say("place.constraint", name=constraint.name), not constraint.is_closure)
 
 
 def _degree(tree: Formula, velocities: set[str]) -> int:
@@ -114,7 +113,7 @@ def _group(path: KeyPath, group: Group) -> Iterator[Place]:
         yield place(("lengths", index), length, _LENGTH)
     for index, coordinate in enumerate(group.coordinates):
         wanted = NUMBER if index < GROUP_KINDS[group.kind] else _LENGTH
-        yield place(("coordinates", index), Formula("name", name=coordinate), wanted)
+        yield place(("coordinates", index), named(coordinate), wanted)
     for index, guide in enumerate(group.guides):
         yield place(("guides", index, "through"), guide.through, _LENGTH)
         yield place(("guides", index, "angle"), guide.angle, NUMBER)

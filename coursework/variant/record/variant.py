@@ -6,7 +6,7 @@ Leaves `reader.py`, its parts from `entries.py`; every floor above may read it.
 from __future__ import annotations
 
 import pathlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -123,6 +123,16 @@ class Variant:
     def columns(self) -> tuple[str, ...]:
         """Return the table's columns after t."""
         return (*(c.name for c in self.coordinates), *self.rates, *(name for name, _ in self.unknowns))
+
+    def formulas(self) -> Iterator[tuple[KeyPath, Formula]]:
+        """Yield points, both sides of each constraint and what is held, each with its place in the file; laws are apart."""
+        for name, formula in self.points:
+            yield ("points", name), formula
+        for index, constraint in enumerate(self.constraints):
+            for side in constraint.sides:
+                yield ("constraint", index, constraint.key), side
+        for index, formula in enumerate(self.holds):
+            yield ("closure", "holds", index), formula
 
     @property
     def set_values(self) -> dict[str, str]:

@@ -13,7 +13,7 @@ from typing import Any, Literal
 import numpy as np
 
 from coursework.grading.marking.equations.numbers import NoValue, combined, value_of
-from coursework.variant.formula.tree import Formula, number
+from coursework.variant.formula.tree import Formula, named, number, replaced
 
 Kind = Literal["sign", "function", "name", "factor"]
 _OTHER = {"sin": "cos", "cos": "sin"}
@@ -35,8 +35,8 @@ def edits(tree: Formula, kinds: Mapping[str, str]) -> Iterator[Edit]:
     alike: dict[str, list[str]] = {}
     for name, kind in kinds.items():
         alike.setdefault(kind, []).append(name)
-    factors = [Formula("name", name=name) for name, kind in kinds.items() if kind in {"m", "rad/s", "m/s"}]
-    angles = [Formula("name", name=name) for name, kind in kinds.items() if kind == "rad"]
+    factors = [named(name) for name, kind in kinds.items() if kind in {"m", "rad/s", "m/s"}]
+    angles = [named(name) for name, kind in kinds.items() if kind == "rad"]
     factors += [Formula("call", (angle,), name=call) for angle in angles for call in ("sin", "cos")]
     for path, node, is_term, leads in _places(tree):
         column = _column(node)
@@ -121,13 +121,4 @@ class Values:
 
 def applied(tree: Formula, edit: Edit) -> Formula:
     """Return the tree after an edit."""
-    if not edit.path:
-        return edit.replacement
-
-    def rebuilt(node: Formula, path: tuple[int, ...]) -> Formula:
-        if not path:
-            return edit.replacement
-        args = tuple(rebuilt(arg, path[1:]) if place == path[0] else arg for place, arg in enumerate(node.args))
-        return Formula(node.op, args, node.name, node.column)
-
-    return rebuilt(tree, edit.path)
+    return replaced(tree, edit.path, edit.replacement)

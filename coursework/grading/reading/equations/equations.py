@@ -6,12 +6,14 @@ Used by `read_submission.py`.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from coursework.grading.reading.equations.names_in_text import Spellings, spellings_of
 from coursework.grading.reading.equations.repair import repaired
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import EquationLine
 from coursework.variant.formula import reader
-from coursework.variant.formula.tree import Formula, FormulaFault
+from coursework.variant.formula.tree import Formula, FormulaFault, mapped
 from coursework.variant.toml.source import Source
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say
@@ -98,8 +100,9 @@ def _strict(text: str, spellings: Spellings) -> tuple[Formula, Formula] | Fault:
 
 
 def _renamed(tree: Formula, spellings: Spellings) -> Formula:
-    name = spellings.canonical(tree.name) or tree.name if tree.op == "name" else tree.name
-    return Formula(tree.op, tuple(_renamed(arg, spellings) for arg in tree.args), name, tree.column)
+    if tree.op == "name":
+        return replace(tree, name=spellings.canonical(tree.name) or tree.name)
+    return mapped(tree, lambda arg: _renamed(arg, spellings))
 
 
 def _column_of(name: str, text: str) -> int:

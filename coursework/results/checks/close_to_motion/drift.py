@@ -93,11 +93,7 @@ def _shortest(sizes: list[float]) -> float:
 
 
 def _formulas(variant: Variant) -> Iterator[Formula]:
-    for constraint in variant.constraints:
-        if constraint.is_closure:
-            yield from (constraint.left, constraint.right)
-    yield from (formula for _, formula in variant.points)
-    yield from variant.holds
+    return (formula for path, formula in variant.formulas() if path[0] != "constraint" or path[2] == "closure")
 
 
 def _lengths(formula: Formula) -> Iterator[Formula]:
