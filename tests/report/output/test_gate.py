@@ -11,10 +11,12 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.report.output import gate
 from coursework.report.output.gate import pass_gate
 from coursework.results.checks import check
 from coursework.words.data_folders import folder as data_folder
 from coursework.words.errors import InputError
+from coursework.words.sentences import load_phrases
 from tests.command import call
 from tests.hard.scenes import V31_IMPOSSIBLE, solve
 
@@ -230,3 +232,14 @@ def test_a_block_without_a_column_of_its_own_keeps_no_check_from_being_written(n
     assert run.graph_check is not None
     assert any(math.isnan(row[2]) for row in run.graph_check.rows), "or this tests nothing"
     pass_gate(run, pages=True)
+
+
+@pytest.mark.parametrize(
+    ("spoilt", "told"),
+    [
+        ([0], "row 1"), ([2], "row 3"), ([2, 3], "rows 3 to 4"), ([2, 3, 4], "rows 3 to 5"),
+        ([2, 4], "2 rows between 3 and 5"), ([0, 3, 24], "3 rows between 1 and 25"), ([5, 6, 9, 20], "4 rows between 6 and 21"),
+    ],
+)  # fmt: skip
+def test_rows_are_told_from_the_first_to_the_last(spoilt, told):
+    assert load_phrases().written(gate._rows(spoilt)) == told

@@ -184,15 +184,24 @@ function letters(text) {
   const { x, width } = text.getBBox(), base = Number(text.getAttribute("y")) + Number(text.getAttribute("dy"));
   return [x + 1, base - 0.68 * parseFloat(getComputedStyle(text).fontSize), x + width - 1, base];
 }
+// Each part of a path is measured alone and once: on a long path the way to a point is walked anew for every point.
+const ink = new Map();
 function inked(path) {
-  const long = path.getTotalLength(), count = Math.ceil(long / 1.5);
-  return Array.from({ length: count && count + 1 }, (_, k) => path.getPointAtLength((k * long) / count));
+  return (path.getAttribute("d") || "").split(/(?=M)/).filter(Boolean).flatMap((part) => {
+    if (!ink.has(part)) {
+      const alone = document.createElementNS("http://www.w3.org/2000/svg", "path");
+      alone.setAttribute("d", part);
+      const long = alone.getTotalLength(), count = Math.ceil(long / 1.5);
+      ink.set(part, Array.from({ length: count && count + 1 }, (_, k) => alone.getPointAtLength((k * long) / count)));
+    }
+    return ink.get(part);
+  });
 }
 function standing(field) {
   const words = [...field.querySelectorAll(".live-words > text")].filter((text) => text.textContent), boxes = words.map(letters);
-  const ink = [...field.querySelectorAll(":is(.live-body, .live-ground, .live-pins) path:not(.live-hatch)")].flatMap(inked);
+  const drawn = [...field.querySelectorAll(":is(.live-body, .live-ground, .live-pins) path:not(.live-hatch)")].flatMap(inked);
   const met = (own, [left, top, right, bottom] = own) =>
-    ink.some(({ x, y }) => x > left && x < right && y > top && y < bottom) ||
+    drawn.some(({ x, y }) => x > left && x < right && y > top && y < bottom) ||
     boxes.some((box) => box !== own && Math.min(right, box[2]) > Math.max(left, box[0]) && Math.min(bottom, box[3]) > Math.max(top, box[1]));
   return { words: words.length, on: words.filter((_, k) => met(boxes[k])).map((text) => text.textContent) };
 }

@@ -1,0 +1,47 @@
+"""Where phases are looked at, and how closely the ends of what is possible are told."""
+
+import math
+
+import pytest
+
+from coursework.motion.singular.phases import _intervals
+
+TURN = 2 * math.pi
+PART = TURN / 24
+
+
+def test_phases_are_looked_at_in_the_middles_of_24_equal_parts_of_a_turn():
+    seen = []
+    assert _intervals(lambda value: not seen.append(value)) == [(0.0, TURN)]
+    assert seen == pytest.approx([PART * (place + 0.5) for place in range(24)], abs=1e-12)
+    assert _intervals(lambda value: False) == []
+
+
+@pytest.mark.parametrize(
+    "ranges",
+    [
+        [(1.0, 2.0)],
+        [(0.5, 1.5), (3.0, 4.0)],
+        [(5.0, TURN + 1.0)],  # through the end of the turn
+        [(PART * 3.49, PART * 3.51)],  # narrow, about one of the places
+        [(PART * 0.4, PART * 0.6)],  # about the first place
+        [(PART * 23.4, PART * 23.6)],  # about the last
+        [(PART * 0.51, PART * 24.49)],  # all places but the first
+    ],
+)
+def test_each_end_is_told_from_within_and_to_a_4096th_part_of_the_distance(ranges):
+    def possible(value):
+        return any(low < value < high or low < value + TURN < high for low, high in ranges)
+
+    found = _intervals(possible)
+    assert len(found) == len(ranges)
+    for (low, high), (right_low, right_high) in zip(found, ranges, strict=True):
+        assert possible(low)
+        assert possible(high % TURN)
+        assert 0 <= (low - right_low + 1) % TURN - 1 <= PART / 2**12
+        assert 0 <= (right_high - high + 1) % TURN - 1 <= PART / 2**12
+        assert 0 < high - low < TURN
+
+
+def test_what_is_narrower_than_the_distance_is_found_only_about_a_place():
+    assert _intervals(lambda value: PART * 3.51 < value < PART * 4.49) == []
