@@ -28,7 +28,6 @@ class Gradebook:
     cells: CellText
     column: int
     students: tuple[int, ...]
-    points_possible: float | None
 
     def record_of(self, keys: tuple[str, ...], name: str | None) -> int | None:
         """Return the record of a student: by Canvas's ID, SIS user ID, SIS login ID (any of `keys`), else by the exact name."""
@@ -100,7 +99,7 @@ def read_gradebook(content: bytes, file: str, points: float) -> Gradebook:
             message = say("fault.G013", points=points, names=names)
             raise InputError([Fault(message, file, 1)])
         fitting = empty
-    return Gradebook(cells, fitting[0], students, _points(cells, possible, fitting[0]) if possible else None)
+    return Gradebook(cells, fitting[0], students)
 
 
 def _is_possible(text: str) -> bool:
