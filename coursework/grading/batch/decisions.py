@@ -11,7 +11,7 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from coursework.grading.marking.grade import GRADED, points
+from coursework.grading.marking.grade import GRADED, rounded_points
 from coursework.grading.marking.rubric import PARTS, Rubric
 from coursework.grading.platforms.cells_of_csv import read_cells
 from coursework.grading.platforms.names import same_key
@@ -79,24 +79,24 @@ def overridden(grade: Mapping[str, Any], overrides: Iterable[Override], rubric: 
     had_all = _have_points(changed, counted)
     for override in overrides:
         if override.check == "total":
-            changed["score"], changed["proposed"] = points(override.points), None
+            changed["score"], changed["proposed"] = rounded_points(override.points), None
             if changed["status"] not in GRADED:
                 changed["status"] = "graded-with-notes"
             continue
         part = override.check
-        changed[part] = {**(changed[part] or _unmarked(part, rubric)), "score": points(override.points)}
+        changed[part] = {**(changed[part] or _unmarked(part, rubric)), "score": rounded_points(override.points)}
         if changed["status"] not in GRADED and not had_all and _have_points(changed, counted):
             changed["status"], changed["proposed"] = "graded-with-notes", None
         parts = [changed[part] for part in PARTS if changed[part]]
         number = "score" if changed["status"] in GRADED else "proposed"
-        changed[number] = points(sum(part.get("score") or 0.0 for part in parts))
+        changed[number] = rounded_points(sum(part.get("score") or 0.0 for part in parts))
     return changed
 
 
 def _unmarked(part: str, rubric: Rubric) -> dict[str, Any]:
     """Return a part that nobody counted anything in, with the keys that it has in grades.json."""
     counts = {"independent": 0, "needed": 0} if part == "equations" else {}
-    return {"score": None, "max": points(rubric.most(part)), **counts, "items": []}
+    return {"score": None, "max": rounded_points(rubric.most(part)), **counts, "items": []}
 
 
 def _have_points(grade: Mapping[str, Any], parts: Iterable[str]) -> bool:

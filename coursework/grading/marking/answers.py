@@ -6,7 +6,7 @@ Enters: answer lines, a `Key`, the rubric.  Leaves: `AnswerMarks`.  Used by `gra
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any, Literal
 
 import numpy as np
@@ -34,10 +34,7 @@ class AnswerMark:
 
     def plain(self) -> dict[str, Any]:
         """Return the record as grades.json writes it."""
-        return {
-            "name": self.name, "found": self.found, "expected": self.expected, "tolerance": self.tolerance,
-            "verdict": self.verdict,
-        }  # fmt: skip
+        return asdict(self)
 
 
 @dataclass(frozen=True, slots=True)

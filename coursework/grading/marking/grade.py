@@ -7,7 +7,7 @@ Only "graded" and "graded-with-notes" carry a number: a format error is no wrong
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from decimal import ROUND_HALF_UP, Decimal
 from typing import Any
 
@@ -17,7 +17,7 @@ from coursework.grading.marking.answers import AnswerMarks, mark_answers
 from coursework.grading.marking.equations.equations import EquationMarks, Judge
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.rubric import Rubric
-from coursework.grading.marking.table.cells import Cells, Student, mark_cells
+from coursework.grading.marking.table.cells import Cells, StudentTable, mark_cells
 from coursework.grading.marking.table.first_wrong import FirstWrong, first_wrong
 from coursework.grading.marking.table.misconceptions import Misconception, find_misconception, indistinct, looked_for
 from coursework.grading.marking.table.own_equations import own_share
@@ -67,7 +67,7 @@ class Grade:
     @property
     def total(self) -> float:
         """Return the points of all parts, a missing one as 0."""
-        return points(sum(self.rubric.most(part) * (share or 0.0) for part, share in self.parts.items()))
+        return rounded_points(sum(self.rubric.most(part) * (share or 0.0) for part, share in self.parts.items()))
 
     def plain(self) -> dict[str, Any]:
         """Return what grades.json says of the submission, without what the batch knows (id, name, overrides, page)."""
@@ -86,23 +86,21 @@ class Grade:
             "equations": self._equations(),
             "answers": self._answers(),
             "misconception": self.table.misconception.plain() if self.table and self.table.misconception else None,
-            "verdicts": {name: getattr(self.verdicts, name) for name in ("equations", "integration", "arithmetic")},
+            "verdicts": asdict(self.verdicts),
             "notes": [entry.plain() for entry in self.notes],
         }
 
     def part(self, name: str) -> tuple[float | None, float]:
         """Return points and most points of a part; None where it cannot be marked."""
         share = self.parts.get(name)
-        return (None if share is None else points(self.rubric.most(name) * share)), points(self.rubric.most(name))
+        return (None if share is None else rounded_points(self.rubric.most(name) * share)), rounded_points(self.rubric.most(name))
 
     def _table(self) -> dict[str, Any]:
         score, most = self.part("table")
         trouble = self.work.trouble
-        empty: dict[str, Any] = {
+        empty = _empty_table(most) | {
             "state": "marked" if self.table else "missing" if trouble is None or trouble.state == "missing" else "unreadable",
-            "score": score, "max": most, "rows": 0, "rows_needed": len(self.key.table), "first_wrong": None, "wrong_cells": 0,
-            "missing_cells": 0, "carried_cells": 0, "decimals": {}, "least_decimals": self.key.least_decimals,
-            "computed_to": None,
+            "score": score, "rows_needed": len(self.key.table), "least_decimals": self.key.least_decimals,
         }  # fmt: skip
         if self.table is None:
             return empty
@@ -179,7 +177,7 @@ class Marker:
         share = max(earned.share, self.rubric.misconception_floor * fit, self.rubric.own_equations_floor * own)
         return TableMarks(table, cells, earned, first_wrong(self.key, cells), named, share, hidden)
 
-    def _hidden(self, student: Student) -> tuple[str, ...]:
+    def _hidden(self, student: StudentTable) -> tuple[str, ...]:
         """Return what columns of these digits cannot tell; a class prints with few sorts of digits."""
         units = np.fmax.reduce(student.units)
         digits = units.tobytes()
@@ -221,27 +219,32 @@ class Marker:
 
 def blank_grade(status: str, reason: str, rubric: Rubric) -> dict[str, Any]:
     """Return what grades.json says of a submission that nobody could look into."""
-    nothing: dict[str, Any] = {
-        "state": "missing", "score": None, "max": points(rubric.most("table")), "rows": 0, "rows_needed": 0, "first_wrong": None,
-        "wrong_cells": 0, "missing_cells": 0, "carried_cells": 0, "decimals": {}, "least_decimals": None, "computed_to": None,
-    }  # fmt: skip
     return {
         "status": status, "score": None, "max": rubric.points, "proposed": None, "reason": reason, "files": [], "reading": None,
-        "table": nothing, "first_wrong": None, "equations": None, "answers": None, "misconception": None,
+        "table": _empty_table(rounded_points(rubric.most("table"))),
+        "first_wrong": None, "equations": None, "answers": None, "misconception": None,
         "verdicts": {"equations": "none", "integration": "unknown", "arithmetic": "unknown"}, "notes": [],
     }  # fmt: skip
 
 
-def student_of(key: Key, table: Table) -> Student:
+def _empty_table(most: float) -> dict[str, Any]:
+    """Return what grades.json says of a table that is not there."""
+    return {
+        "state": "missing", "score": None, "max": most, "rows": 0, "rows_needed": 0, "first_wrong": None, "wrong_cells": 0,
+        "missing_cells": 0, "carried_cells": 0, "decimals": {}, "least_decimals": None, "computed_to": None,
+    }  # fmt: skip
+
+
+def student_of(key: Key, table: Table) -> StudentTable:
     """Return a table as it was read, with a column of its own for everything the key has."""
     values = np.full(key.table.shape, np.nan)
     units = np.full(key.table.shape, np.nan)
     for place, name in enumerate(key.names):
         if column := table.column(name):
             values[:, place], units[:, place] = column.values[: len(values)], column.last_place[: len(values)]
-    return Student(values, units)
+    return StudentTable(values, units)
 
 
-def points(value: float) -> float:
+def rounded_points(value: float) -> float:
     """Return points with two decimals, halves rounded up."""
     return float(Decimal(repr(value)).quantize(Decimal("0.01"), ROUND_HALF_UP))

@@ -1,6 +1,7 @@
 """The text of one cell -> a number, how it was printed, or why it has none.
 
-Enters: a cell's text and the file's decimal mark.  Leaves: `Printed`.  Numbers by our own pattern, never by `float()` alone.
+Enters: a cell's text and the file's decimal mark.  Leaves: `PrintedNumber`.
+Numbers are read by our own pattern, never by `float()` alone.
 Used by whatever reads a file of a student or of a platform.
 """
 
@@ -53,7 +54,7 @@ _NUMBER = {".": _pattern(r"\.", ","), ",": _pattern(",", r"\.")}
 _STORED_DIGITS = 15
 
 
-class Printed(NamedTuple):
+class PrintedNumber(NamedTuple):
     """A cell: its text, its number (NaN if `flag`), the decimal place of its last digit, its significant digits."""
 
     text: str
@@ -114,32 +115,32 @@ def marks(texts: list[str]) -> tuple[int, int, int, int]:
     return comma, point, either_comma, either_point
 
 
-def printed(text: str, mark: str, strict: bool = False) -> Printed:
+def printed(text: str, mark: str, strict: bool = False) -> PrintedNumber:
     """Return what a cell says; `mark` is the file's decimal mark, `strict` where the file uses both.
 
     A cell that can only be read with the other mark is read with it; one that could mean two numbers follows the file's mark,
     or counts as text where the file uses both marks.
 
     >>> printed("1 234,50", ",")
-    Printed(text='1 234,50', value=1234.5, place=-2, digits=6, flag='')
+    PrintedNumber(text='1 234,50', value=1234.5, place=-2, digits=6, flag='')
     """
     plain, by_comma, by_point = _matched(text)
     if not plain or plain in {"-", "--", "---", "—", "…", ".", "*"}:
-        return Printed(text, math.nan, 0, 0, "missing")
+        return PrintedNumber(text, math.nan, 0, 0, "missing")
     other = "," if mark == "." else "."
     match, second = (by_comma, by_point) if mark == "," else (by_point, by_comma)
     if not match or (strict and other in plain and mark not in plain):
         if match and second:
-            return Printed(text, math.nan, 0, 0, "text")
+            return PrintedNumber(text, math.nan, 0, 0, "text")
         match = match or second
     if match:
         return _read(text, match)
     if _ERROR.fullmatch(plain):
-        return Printed(text, math.nan, 0, 0, "error")
-    return Printed(text, math.nan, 0, 0, "date" if _DATE.fullmatch(plain) else "text")
+        return PrintedNumber(text, math.nan, 0, 0, "error")
+    return PrintedNumber(text, math.nan, 0, 0, "date" if _DATE.fullmatch(plain) else "text")
 
 
-def _read(text: str, match: re.Match[str]) -> Printed:
+def _read(text: str, match: re.Match[str]) -> PrintedNumber:
     sign, digits, group, behind, bare, exponent = match.groups()
     whole = digits.replace(group, "") if group else digits or "0"
     part = bare or behind or ""
@@ -147,15 +148,15 @@ def _read(text: str, match: re.Match[str]) -> Printed:
     value = float(f"{sign}{whole}.{part or '0'}e{power}")
     figures = (whole + part).lstrip("0")
     if not math.isfinite(value) or (value == 0 and figures):
-        return Printed(text, math.nan, 0, 0, "error")
-    return Printed(text, value, power - len(part), len(figures), "")
+        return PrintedNumber(text, math.nan, 0, 0, "error")
+    return PrintedNumber(text, value, power - len(part), len(figures), "")
 
 
-def stored(text: str) -> Printed:
+def stored(text: str) -> PrintedNumber:
     """Return a number as a spreadsheet stores it: at most 15 digits, the noise behind them rounded away."""
     match = _NUMBER["."].fullmatch(text.strip())
     if not match:
-        return Printed(text, math.nan, 0, 0, "error")
+        return PrintedNumber(text, math.nan, 0, 0, "error")
     read = _read(text, match)
     if read.flag or read.digits <= _STORED_DIGITS:
         return read

@@ -7,7 +7,7 @@ Made by the readers of this room; read by whoever marks.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any, Literal
 
 from coursework.grading.reading.submission import Note
@@ -127,7 +127,7 @@ class FileEntry:
 
     def plain(self) -> dict[str, Any]:
         """Return the entry as grades.json writes it."""
-        return {"name": self.name, "kind": self.kind, "bytes": self.bytes, "sha256": self.sha256}
+        return asdict(self)
 
 
 @dataclass(frozen=True, slots=True)

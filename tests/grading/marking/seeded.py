@@ -14,7 +14,7 @@ import numpy as np
 
 import coursework
 from coursework.grading.marking.reference import key_of
-from coursework.grading.marking.table.cells import Student, mark_cells
+from coursework.grading.marking.table.cells import StudentTable, mark_cells
 from coursework.grading.marking.table.first_wrong import first_wrong
 from coursework.grading.marking.table.misconceptions import find_misconception, looked_for
 from coursework.grading.marking.table.points import table_points
@@ -52,7 +52,7 @@ def figures(count: int, decimals: tuple[int, ...] = (3, 4, 5)) -> Figures:
         else:
             truth = codes[number // 3 % len(codes)]
             table = students.MISCONCEPTIONS[truth]()
-        cells = mark_cells(key, Student(np.round(table, digits), np.full(table.shape, 10.0**-digits)))
+        cells = mark_cells(key, StudentTable(np.round(table, digits), np.full(table.shape, 10.0**-digits)))
         points = table_points(key, cells)
         named = find_misconception(key, cells) if looked_for(key, cells, points.cells) else None
         count_one(found, truth, cells, named, first_wrong(key, cells), key)

@@ -5,7 +5,7 @@ import pytest
 
 import coursework
 from coursework.grading.marking.reference import key_of
-from coursework.grading.marking.table.cells import Student, mark_cells
+from coursework.grading.marking.table.cells import StudentTable, mark_cells
 from coursework.variant.catalogue import names
 
 
@@ -16,7 +16,7 @@ def test_a_right_table_has_no_wrong_cell(name):
     columns, rows = coursework.solve(variant, "euler", quantities=["table"]).columns()
     assert columns == key.names
     for decimals in (2, 3, 4, 6):
-        printed = Student(np.round(rows, decimals), np.full(key.table.shape, 10.0**-decimals))
+        printed = StudentTable(np.round(rows, decimals), np.full(key.table.shape, 10.0**-decimals))
         cells = mark_cells(key, printed)
         assert not cells.wrong.any(), (decimals, np.argwhere(cells.wrong)[:4])
         if decimals >= key.least_decimals:

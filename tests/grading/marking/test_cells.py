@@ -5,7 +5,7 @@ import pytest
 
 import coursework
 from coursework.grading.marking.reference import key_of
-from coursework.grading.marking.table.cells import Student, mark_cells
+from coursework.grading.marking.table.cells import StudentTable, mark_cells
 from coursework.grading.marking.table.first_wrong import first_wrong
 from coursework.grading.marking.table.points import table_points
 from tests.grading.marking import students
@@ -17,7 +17,7 @@ def key():
 
 
 def printed(table, decimals):
-    return Student(np.round(table, decimals), np.full(table.shape, 10.0**-decimals))
+    return StudentTable(np.round(table, decimals), np.full(table.shape, 10.0**-decimals))
 
 
 def share(key, student):
@@ -66,7 +66,7 @@ def test_other_schemes_are_wrong_where_their_steps_show(key):
 def test_digits_too_coarse_are_missing_and_never_right(key):
     coarsest = 0.6 * key.gap
     table = students.table()
-    inside, outside = (Student(table, np.full(table.shape, unit)) for unit in (coarsest * 0.99, coarsest * 1.01))
+    inside, outside = (StudentTable(table, np.full(table.shape, unit)) for unit in (coarsest * 0.99, coarsest * 1.01))
     assert not mark_cells(key, inside).missing.any()
     cells = mark_cells(key, outside)
     assert cells.missing[:, :3].all()
@@ -84,7 +84,7 @@ def test_only_half_a_unit_of_the_last_place_is_forgiven(key):
 
 
 def printed_exactly(table):
-    return Student(table, np.full(table.shape, 1e-4))
+    return StudentTable(table, np.full(table.shape, 1e-4))
 
 
 def test_work_computed_coarser_than_printed_is_judged_by_how_it_was_computed(key):
@@ -94,7 +94,7 @@ def test_work_computed_coarser_than_printed_is_judged_by_how_it_was_computed(key
         rows.append(np.concatenate([q, w]))
         q = np.round(q + students.H * w[:3], 3)
     degrees = np.array(rows)
-    student = Student(degrees, np.full(degrees.shape, 10.0**-6))
+    student = StudentTable(degrees, np.full(degrees.shape, 10.0**-6))
     cells = mark_cells(key, student)
     assert cells.computed_to is not None
     assert cells.wrong[:, :3].sum() == 0

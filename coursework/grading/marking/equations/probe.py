@@ -38,10 +38,6 @@ class Probe:
         """Return the number of points."""
         return len(self.velocities)
 
-    def at(self, velocities: Array) -> dict[str, Any]:
-        """Return the names with other velocities (count, k)."""
-        return {**self.names, **dict(zip(self.sought, velocities.T, strict=True))}
-
 
 def random_probe(key: Key) -> Probe:
     """Return eight random points with the velocities that the equations give there; the same ones on every machine."""

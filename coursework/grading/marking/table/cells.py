@@ -34,7 +34,7 @@ CARRIED = (ANGLES, EARLIER, STEP, STEP_TRUE)
 
 
 @dataclass(frozen=True)
-class Student:
+class StudentTable:
     """A student's table on the grid of the key: `values` (n, m + r) SI, NaN where missing; `units` of the last place, alike."""
 
     values: Array
@@ -63,7 +63,7 @@ class Cells:
     too few to show anything; `computed_to` decimals where the work is coarser than its print, None where it is not.
     """
 
-    student: Student
+    student: StudentTable
     marks: Marks
     ways: tuple[Way, ...]
     too_coarse: Flags
@@ -85,7 +85,7 @@ class Cells:
         return np.isin(self.marks, CARRIED)
 
 
-def mark_cells(key: Key, student: Student) -> Cells:
+def mark_cells(key: Key, student: StudentTable) -> Cells:
     """Return the marks of every cell."""
     m = len(key.coordinates)
     steps, coarse, computed_to = _steps(key, student)
@@ -108,7 +108,7 @@ def mark_cells(key: Key, student: Student) -> Cells:
     return Cells(student, marks, ways, too_coarse, computed_to)
 
 
-def _shown(key: Key, student: Student) -> Flags:
+def _shown(key: Key, student: StudentTable) -> Flags:
     m = len(key.coordinates)
     coarsest = np.full(student.values.shape[1], SHOWN * key.gap)
     coarsest[m:] /= key.step
@@ -116,7 +116,7 @@ def _shown(key: Key, student: Student) -> Flags:
         return np.isfinite(student.values) & (student.units <= coarsest)
 
 
-def _steps(key: Key, student: Student) -> tuple[Way, float, int | None]:
+def _steps(key: Key, student: StudentTable) -> tuple[Way, float, int | None]:
     """Return the step from the row before, the floor of coarse work (0 for none) and the decimals it was computed to."""
     m, h = len(key.coordinates), key.step
     values, units = student.values, student.units
@@ -144,7 +144,7 @@ def velocity_tolerance(key: Key, units: Array, expected: Array, spread: Array) -
     return np.asarray(HALF * np.where(np.isnan(units), 0.0, units) + HALF * spread + SLACK * size)
 
 
-def _own_angles(key: Key, student: Student, coarse: float) -> Way:
+def _own_angles(key: Key, student: StudentTable, coarse: float) -> Way:
     """Return the velocities of the reference at the student's own angles."""
     m = len(key.coordinates)
     q, units = student.values[:, :m], np.maximum(student.units[:, :m], coarse)
@@ -158,7 +158,7 @@ def _own_angles(key: Key, student: Student, coarse: float) -> Way:
     return _velocity_way(ANGLES, key, found, velocity_tolerance(key, student.units[:, m:], found, spread))
 
 
-def _own_velocities(key: Key, student: Student, coarse: float) -> Way:
+def _own_velocities(key: Key, student: StudentTable, coarse: float) -> Way:
     """Return the velocities of each later block from the student's own velocities of the blocks before."""
     m, r = len(key.coordinates), len(key.velocities)
     units = student.units.copy()
@@ -185,7 +185,7 @@ def _velocity_way(name: str, key: Key, expected: Array, tolerance: Array) -> Way
     return Way(name, np.hstack([blank, expected]), np.hstack([blank, tolerance]))
 
 
-def _true_steps(key: Key, student: Student, own: Way) -> Way:
+def _true_steps(key: Key, student: StudentTable, own: Way) -> Way:
     """Return the step from the row before with the reference's velocity at the student's own angles there."""
     m, h = len(key.coordinates), key.step
     values, units = student.values, student.units

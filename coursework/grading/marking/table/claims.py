@@ -1,6 +1,6 @@
 """What a hypothesis says about each cell of a table, and how exactly the printed digits let it speak.
 
-Enters: a `Key`, a student's table.  Leaves: `Claim`s by way of `Printed`.
+Enters: a `Key`, a student's table.  Leaves: `Claim`s by way of `TableUnderTest`.
 Used by the hypotheses, by what weighs them, and by the share of a student's own equations.
 """
 
@@ -13,7 +13,7 @@ from functools import cached_property
 import numpy as np
 
 from coursework.grading.marking.key import Key, sensitivity
-from coursework.grading.marking.table.cells import HALF, LEAST, SLACK, Student, velocity_tolerance
+from coursework.grading.marking.table.cells import HALF, LEAST, SLACK, StudentTable, velocity_tolerance
 from coursework.system.arrays import Array
 
 # A hypothesis is worth a closer look where this part of the velocities lies within this many of Euler's tolerances.
@@ -32,19 +32,19 @@ class Claim:
     expected: Array
     tolerance: Array
     euler: str = ""
-    student: Student | None = None
+    student: StudentTable | None = None
     is_whole: bool = False
 
 
 @dataclass(frozen=True)
-class Printed:
+class TableUnderTest:
     """A student's table seen by hypotheses: angles, velocities and their digits by themselves.
 
     Without `closely` no hypothesis is passed over and no sensitivity is worked out: what it expects is all that is asked.
     """
 
     key: Key
-    student: Student
+    student: StudentTable
     closely: bool = True
 
     @property

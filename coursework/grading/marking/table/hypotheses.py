@@ -7,18 +7,22 @@ Used by `misconceptions.py`; what was made with other numbers stands in `other_d
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import partial
 
 import numpy as np
 
-from coursework.grading.marking.table.claims import Claim, Printed
+from coursework.grading.marking.table.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.other_data import other_columns, other_data, other_tables
+from coursework.motion.schemes import SCHEMES, Scheme
 from coursework.system.arrays import Array
 
+# Schemes that somebody takes for Euler's; their names are the codes of the misconceptions.
+SCHEMES_TRIED = ("heun", "midpoint", "rk4")
 STEPS = (0.1, 0.5, 2.0, 10.0)
 ROUNDED_TO = (1, 2, 3)
 
 
-def claims(printed: Printed, confusions: Mapping[str, float], others: Mapping[str, Array]) -> Iterator[Claim]:
+def claims(printed: TableUnderTest, confusions: Mapping[str, float], others: Mapping[str, Array]) -> Iterator[Claim]:
     """Yield every hypothesis but Euler's own.
 
     `confusions` gives data by name with another value (rubric); `others` tables (n, m + r) of other variants by name.
@@ -32,37 +36,25 @@ def claims(printed: Printed, confusions: Mapping[str, float], others: Mapping[st
     yield from other_columns(printed)
 
 
-def _schemes(printed: Printed) -> Iterator[Claim]:
+def _schemes(printed: TableUnderTest) -> Iterator[Claim]:
     """Steps of other schemes, each a function of the row's own angles."""
-    h, m, t = printed.key.step, printed.m, printed.key.t
+    h, m, t, velocities_at = printed.key.step, printed.m, printed.key.t, printed.key.velocities_at
 
-    def slopes(q: Array, ahead: float) -> Array:
-        copies = len(q) // len(t)
-        return printed.key.velocities_at(np.tile(t + ahead, copies), q, {})[:, :m]
+    def increments(q: Array, scheme: Scheme) -> Array:
+        times = np.tile(t, len(q) // len(t))
+        return np.asarray(scheme.step(lambda at, moved: velocities_at(at, q + moved, {})[:, :m], times, np.zeros_like(q), h))
 
-    def heun(q: Array) -> Array:
-        first = slopes(q, 0.0)
-        return h / 2 * (first + slopes(q + h * first, h))
-
-    def midpoint(q: Array) -> Array:
-        return h * slopes(q + h / 2 * slopes(q, 0.0), h / 2)
-
-    def rk4(q: Array) -> Array:
-        first = slopes(q, 0.0)
-        second = slopes(q + h / 2 * first, h / 2)
-        third = slopes(q + h / 2 * second, h / 2)
-        return h / 6 * (first + 2 * second + 2 * third + slopes(q + h * third, h))
-
-    for increments in (heun, midpoint, rk4):
-        spread = printed.spread(increments)
-        yield printed.claim(increments.__name__, printed.steps(increments(printed.q), spread))
+    for name in SCHEMES_TRIED:
+        made = partial(increments, scheme=SCHEMES[name])
+        spread = printed.spread(made)
+        yield printed.claim(name, printed.steps(made(printed.q), spread))
     rates, units = printed.w, printed.w_units[:, :m]
     following, units_after = printed.shifted(rates, -1), np.nan_to_num(printed.shifted(units, -1))
     yield printed.claim("trapezoid", printed.steps(h / 2 * (rates + following), h / 2 * (units + units_after)))
     yield printed.claim("backward", printed.steps(h * following, h * units_after))
 
 
-def _shifted_rows(printed: Printed) -> Iterator[Claim]:
+def _shifted_rows(printed: TableUnderTest) -> Iterator[Claim]:
     """Velocities of another time, or printed a row too late or too early."""
     h, m = printed.key.step, printed.m
     for code, ahead in (("time_ahead", h), ("time_behind", -h)):
@@ -76,7 +68,7 @@ def _shifted_rows(printed: Printed) -> Iterator[Claim]:
         )
 
 
-def _steps(printed: Printed) -> Iterator[Claim]:
+def _steps(printed: TableUnderTest) -> Iterator[Claim]:
     """Steps with rounded velocities, or of another length."""
     h, m = printed.key.step, printed.m
     units = printed.w_units[:, :m]
@@ -93,7 +85,7 @@ def _steps(printed: Printed) -> Iterator[Claim]:
             yield printed.claim("other_step", step, printed.velocities(found, spread))
 
 
-def _velocities(printed: Printed) -> Iterator[Claim]:
+def _velocities(printed: TableUnderTest) -> Iterator[Claim]:
     """Velocities of moved angles, of one wrong sign, of a drive with the other sign, of degrees taken for radians."""
     key, h, m = printed.key, printed.key.step, printed.m
     solved: list[int] = []

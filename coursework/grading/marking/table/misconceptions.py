@@ -6,14 +6,14 @@ Enters: a `Key`, marked cells.  Leaves: `Misconception` or None.  Used by `grade
 from __future__ import annotations
 
 from collections.abc import Container, Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.cells import ANGLES, EARLIER, KEY, STEP, STEP_TRUE, Cells, Student, mark_cells
-from coursework.grading.marking.table.claims import Claim, Printed
+from coursework.grading.marking.table.cells import ANGLES, EARLIER, KEY, STEP, STEP_TRUE, Cells, StudentTable, mark_cells
+from coursework.grading.marking.table.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.hypotheses import claims
 from coursework.system.arrays import Array, Flags
 
@@ -38,9 +38,8 @@ class Misconception:
 
     def plain(self) -> dict[str, Any]:
         """Return the record as grades.json writes it."""
-        return {
-            "code": self.code, "share": round(self.share, 4), "euler_share": round(self.euler_share, 4), "ties": list(self.ties),
-        }  # fmt: skip
+        shares = {"share": round(self.share, 4), "euler_share": round(self.euler_share, 4)}
+        return asdict(self) | shares | {"ties": list(self.ties)}
 
 
 def looked_for(key: Key, cells: Cells, count: int) -> bool:
@@ -63,7 +62,7 @@ def find_misconception(
 
     A table that begins elsewhere may follow Euler's rules in every row; what says the whole table is then held against the key.
     """
-    printed = Printed(key, cells.student)
+    printed = TableUnderTest(key, cells.student)
     explained, spoken = euler_cells(key, cells)
     euler_share = _share(explained, spoken)
     by_key = _share(np.asarray(cells.marks == KEY) & spoken, spoken) if _begins_elsewhere(key, cells) else euler_share
@@ -87,13 +86,13 @@ def indistinct(key: Key, units: Array, confusions: Mapping[str, float] | None = 
     Each speaks about the right table; where what it expects lies within Euler's tolerance, its own table would pass as right.
     One that expects nothing else at all is none.
     """
-    right = mark_cells(key, Student(key.table, np.broadcast_to(units, key.table.shape)))
+    right = mark_cells(key, StudentTable(key.table, np.broadcast_to(units, key.table.shape)))
     allowed = np.fmax.reduce([way.tolerance for way in right.ways])
     nothing = _ROUND_OFF * np.maximum(1.0, key.ranges)
     spoken = ~right.missing
     found: dict[str, float] = {}
     differs: set[str] = set()
-    for claim in claims(Printed(key, right.student, closely=False), confusions or {}, {}):
+    for claim in claims(TableUnderTest(key, right.student, closely=False), confusions or {}, {}):
         if claim.student is not None:
             differs.add(claim.code)
             alike = _share(*euler_cells(key, mark_cells(key, claim.student)))

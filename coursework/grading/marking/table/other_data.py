@@ -11,8 +11,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from coursework.grading.marking.table.cells import HALF, SLACK, Student
-from coursework.grading.marking.table.claims import Claim, Printed
+from coursework.grading.marking.table.cells import HALF, SLACK, StudentTable
+from coursework.grading.marking.table.claims import Claim, TableUnderTest
 from coursework.system.arrays import Array
 
 FACTORS = (10.0, 0.1, 2.0, 0.5, -1.0)
@@ -20,7 +20,7 @@ FACTORS = (10.0, 0.1, 2.0, 0.5, -1.0)
 _LIKE_KEY = 0.8
 
 
-def other_data(printed: Printed, confusions: Mapping[str, float]) -> Iterator[Claim]:
+def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iterator[Claim]:
     """Velocities with a datum ten times, twice, turned round; with two data exchanged; with a value that was declared."""
     given = printed.key.variant.given
     tried: list[tuple[str, dict[str, float]]] = [
@@ -38,7 +38,7 @@ def other_data(printed: Printed, confusions: Mapping[str, float]) -> Iterator[Cl
         yield from printed.velocity_claim(code, printed.slopes(data), found)
 
 
-def other_tables(printed: Printed, others: Mapping[str, Array]) -> Iterator[Claim]:
+def other_tables(printed: TableUnderTest, others: Mapping[str, Array]) -> Iterator[Claim]:
     """The exact motion, or the table of another variant of the class."""
     units = np.nan_to_num(printed.student.units)
     key = printed.key
@@ -53,7 +53,7 @@ def other_tables(printed: Printed, others: Mapping[str, Array]) -> Iterator[Clai
         yield Claim("branch", table, HALF * units + SLACK * np.ptp(table, axis=0), is_whole=True)
 
 
-def other_columns(printed: Printed) -> Iterator[Claim]:
+def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
     """Two columns of one kind exchanged; an angle counted from another axis or the other way round."""
     key, student, m = printed.key, printed.student, printed.m
     tolerance = HALF * np.nan_to_num(student.units) + SLACK * key.ranges
@@ -69,7 +69,7 @@ def other_columns(printed: Printed) -> Iterator[Claim]:
             with np.errstate(invalid="ignore"):
                 close = np.abs(values - key.table) <= tolerance[:, order]
             if close[:, [first, second]].mean() > _LIKE_KEY:
-                put_back = Student(values, student.units[:, order])
+                put_back = StudentTable(values, student.units[:, order])
                 yield _as_euler("swapped_columns", put_back)
     for place in range(m):
         if key.variant.coordinates[place].unit != "rad":
@@ -84,7 +84,7 @@ def other_columns(printed: Printed) -> Iterator[Claim]:
             yield _as_euler(f"origin_{key.names[place]}", replace(student, values=values))
 
 
-def _as_euler(code: str, student: Student) -> Claim:
+def _as_euler(code: str, student: StudentTable) -> Claim:
     """Return the claim that a table put right is Euler's."""
     blank = np.full(student.values.shape, np.nan)
     return Claim(code, blank, blank, "all", student)

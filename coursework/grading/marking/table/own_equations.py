@@ -15,7 +15,7 @@ from coursework.grading.marking.equations.numbers import NoValue, real, value_of
 from coursework.grading.marking.equations.probe import names_at
 from coursework.grading.marking.key import Key, sensitivity
 from coursework.grading.marking.table.cells import Cells, velocity_tolerance
-from coursework.grading.marking.table.claims import Claim, Printed
+from coursework.grading.marking.table.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.misconceptions import claim_share, euler_cells
 from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula
@@ -29,7 +29,7 @@ def own_share(key: Key, cells: Cells, equations: EquationMarks) -> float:
     if not equations.wrong or any(mark.hint is None for mark in equations.wrong):
         return 0.0
     trees = [difference(mark.line) for mark in equations.marks if mark.verdict != "unreadable"]
-    printed = Printed(key, cells.student)
+    printed = TableUnderTest(key, cells.student)
 
     def at(q: Array) -> Array:
         return _solved(key, trees, np.tile(key.t, len(q) // len(key.t)), q)

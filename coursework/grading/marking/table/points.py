@@ -19,12 +19,11 @@ ENOUGH_ROWS = 0.6
 
 @dataclass(frozen=True, slots=True)
 class TablePoints:
-    """`share` of the table earned by its cells; how many cells count; which gates are open."""
+    """`share` of the table earned by its cells; how many cells count; whether row 1 is right."""
 
     share: float
     cells: int
     start_right: bool
-    rows_enough: bool
 
 
 def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
@@ -44,7 +43,7 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
         open_gate[1:] = right[:-1, m : 2 * m]
         credit[:, :m][steps & ~(open_gate & rows_enough)] = 0.0
     credit[marks == GIVEN] = 0.0
-    return TablePoints(float(credit.sum()) / count if count else 0.0, count, start_right, rows_enough)
+    return TablePoints(float(credit.sum()) / count if count else 0.0, count, start_right)
 
 
 def true_steps(key: Key, cells: Cells) -> Flags:

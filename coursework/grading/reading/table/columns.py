@@ -12,7 +12,7 @@ from typing import Literal
 
 from coursework.grading.reading.files.separators import is_progression
 from coursework.grading.reading.limits import doubtful, unreadable
-from coursework.grading.reading.numbers import Printed
+from coursework.grading.reading.numbers import PrintedNumber
 from coursework.grading.reading.table.headers import INDEX, TIME, Head
 from coursework.grading.reading.table.layout import Layout
 
@@ -74,7 +74,7 @@ def _by_head(layout: Layout, filled: list[int]) -> tuple[dict[str, Place], set[i
     return places, repeated
 
 
-def _differ(first: Printed, second: Printed) -> bool:
+def _differ(first: PrintedNumber, second: PrintedNumber) -> bool:
     return first.is_number and second.is_number and first.value != second.value
 
 

@@ -9,14 +9,14 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 
-from coursework.grading.reading.numbers import Printed
+from coursework.grading.reading.numbers import PrintedNumber
 
 FINEST = 1e-9  # a spreadsheet stores more digits than any coursework can mean
 _FIXED = 0.55  # least share of cells with the greatest number of decimals
 _SIGNIFICANT = 0.60  # least share of cells with the same number of significant digits
 
 
-def last_places(cells: Sequence[Printed]) -> tuple[int, list[float]]:
+def last_places(cells: Sequence[PrintedNumber]) -> tuple[int, list[float]]:
     """Return the decimals of a column and the unit of each cell's last place, at least 1e-9.
 
     A fixed number of decimals counts for every cell; a fixed number of significant digits gives each cell its own last place
@@ -39,17 +39,17 @@ def _unit(decimals: int) -> float:
     return max(FINEST, float(f"1e{-min(decimals, 300)}"))
 
 
-def _own_decimals(cell: Printed, full: int) -> int:
+def _own_decimals(cell: PrintedNumber, full: int) -> int:
     """Return the decimals of a cell; one with fewer than `full` significant digits lost zeros at its end."""
     return -cell.place + max(full - cell.digits, 0)
 
 
-def _keeps_zeros(numbers: list[Printed]) -> bool:
+def _keeps_zeros(numbers: list[PrintedNumber]) -> bool:
     """Return whether some number was printed with a zero at its end."""
     return any(-300 < cell.place < 0 and round(cell.value * 10.0**-cell.place) % 10 == 0 for cell in numbers if cell.value)
 
 
-def _significant_digits(numbers: list[Printed]) -> int:
+def _significant_digits(numbers: list[PrintedNumber]) -> int:
     """Return the number of significant digits that most cells have while their decimals differ, 0 where there is none.
 
     A whole number cannot be printed with fewer digits than it has.
@@ -63,11 +63,11 @@ def _significant_digits(numbers: list[Printed]) -> int:
     return digits if sum(_fits(cell, digits) for cell in nonzero) >= _SIGNIFICANT * len(nonzero) else 0
 
 
-def _fits(cell: Printed, digits: int) -> bool:
+def _fits(cell: PrintedNumber, digits: int) -> bool:
     return cell.digits == digits or (cell.place == 0 and cell.digits > digits > 1)
 
 
-def _is_significant(numbers: list[Printed], most: int, digits: int) -> bool:
+def _is_significant(numbers: list[PrintedNumber], most: int, digits: int) -> bool:
     """Return whether cells with fewer decimals have exactly the digits of the others, so that no zero was dropped.
 
     Most numbers below 1 have the same decimals in a column of significant digits too; a longer cell would be a fixed column's.

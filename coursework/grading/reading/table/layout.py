@@ -12,12 +12,12 @@ from dataclasses import dataclass
 from coursework.grading.reading.files.cells import Cell, Sheet
 from coursework.grading.reading.files.separators import is_progression
 from coursework.grading.reading.limits import doubtful
-from coursework.grading.reading.numbers import Printed, looks_numeric, marks, printed, stored
+from coursework.grading.reading.numbers import PrintedNumber, looks_numeric, marks, printed, stored
 from coursework.grading.reading.table.headers import TIME, Head, read_head, unit_of
 
 _SEARCHED = 60  # rows in which the heads are looked for
 _FIRST = 6  # columns in which the heads of a transposed table are looked for
-_Rows = list[list[Printed]]
+_Rows = list[list[PrintedNumber]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +26,7 @@ class Layout:
 
     heads: tuple[Head, ...]
     has_heads: bool
-    body: tuple[tuple[Printed, ...], ...]
+    body: tuple[tuple[PrintedNumber, ...], ...]
     transposed: bool
     decimal: str
 
@@ -46,16 +46,16 @@ def lay_out(sheet: Sheet, separator: str, columns: Sequence[tuple[str, str]]) ->
     return _block(rows, upright[0] if upright[1] else -1, columns, False, mark)
 
 
-def _printed(cell: Cell, mark: str, mixed: bool) -> Printed:
+def _printed(cell: Cell, mark: str, mixed: bool) -> PrintedNumber:
     if cell.kind == "number":
         return stored(cell.text)
     if cell.kind == "text":
         return printed(cell.text, mark, mixed)
-    return Printed(cell.text, float("nan"), 0, 0, cell.kind)
+    return PrintedNumber(cell.text, float("nan"), 0, 0, cell.kind)
 
 
-def _padded(row: list[Printed], width: int) -> list[Printed]:
-    return row + [Printed("", float("nan"), 0, 0, "missing")] * (width - len(row))
+def _padded(row: list[PrintedNumber], width: int) -> list[PrintedNumber]:
+    return row + [PrintedNumber("", float("nan"), 0, 0, "missing")] * (width - len(row))
 
 
 def _decimal_mark(sheet: Sheet, separator: str) -> tuple[str, bool]:
@@ -102,7 +102,7 @@ def _lies(rows: _Rows, turned: _Rows, columns: int) -> bool:
 
 def _block(rows: _Rows, head: int, columns: Sequence[tuple[str, str]], transposed: bool, mark: str) -> Layout | None:
     texts = [cell.text for cell in rows[head]] if head >= 0 else []
-    body: list[tuple[Printed, ...]] = []
+    body: list[tuple[PrintedNumber, ...]] = []
     units: list[str] = []
     for row in rows[head + 1 :]:
         if _is_body(row):
@@ -124,13 +124,13 @@ def _block(rows: _Rows, head: int, columns: Sequence[tuple[str, str]], transpose
     return Layout(tuple(merged), head >= 0, tuple(tuple(_padded(list(row), width)) for row in body), transposed, mark)
 
 
-def _is_body(row: list[Printed]) -> bool:
+def _is_body(row: list[PrintedNumber]) -> bool:
     filled = sum(cell.flag != "missing" for cell in row)
     standing = sum(cell.stands_for_number for cell in row)
     return standing >= 2 and 2 * standing >= filled and any(cell.is_number or cell.flag == "formula" for cell in row)
 
 
-def _is_units(row: list[Printed]) -> bool:
+def _is_units(row: list[PrintedNumber]) -> bool:
     texts = [cell.text for cell in row if cell.flag == "text"]
     return len(texts) >= 2 and 2 * sum(bool(unit_of(text)) for text in texts) >= len(texts)
 

@@ -13,7 +13,7 @@ from itertools import pairwise
 
 from coursework.grading.reading.expected import Grid
 from coursework.grading.reading.limits import doubtful
-from coursework.grading.reading.numbers import Printed
+from coursework.grading.reading.numbers import PrintedNumber
 from coursework.grading.reading.table.columns import Places
 from coursework.grading.reading.table.headers import INDEX, PRINTED, TIME
 from coursework.grading.reading.table.layout import Layout
@@ -55,12 +55,12 @@ def place_rows(layout: Layout, places: Places, grid: Grid) -> Rows:
     return Rows(of_grid, is_sorted, targets.count(None), recovered, unit)
 
 
-def _coarse(cells: Sequence[Printed]) -> float:
+def _coarse(cells: Sequence[PrintedNumber]) -> float:
     """Return the unit of the last place that the times are printed with."""
     return min((10.0 ** max(cell.place, -300) for cell in cells if cell.is_number), default=0.0)
 
 
-def _time_unit(head: str, cells: Sequence[Printed], grid: Grid) -> str:
+def _time_unit(head: str, cells: Sequence[PrintedNumber], grid: Grid) -> str:
     """Return s or ms: from the head, else from the length of the printed motion."""
     if head in PRINTED["s"]:
         return head
@@ -69,7 +69,7 @@ def _time_unit(head: str, cells: Sequence[Printed], grid: Grid) -> str:
     return "ms" if steps and 0.8 < steps[len(steps) // 2] / (1000 * grid.step) < 1.25 else "s"
 
 
-def _times(cells: Sequence[Printed], factor: float) -> tuple[list[float], int]:
+def _times(cells: Sequence[PrintedNumber], factor: float) -> tuple[list[float], int]:
     """Return the times of the rows in s, those that a spreadsheet made a date of taken from the progression of the others."""
     times = [cell.value * factor if cell.is_number else math.nan for cell in cells]
     known = [(place, time) for place, time in enumerate(times) if math.isfinite(time)]
@@ -122,5 +122,5 @@ def _unique(layout: Layout, places: Places, targets: list[int | None], rows: int
     return tuple(of_grid)
 
 
-def _contradict(first: Printed, second: Printed) -> bool:
+def _contradict(first: PrintedNumber, second: PrintedNumber) -> bool:
     return (first.value, first.flag) != (second.value, second.flag) and (first.is_number or second.is_number)

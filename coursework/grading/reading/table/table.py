@@ -16,7 +16,7 @@ from typing import Any
 from coursework.grading.reading.expected import Grid, GridColumn
 from coursework.grading.reading.files.cells import Sheet
 from coursework.grading.reading.limits import unreadable
-from coursework.grading.reading.numbers import Printed
+from coursework.grading.reading.numbers import PrintedNumber
 from coursework.grading.reading.student_work import Reading, Table, TableColumn
 from coursework.grading.reading.submission import Note, note
 from coursework.grading.reading.table.columns import Place, Places, find_columns
@@ -27,7 +27,7 @@ from coursework.grading.reading.table.rows import Rows, place_rows
 from coursework.grading.reading.table.units import factor_of, unit_of_column, whole_turns
 
 _UNCOMPUTED = 0.2  # share of formulas without a value from which a file is sent back instead of marked
-_EMPTY = Printed("", math.nan, 0, 0, "missing")
+_EMPTY = PrintedNumber("", math.nan, 0, 0, "missing")
 
 
 @dataclass(frozen=True, slots=True)
