@@ -156,3 +156,11 @@ def test_a_drive_that_fades_away_leaves_nothing_to_be_wrong(scheme):
     run = coursework.solve(faded, scheme=scheme, step=0.02 / 8, quantities=["table", "checks"])
     assert np.min(np.abs(run.motion.column("w1")[1:])) < 1e-300
     assert next(check.verdict for check in run.checks if check.code == "RESIDUAL") == "PASS"
+
+
+@pytest.mark.parametrize(("name", "radius", "periods"), [("cardan", "105 mm", 21), ("epicyclic", "42 mm", 7)])
+def test_a_wheel_of_another_radius_does_not_make_the_period_wrong(name, radius, periods):
+    run = coursework.solve(coursework.load(name).with_data(given={"R": radius}), quantities=["table", "checks"])
+    for code in ("PERIOD-POSITION", "PERIOD-VELOCITY"):
+        assert found(run, code).verdict == "SKIP"
+        assert f"after {periods} periods of the drive" in found(run, code).sentence

@@ -12,23 +12,25 @@ from functools import cache
 
 import numpy as np
 
-from coursework.motion.integration.finer import exact_at, prolonged
+from coursework.motion.integration.finer import prolonged
 from coursework.motion.integration.motion import Motion
-from coursework.results.checks.evidence import LIMIT, NO_ERROR, Evidence, turns
+from coursework.results.checks.close_to_motion.several_periods import (
+    FURTHEST,
+    MOST,
+    RETURNS,
+    Later,
+    after,
+    later,
+    missed,
+    share_of,
+)
+from coursework.results.checks.evidence import LIMIT, NEAR_PERIOD, NO_ERROR, Evidence, turns
 from coursework.results.checks.result import Finding, percent, skipped
-from coursework.system.arrays import Array
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
-# Part of the scale by which the exact motion may miss its start after the stated period.  Measured over 38 stated periods:
-# T off by 0.2 % (three digits of it) moves the exact motion by at most 0.021, T off by 2 % by at least 0.031.
-RETURNS = 0.03
-
 # Where the exact motion alone is this part of the limit beside its start, a finer step does not bring the row inside it.
 NEARLY = 0.9
-
-# The stated period is looked for up to so many times the length of the run: behind the end as much work again as in it.
-FURTHEST = 2.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,8 +95,8 @@ def _judge(evidence: Evidence, code: str, names: tuple[str, ...]) -> Finding:
         if any(abs(split.period) > RETURNS * scale[name] for name, split in judged.items()):
             return skipped(evidence.say("check.PERIOD.unstated"))
     elif (wrong := _wrong(evidence, [split.name for split in chosen])) is not None:
-        return wrong
-    shares = {split.name: _share(split.total, scale[split.name]) for split in chosen}
+        return _judged_later(evidence, code, names) or wrong
+    shares = {split.name: share_of(split.total, scale[split.name]) for split in chosen}
     worst = max(chosen, key=lambda split: shares[split.name])
     value, row = shares[worst.name], evidence.period_row
     assert row is not None
@@ -107,7 +109,7 @@ def _judge(evidence: Evidence, code: str, names: tuple[str, ...]) -> Finding:
         told = [evidence.say("check.PERIOD.same", row=row + 1)]
     else:
         told = [evidence.say("check.PERIOD.pass" if value <= LIMIT else "check.PERIOD.coarse", **found)]
-    late = _share(worst.period, scale[worst.name])
+    late = share_of(worst.period, scale[worst.name])
     if cannot_return := value > LIMIT and late > NEARLY * LIMIT and _is_beyond(evidence, worst.name):
         told.append(evidence.say("check.PERIOD.due", share=percent(late), period=evidence.period))
     if turned := [evidence.say("check.PERIOD.turns", number=split.turns, name=split.name) for split in chosen if split.turns]:
@@ -128,10 +130,6 @@ def _label(name: str, part: str) -> Sentence:
 _PARTS = ("first", "last", "total", "scheme", "period", "roundoff")
 
 
-def _share(size: float, scale: float) -> float:
-    return 0.0 if abs(size) < NO_ERROR else abs(size) / scale
-
-
 def _behind_the_end(evidence: Evidence, names: list[str]) -> Finding:
     """Return what is known of a period no row is at: where it ends behind the run, the exact motion may be followed there."""
     exact, period = evidence.exact, evidence.period
@@ -147,10 +145,31 @@ def _behind_the_end(evidence: Evidence, names: list[str]) -> Finding:
     return wrong or skipped(evidence.say("check.PERIOD.due_later", end=float(evidence.motion.t[-1]), period=period))
 
 
+def _judged_later(evidence: Evidence, code: str, names: tuple[str, ...]) -> Finding | None:
+    """Return what is found after several periods, None where the mechanism is not back then or the run does not reach them."""
+    back = later(evidence)
+    near = max(evidence.motion.step / 2, NEAR_PERIOD * evidence.period)
+    if back is None or back.periods is None or float(evidence.motion.t[-1]) < back.time - near:
+        return None
+    time = replace(evidence.variant.time, period=back.time)
+    found = _judge(replace(evidence, variant=replace(evidence.variant, time=time)), code, names)
+    told = evidence.say("check.PERIOD.later", after=_periods(evidence, back), time=back.time)
+    return replace(found, sentence=joined([told, found.sentence]))
+
+
+def _periods(evidence: Evidence, back: Later) -> str:
+    return evidence.say("check.PERIOD.drive", number=back.periods)
+
+
 def _wrong(evidence: Evidence, names: list[str]) -> Finding | None:
-    """Return that the stated period is wrong, None where the exact motion is back after it."""
+    """Return that the stated period is wrong, or that of the drive alone; None where the exact motion is back after it."""
     if (strayed := _strayed(evidence, names)) is None:
         return None
+    if (back := later(evidence)) is not None:
+        if back.periods is None:
+            return skipped(evidence.say("check.PERIOD.never", period=evidence.period, most=MOST))
+        end = float(evidence.motion.t[-1])
+        return skipped(evidence.say("check.PERIOD.later_end", after=_periods(evidence, back), time=back.time, end=end))
     name, share, first, last = strayed
     sentence = evidence.say(
         "check.PERIOD.period", period=evidence.period, name=name, share=percent(share), first=first, last=last
@@ -162,32 +181,25 @@ def _strayed(evidence: Evidence, names: list[str]) -> tuple[str, float, float, f
     """Return (column, share, start, value after the stated period) where the exact motion is not back, None where it is."""
     exact = evidence.exact
     assert exact is not None
-    if evidence.restricted or (after := _after(evidence, exact, evidence.period)) is None:
+    if evidence.restricted or (then := after(evidence, evidence.period)) is None:
         return None
     found = []
     for name in names:
-        first, last = float(exact.column(name)[0]), float(after[exact.names.index(name)])
+        first, last = float(exact.column(name)[0]), float(then[exact.names.index(name)])
         if evidence.unit(name) == "rad":
             last -= float(turns(np.array(last - first)))
-        found.append((name, _share(last - first, evidence.scale[name]), first, last))
+        found.append((name, share_of(last - first, evidence.scale[name]), first, last))
     worst = max(found, key=lambda entry: entry[1])
     return worst if worst[1] > RETURNS else None
 
 
-def _after(evidence: Evidence, exact: Motion, time: float) -> Array | None:
-    return evidence.once(f"exact at {time!r}", lambda: exact_at(exact, evidence.rates, time))
-
-
 def _is_beyond(evidence: Evidence, name: str) -> bool:
     """Return whether the exact motion is not back at the moment nearest to a whole period that any step can reach."""
-    exact, row = evidence.exact, evidence.period_row
-    assert exact is not None and row is not None
+    row = evidence.period_row
+    assert row is not None
     whole = round(float(evidence.motion.t[row]) / evidence.period) * evidence.period
-    after = _after(evidence, exact, min(whole, evidence.variant.time.end))
-    if after is None:
-        return True
-    gap = float(after[exact.names.index(name)] - exact.column(name)[0])
-    return _share(gap - float(turns(np.array(gap))) * (evidence.unit(name) == "rad"), evidence.scale[name]) > NEARLY * LIMIT
+    then = after(evidence, min(whole, evidence.variant.time.end))
+    return then is None or missed(evidence, then, name) > NEARLY * LIMIT
 
 
 def _why_skipped(evidence: Evidence) -> str:

@@ -1,0 +1,115 @@
+"""A gear train whose ratio is no whole number: back after several periods of its drive, or never.
+
+Enters: `Evidence` whose exact motion is not back after the stated period.  Leaves: `Later`, None where no gain explains that.
+Used by `period.py`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from coursework.motion.integration.finer import exact_at
+from coursework.results.checks.evidence import NO_ERROR, Evidence, turns
+from coursework.system.arrays import Array
+
+# Part of the scale by which the exact motion may miss its start after the stated period.  Measured over 38 stated periods:
+# T off by 0.2 % (three digits of it) moves the exact motion by at most 0.021, T off by 2 % by at least 0.031.
+RETURNS = 0.03
+
+# The stated period is looked for up to so many times the length of the run: behind the end as much work again as in it.
+FURTHEST = 2.0
+
+# After more periods of its drive than this nobody waits for a mechanism.
+MOST = 100
+
+# Part of a turn by which a whole number of turns may be missed.  Among a hundred multiples of any number one is whole to 0.01:
+# with the limit for T every ratio would be a simple fraction.
+WHOLE = 1e-4
+
+
+@dataclass(frozen=True, slots=True)
+class Later:
+    """The mechanism is back after `periods` of its drive, at `time` s; `periods` None: after none of the first `MOST`."""
+
+    periods: int | None
+    time: float
+
+
+def later(evidence: Evidence) -> Later | None:
+    """Return when the mechanism is back, None where the drive is not back after T, or no wheel gains the same each period."""
+    return evidence.once(f"back later than {evidence.period!r}", lambda: _later(evidence))
+
+
+def after(evidence: Evidence, time: float) -> Array | None:
+    """Return the exact row (m + k,) at any time (s), None where there is none."""
+    exact = evidence.exact
+    assert exact is not None
+    return evidence.once(f"exact at {time!r}", lambda: exact_at(exact, evidence.rates, time))
+
+
+def share_of(size: float, scale: float) -> float:
+    """Return a difference as a part of the scale, 0 where it is no error."""
+    return 0.0 if abs(size) < NO_ERROR else abs(size) / scale
+
+
+def missed(evidence: Evidence, row: Array, name: str) -> float:
+    """Return by what part of its scale a column of an exact row is off its start, whole turns taken off."""
+    exact = evidence.exact
+    assert exact is not None
+    gap = float(row[exact.names.index(name)] - exact.column(name)[0])
+    return share_of(gap - float(turns(np.array(gap))) * (evidence.unit(name) == "rad"), evidence.scale[name])
+
+
+def _later(evidence: Evidence) -> Later | None:
+    exact, variant, period = evidence.exact, evidence.variant, evidence.period
+    assert exact is not None
+    once, twice = after(evidence, period), after(evidence, 2 * period)
+    driven = [coordinate.name for coordinate in variant.coordinates if coordinate.rate in variant.known_rates]
+    if once is None or twice is None or not driven:
+        return None
+    if any(missed(evidence, once, name) > RETURNS for name in (*driven, *variant.known_rates)):
+        return None
+    gains = np.diff([exact.rows[0], once, twice], axis=0)[:, : len(exact.coordinate_names)]
+    late = _lateness(evidence, gains, driven)
+    wheels = []
+    for coordinate in variant.coordinates:
+        first, second = (gains[:, exact.coordinate_names.index(coordinate.name)] / late / (2 * np.pi)).tolist()
+        is_steady = abs(second - first) <= WHOLE and missed(evidence, once, coordinate.rate) <= RETURNS
+        if coordinate.name in driven or not is_steady:
+            continue  # what hangs on a wheel that is not back is not back either
+        if coordinate.unit != "rad" and share_of(first, evidence.scale[coordinate.name]) > WHOLE:
+            return None  # it travels on
+        if coordinate.unit == "rad":
+            wheels.append((first + second) / 2)
+    if all(abs(gain - round(gain)) <= WHOLE for gain in wheels):
+        return None
+    true = period / float(late[0])
+    for periods in range(2, MOST + 1):
+        if all(abs(periods * gain - round(periods * gain)) <= WHOLE for gain in wheels):
+            return Later(periods, periods * true) if _is_back(evidence, periods * true) else None
+    return Later(None, np.inf)
+
+
+def _lateness(evidence: Evidence, gains: Array, driven: list[str]) -> Array:
+    """Return by what factor (2,) each period is longer than the whole turns of the driven crank, 1 where none turns round.
+
+    The ratio of a wheel to the crank is the same whatever digits of T are stated.
+    """
+    exact = evidence.exact
+    assert exact is not None
+    for name in driven:
+        turned = gains[:, exact.coordinate_names.index(name)]
+        whole = turns(turned)
+        if evidence.unit(name) == "rad" and np.all(whole != 0):
+            return np.asarray(turned / whole)
+    return np.ones(len(gains))
+
+
+def _is_back(evidence: Evidence, time: float) -> bool:
+    """Return whether every column is back then, as far as the motion is followed: beyond, the whole turns alone say so."""
+    if time > FURTHEST * float(evidence.motion.t[-1]):
+        return True
+    row = after(evidence, time)
+    return row is not None and all(missed(evidence, row, name) <= RETURNS for name in evidence.names)

@@ -1,0 +1,137 @@
+"""A wheel on a crank, rolling in a ring: back after as many turns of the crank as its ratio asks for, or never."""
+
+import math
+
+import pytest
+
+from coursework.results.checks.close_to_motion import several_periods
+from tests.results.checks.scenes import evidence_of, finding, found, solve
+
+PERIODS = ("PERIOD-POSITION", "PERIOD-VELOCITY")
+TURN = 2 * math.pi / 5
+
+
+def wheel(ring, period="2*pi/w", turns=1, law="w"):
+    """Return the file of a ring of 0.3 m radius times `ring`/3, a wheel of 0.3 m in it and a pin that pushes a slider."""
+    return f"""
+format = 1
+title = "A wheel in a ring"
+
+[given]
+R = "{ring} m"
+r = "0.3 m"
+e = "0.1 m"
+w = "5 rad/s"
+
+[drive]
+wc = "{law}"
+
+[coordinates]
+crank = {{ start = "0 deg", rate = "wc" }}
+wheel = {{ start = "0 deg", rate = "wp" }}
+
+[unknowns]
+u = "m/s"
+
+[time]
+step = "2*pi/(40*w)"
+end = "{turns}*2*pi/w"
+period = "{period}"
+
+[[constraint]]
+name = "1"
+because = "the wheel rolls"
+equation = "(R - r)*wc + r*wp = 0"
+
+[[constraint]]
+name = "2"
+because = "speed of the pin"
+equation = "-(R - r)*wc*sin(crank) - e*wp*sin(wheel) = u"
+
+[ask]
+quantities = ["table", "checks"]
+"""
+
+
+def judged(text, scheme="rk4"):
+    run = solve(text, scheme)
+    return [found(run, code) for code in PERIODS]
+
+
+@pytest.mark.parametrize(("turns", "verdict"), [(1, "SKIP"), (2, "SKIP"), (2.9, "SKIP"), (3, "PASS"), (4, "PASS"), (6, "PASS")])
+def test_seven_thirds_are_back_after_three_turns(turns, verdict):
+    position, velocity = judged(wheel("0.7", turns=turns))
+    assert position.verdict == velocity.verdict == verdict
+    for one in (position, velocity):
+        assert f"returns after 3 periods of the drive, at t = {3 * TURN:.6g} s" in one.sentence
+        assert ("the table ends before" in one.sentence) == (verdict == "SKIP")
+    if verdict == "PASS":
+        assert position.row == {3: 121, 4: 121, 6: 241}[turns]
+        assert position.value < 1e-6
+
+
+def test_a_whole_ratio_is_back_after_one_turn():
+    for one in judged(wheel("0.9")):
+        assert one.verdict == "PASS"
+        assert "returns after" not in one.sentence
+
+
+@pytest.mark.parametrize("turns", [1, 3])
+def test_a_ratio_that_is_no_simple_fraction_never_returns(turns):
+    for one in judged(wheel(repr(0.3 * (1 + math.sqrt(2))), turns=turns)):
+        assert one.verdict == "SKIP"
+        assert "no simple fraction" in one.sentence
+
+
+@pytest.mark.parametrize(("most", "told"), [(21, "after 21 periods"), (20, "first 20 periods")])
+def test_the_last_period_that_is_waited_for(monkeypatch, most, told):
+    """Of a wheel 20/21 of a turn a lap, the pin of Cardan's with a radius 5 % larger."""
+    monkeypatch.setattr(several_periods, "MOST", most)
+    monkeypatch.setattr("coursework.results.checks.close_to_motion.period.MOST", most)
+    for one in judged(wheel(repr(0.3 * (1 + 19 / 21)))):
+        assert one.verdict == "SKIP"
+        assert told in one.sentence
+
+
+@pytest.mark.parametrize(("off", "is_fraction"), [(0.9, True), (1.1, False)])
+def test_a_ratio_is_a_fraction_as_far_as_the_limit(off, is_fraction):
+    ratio = 4 / 3 + off * several_periods.WHOLE / 3
+    sentence = judged(wheel(repr(0.3 * (1 + ratio))))[0].sentence
+    assert ("after 3 periods" in sentence) == is_fraction
+
+
+@pytest.mark.parametrize("side", [1, -1])
+@pytest.mark.parametrize(("off", "verdict"), [(0.029, "PASS"), (0.0301, "FAIL")])
+def test_a_wrong_period_of_the_drive_is_wrong(side, off, verdict):
+    """Inside the limit it is that of the drive, which returns as its whole turns say (the scale has 39 of 40 rows at least)."""
+    text = wheel("0.7", repr(TURN * (1 + side * off)) + " s", turns=4)
+    for one in judged(text):
+        assert one.verdict == verdict, one.sentence
+        assert ("Check the period" in one.sentence) == (verdict == "FAIL")
+        assert (f"t = {3 * TURN:.6g} s" in one.sentence) == (verdict == "PASS")
+
+
+@pytest.mark.parametrize("period", ["pi/w", "2*pi/w*4/3", "2*pi/w*1.5"])
+def test_part_of_a_turn_of_the_drive_is_no_period(period):
+    position = judged(wheel("0.7", period, turns=4))[0]
+    assert position.verdict == "FAIL"
+    assert "Check the period" in position.sentence
+
+
+def test_a_drive_that_changes_its_speed_is_waited_for_too():
+    text = wheel("0.7", turns=3, law="w*(1 + 0.3*sin(w*t))")
+    assert [one.verdict for one in judged(text)] == ["PASS", "PASS"]
+    assert [one.verdict for one in judged(text.replace('"2*pi/w"', '"1.04*2*pi/w"'))] == ["FAIL", "FAIL"]
+
+
+def test_euler_is_judged_after_three_turns_by_what_it_strays():
+    position = judged(wheel("0.7", turns=3, law="w*(1 + 0.3*sin(w*t))"), "euler")[0]
+    assert position.verdict in {"PASS", "COARSE"}
+    assert "after 3 periods" in position.sentence
+
+
+def test_what_is_not_back_then_is_not_explained(monkeypatch):
+    """Where the motion itself is not back after the turns that the wheel needs, the stated period is wrong as before."""
+    run = solve(wheel("0.7", turns=3), "rk4")
+    monkeypatch.setattr(several_periods, "_is_back", lambda evidence, time: False)
+    assert finding("PERIOD-POSITION", evidence_of(run)).verdict == "FAIL"
