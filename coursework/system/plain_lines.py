@@ -41,7 +41,10 @@ def plain_of(record: Any) -> Any:
 def record_of(kind: type[Record], plain: Any) -> Record:
     """Return the record that `plain_of` made plain.  Raises `ValueError` for what cannot have been one."""
     of: Any = kind
-    record: Record = _way(of).back(plain)
+    try:
+        record: Record = _way(of).back(plain)
+    except (KeyError, TypeError, AttributeError) as error:  # half a sentence
+        raise ValueError(str(error)) from None
     return record
 
 

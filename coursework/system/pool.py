@@ -98,8 +98,9 @@ class Worker(Generic[Job, Answer]):
     def close(self) -> None:
         """End the process, from any thread and whatever it is doing, and start no other."""
         self._closed = True
-        if self._child is not None and self._at_work.locked():
-            self._child.kill()  # whoever waits for its answer gets none
+        child = self._child
+        if child is not None and self._at_work.locked():
+            child.kill()  # whoever waits for its answer gets none
         with self._at_work:
             self._end()
 
@@ -111,6 +112,7 @@ class Worker(Generic[Job, Answer]):
         if self._child is None:
             self._start()
             seconds = seconds and seconds + STARTING
+            line = line_of(Opening(self.trade.place, plain_of(self.trade.setup), self.trade.memory)) + line
         assert self._child is not None
         assert self._child.stdin is not None
         assert self._child.stdout is not None
@@ -147,9 +149,6 @@ class Worker(Generic[Job, Answer]):
         )  # fmt: skip
         if self._closed:  # in this very moment
             self._child.kill()
-        assert self._child.stdin is not None
-        with suppress(OSError):
-            self._child.stdin.write(line_of(Opening(self.trade.place, plain_of(self.trade.setup), self.trade.memory)))
 
     def _end(self) -> None:
         """End the process: one without a job does so by itself when its line is closed."""

@@ -65,3 +65,13 @@ def test_what_is_no_number_does_not_cross(number):
         line_of({"x": number})
     with pytest.raises(ValueError, match="is no number"):
         read_line(dict, str(number).replace("nan", "NaN").replace("inf", "Infinity").encode())
+
+
+@pytest.mark.parametrize(
+    "half", ['{"key": "none"}', '{"values": {}}', '{"key": "no.such", "values": {}}', '{"key": [], "values": 7}']
+)
+def test_half_a_sentence_is_refused(half):
+    line = line_of(WHOLE).replace(line_of(WHOLE.told).strip(), half.encode())
+    assert half.encode() in line
+    with pytest.raises(ValueError):
+        read_line(Whole, line)
