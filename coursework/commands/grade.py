@@ -16,15 +16,16 @@ from coursework.grading.batch.decisions import Override, read_overrides
 from coursework.grading.batch.gradebook import Options, grade_class
 from coursework.grading.batch.journal import Journal
 from coursework.grading.batch.single import autograder_results
-from coursework.grading.batch.supervisor import Supervisor
 from coursework.grading.batch.tables_of_class import class_tables
 from coursework.grading.batch.work import Setup, Task
+from coursework.grading.batch.workers import trade_of
 from coursework.grading.batch.written import write_gradebook
 from coursework.grading.collecting.sources import Source, collect_one
 from coursework.grading.marking.rubric import Rubric, check_rubric, read_rubric
 from coursework.grading.platforms.canvas import read_gradebook
 from coursework.grading.platforms.roster import read_roster
 from coursework.grading.platforms.worksheet import Worksheet, read_worksheet
+from coursework.system.pool import Worker
 from coursework.words.custom_templates import templates_in_use
 from coursework.words.errors import Fault, InputError, OutputError
 from coursework.words.sentences import joined, say
@@ -92,8 +93,8 @@ def _one(
     chosen, content = read_source(variant, Path())
     check_rubric(rubric, chosen)
     submission = collect_one(source)
-    with Supervisor(Setup(text, pages=False, memory_mib=memory, language=language), limit) as supervisor:
-        outcome = supervisor.grade(Task(submission, content))
+    with Worker(trade_of(Setup(text, pages=False, memory_mib=memory, language=language), limit)) as worker:
+        outcome = worker.answer(Task(submission, content))
     autograder_results(outcome.grade, results, out / "results.json", language)
     return 0
 

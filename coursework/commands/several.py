@@ -10,8 +10,8 @@ import glob
 import sys
 import traceback
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import contextmanager, nullcontext
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
+from contextlib import closing, contextmanager, nullcontext
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, get_args
@@ -21,7 +21,6 @@ import click
 from coursework.commands.run import make_run, run_variant, step_of
 from coursework.commands.screen import in_language, tell, tell_last
 from coursework.commands.templates import with_templates
-from coursework.commands.workers import outcomes
 from coursework.report.output.formats import PAGES, chosen
 from coursework.report.output.results import Results
 from coursework.report.output.write import write_set
@@ -30,6 +29,8 @@ from coursework.scene.quantities import CHECKS
 from coursework.system.budget import Budget, watched
 from coursework.system.csv_text import csv_text
 from coursework.system.file_set import clear_leftovers, working_folder
+from coursework.system.plain_lines import record_of
+from coursework.system.pool import Pool, Trade
 from coursework.system.whole_files import write_bytes
 from coursework.variant.catalogue import find, load
 from coursework.variant.reading.set_values import with_set
@@ -40,6 +41,7 @@ SUMMARY = "summary.csv"
 COMBINED = "combined.pdf"
 VERDICTS: tuple[str, ...] = get_args(Verdict)
 MOST_JOBS = 64
+OPENED = "coursework.commands.several:opened"
 OUR_FAULT, WRONG_INPUT = 3, 2
 
 
@@ -63,7 +65,7 @@ class Outcome:
     status: int
     rows: int = 0
     stop: str = ""
-    verdicts: Counter[str] = field(default_factory=Counter)
+    verdicts: Mapping[str, int] = field(default_factory=dict)
     message: str = ""
     code: str = ""
     page: dict[str, Any] | None = None
@@ -92,7 +94,7 @@ class RunTask:
         with with_templates(self.templates), working_folder(self.out) as hidden:
             yield lambda item: self._outcome(item, hidden)
 
-    def lost(self, item: Item) -> Outcome:
+    def lost(self, item: Item, late: bool) -> Outcome:
         """Return the outcome of a variant whose process died."""
         return Outcome(item, WRONG_INPUT, message=say("screen.lost", variant=item.variant))
 
@@ -129,6 +131,26 @@ class RunTask:
         failed = "; ".join(f"{check.code}: {written(check.sentence)}" for check in checks if check.verdict in wrong)
         page = results.model.plain() if self.combined else None
         return Outcome(item, run.status(strict), len(run.motion.t), stop, Counter(c.verdict for c in checks), failed, page=page)
+
+
+@contextmanager
+def opened(plain_task: Any) -> Iterator[Callable[[Any], Outcome]]:
+    """Yield what runs one variant after the other in a process of the pool."""
+    with record_of(RunTask, plain_task).ready() as work:
+        yield lambda plain_item: work(record_of(Item, plain_item))
+
+
+def outcomes(task: RunTask, items: Sequence[Item], jobs: int) -> Generator[tuple[int, Outcome], None, None]:
+    """Yield (index, outcome) of every item as it is done: in this process for one job, else in so many others."""
+    if jobs == 1:
+        with task.ready() as work:
+            for index, item in enumerate(items):
+                yield index, work(item)
+        return
+    # A run that its budget had to end from outside would only take as long again: it is tried once.
+    trade = Trade(OPENED, task, Outcome, task.lost, tries=1, quiet=False)
+    with Pool(trade, min(jobs, len(items))) as pool:
+        yield from pool.answers(enumerate(items))
 
 
 def _code(error: CourseworkError | MemoryError) -> str:
@@ -168,8 +190,8 @@ def run_several(variants: Sequence[str], jobs: int, task: RunTask) -> int:
         else nullcontext()
     )
     try:
-        with bar as progress:
-            for index, outcome in outcomes(task, items, min(jobs, MOST_JOBS)):
+        with bar as progress, closing(outcomes(task, items, min(jobs, MOST_JOBS))) as found:
+            for index, outcome in found:
                 done[index] = outcome
                 if progress is not None:
                     progress.update(1)
@@ -197,7 +219,7 @@ def summary_csv(ordered: Iterable[Outcome]) -> str:
     """Return the summary: a line a variant, its exit status, rows, checks by verdict, what went wrong and the code of a fault."""
     head = ["variant", "folder", "status", "rows", *(verdict.lower() for verdict in VERDICTS), "sentence", "code"]
     rows = (
-        [each.item.variant, each.item.folder, each.status, each.rows, *(each.verdicts[verdict] for verdict in VERDICTS),
+        [each.item.variant, each.item.folder, each.status, each.rows, *(each.verdicts.get(verdict, 0) for verdict in VERDICTS),
          each.sentence, each.code]
         for each in ordered
     )  # fmt: skip
@@ -210,7 +232,7 @@ def summary_lines(ordered: Sequence[Outcome]) -> Iterator[str]:
     heads = "  ".join(f"{verdict:>6}" for verdict in VERDICTS)
     yield f"{'variant':<{width}}  status    rows  {heads}"
     for each in ordered:
-        counts = "  ".join(f"{each.verdicts[verdict]:>6}" for verdict in VERDICTS)
+        counts = "  ".join(f"{each.verdicts.get(verdict, 0):>6}" for verdict in VERDICTS)
         why = "" if not each.status else f"  {each.sentence[:100]}"
         yield f"{each.item.folder:<{width}}  {each.status:>6}  {each.rows:>6}  {counts}{why}"
     counted = Counter(each.status for each in ordered)

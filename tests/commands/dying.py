@@ -1,4 +1,4 @@
-"""A task whose process ends at once over every item that says so: alone in a file, as every process of it reads that file.
+"""What a process of `run A B C …` does here instead of running variants: it dies over each that is called "die".
 
 Enters: items.  Leaves: outcomes.  Used by `test_several.py`.
 """
@@ -6,24 +6,19 @@ Enters: items.  Leaves: outcomes.  Used by `test_several.py`.
 from __future__ import annotations
 
 import os
+from contextlib import contextmanager
+
+from coursework.commands.several import Item, Outcome
+from coursework.system.plain_lines import record_of
 
 
-class Dying:
-    """Answers an item in capitals; dies over "die"."""
+@contextmanager
+def opened(task):
+    yield work
 
-    def ready(self):
-        return self
 
-    def __enter__(self):
-        return self.work
-
-    def __exit__(self, *_):
-        return None
-
-    def work(self, item):
-        if item == "die":
-            os._exit(7)
-        return item.upper()
-
-    def lost(self, item):
-        return f"lost {item}"
+def work(plain):
+    item = record_of(Item, plain)
+    if item.variant == "die":
+        os._exit(7)
+    return Outcome(item, 0)

@@ -1,17 +1,15 @@
 """Several variants are one command: a folder each, one summary, and one faulty file stops nothing."""
 
 import csv
-import os
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
-from coursework.commands import several, workers
-from coursework.commands.several import Item, Outcome
+from coursework.commands import several
+from coursework.commands.several import Item, Outcome, RunTask
+from coursework.system.budget import Budget
+from coursework.words.sentences import say
 from tests.command import call
-from tests.commands.dying import Dying
 
 PAGE = (Path(__file__).parents[1] / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
 CSV = ["--format", "csv", "--quantities", "table,checks"]
@@ -117,18 +115,18 @@ def test_what_looks_at_one_variant_asks_for_one(options):
     assert "look at one variant. Name one." in result.stderr
 
 
-def test_a_process_that_dies_takes_only_its_item_along():
-    code = "from tests.commands.dying import Dying\nfrom coursework.commands import workers\n"
-    code += "if __name__ == '__main__':\n"
-    code += "    print(sorted(workers.outcomes(Dying(), ['a', 'die', 'b', 'die', 'c', 'd'], 2)))"
-    root = str(Path(__file__).parents[2])
-    environment = {**os.environ, "PYTHONPATH": root}
-    done = subprocess.run([sys.executable, "-c", code], cwd=root, env=environment, capture_output=True, text=True, check=False)
-    assert done.stdout == "[(0, 'A'), (1, 'lost die'), (2, 'B'), (3, 'lost die'), (4, 'C'), (5, 'D')]\n", done.stderr
-
-
-def test_one_job_is_this_process():
-    assert list(workers.outcomes(Dying(), ["a", "b"], 1)) == [(0, "A"), (1, "B")]
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_a_process_that_dies_takes_only_its_item_along(jobs, monkeypatch):
+    """Whether it is the first of the pool or the second that is lost: the others are run, each once."""
+    monkeypatch.setattr(several, "OPENED", "tests.commands.dying:opened")
+    items = [Item(name, name) for name in ("die", "a", "b", "die", "die", "c")]
+    task = RunTask(Path("o"), None, "en", {}, Budget())
+    found = {}
+    for index, outcome in several.outcomes(task, items, 1 + jobs):
+        assert index not in found
+        found[index] = outcome
+    assert [(found[k].item, found[k].status) for k in range(6)] == [(item, 2 if item.variant == "die" else 0) for item in items]
+    assert {outcome.message for outcome in found.values() if outcome.status} == {say("screen.lost", variant="die")}
 
 
 def test_the_worst_status_is_that_of_the_command():

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import json
-
 import coursework
 from coursework.grading.reading.expected import grid_of
-from coursework.grading.reading.submission import Submission, note, submission_from, submitted_file
+from coursework.grading.reading.submission import Submission, note, submitted_file
+from coursework.system.plain_lines import line_of, read_line
 
 
 def test_a_submission_survives_json() -> None:
     files = (submitted_file("table.csv", b"t;phi1\r\n\xff\x00"), submitted_file("скан.pdf", b"%PDF-1.4"))
     notes = (note("attachment", name="скан.pdf", why=""),)
     handed = Submission("Ім'я ‮_12", None, files, notes)
-    copied = submission_from(json.loads(json.dumps(handed.plain())))
+    copied = read_line(Submission, line_of(handed))
     assert copied == handed
     assert copied.notes[0].text.key == "reading.note.attachment"
     assert copied.files[0].size == 10

@@ -8,15 +8,15 @@ from __future__ import annotations
 import hashlib
 import os
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import closing
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from coursework.grading.batch.class_list import ClassList
 from coursework.grading.batch.decisions import Override
 from coursework.grading.batch.journal import Entry, Journal
-from coursework.grading.batch.supervisor import LIMIT
 from coursework.grading.batch.work import REASONS, Outcome, Setup
-from coursework.grading.batch.workers import Keyed, in_threads, on_cluster
+from coursework.grading.batch.workers import LIMIT, Keyed, in_processes, on_cluster
 from coursework.grading.collecting.sources import Source
 from coursework.grading.platforms.names import file_stem
 from coursework.system.whole_files import write_bytes
@@ -34,8 +34,8 @@ class Options:
     limit: float = LIMIT
 
     @property
-    def threads(self) -> int:
-        """Return how many children work at once."""
+    def processes(self) -> int:
+        """Return how many processes work at once."""
         return self.jobs or min(MOST_JOBS, os.cpu_count() or 1)
 
 
@@ -96,15 +96,16 @@ def grade_class(
     done = (
         on_cluster(tasks, setup, options.scheduler, options.limit)
         if options.scheduler
-        else in_threads(tasks, setup, options.threads, options.limit)
+        else in_processes(tasks, setup, options.processes, options.limit)
     )
-    for key, outcome in done:
-        entry = Entry(key, outcome.id, outcome.grade, _page_written(out, outcome))
-        graded.places[outcome.id] = journal.add(entry)
-        graded.fresh += 1
-        if change := _change(entry, journal.read(by_id[outcome.id]) if outcome.id in by_id else None):
-            graded.changes.append(change)
-        progress()
+    with closing(done):
+        for key, outcome in done:
+            entry = Entry(key, outcome.id, outcome.grade, _page_written(out, outcome))
+            graded.places[outcome.id] = journal.add(entry)
+            graded.fresh += 1
+            if change := _change(entry, journal.read(by_id[outcome.id]) if outcome.id in by_id else None):
+                graded.changes.append(change)
+            progress()
     graded.changes.sort(key=lambda change: change.id)
     return graded
 

@@ -6,12 +6,13 @@ Memory holds places in the file, not grades: a university's journal is larger th
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
 from typing import IO, Any
+
+from coursework.system.plain_lines import line_of, read_line
 
 NAME = "journal.jsonl"
 AGAIN = ("timeout", "crashed-grader")  # a fault of ours or of the machine may be gone by the next run
@@ -25,19 +26,6 @@ class Entry:
     id: str
     grade: dict[str, Any]
     page: str = ""
-
-    def line(self) -> bytes:
-        """Return the entry as one line of JSON."""
-        plain = {"key": self.key, "id": self.id, "grade": self.grade, "page": self.page}
-        return json.dumps(plain, ensure_ascii=True, separators=(",", ":"), allow_nan=False).encode("ascii") + b"\n"
-
-
-def _entry(line: bytes) -> Entry:
-    """Return the entry of a line.  Raises `ValueError` for a torn one."""
-    plain = json.loads(line)
-    if not isinstance(plain, dict) or set(plain) != {"key", "id", "grade", "page"} or not isinstance(plain["grade"], dict):
-        raise ValueError("not an entry")
-    return Entry(plain["key"], plain["id"], plain["grade"], plain["page"])
 
 
 class Journal:
@@ -68,7 +56,7 @@ class Journal:
         place = file.seek(0)
         for line in file:
             try:
-                entry = _entry(line)
+                entry = read_line(Entry, line)
             except ValueError:
                 entry = None
             if entry is not None:
@@ -82,13 +70,13 @@ class Journal:
         """Return the entry that stands at a place."""
         file = self._open()
         file.seek(place)
-        return _entry(file.readline())
+        return read_line(Entry, file.readline())
 
     def add(self, entry: Entry) -> int:
         """Write one entry so that it is there even if the power goes now; return its place."""
         file = self._open()
         place = file.seek(0, 2)
-        file.write(entry.line())
+        file.write(line_of(entry))
         file.flush()
         return place
 
@@ -97,7 +85,7 @@ class Journal:
         part = self.path.with_name(f".{NAME}.part")
         with part.open("wb") as file:
             for place in places:
-                file.write(self.read(place).line())
+                file.write(line_of(self.read(place)))
         self._open().close()
         part.replace(self.path)
 

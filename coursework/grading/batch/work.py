@@ -1,11 +1,11 @@
 """What a child needs to grade one submission, as plain data that crosses to another process or machine.
 
-Enters: variants, rubric, options.  Leaves: `Setup`, `Task`, `Outcome`.  Used by the child, the supervisor and the cluster.
+Enters: variants, rubric, options.  Leaves: `Setup`, `Task`, `Outcome`.  Used by `workshop.py` in the processes that mark,
+by `workers.py` beside them, by the class list and the command.
 """
 
 from __future__ import annotations
 
-import base64
 import hashlib
 import json
 from collections.abc import Mapping
@@ -16,7 +16,8 @@ from typing import Any
 from coursework.grading.batch.decisions import Override, overridden
 from coursework.grading.marking.grade import blank_grade
 from coursework.grading.marking.rubric import read_rubric
-from coursework.grading.reading.submission import Submission, submission_from
+from coursework.grading.reading.submission import Submission
+from coursework.system.plain_lines import plain_of
 from coursework.system.version import VERSION
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH, load_phrases
@@ -41,17 +42,6 @@ class VariantSource:
             digest.update(name.encode() + b"\0" + self.tables[name])
         return digest.hexdigest()
 
-    def plain(self) -> dict[str, Any]:
-        """Return the source as JSON can carry it."""
-        tables = {name: base64.b64encode(content).decode("ascii") for name, content in self.tables.items()}
-        return {"name": self.name, "content": base64.b64encode(self.content).decode("ascii"), "tables": tables}
-
-
-def source_from(plain: Mapping[str, Any]) -> VariantSource:
-    """Return the source that `plain()` wrote."""
-    tables = {name: base64.b64decode(content) for name, content in plain["tables"].items()}
-    return VariantSource(plain["name"], base64.b64decode(plain["content"]), tables)
-
 
 @dataclass(frozen=True)
 class Setup:
@@ -67,20 +57,6 @@ class Setup:
     pieces: Mapping[str, bytes] = field(default_factory=dict)
     language: str = ENGLISH
 
-    def plain(self) -> dict[str, Any]:
-        """Return the setup as JSON can carry it."""
-        return {
-            "rubric": self.rubric, "pages": self.pages, "memory_mib": self.memory_mib,
-            "class_tables": dict(self.class_tables), "language": self.language,
-            "pieces": {name: base64.b64encode(content).decode("ascii") for name, content in self.pieces.items()},
-        }  # fmt: skip
-
-
-def setup_from(plain: Mapping[str, Any]) -> Setup:
-    """Return the setup that `plain()` wrote."""
-    pieces = {name: base64.b64decode(content) for name, content in plain["pieces"].items()}
-    return Setup(plain["rubric"], plain["pages"], plain["class_tables"], plain["memory_mib"], pieces, plain["language"])
-
 
 @dataclass(frozen=True, slots=True)
 class Task:
@@ -90,19 +66,11 @@ class Task:
     variant: VariantSource
     overrides: tuple[Override, ...] = ()
 
-    def line(self) -> bytes:
-        """Return the task as one line of JSON."""
-        plain = {
-            "submission": self.submission.plain(), "variant": self.variant.plain(),
-            "overrides": [override.plain() for override in self.overrides],
-        }  # fmt: skip
-        return json.dumps(plain, ensure_ascii=True, separators=(",", ":")).encode("ascii") + b"\n"
-
     def key(self, setup: Setup) -> str:
         """Return the content a journal knows this work by, one hash a reason to grade anew; never a path or a clock."""
         looks = (GRADING_VERSION, VERSION, setup.pages, sorted(setup.pieces.items()), setup.language)
         parts = {
-            "files": json.dumps(self.submission.plain(), sort_keys=True),
+            "files": json.dumps(plain_of(self.submission), sort_keys=True),
             "variant": self.variant.sha256,
             "rubric": setup.rubric,
             "overrides": json.dumps([override.plain() for override in self.overrides]),
@@ -116,13 +84,6 @@ REASONS = ("files", "variant", "rubric", "overrides", "version")
 _DIGITS = 32
 
 
-def task_from(line: bytes) -> Task:
-    """Return the task of a line."""
-    plain = json.loads(line)
-    overrides = tuple(Override(**override) for override in plain["overrides"])
-    return Task(submission_from(plain["submission"]), source_from(plain["variant"]), overrides)
-
-
 @dataclass(frozen=True, slots=True)
 class Outcome:
     """What came of one submission: `grade` as grades.json says it, and its page ("" where none was asked for)."""
@@ -130,19 +91,6 @@ class Outcome:
     id: str
     grade: dict[str, Any]
     page: str = ""
-
-    def line(self) -> bytes:
-        """Return the outcome as one line of JSON."""
-        plain = {"id": self.id, "grade": self.grade, "page": self.page}
-        return json.dumps(plain, ensure_ascii=True, separators=(",", ":"), allow_nan=False).encode("ascii") + b"\n"
-
-
-def outcome_from(line: bytes) -> Outcome:
-    """Return the outcome of a line.  Raises `ValueError` where a line is torn."""
-    plain = json.loads(line)
-    if not isinstance(plain, dict) or set(plain) != {"id", "grade", "page"}:
-        raise ValueError("not an outcome")
-    return Outcome(plain["id"], plain["grade"], plain["page"])
 
 
 def failed(task: Task, setup: Setup, status: str, reason: Sentence) -> Outcome:

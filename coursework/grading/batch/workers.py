@@ -1,19 +1,19 @@
-"""Many tasks at once: threads that each watch a child, or the workers of a Dask cluster that do the same.
+"""Many tasks at once: a pool of processes here, or the workers of a Dask cluster that each watch one.
 
 Enters: tasks by the key of their work, lazily.  Leaves: (key, `Outcome`) pairs as they come, each key once.
-Used by `gradebook.py`; both ways give the same outcomes in another order.
+Used by `gradebook.py` and the command; both ways give the same outcomes in another order.
 """
 
 from __future__ import annotations
 
 import itertools
-import queue
 import threading
-from collections.abc import Iterable, Iterator
+from collections.abc import Generator, Iterable, Iterator
 from typing import Any
 
-from coursework.grading.batch.supervisor import LIMIT, Supervisor
-from coursework.grading.batch.work import Outcome, Setup, Task, outcome_from, setup_from, task_from
+from coursework.grading.batch.work import Outcome, Setup, Task, failed
+from coursework.system.plain_lines import line_of, plain_of, read_line, record_of
+from coursework.system.pool import Pool, Trade, Worker
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
@@ -21,53 +21,32 @@ Keyed = tuple[str, Task]
 CHUNK = 100  # submissions a cluster task: far longer than its way there and back
 PATIENCE = 10  # s to reach a scheduler
 AHEAD = 2  # chunks a worker thread has waiting
-_END = object()
+LIMIT = 10.0  # s a submission may take
+OPENED = "coursework.grading.batch.workshop:opened"
 
 
-def in_threads(tasks: Iterable[Keyed], setup: Setup, jobs: int, limit: float = LIMIT) -> Iterator[tuple[str, Outcome]]:
-    """Yield the outcome of each task from `jobs` threads with a child each; tasks are drawn as they are needed."""
-    waiting = iter(tasks)
-    drawing = threading.Lock()
-    done: queue.Queue[Any] = queue.Queue(maxsize=2 * jobs)
-    ended = threading.Event()
+def trade_of(setup: Setup, limit: float = LIMIT) -> Trade[Task, Outcome]:
+    """Return what the processes that mark do: a submission may take `limit` seconds, and as much memory as `setup` says."""
 
-    def work() -> None:
-        try:
-            with Supervisor(setup, limit) as supervisor:
-                while not ended.is_set():
-                    with drawing:
-                        drawn = next(waiting, None)
-                    if drawn is None:
-                        break
-                    done.put((drawn[0], supervisor.grade(drawn[1])))
-        except BaseException as error:
-            done.put(error)
-        finally:
-            done.put(_END)
+    def unanswered(task: Task, late: bool) -> Outcome:
+        if late:
+            return failed(task, setup, "timeout", say("grading.timeout", seconds=limit))
+        return failed(task, setup, "crashed-grader", say("grading.crashed_grader"))
 
-    threads = [threading.Thread(target=work, daemon=True) for _ in range(jobs)]
-    for thread in threads:
-        thread.start()
-    try:
-        open_threads = len(threads)
-        while open_threads:
-            found = done.get()
-            if found is _END:
-                open_threads -= 1
-            elif isinstance(found, BaseException):
-                raise found
-            else:
-                yield found
-    finally:
-        ended.set()
-        while any(thread.is_alive() for thread in threads):
-            try:  # threads that wait to hand over an outcome nobody takes any more
-                done.get(timeout=0.05)
-            except queue.Empty:
-                continue
+    return Trade(OPENED, setup, Outcome, unanswered, seconds=limit, memory=setup.memory_mib)
 
 
-def on_cluster(tasks: Iterable[Keyed], setup: Setup, address: str, limit: float = LIMIT) -> Iterator[tuple[str, Outcome]]:
+def in_processes(
+    tasks: Iterable[Keyed], setup: Setup, jobs: int, limit: float = LIMIT
+) -> Generator[tuple[str, Outcome], None, None]:
+    """Yield the outcome of each task from `jobs` processes; tasks are drawn as they are needed."""
+    with Pool(trade_of(setup, limit), jobs) as pool:
+        yield from pool.answers(tasks)
+
+
+def on_cluster(
+    tasks: Iterable[Keyed], setup: Setup, address: str, limit: float = LIMIT
+) -> Generator[tuple[str, Outcome], None, None]:
     """Yield the outcome of each task from the workers of a Dask cluster.  Raises `InputError` where there is none.
 
     A killed worker's chunks are computed anew elsewhere; a chunk's result is taken once, so nothing is lost or doubled.
@@ -82,7 +61,7 @@ def on_cluster(tasks: Iterable[Keyed], setup: Setup, address: str, limit: float 
     except (OSError, TimeoutError, ValueError) as error:
         raise InputError(say("fault.G033", address=address, error=error)) from None
     with client:
-        shared = setup.plain()
+        shared = plain_of(setup)
         chunks = _chunks(tasks)
         running: dict[Any, list[str]] = {}
         results = cluster.as_completed()
@@ -90,7 +69,7 @@ def on_cluster(tasks: Iterable[Keyed], setup: Setup, address: str, limit: float 
 
         def more() -> None:
             while len(running) < most and (chunk := next(chunks, None)):
-                lines = [task.line() for _, task in chunk]
+                lines = [line_of(task) for _, task in chunk]
                 future = client.submit(grade_chunk, shared, lines, limit, pure=False, retries=0)
                 running[future.key] = [key for key, _ in chunk]
                 results.add(future)
@@ -99,7 +78,7 @@ def on_cluster(tasks: Iterable[Keyed], setup: Setup, address: str, limit: float 
         for future in results:
             keys = running.pop(future.key)
             lines = future.result()
-            yield from zip(keys, map(outcome_from, lines), strict=True)
+            yield from zip(keys, (read_line(Outcome, line) for line in lines), strict=True)
             more()
 
 
@@ -113,11 +92,10 @@ _keeping = threading.local()
 
 
 def grade_chunk(setup: dict[str, Any], lines: list[bytes], limit: float) -> list[bytes]:
-    """Return the outcome lines of some task lines; runs on a worker, whose child stays warm from chunk to chunk."""
-    wanted = setup_from(setup)
-    kept: Supervisor | None = getattr(_keeping, "supervisor", None)
-    if kept is None or kept.setup != wanted or kept.limit != limit:
-        if kept is not None:
+    """Return the outcome lines of some task lines; runs on a worker, whose process stays warm from chunk to chunk."""
+    if getattr(_keeping, "wanted", None) != (setup, limit):
+        if kept := getattr(_keeping, "worker", None):
             kept.close()
-        kept = _keeping.supervisor = Supervisor(wanted, limit)
-    return [kept.grade(task_from(line)).line() for line in lines]
+        _keeping.worker = Worker(trade_of(record_of(Setup, setup), limit))
+        _keeping.wanted = setup, limit
+    return [line_of(_keeping.worker.answer(read_line(Task, line))) for line in lines]

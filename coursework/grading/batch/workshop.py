@@ -1,16 +1,19 @@
-"""Inside a child: a task line -> an outcome.  Keys of variants are made once and kept.
+"""Inside a process that marks: a task -> an outcome.  Keys of variants are made once and kept.
 
-Enters: `Setup`, task lines.  Leaves: `Outcome`s.  Used by `child.py` only.
+Enters: `Setup`, tasks.  Leaves: `Outcome`s.  Every process of `workers.py` opens one, by name; nobody imports it.
 """
 
 from __future__ import annotations
 
 from collections import OrderedDict
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
 
 import numpy as np
 
 from coursework.grading.batch.decisions import overridden
-from coursework.grading.batch.work import Outcome, Setup, VariantSource, failed, task_from
+from coursework.grading.batch.work import Outcome, Setup, Task, VariantSource, failed
 from coursework.grading.marking.grade import Grade, Marker
 from coursework.grading.marking.reference import key_of
 from coursework.grading.marking.rubric import Rubric, read_rubric
@@ -18,11 +21,21 @@ from coursework.grading.pages.feedback import feedback_page
 from coursework.grading.reading.expected import Expected, grid_of
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.submission import Submission
+from coursework.system.plain_lines import record_of
 from coursework.variant.reading.reader import parse_variant
+from coursework.words.custom_templates import templates_standing_in
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import load_phrases, say
 
 KEPT = 8  # keys at once: a class shares one, or each student has an own one
+
+
+@contextmanager
+def opened(plain_setup: Any) -> Iterator[Callable[[Any], Outcome]]:
+    """Yield what marks one submission after the other, with the instructor's own pieces of pages standing in."""
+    setup = record_of(Setup, plain_setup)
+    with templates_standing_in(setup.pieces):
+        yield Workshop(setup).answer
 
 
 class Workshop:
@@ -34,9 +47,9 @@ class Workshop:
         self._tables = {name: np.array(table) for name, table in setup.class_tables.items()}
         self._markers: OrderedDict[str, tuple[Marker, Expected]] = OrderedDict()
 
-    def answer(self, line: bytes) -> Outcome:
-        """Return the outcome of one task line."""
-        task = task_from(line)
+    def answer(self, plain_task: Any) -> Outcome:
+        """Return the outcome of one task, which has come as plain data."""
+        task = record_of(Task, plain_task)
         submission, source = task.submission, task.variant
         try:
             grade = self.grade(submission, source)

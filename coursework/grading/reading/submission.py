@@ -6,10 +6,8 @@ Used by every part of this room.
 
 from __future__ import annotations
 
-import base64
 import hashlib
 from dataclasses import dataclass, field
-from typing import Any
 
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
@@ -44,14 +42,17 @@ class SubmittedFile:
 
     name: str
     content: bytes = field(repr=False)
-    sha256: str
     size: int
     trouble: Sentence | None = None
+    sha256: str = field(init=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "sha256", hashlib.sha256(self.content).hexdigest())
 
 
 def submitted_file(name: str, content: bytes, trouble: Sentence | None = None, size: int | None = None) -> SubmittedFile:
     """Return the record of a file whose bytes were just read."""
-    return SubmittedFile(name, content, hashlib.sha256(content).hexdigest(), len(content) if size is None else size, trouble)
+    return SubmittedFile(name, content, len(content) if size is None else size, trouble)
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,57 +67,3 @@ class Submission:
     files: tuple[SubmittedFile, ...]
     notes: tuple[Note, ...] = ()
     review: Sentence | None = None
-
-    def plain(self) -> dict[str, Any]:
-        """Return the submission as JSON can carry it to another process."""
-        return {
-            "id": self.id,
-            "name": self.name,
-            "files": [
-                {
-                    "name": file.name,
-                    "content": base64.b64encode(file.content).decode("ascii"),
-                    "trouble": _said(file.trouble),
-                    "size": file.size,
-                }
-                for file in self.files
-            ],
-            "notes": [{"code": entry.code, "text": _said(entry.text)} for entry in self.notes],
-            "review": _said(self.review),
-        }
-
-
-def submission_from(plain: dict[str, Any]) -> Submission:
-    """Return the submission that `plain()` wrote."""
-    return Submission(
-        plain["id"],
-        plain["name"],
-        tuple(
-            submitted_file(file["name"], base64.b64decode(file["content"]), _sentence(file["trouble"]), file["size"])
-            for file in plain["files"]
-        ),
-        tuple(Note(entry["code"], _sentence(entry["text"]) or say("none")) for entry in plain["notes"]),
-        _sentence(plain["review"]),
-    )
-
-
-def _said(sentence: Sentence | None) -> dict[str, Any] | None:
-    if sentence is None:
-        return None
-    return {"key": sentence.key, "values": {name: _carried(value) for name, value in sentence.values.items()}}
-
-
-def _carried(value: object) -> Any:
-    if isinstance(value, tuple):
-        return [_carried(part) for part in value]
-    return _said(value) if isinstance(value, Sentence) else value
-
-
-def _sentence(plain: dict[str, Any] | None) -> Sentence | None:
-    return None if plain is None else say(plain["key"], **{name: _value(found) for name, found in plain["values"].items()})
-
-
-def _value(plain: Any) -> Any:
-    if isinstance(plain, list):
-        return tuple(map(_value, plain))
-    return _sentence(plain) if isinstance(plain, dict) else plain

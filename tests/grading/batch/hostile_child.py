@@ -1,11 +1,11 @@
-"""The real child, in which some names of students do what a hostile or broken file might one day do."""
+"""The real work of a process, in which some names of students do what a hostile or broken file might one day do."""
 
 import os
-import sys
 import time
 from pathlib import Path
 
-from coursework.grading.batch import child, workshop
+from coursework.grading.batch import workshop
+from coursework.system import pool_process
 
 _grade = workshop.Workshop.grade
 held = [100]  # MiB, said to be held
@@ -27,7 +27,5 @@ def grade(self, submission, source):
 
 
 workshop.Workshop.grade = grade
-child.most_memory = lambda: held[0]
-
-if __name__ == "__main__":
-    sys.exit(child.main())
+pool_process.memory_held = lambda: held[0] * 2**20
+opened = workshop.opened

@@ -10,7 +10,8 @@ import pytest
 from click.testing import CliRunner
 
 from coursework.commands.cli import main
-from coursework.grading.batch import supervisor
+from coursework.grading.batch import workers
+from coursework.system import pool
 from tests.grading.batch.classroom import hand_in, small_class
 from tests.grading.marking import students
 
@@ -212,7 +213,7 @@ def test_killers_hangs_and_hogs_are_told_apart_and_stop_nobody_else(tmp_path, mo
     source, out = tmp_path / "in", tmp_path / "out"
     for student in ("a", "b", "killer", "c", "hang", "d", "hog", "e", "once"):
         hand_in(source / student)
-    monkeypatch.setattr(supervisor, "CHILD", "tests.grading.batch.hostile_child")
+    monkeypatch.setattr(workers, "OPENED", "tests.grading.batch.hostile_child:opened")
     monkeypatch.setenv("COURSEWORK_TEST_ONCE", str(tmp_path / "once"))
     monkeypatch.setenv("PYTHONPATH", str(Path(__file__).parents[3]))
     done = grade(source, out, "--limit", "6", "--jobs", "2")
@@ -230,12 +231,12 @@ def test_killers_hangs_and_hogs_are_told_apart_and_stop_nobody_else(tmp_path, mo
 def test_a_child_that_has_grown_by_256_mib_is_replaced(tmp_path, monkeypatch, leaks, children):
     for student in ("a", leaks, "z"):
         hand_in(tmp_path / "in" / student)
-    monkeypatch.setattr(supervisor, "CHILD", "tests.grading.batch.hostile_child")
+    monkeypatch.setattr(workers, "OPENED", "tests.grading.batch.hostile_child:opened")
     monkeypatch.setenv("COURSEWORK_TEST_ONCE", str(tmp_path / "once"))
     monkeypatch.setenv("PYTHONPATH", str(Path(__file__).parents[3]))
     started = []
-    start = supervisor.Supervisor._start
-    monkeypatch.setattr(supervisor.Supervisor, "_start", lambda self: (started.append(self), start(self)))
+    start = pool.Worker._start
+    monkeypatch.setattr(pool.Worker, "_start", lambda self: (started.append(self), start(self)))
     done = grade(tmp_path / "in", tmp_path / "out", "--no-pages")
     assert done.exit_code == 0, done.output
     assert {entry["status"] for entry in submissions(tmp_path / "out").values()} == {"graded"}

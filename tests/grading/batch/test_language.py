@@ -3,8 +3,9 @@
 import json
 import re
 
-from coursework.grading.batch.work import Setup, setup_from
-from coursework.grading.reading.submission import Submission, submission_from
+from coursework.grading.batch.work import Setup
+from coursework.grading.reading.submission import Submission
+from coursework.system.plain_lines import line_of, read_line
 from coursework.words.sentences import load_phrases, say
 from tests.grading.batch.classroom import hand_in, small_class
 from tests.grading.batch.test_batch import grade, rows, submissions
@@ -67,9 +68,9 @@ def test_the_results_for_an_autograder_in_ukrainian(tmp_path):
 
 def test_language_and_sentences_cross_to_another_process():
     setup = Setup(language="uk")
-    assert setup_from(json.loads(json.dumps(setup.plain()))) == setup
+    assert read_line(Setup, line_of(setup)) == setup
     review = say("reading.review.resubmitted", names=("a", say("feedback.part.table")))
-    crossed = submission_from(json.loads(json.dumps(Submission("1", None, (), review=review).plain()))).review
+    crossed = read_line(Submission, line_of(Submission("1", None, (), review=review))).review
     uk = load_phrases("uk")
     assert crossed == review
     assert uk.written(crossed) == uk.written(review)

@@ -21,7 +21,8 @@ from pathlib import Path
 from coursework.grading.reading.equations.answers import read_answer
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.student_work import StudentWork
-from coursework.grading.reading.submission import Submission, submission_from, submitted_file
+from coursework.grading.reading.submission import Submission, submitted_file
+from coursework.system.plain_lines import plain_of, record_of
 from tests.grading.reading.dialects import DIALECTS, STYLES, archive, written
 from tests.grading.scenes import expected, times
 
@@ -147,7 +148,7 @@ def run(cases: int, seed: int = 0) -> Counter[str]:
             )
             began = time.process_time()
             try:
-                counts[outcome(read_submission(submission_from(handed.plain()), scene))] += 1
+                counts[outcome(read_submission(record_of(Submission, plain_of(handed)), scene))] += 1
                 read_answer(content[:80].decode("utf-8", "replace"), "f", 1, ("wAB",))
             except Exception as error:
                 raise AssertionError(f"case {case}: {error!r}") from error
