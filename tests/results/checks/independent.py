@@ -56,10 +56,31 @@ class Judge:
         if time.period is None:
             if float(np.max(self._missed(self.rows[row])[self.columns])) > RETURNS:
                 return "SKIP"
-        elif self.after is not None and float(np.max(self._missed(self.after)[places])) > RETURNS:
-            return "FAIL"
+        elif self.after is not None and float(np.max(self._missed(self.after)[self.columns])) > RETURNS:
+            if self._is_drive_back(self.after):
+                return self._later(places)
+            if float(np.max(self._missed(self.after)[places])) > RETURNS:
+                return "FAIL"
         gap = motion.rows[row] - motion.rows[0]
         return float(np.max(self._share(gap)[places]))
+
+    def _is_drive_back(self, row: np.ndarray) -> bool:
+        variant = self.run.variant
+        driven = [c for c in variant.coordinates if c.rate in variant.known_rates]
+        names = [name for c in driven for name in (c.name, c.rate)]
+        missed = self._missed(row)
+        return bool(names) and all(missed[self.run.motion.names.index(name)] <= RETURNS for name in names)
+
+    def _later(self, places: list[int]) -> float | str:
+        """Return the share after the first of a hundred periods in which every column is back to 0.001 of its scale."""
+        motion, period = self.run.motion, self.run.variant.time.period
+        rows = follow(self.run, period * np.arange(101))
+        back = [k for k in range(1, 101) if float(np.max(self._missed(rows[k]))) <= 1e-3]
+        whole = int((motion.t[-1] + motion.step / 2) / (back[0] * period)) if back else 0
+        if not whole:
+            return "SKIP"
+        row = min(round(whole * back[0] * period / motion.step), len(motion.t) - 1)
+        return float(np.max(self._share(motion.rows[row] - motion.rows[0])[places]))
 
     def _missed(self, row: np.ndarray) -> np.ndarray:
         return self._share(row - self.rows[0])

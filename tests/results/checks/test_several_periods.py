@@ -5,7 +5,9 @@ import math
 import pytest
 
 from coursework.results.checks.close_to_motion import several_periods
+from tests.results.checks.independent import judge
 from tests.results.checks.scenes import evidence_of, finding, found, solve
+from tests.results.checks.verdicts import contradictions
 
 PERIODS = ("PERIOD-POSITION", "PERIOD-VELOCITY")
 TURN = 2 * math.pi / 5
@@ -135,3 +137,17 @@ def test_what_is_not_back_then_is_not_explained(monkeypatch):
     run = solve(wheel("0.7", turns=3), "rk4")
     monkeypatch.setattr(several_periods, "_is_back", lambda evidence, time: False)
     assert finding("PERIOD-POSITION", evidence_of(run)).verdict == "FAIL"
+
+
+@pytest.mark.parametrize("ring", ["0.7", "0.75", "0.9", repr(0.3 * (1 + math.sqrt(2)))])
+@pytest.mark.parametrize("turns", [1, 3, 4])
+def test_an_independent_integration_says_the_same(ring, turns):
+    run = solve(wheel(ring, turns=turns, law="w*(1 + 0.3*sin(w*t))"), "heun")
+    assert contradictions(run, judge(run)) == []
+
+
+def test_a_wheel_nearly_back_is_told_the_same_by_positions_and_velocities():
+    """98 % of a turn a lap: the wheel is off its start by less than 3 %, the pin's speed by more."""
+    told = judged(wheel(repr(0.3 * 1.98), turns=1).replace('e = "0.1 m"', 'e = "0.5 m"'))
+    assert [one.verdict for one in told] == ["SKIP", "SKIP"]
+    assert all("after 50 periods" in one.sentence for one in told)

@@ -163,13 +163,15 @@ def _periods(evidence: Evidence, back: Later) -> str:
 
 def _wrong(evidence: Evidence, names: list[str]) -> Finding | None:
     """Return that the stated period is wrong, or that of the drive alone; None where the exact motion is back after it."""
-    if (strayed := _strayed(evidence, names)) is None:
+    if _strayed(evidence, list(evidence.names)) is None:
         return None
-    if (back := later(evidence)) is not None:
+    if (back := later(evidence)) is not None:  # of a wheel nearly back the velocities say so alone
         if back.periods is None:
             return skipped(evidence.say("check.PERIOD.never", period=evidence.period, most=MOST))
         end = float(evidence.motion.t[-1])
         return skipped(evidence.say("check.PERIOD.later_end", after=_periods(evidence, back), time=back.time, end=end))
+    if (strayed := _strayed(evidence, names)) is None:
+        return None
     name, share, first, last = strayed
     sentence = evidence.say(
         "check.PERIOD.period", period=evidence.period, name=name, share=percent(share), first=first, last=last
