@@ -23,6 +23,9 @@ def imported(path: Path) -> set[str]:
 
 
 IMPORTS = {path: imported(PACKAGE / path) for path in TREES}
+USERS = {
+    path: [user for user, names in IMPORTS.items() if name in names] for path, name in zip(TREES, map(dotted, TREES), strict=True)
+}
 NAMED = [
     (path, named)
     for path, tree in TREES.items()
@@ -33,7 +36,7 @@ NAMED = [
 
 @pytest.mark.parametrize(("path", "named"), NAMED, ids=lambda part: str(part))
 def test_who_is_said_to_use_a_module_imports_it(path, named):
-    users = [user for user, names in IMPORTS.items() if dotted(path) in names]
+    users = USERS[path]
     hit = [
         user
         for user in users
@@ -48,6 +51,6 @@ def test_many_heads_are_looked_at():
 
 @pytest.mark.parametrize("path", [path for path in TREES if path.name != "__init__.py"], ids=str)
 def test_a_module_that_others_import_says_who_uses_it(path):
-    used = any(dotted(path) in names for user, names in IMPORTS.items() if user != path)
+    used = any(user != path for user in USERS[path])
     said = re.search(r"\b[Uu]sed\b|[Rr]ead by|[Mm]ade by|every floor", ast.get_docstring(TREES[path]) or "")
     assert said or not used

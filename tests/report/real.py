@@ -13,6 +13,7 @@ from coursework.scene.scene_run import SceneRun
 from coursework.variant.reading.reader import parse_variant
 from coursework.variant.record.variant import Variant
 from tests.hard.scenes import four_bar, scene
+from tests.report.made import model_of
 
 ROOT = Path(__file__).parents[2]
 V31 = (ROOT / "variants" / "31.toml").read_text(encoding="utf-8")
@@ -55,11 +56,9 @@ def hostile() -> SceneRun:
 
 def parts(run: SceneRun, section: str) -> list[dict[str, Any]]:
     """Return the parts of a section as plain dicts."""
-    from coursework.report.pages import build_model
-
-    found = [s for s in build_model(run).plain()["sections"] if s["name"] == section]
+    found = [s for s in model_of(run).sections if s.name == section]
     assert found, f"no section {section}"
-    return list(found[0]["parts"])
+    return list(found[0].plain()["parts"])
 
 
 def text_of(thing: Any) -> str:

@@ -224,11 +224,12 @@ def _xlsx_cell(cell: str, place: str) -> str:
     }[kind]
 
 
-def archive(parts: dict[str, str | bytes]) -> bytes:
+def archive(parts: dict[str, str | bytes], level: int | None = None) -> bytes:
+    """Return parts zipped, as thoroughly as `level` says."""
     content = io.BytesIO()
     with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as file:
         for name, part in parts.items():
-            file.writestr(zipfile.ZipInfo(name), part, zipfile.ZIP_DEFLATED)
+            file.writestr(zipfile.ZipInfo(name), part, zipfile.ZIP_DEFLATED, level)
     return content.getvalue()
 
 

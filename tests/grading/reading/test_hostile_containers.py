@@ -16,7 +16,7 @@ from tests.grading.scenes import expected
 
 
 def deflated(parts: dict[str, bytes]) -> bytes:
-    return archive(dict(parts))
+    return archive(dict(parts), level=1)
 
 
 def test_bombs_are_too_large_when_opened_and_cost_no_memory() -> None:
@@ -30,7 +30,7 @@ def test_bombs_are_too_large_when_opened_and_cost_no_memory() -> None:
         deflated(parts | {"xl/worksheets/sheet1.xml": comment}),
         deflated(parts | {"xl/worksheets/sheet1.xml": use, "xl/sharedStrings.xml": text}),
         deflated(parts | {f"xl/part{k}": b"" for k in range(250)}),
-        archive({"content.xml": comment}),
+        archive({"content.xml": comment}, level=1),
     ]
     for bomb in bombs:
         assert len(bomb) < 600_000
@@ -38,7 +38,7 @@ def test_bombs_are_too_large_when_opened_and_cost_no_memory() -> None:
         assert refused(bomb, "t.xlsx").code == "too_large_open"
         assert tracemalloc.get_traced_memory()[1] < 64 * 2**20
         tracemalloc.stop()
-    plain = archive({"a.csv": bytes(96 * 2**20)})
+    plain = archive({"a.csv": bytes(96 * 2**20)}, level=1)
     for content in (plain, archive({"more.zip": archive({"more.zip": plain})})):
         found = read_submission(Submission("x", None, (submitted_file("t.zip", content),)), expected())
         assert found.trouble is not None

@@ -10,12 +10,12 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-import coursework
 from coursework.report.graphs.graph_paper import BETWEEN, field_for, round_ticks, smooth, sparse, tick_texts
 from coursework.report.pages import build_model
 from coursework.report.text.numbers import Numbers
 from coursework.report.text.parts import Figure
 from tests.drawing import measured
+from tests.report.made import model_of, solved
 
 T = np.linspace(0, 0.48, 25)
 
@@ -74,7 +74,7 @@ def test_a_stop_is_a_broken_line_in_every_panel(real: ModuleType) -> None:
 
 
 def test_more_than_eight_panels_take_another_figure(real: ModuleType) -> None:
-    figures = real.parts(coursework.solve("jansen", quantities=["table", "plots"]), "graphs")
+    figures = real.parts(solved("jansen", quantities=["table", "plots"]), "graphs")
     assert [len(part["items"]) for part in figures] == [8, 6]
 
 
@@ -85,18 +85,18 @@ def test_the_same_model_twice_is_the_same_bytes(real: ModuleType) -> None:
 
 
 def test_a_curve_that_does_not_bend_has_no_picture_of_its_bend(real: ModuleType) -> None:
-    run = coursework.solve("cardan", quantities=["table", "checks"])
+    run = solved("cardan", quantities=["table", "checks"])
     parts = real.parts(run, "results")
     assert not [part for part in parts if part.get("id") == "tangent"]
     told = " ".join(real.text_of(part["text"]) for part in parts if part["kind"] == "paragraph")
     assert "its own tangent" in told and "at most" not in told
-    bent = real.parts(coursework.solve("31", quantities=["table", "checks"]), "results")
+    bent = real.parts(solved("31", quantities=["table", "checks"]), "results")
     assert [part for part in bent if part.get("id") == "tangent"]
 
 
 @pytest.mark.parametrize("name", ["31", "whitworth", "watt", "v107"])
 def test_the_words_of_the_gap_touch_no_line(name: str) -> None:
-    parts = [part for s in build_model(coursework.solve(name, quantities=["table", "checks"])).sections for part in s.parts]
+    parts = [part for s in model_of(solved(name, quantities=["table", "checks"])).sections for part in s.parts]
     (figure,) = [part for part in parts if isinstance(part, Figure) and part.id == "tangent"]
     drawing = ElementTree.fromstring(figure.svg)
     x = re.search(r"M([\d.]+) [\d.]+h2M", paths(drawing, "gap")[0])

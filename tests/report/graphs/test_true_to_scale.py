@@ -11,8 +11,7 @@ from functools import cache
 import pymupdf
 import pytest
 
-import coursework
-from coursework.report.pages import build_model, render_pdf
+from tests.report.made import model_of, paper_of, solved
 
 MM = 72 / 25.4
 NEAR = 0.05  # mm
@@ -53,7 +52,7 @@ def _printed(sheet: pymupdf.Page) -> Printed:
 
 @cache
 def pages(name: str) -> tuple[Printed, ...]:
-    made = render_pdf(build_model(coursework.solve(name, quantities=["graph_check"])))
+    made = paper_of(model_of(solved(name, quantities=["graph_check"])))
     with pymupdf.open(stream=made, filetype="pdf") as document:
         return tuple(_printed(sheet) for sheet in document)
 

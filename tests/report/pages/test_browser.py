@@ -9,8 +9,7 @@ from typing import Any
 import pymupdf
 import pytest
 
-import coursework
-from coursework.report.pages import build_model, render_html
+from tests.report.made import model_of, page_of, solved
 
 pytestmark = pytest.mark.browser
 
@@ -19,7 +18,7 @@ pytestmark = pytest.mark.browser
 def address(real: ModuleType, tmp_path_factory: pytest.TempPathFactory) -> str:
     run = real.full()
     path: Path = tmp_path_factory.mktemp("page") / "report.html"
-    path.write_text(render_html(build_model(run)), encoding="utf-8")
+    path.write_text(page_of(model_of(run)), encoding="utf-8")
     return path.as_uri()
 
 
@@ -61,7 +60,7 @@ def test_it_prints_on_a4_true_to_scale(browser: Any, address: str) -> None:
 
 def test_an_upright_construction_prints_true_to_scale_too(browser: Any, tmp_path: Path) -> None:
     path = tmp_path / "jansen.html"
-    path.write_text(render_html(build_model(coursework.solve("jansen", quantities=["graph_check"]))), encoding="utf-8")
+    path.write_text(page_of(model_of(solved("jansen", quantities=["graph_check"]))), encoding="utf-8")
     page = browser.new_page()
     page.goto(path.as_uri())
     printed = page.pdf(prefer_css_page_size=True)

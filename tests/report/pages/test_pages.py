@@ -19,13 +19,14 @@ from coursework.report.formulas import svg, typesetting
 from coursework.report.pages import build_model, render_html, render_pdf
 from coursework.words.data_folders import folder
 from coursework.words.errors import OutputError
+from tests.report.made import model_of, page_of, paper_of
 
 LONG = "W" * 300
 
 
 def test_numbers_of_pdf_and_html_are_the_same(real: ModuleType, reading: ModuleType) -> None:
-    model = build_model(real.full())
-    page, paper = reading.html_text(render_html(model)), reading.pdf_text(render_pdf(model))
+    model = model_of(real.full())
+    page, paper = reading.html_text(page_of(model)), reading.pdf_text(paper_of(model))
     on_page, on_paper = reading.numbers(page), reading.numbers(paper)
     assert sum(on_page.values()) > 200
     # Tables that run over a page repeat their head, and no number stands there.
@@ -36,13 +37,13 @@ def test_numbers_of_pdf_and_html_are_the_same(real: ModuleType, reading: ModuleT
 
 
 def test_hostile_text_is_shown_and_never_obeyed(real: ModuleType, reading: ModuleType) -> None:
-    model = build_model(real.hostile())
-    page = render_html(model)
+    model = model_of(real.hostile())
+    page = page_of(model)
     assert "<script" not in page
     assert "&lt;script&gt;alert(1)&lt;/script&gt;" in page.replace("\u200b", "")
     assert "\u202e" not in page
     assert "\x07" not in page
-    paper = reading.pdf_text(render_pdf(model))
+    paper = reading.pdf_text(paper_of(model))
     for shown in (reading.html_text(page), paper):
         packed = shown.replace(" ", "")
         for text in ("<script>alert(1)</script>", '#eval("1+1")', "$x_$", '#read("/etc/passwd")', "{{7*7}}", "{student}", "*b*"):
@@ -90,7 +91,7 @@ def test_the_pdf_is_pdf_ua_without_a_warning(real: ModuleType, kind: str) -> Non
 
 
 def test_the_bar_of_the_drawing_measures_100_mm_on_paper(real: ModuleType) -> None:
-    with pymupdf.open(stream=render_pdf(build_model(real.full())), filetype="pdf") as document:
+    with pymupdf.open(stream=paper_of(model_of(real.full())), filetype="pdf") as document:
         assert [round(length, 2) for length in bars(document)] == [100.0]
 
 
@@ -106,7 +107,7 @@ def bars(document: Any) -> list[float]:
 
 
 def test_the_page_fetches_nothing(real: ModuleType) -> None:
-    page = render_html(build_model(real.full()))
+    page = page_of(model_of(real.full()))
     assert "default-src 'none'" in page
     for pattern in (r"<link", r"<script", r"@import", r"url\((?!#)", r'\ssrc="', r'href="(?!#)'):
         assert not re.search(pattern, page), pattern
@@ -137,7 +138,7 @@ def test_equations_are_set_once_a_process(real: ModuleType, monkeypatch: pytest.
 def test_what_typst_refuses_is_told(real: ModuleType) -> None:
     from coursework.report.text.parts import Display, Equations, Section
 
-    model = build_model(real.full())
+    model = model_of(real.full())
     broken = Section("broken", "Broken", [Equations([Display("frac(", "text")])])
     with pytest.raises(OutputError, match=r"could not be set.*Typst says"):
         render_pdf(replace(model, sections=(broken,)))
@@ -156,7 +157,7 @@ def test_reports_travel_with_the_package() -> None:
 
 
 def test_pdf_and_html_of_one_run_are_small(real: ModuleType) -> None:
-    model = build_model(real.full())
-    assert len(render_html(model)) < 800_000
-    assert len(render_pdf(model)) < 600_000
-    assert hashlib.sha256(render_pdf(model)).digest() == hashlib.sha256(render_pdf(model)).digest()
+    model = model_of(real.full())
+    assert len(page_of(model)) < 800_000
+    assert len(paper_of(model)) < 600_000
+    assert hashlib.sha256(paper_of(model)).digest() == hashlib.sha256(render_pdf(model)).digest()

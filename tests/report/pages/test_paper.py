@@ -12,10 +12,10 @@ from typing import Any
 import pymupdf
 import pytest
 
-import coursework
-from coursework.report.pages import build_model, render_pdf
+from coursework.report.pages import render_pdf
 from coursework.report.pages.pdf import render_pages
 from coursework.report.text.parts import Checks, Claims, Column, Display, Equations, Judged, Paragraph, Part, Runs, Section, Table
+from tests.report.made import model_of, paper_of, solved
 
 MM = 72 / 25.4
 HEAD, FOOT = 18 * MM, 15 * MM  # above and below stand the running line and the number of the page
@@ -27,7 +27,7 @@ BEFORE, AFTER = 4, 3  # rows of a table at the end and at the beginning of a pag
 
 @cache
 def paper(name: str, language: str = "en") -> bytes:
-    return render_pdf(build_model(coursework.solve(name), language))
+    return paper_of(model_of(solved(name), language))
 
 
 def filled(made: bytes) -> list[float]:
@@ -82,7 +82,7 @@ def test_words_that_lie_on_each_other_are_seen() -> None:
 
 @pytest.mark.parametrize("name", ["v107", "jansen", "example-3", "example-1", "homework", "stopped"])
 def test_no_page_but_the_last_is_less_than_a_third_full(real: ModuleType, name: str) -> None:
-    made = render_pdf(build_model(real.stopped())) if name == "stopped" else paper(name)
+    made = paper_of(model_of(real.stopped())) if name == "stopped" else paper(name)
     shares = filled(made)
     assert len(shares) > 4
     assert min(shares[:-1]) >= LEAST_FULL, shares
@@ -97,7 +97,7 @@ def test_no_line_ends_within_an_equality_or_a_quantity(name: str) -> None:
 
 
 def test_a_page_that_is_hardly_begun_is_seen() -> None:
-    model = build_model(coursework.solve("31", quantities=["table"]))
+    model = model_of(solved("31", quantities=["table"]))
     shares = [filled(render_pdf(replace(model, sections=(_lines(count),))))[0] for count in (10, 14, 40)]
     assert shares[0] < LEAST_FULL < shares[1] < shares[2] <= 1
 
@@ -131,7 +131,7 @@ def _checks(rows: int) -> Checks:
 
 def pages_of(parts: Sequence[Part]) -> list[list[str]]:
     """Return the texts of the pages of reports, each with more lines before a section of these parts than the last."""
-    model = build_model(coursework.solve("31", quantities=["table"]))
+    model = model_of(solved("31", quantities=["table"]))
     shown = Section("shown", "The heading", list(parts))
     made = render_pages([replace(model, sections=(_lines(count), shown)).plain() for count in range(18, 54)])
     found: list[list[str]] = []

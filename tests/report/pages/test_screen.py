@@ -11,9 +11,8 @@ from typing import Any
 
 import pytest
 
-import coursework
-from coursework.report.pages import build_model, render_html
 from coursework.variant.catalogue import names
+from tests.report.made import model_of, page_of, solved
 
 pytestmark = pytest.mark.browser
 
@@ -46,7 +45,7 @@ def page(browser: Any) -> Iterator[Any]:
 def shown(variant: str, language: str, folder: Path, page: Any) -> list[str]:
     """Open a page of a variant; return what the browser said of it."""
     path = folder / "report.html"
-    path.write_text(render_html(build_model(coursework.solve(variant), language, live=True)), encoding="utf-8")
+    path.write_text(page_of(model_of(solved(variant), language, live=True)), encoding="utf-8")
     said: list[str] = []
     page.on("console", lambda message: said.append(message.text))
     page.on("pageerror", lambda error: said.append(str(error)))

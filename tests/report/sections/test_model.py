@@ -12,27 +12,28 @@ import coursework
 from coursework import parse_variant
 from coursework.report.pages import build_model
 from tests.hard.families import random_case
+from tests.report.made import model_of, solved
 
 PAPER = ["results", "graphs", "control", "graph_check"]
 
 
 def names(run: Any) -> list[str]:
-    return [section.name for section in build_model(run).sections]
+    return [section.name for section in model_of(run).sections]
 
 
 def test_sections_in_order_and_only_those_asked_for(real: ModuleType) -> None:
     always = ["statement", "equations", "solution"]
-    assert names(coursework.solve("31", quantities=("table",))) == [*always, "results", "method"]
-    assert names(coursework.solve("31", quantities=("checks", "plots"))) == [*always, "graphs", "control", "checks", "method"]
+    assert names(solved("31", quantities=("table",))) == [*always, "results", "method"]
+    assert names(solved("31", quantities=("checks", "plots"))) == [*always, "graphs", "control", "checks", "method"]
     assert names(real.full()) == [*always, *PAPER, "checks", "accuracy", "method"]
-    everything = coursework.solve("31", quantities=real.EVERYTHING)
+    everything = solved("31", quantities=real.EVERYTHING)
     assert names(everything) == [*always, *PAPER, "accelerations", "points", "checks", "accuracy", "method"]
     stopped = ["statement", "dead_point", "equations", "solution", "results", "graphs", "control"]
     assert names(real.stopped())[: len(stopped)] == stopped
 
 
 def test_the_guide_numbers_three_sections_and_the_appendix_has_letters(real: ModuleType) -> None:
-    numbers = {section.name: section.number for section in build_model(real.full()).sections}
+    numbers = {section.name: section.number for section in model_of(real.full()).sections}
     assert numbers == {
         "statement": "1", "equations": "2", "solution": "3", **dict.fromkeys(PAPER, ""), "checks": "Appendix A.",
         "accuracy": "Appendix B.", "method": "Appendix C.",
@@ -40,7 +41,7 @@ def test_the_guide_numbers_three_sections_and_the_appendix_has_letters(real: Mod
 
 
 def test_what_is_not_asked_for_is_not_computed() -> None:
-    bare = coursework.solve("31", quantities=("table",))
+    bare = solved("31", quantities=("table",))
     build_model(bare)
     assert not {"exact", "checks", "accuracy"} & set(bare.scene.ledger.calls)
 
@@ -59,12 +60,12 @@ def test_the_model_holds_strings_and_no_numbers(real: ModuleType) -> None:
         else:
             assert isinstance(thing, str | bool) or key in allowed, (key, thing)
 
-    walk(build_model(real.full()).plain(), "")
+    walk(model_of(real.full()).plain(), "")
 
 
 def test_a_bend_too_small_to_be_seen_has_no_picture(real: ModuleType) -> None:
     def pictures(name: str) -> list[str]:
-        return [part["id"] for part in real.parts(coursework.solve(name), "results") if part["kind"] == "figure"]
+        return [part["id"] for part in real.parts(solved(name), "results") if part["kind"] == "figure"]
 
     assert pictures("variable-crank") == []
     assert pictures("whitworth") == ["tangent"]
@@ -81,17 +82,17 @@ def test_round_off_in_the_table_of_a_check_prints_nought(real: ModuleType) -> No
         )
         return {real.text_of(row[0]): [real.text_of(cell) for cell in row[1:]] for row in judged["lines"]}
 
-    assert lines(coursework.solve("watt"), "PERIOD-POSITION") == {}  # nothing differs
+    assert lines(solved("watt"), "PERIOD-POSITION") == {}  # nothing differs
     own = lines(real.full(), "PERIOD-POSITION")["φ3, rad"]
     assert own[2] == "0.04675"
     assert "·10" in own[5]  # the column that tells of round-off keeps it
 
 
 def test_units_of_tables_beside_the_results_are_in_the_language_of_the_page(real: ModuleType) -> None:
-    run = coursework.solve("variable-crank-exact")
+    run = solved("variable-crank-exact")
     units = {
         column["unit"]
-        for section in build_model(run, "uk").plain()["sections"] if section["name"] in {"accelerations", "analogs"}
+        for section in model_of(run, "uk").plain()["sections"] if section["name"] in {"accelerations", "analogs"}
         for part in section["parts"] if part["kind"] == "table" for column in part["columns"]
     }  # fmt: skip
     assert units == {"", "с", "рад", "рад/с²", "м/с²", "1/рад", "м/рад", "м/рад²"}
@@ -99,7 +100,7 @@ def test_units_of_tables_beside_the_results_are_in_the_language_of_the_page(real
     assert told.startswith("Task sheet: own synthesis for the example of V. R. Pasika")
     chinese = [
         part["caption"]
-        for section in build_model(run, "zh").plain()["sections"]
+        for section in model_of(run, "zh").plain()["sections"]
         for part in section["parts"]
         if part["kind"] == "table"
     ]
@@ -111,8 +112,8 @@ def test_the_control_says_how_many_equations_the_geometry_confirms(real: ModuleT
         (claims,) = (part for part in real.parts(run, "control") if part["kind"] == "claims")
         return str(next(real.text_of(line[3]) for line in claims["items"] if "what the geometry says" in real.text_of(line[2])))
 
-    assert confirmed(coursework.solve("v101")) == "3 of 4"
-    assert confirmed(coursework.solve("v104")) == "4\u00a0equations"
+    assert confirmed(solved("v101")) == "3 of 4"
+    assert confirmed(solved("v104")) == "4\u00a0equations"
 
 
 def test_the_first_row_stands_beside_the_last(real: ModuleType) -> None:
@@ -133,7 +134,7 @@ def test_the_first_row_stands_beside_the_last(real: ModuleType) -> None:
 
 def test_a_sum_of_large_terms_that_is_nought_prints_nought(real: ModuleType) -> None:
     """The slider of the exact synthesis keeps its speed: its acceleration is round-off of terms of 4 m/s²."""
-    run = coursework.solve("variable-crank-exact")
+    run = solved("variable-crank-exact")
     for quantity, kept in (("accelerations", 3), ("analogs", 5), ("invariants", 4)):
         (table,) = (part for part in real.parts(run, quantity) if part["kind"] == "table")
         assert {real.text_of(row[-1]) for row in table["rows"]} == {"0"}
@@ -147,15 +148,15 @@ def test_a_run_that_ends_anywhere_blames_no_period(real: ModuleType) -> None:
         tables = (part for part in real.parts(run, "results") if part.get("id") == "first-last")
         return [real.text_of(row[0]) for table in tables for row in table["rows"]][2:]
 
-    assert heads(coursework.solve("variable-crank")) == ["difference"]
-    assert heads(coursework.solve("variable-crank", scheme="euler")) == ["difference", "part of the scheme", "the motion itself"]
+    assert heads(solved("variable-crank")) == ["difference"]
+    assert heads(solved("variable-crank", scheme="euler")) == ["difference", "part of the scheme", "the motion itself"]
 
 
 def test_a_datum_called_t_is_not_the_period(real: ModuleType) -> None:
     def told(run: Any) -> str:
         return " ".join(real.text_of(part["text"]) for part in real.parts(run, "statement") if part["kind"] == "paragraph")
 
-    assert "The drive repeats after 1.2\u00a0s." in told(coursework.solve("robot-arm"))
+    assert "The drive repeats after 1.2\u00a0s." in told(solved("robot-arm"))
     assert "The drive repeats after T = 0.480366\u00a0s." in told(real.full())
 
 
@@ -169,18 +170,18 @@ def test_a_datum_called_t_is_not_the_period(real: ModuleType) -> None:
     ],
 )
 def test_where_a_determinant_vanishes_is_said_of_the_links(real: ModuleType, name: str, sentence: str) -> None:
-    shown = [part for part in real.parts(coursework.solve(name), "solution") if part["kind"] == "equations"]
+    shown = [part for part in real.parts(solved(name), "solution") if part["kind"] == "equations"]
     assert sentence in " ".join(real.text_of(item["after"]) for part in shown for item in part["items"])
 
 
 def test_an_exact_table_says_what_euler_would_have_cost() -> None:
-    run = coursework.solve("example-1")
-    told = " ".join(str(part) for section in build_model(run).sections for part in section.parts if section.name == "results")
+    run = solved("example-1")
+    told = " ".join(str(part) for section in model_of(run).sections for part in section.parts if section.name == "results")
     assert "the motion itself" in told
 
 
 def test_long_tables_are_thinned_and_say_so(real: ModuleType) -> None:
-    run = coursework.solve("31", step=0.48 / 999, quantities=["table"])
+    run = solved("31", step=0.48 / 999, quantities=["table"])
     note, table = real.parts(run, "results")
     assert real.text_of(note["text"]) == (
         "One row in 5 is printed, with the first, the last and any marked one (202 of 1000); table.csv holds them all."
@@ -192,7 +193,7 @@ def test_long_tables_are_thinned_and_say_so(real: ModuleType) -> None:
 
 
 def test_wide_tables_are_split_and_points_stay_whole(real: ModuleType) -> None:
-    tables = real.parts(coursework.solve("31", quantities=("table", "points", "accelerations")), "points")
+    tables = real.parts(solved("31", quantities=("table", "points", "accelerations")), "points")
     heads = [[real.text_of(column["head"]) for column in table["columns"]] for table in tables]
     assert all(head[:2] == ["row", "t"] for head in heads)
     assert all(len({name[-1] for name in head[2:] if name[0] in "xy"}) * 6 == len(head) - 2 for head in heads)
@@ -205,20 +206,20 @@ def test_a_stop_is_told_once_with_rows_counted_as_the_table_counts_them(real: Mo
     told = {name: real.text_of(value) for name, value in facts["items"]}
     assert told["Place in the table"] == "between row 6 and row 7 of the table"
     assert told["Velocities not found"] == "ω3"
-    whole = " ".join(real.text_of(section["parts"]) for section in build_model(real.stopped()).plain()["sections"][:7])
+    whole = " ".join(real.text_of(section["parts"]) for section in model_of(real.stopped()).plain()["sections"][:7])
     assert whole.count(told["Cause"]) == 1
 
 
 def test_a_last_row_that_is_elsewhere_fast_does_not_repeat_the_first(real: ModuleType) -> None:
     """engine-start ends where it began, with the crank five times as fast."""
-    box = real.parts(coursework.solve("engine-start", quantities=("table", "checks")), "statement")
+    box = real.parts(solved("engine-start", quantities=("table", "checks")), "statement")
     assert "The last row repeats the positions of the first, not its velocities." in real.text_of(box)
-    whole = real.parts(coursework.solve("chebyshev", quantities=("table", "checks")), "statement")
+    whole = real.parts(solved("chebyshev", quantities=("table", "checks")), "statement")
     assert "The last row repeats the first." in real.text_of(whole)
 
 
 def test_tables_beside_the_results_are_thinned_sooner_and_show_no_round_off(real: ModuleType) -> None:
-    run = coursework.solve("epicyclic", quantities=("table", "points"))
+    run = solved("epicyclic", quantities=("table", "points"))
     tables = [part for part in real.parts(run, "points") if "rows" in part]
     assert {len(table["rows"]) for table in tables} == {31}
     assert len(next(part for part in real.parts(run, "results") if "rows" in part)["rows"]) == 61
@@ -229,7 +230,7 @@ def test_a_check_that_finds_nothing_off_lists_no_noughts(real: ModuleType) -> No
     def lines(run: Any) -> dict[str, int]:
         return {one["code"]: len(one["lines"]) for part in real.parts(run, "checks") for one in part.get("items", [])}
 
-    exact, coarse = lines(coursework.solve("jansen", quantities=("table", "checks"))), lines(real.full())
+    exact, coarse = lines(solved("jansen", quantities=("table", "checks"))), lines(real.full())
     assert exact["ACCURACY"] == 0
     assert coarse["ACCURACY"] == 7
 
@@ -238,7 +239,7 @@ def test_a_check_that_finds_nothing_off_lists_no_noughts(real: ModuleType) -> No
 def test_what_no_ruler_reaches_is_computed_and_every_difference_has_two_decimals(
     real: ModuleType, name: str, row: int, column: str
 ) -> None:
-    parts = real.parts(coursework.solve(name, quantities=["table", "graph_check"]), "graph_check")
+    parts = real.parts(solved(name, quantities=["table", "graph_check"]), "graph_check")
     table = next(part for part in parts if part["kind"] == "table")
     assert real.text_of(table["rows"][row][1]) == column
     shown = [text for text in (real.text_of(line[-1]) for line in table["rows"]) if text not in {"", "–"}]
@@ -246,7 +247,7 @@ def test_what_no_ruler_reaches_is_computed_and_every_difference_has_two_decimals
 
 
 def test_where_nothing_differs_no_remainder_of_round_off_is_shown(real: ModuleType) -> None:
-    section = next(s for s in build_model(coursework.solve("cardan")).sections if s.name == "checks")
+    section = next(s for s in model_of(solved("cardan")).sections if s.name == "checks")
     items = {item.code: item for part in section.parts if part.kind == "checks" for item in part.items}
     period = items["PERIOD-POSITION"]
     assert "nothing differs" in real.text_of(period.sentence)
@@ -264,7 +265,7 @@ def test_where_nothing_differs_no_remainder_of_round_off_is_shown(real: ModuleTy
 def test_the_box_and_the_reason_agree_on_what_returns(
     real: ModuleType, name: str, options: dict[str, Any], box: str, why: str
 ) -> None:
-    sections = {section.name: section for section in build_model(coursework.solve(name, **options)).sections}
+    sections = {section.name: section for section in model_of(solved(name, **options)).sections}
     told = {
         key: " ".join(real.text_of(text) for text in texts)
         for key, texts in {

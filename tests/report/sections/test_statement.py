@@ -8,6 +8,7 @@ from types import ModuleType
 import pytest
 
 import coursework
+from tests.report.made import solved
 
 
 def test_the_title_block_has_a_line_for_what_is_not_given(real: ModuleType) -> None:
@@ -46,7 +47,7 @@ def test_what_a_datum_means_is_said_by_the_file(real: ModuleType) -> None:
 
 def test_lengths_of_the_frame_and_of_a_slide_are_said_by_their_ends(real: ModuleType) -> None:
     def data(name: str) -> dict[str, str]:
-        beside = next(part for part in real.parts(coursework.solve(name), "statement") if part["kind"] == "beside")
+        beside = next(part for part in real.parts(solved(name), "statement") if part["kind"] == "beside")
         return {real.text_of(row[0]): real.text_of(row[1]) for row in beside["left"]["rows"]}
 
     assert data("whitworth") | {"d": "AD", "s2": "DB, at t = 0, computed", "φ1": "at t = 0"} == data("whitworth")
@@ -56,7 +57,7 @@ def test_lengths_of_the_frame_and_of_a_slide_are_said_by_their_ends(real: Module
 
 def test_a_datum_called_like_an_article_is_a_symbol_in_formulas_and_a_word_elsewhere(real: ModuleType) -> None:
     def letters(name: str) -> str:
-        run = coursework.solve(name)
+        run = solved(name)
         parts = [*real.parts(run, "statement"), *real.parts(run, "solution")]
         texts = [
             each
@@ -72,7 +73,7 @@ def test_a_datum_called_like_an_article_is_a_symbol_in_formulas_and_a_word_elsew
 
 def test_a_gear_on_a_pivot_does_not_roll_along(real: ModuleType) -> None:
     def told(name: str) -> str:
-        run = coursework.solve(name)
+        run = solved(name)
         return " ".join(real.text_of(part["text"]) for part in real.parts(run, "statement") if part["kind"] == "paragraph")
 
     assert "Wheel 4 turns about O and does not slip at Q." in told("v112")
@@ -81,18 +82,18 @@ def test_a_gear_on_a_pivot_does_not_roll_along(real: ModuleType) -> None:
 
 
 def test_a_computed_datum_is_shown_as_far_as_it_can_be_measured(real: ModuleType) -> None:
-    beside = next(part for part in real.parts(coursework.solve("v108"), "statement") if part["kind"] == "beside")
+    beside = next(part for part in real.parts(solved("v108"), "statement") if part["kind"] == "beside")
     shown = {real.text_of(row[0]): real.text_of(row[2]) for row in beside["left"]["rows"]}
     assert (shown["xO"], shown["yO"], shown["R0"]) == ("1.65234\u00a0m", "−1.7018\u00a0m", "0.574\u00a0m")
 
 
 def test_the_nodes_of_a_tabulated_law_have_their_unit(real: ModuleType) -> None:
-    shown = real.parts(coursework.solve("variable-crank-table", quantities=["table"]), "statement")
+    shown = real.parts(solved("variable-crank-table", quantities=["table"]), "statement")
     told = " ".join(real.text_of(part["text"]) for part in shown if part["kind"] == "paragraph")
     assert "51 nodes from 1.33902\u00a0rad to 2.21168\u00a0rad" in told
 
 
 @pytest.mark.parametrize(("name", "rider"), [("example-5", "D"), ("example-6", "D5"), ("prp", "C"), ("example-2", "C")])
 def test_the_slider_moves_on_its_guide_and_not_the_point_the_guide_leads_through(real: ModuleType, name: str, rider: str) -> None:
-    run = coursework.solve(name, quantities=("table",))
+    run = solved(name, quantities=("table",))
     assert f"{rider} moves in a straight guide." in real.text_of(real.parts(run, "statement"))

@@ -6,6 +6,7 @@ import coursework
 from coursework.report.wording.data_meanings import coordinate_meanings, meanings
 from coursework.report.wording.drive_meanings import drive_meanings
 from coursework.variant.catalogue import names
+from tests.report.made import solved
 
 SAID = {
     "v101": {"r1": "DA", "V1": "amplitude of VMy", "p": "angular frequency of the drive", "alpha": "phase of the drive",
@@ -20,7 +21,7 @@ SAID = {
 
 @pytest.mark.parametrize("name", SAID)
 def test_what_the_data_are(name):
-    found = meanings(coursework.solve(name, quantities=["table"]).scene.mechanism)
+    found = meanings(solved(name, quantities=["table"]).scene.mechanism)
     assert {key: found[key] for key in SAID[name]} == SAID[name]
 
 
@@ -32,14 +33,14 @@ def test_a_product_of_two_data_is_the_amplitude_of_neither():
 
 
 def test_a_slide_is_measured_between_points_or_along_its_guide():
-    assert coordinate_meanings(coursework.solve("prp", quantities=["table"]).scene.mechanism) == {
+    assert coordinate_meanings(solved("prp", quantities=["table"]).scene.mechanism) == {
         "psi": "", "si": "along the guide from Ki", "sj": "along the guide from Kj",
     }  # fmt: skip
-    assert coordinate_meanings(coursework.solve("example-5", quantities=["table"]).scene.mechanism)["s2"] == "BD"
+    assert coordinate_meanings(solved("example-5", quantities=["table"]).scene.mechanism)["s2"] == "BD"
 
 
 def test_no_datum_of_the_catalogue_is_without_a_meaning():
-    found = {name: meanings(coursework.solve(name, quantities=["table"]).scene.mechanism) for name in names()}
+    found = {name: meanings(solved(name, quantities=["table"]).scene.mechanism) for name in names()}
     bare = [(name, key) for name, told in found.items() for key, meaning in told.items() if not meaning]
     assert bare == []
 

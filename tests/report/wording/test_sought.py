@@ -7,6 +7,7 @@ import pytest
 import coursework
 from coursework.variant.formula.reader import parse
 from coursework.variant.formula.tree import on_axes, spelled
+from tests.report.made import solved
 
 
 def statement(real: ModuleType, variant: object) -> str:
@@ -30,7 +31,7 @@ def test_a_linear_velocity_is_told_with_what_moves_so(real: ModuleType, name: st
 
 @pytest.mark.parametrize(("asked", "told"), [("u", "and u from"), ("table", "and u = VCy from")])
 def test_what_is_not_asked_for_is_not_computed_to_tell_it(real: ModuleType, asked: str, told: str) -> None:
-    run = coursework.solve("v102", quantities=(asked,))
+    run = solved("v102", quantities=(asked,))
     assert told in str(real.text_of(real.parts(run, "statement"))).replace("\u00a0", " ")
     assert "exact" not in run.scene.ledger.calls
 
@@ -66,7 +67,7 @@ def test_a_part_of_a_sum_is_a_sum_of_parts(written: str, told: str) -> None:
 
 
 def test_what_drifts_is_told_as_the_student_writes_it(real: ModuleType) -> None:
-    run = coursework.solve("v112", quantities=("table", "checks"))
+    run = solved("v112", quantities=("table", "checks"))
     finding = next(check for check in run.checks if check.code == "DRIFT")
     assert finding.sentence.startswith("E.y - A.y - r2*sin(phi2) is ")
     shown = real.text_of(real.parts(run, "checks"))
