@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from coursework.scene.scene_run import SceneRun
+from coursework.system.on_demand import Plan
 from coursework.words.errors import visible
 
 if TYPE_CHECKING:
@@ -36,6 +37,16 @@ class Run(SceneRun):
 
         names, rows = self.columns()
         return pd.DataFrame(rows, index=pd.Index(self.motion.t, name="t"), columns=list(names))
+
+    @property
+    def passed(self) -> bool:
+        """Return whether the motion reached its end and no check failed; COARSE is no failure."""
+        return self.status() == 0
+
+    @property
+    def plan(self) -> Plan:
+        """Return what is computed for the asked quantities and what is left out."""
+        return self.plan_with()
 
     def __repr__(self) -> str:
         names = ", ".join((*self.asked, *self.settings.columns))

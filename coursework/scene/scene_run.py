@@ -123,11 +123,6 @@ class SceneRun:
         """Return with which phases of the drive a motion that stops would be possible, "" where nothing can be said."""
         return self.scene.phases
 
-    @property
-    def passed(self) -> bool:
-        """Return whether the motion reached its end and no check failed; COARSE is no failure."""
-        return self.status() == 0
-
     def status(self, strict: bool = False) -> int:
         """Return the exit status: 3 where the tool could not judge, 1 for a stop or a FAIL (`strict`: a COARSE too), else 0."""
         verdicts = {check.verdict for check in self.checks} if self.asks(CHECKS) else set()
@@ -274,11 +269,6 @@ class SceneRun:
     def graph_check(self) -> GraphCheck | None:
         """Return the graph-analytical check, None where it was not asked for or the motion stops before its row."""
         return self.of(GRAPH_CHECK) if self.asks(GRAPH_CHECK) else None
-
-    @property
-    def plan(self) -> Plan:
-        """Return what is computed for the asked quantities and what is left out."""
-        return self.plan_with()
 
     def plan_with(self, *more: str) -> Plan:
         """Return the plan where the pages show `more` besides what was asked for."""

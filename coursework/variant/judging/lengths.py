@@ -1,6 +1,6 @@
 """Links without length, whose angular velocities mean nothing, and of a negative one: refused before anything is computed.
 
-Enters: a `Variant` and its `Source`.  Leaves: faults.  Used by `reader.py`; the sentence about a length that becomes negative
+Enters: a `Variant` and its `Source`.  Leaves: faults.  Used by `whole_file.py`; the sentence about a length that becomes negative
 during the motion is told by `motion/geometry/chain.py`.  Source: hard case H16.
 """
 

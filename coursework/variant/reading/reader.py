@@ -19,10 +19,9 @@ from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.tree import Formula
 from coursework.variant.formula.units import is_quantity, measured
 from coursework.variant.judging.at_start import faults_at_start
-from coursework.variant.judging.bounds import exceeded
 from coursework.variant.judging.dimension_check import check_dimensions
-from coursework.variant.judging.lengths import faults_of_lengths
 from coursework.variant.judging.plausibility import remarks_on
+from coursework.variant.judging.whole_file import faults_of_the_whole
 from coursework.variant.reading import schema
 from coursework.variant.reading.bodies import read_frame, read_group, read_link
 from coursework.variant.reading.names import Names
@@ -46,7 +45,7 @@ from coursework.variant.record.variant import whole_steps as _whole_steps
 from coursework.variant.record.vocabulary import GROUP_KINDS, scheme_names
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source, read_bytes, read_source
-from coursework.words.errors import Fault, InputError
+from coursework.words.errors import InputError
 from coursework.words.sentences import closest, say, unfolded
 
 
@@ -89,7 +88,7 @@ def _build(source: Source, name: str, path: Path | None) -> Variant:
     parts.faults += shape.faults + doubtful
     slip = None if doubtful else dimensions.fault  # a name with two meanings has two dimensions
     if not parts.faults:
-        parts.faults += _rules(variant, source, parts.times)
+        parts.faults += faults_of_the_whole(variant, source, parts.times)
         # A datum with a wrong unit spoils values at t = 0; what is wrong in the line of the slip itself says more than it.
         parts.faults += [f for f in faults_at_start(variant, source) if slip is None or f.line == slip.line]
     if slip and slip.line not in {fault.line for fault in parts.faults}:
@@ -283,23 +282,3 @@ def _angle_names(formulas: Iterable[Formula], groups: tuple[Group, ...]) -> set[
     for group in groups:
         angles.update(group.coordinates[: GROUP_KINDS[group.kind]])
     return angles
-
-
-def _rules(variant: Variant, source: Source, times: Iterable[KeyPath]) -> list[Fault]:
-    """What only the whole file can show."""
-    faults = []
-    if variant.sought and not (variant.constraints or variant.groups or variant.driven or variant.holds):
-        faults.append(source.fault((), say("fault.V072")))
-    # A period that follows from the drive is judged where the drive is: how fast that turns says more.
-    derived = {"period"} & {str(path[-1]) for path in times}
-    faults += [source.fault(("time", key), text) for key, text in exceeded(variant) if key not in derived]
-    in_groups = {name for group in variant.groups for name in group.coordinates}
-    for coordinate in variant.coordinates:
-        if coordinate.start is None and coordinate.name not in in_groups:
-            message = say("fault.V073", unit=coordinate.unit)
-            faults.append(source.fault(("coordinates", coordinate.name), message))
-    laws = {law.name for law in variant.drive}
-    if variant.driven and (missing := [law for law in (f"V{variant.driven}{part}" for part in "xy") if law not in laws]):
-        message = say("fault.V048", point=variant.driven, missing=tuple(missing))
-        faults.append(source.fault(("closure", "driven"), message))
-    return faults + faults_of_lengths(variant, source)

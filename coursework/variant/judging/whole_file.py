@@ -1,0 +1,36 @@
+"""What only the whole file can show: something to derive velocities from, starts, a drive of the driven point, what a run costs.
+
+Enters: a `Variant`, its `Source`, and which times follow from data.  Leaves: faults.  Used by `reader.py` only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from coursework.variant.judging.bounds import exceeded
+from coursework.variant.judging.lengths import faults_of_lengths
+from coursework.variant.record.variant import Variant
+from coursework.variant.toml.positions import KeyPath
+from coursework.variant.toml.source import Source
+from coursework.words.errors import Fault
+from coursework.words.sentences import say
+
+
+def faults_of_the_whole(variant: Variant, source: Source, times: Iterable[KeyPath]) -> list[Fault]:
+    """Return the faults that no single key shows, those of lengths last."""
+    faults = []
+    if variant.sought and not (variant.constraints or variant.groups or variant.driven or variant.holds):
+        faults.append(source.fault((), say("fault.V072")))
+    # A period that follows from the drive is judged where the drive is: how fast that turns says more.
+    derived = {"period"} & {str(path[-1]) for path in times}
+    faults += [source.fault(("time", key), text) for key, text in exceeded(variant) if key not in derived]
+    in_groups = {name for group in variant.groups for name in group.coordinates}
+    for coordinate in variant.coordinates:
+        if coordinate.start is None and coordinate.name not in in_groups:
+            message = say("fault.V073", unit=coordinate.unit)
+            faults.append(source.fault(("coordinates", coordinate.name), message))
+    laws = {law.name for law in variant.drive}
+    if variant.driven and (missing := [law for law in (f"V{variant.driven}{part}" for part in "xy") if law not in laws]):
+        message = say("fault.V048", point=variant.driven, missing=tuple(missing))
+        faults.append(source.fault(("closure", "driven"), message))
+    return faults + faults_of_lengths(variant, source)
