@@ -24,6 +24,7 @@ from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.motion.settings import Settings
 from coursework.report.wording.data_meanings import meanings
 from coursework.scene.scene import Scene
+from coursework.variant.record.entries import ROWS_BEFORE_N
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import InputError
 
@@ -83,7 +84,7 @@ def make_handout(student: Student, individual: Individual) -> Handout:
 
 def guide_number(row: int) -> int:
     """Return N of the guide for a row of the table: t = (N+1) h."""
-    return row - 2
+    return row - ROWS_BEFORE_N
 
 
 def difficulty_text(value: float) -> str:

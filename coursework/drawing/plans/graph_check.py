@@ -31,7 +31,6 @@ from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
-USUAL_ROW = 4  # of a file that names no check_row: t = (N + 1) h with N = 2, as on the task sheet of 1995
 GraphRow = tuple[str, float, float, float, str]
 
 
@@ -123,7 +122,7 @@ def _required_row(variant: Variant, motion: Motion) -> int:
         raise InputError([Fault(say("fault.V516", missing=tuple(missing)), variant.file, line)])
     if len(motion.coordinate_names) < len(variant.coordinates):
         raise InputError(say("fault.V517"))
-    return variant.time.check_row or USUAL_ROW
+    return variant.time.row_of_check
 
 
 def _links(mechanism: Mechanism) -> list[tuple[str, ...]]:

@@ -14,7 +14,6 @@ from coursework.drawing.outline.outline import Outline
 from coursework.drawing.outline.poses import all_rows
 from coursework.drawing.outline.tracing import read_outline
 from coursework.drawing.paper.record import Drawing
-from coursework.drawing.plans.graph_check import USUAL_ROW
 from coursework.drawing.plans.polygons import ACCELERATION, UNITS, VELOCITY, Polygons, polygons
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.mechanism import Mechanism
@@ -76,5 +75,5 @@ def make_plans(
         raise InputError([Fault(say("fault.V524"), variant.file)])
     pairs = stretching(mechanism)
     rows, true = (polygons(outline, equations, motion, second, pairs) for motion, second in (table, exact))
-    row = min(variant.time.check_row or USUAL_ROW, max(1, min(len(rows.t), len(true.t))))
+    row = min(variant.time.row_of_check, max(1, min(len(rows.t), len(true.t))))
     return Plans(outline, row, rows, true, chain=bool(variant.groups))

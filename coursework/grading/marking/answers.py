@@ -18,7 +18,6 @@ from coursework.grading.reading.student_work import AnswerLine
 
 # Twice the tolerance earns half: the construction was made, and read badly.
 HALF_CREDIT = 2.0
-DEFAULT_ROW = 4
 _DIFFERENCE = 1e-5  # of a step: a central difference of a position is then right to ten digits
 
 
@@ -57,7 +56,7 @@ def mark_answers(key: Key, asked: Sequence[Answer], lines: Sequence[AnswerLine])
 
 
 def _mark(key: Key, answer: Answer, line: AnswerLine | None) -> AnswerMark:
-    row = (answer.row or key.variant.time.check_row or DEFAULT_ROW) - 1
+    row = (answer.row or key.variant.time.row_of_check) - 1
     if row >= len(key.exact):
         return AnswerMark(answer.name, None, float("nan"), float("nan"), "unreadable")
     expected, largest = _expected(key, answer.of, row)

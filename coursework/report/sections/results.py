@@ -21,6 +21,7 @@ from coursework.report.wording.closeness import (
     unreturned,
 )
 from coursework.results.checks.close_to_motion.period import Split
+from coursework.results.checks.close_to_motion.several_periods import later
 from coursework.scene.quantities import CHECKS
 
 ROWS = ("first", "last", "total")
@@ -111,7 +112,8 @@ def _period(context: PageContext, found: list[Split]) -> list[str]:
     """Return the sentence about a run that does not end with its period, for the coordinate that is moved most."""
     period, say = context.run.variant.time.period, context.words
     coordinates = [split for split in found if split.name in context.run.motion.coordinate_names]
-    if period is None or not coordinates:
+    # A gear train that is back after several periods only has its sentence among the checks.
+    if period is None or not coordinates or later(context.run.results.evidence) is not None:
         return []
     row = context.run.results.evidence.period_row or 0
     end = float(context.run.motion.t[row])

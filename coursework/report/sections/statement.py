@@ -25,7 +25,6 @@ from coursework.variant.record.variant import Variant
 from coursework.words.templates import clean
 
 MOST_REMARKS = 12  # on the first page, on which the results begin
-USUAL_ROW = 4  # the row that is compared where a file names none
 SHOWN_DIGITS = 5
 MEASURED = 8  # digits of a datum; one with more has been computed
 _DECIMAL = re.compile(r"-?\d+\.\d+")
@@ -239,7 +238,7 @@ def _answer(context: PageContext) -> Result:
 def _checked(context: PageContext) -> str:
     """Return the velocities of the row that is checked."""
     motion, variant = context.run.motion, context.run.variant
-    row = min(variant.time.check_row or USUAL_ROW, len(motion.t))
+    row = min(variant.time.row_of_check, len(motion.t))
     sought = [name for name in motion.velocity_names if name not in variant.known_rates] or motion.velocity_names
     values = context.words("join.comma").join(
         f"{context.lettering(name)}{TIGHT}={TIGHT}"

@@ -11,12 +11,11 @@ from typing import Any
 
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.units import UnitFault, read
+from coursework.variant.record.entries import ROWS_BEFORE_N
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import InputError
 from coursework.words.sentences import closest, say
 
-# The guide numbers the rows of the check so that t = (N+1) h; row 1 of a table is t = 0.
-ROWS_BEFORE_N = 2
 _TIMES = ("step", "end", "period")
 
 

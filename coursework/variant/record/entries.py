@@ -65,6 +65,11 @@ class Coordinate:
         return self.start_guess if self.start is None else self.start
 
 
+# The guide of 1995 numbers the rows of the check so that t = (N + 1) h; row 1 of a table is t = 0.  Its task sheets have N = 2.
+ROWS_BEFORE_N = 2
+USUAL_ROW = 2 + ROWS_BEFORE_N
+
+
 @dataclass(frozen=True, slots=True)
 class Time:
     """Step h, end and period in s; `check_row` counts from 1; `own_step` that of the file where `step` is another.
@@ -78,6 +83,11 @@ class Time:
     check_row: int | None
     own_step: float | None = None
     scheme: str = ""
+
+    @property
+    def row_of_check(self) -> int:
+        """Return the row (from 1) that is checked by construction, the usual one where the file names none."""
+        return self.check_row or USUAL_ROW
 
     @property
     def steps(self) -> int:
