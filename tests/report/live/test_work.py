@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.motion.schemes import SCHEMES
 
 pytestmark = pytest.mark.browser
 # Counts what the page calls: trigonometry (velocities and places), elements made, attributes set, layouts asked for.
@@ -54,6 +55,12 @@ def counted(opened: Any, folder: Any) -> Any:
     return opened(folder, before=lambda page: page.add_init_script(COUNTING))
 
 
+def rest(page: Any) -> None:
+    """Wait until the page has measured what is tried and every scheme that it is compared with, and is at rest."""
+    page.wait_for_selector("#lab-time:not([data-value=''])")
+    page.wait_for_selector(f"#lab-diagram [data-scheme] >> nth={len(SCHEMES) - 1}")
+
+
 def cost(page: Any, hook: str, value: object, event: str = "input") -> dict[str, int]:
     """Return how often each thing is done at once when a control is moved."""
     act = """([hook, value, event]) => {
@@ -82,7 +89,7 @@ def test_the_mechanism_is_drawn_before_the_laboratory_is_built(written: Any, ope
 @pytest.mark.parametrize("name", ["31", "jansen"])
 def test_a_frame_makes_nothing_and_sets_only_what_moves(written: Any, opened: Any, name: str) -> None:
     page = counted(opened, written(name))
-    page.page.wait_for_selector("#lab-time:not([data-value=''])")
+    rest(page.page)
     page.page.select_option("#speed", "0.05")
     page.page.click("#play")
     # In the first eight frames the sentences of the start give way to longer ones, whose pieces are made once.
@@ -105,7 +112,7 @@ def test_a_frame_makes_nothing_and_sets_only_what_moves(written: Any, opened: An
 def test_a_frame_leaves_the_layers_of_the_page_as_they_are(written: Any, opened: Any, browser: Any, name: str) -> None:
     """Layers made anew go through all that the page has painted, which costs more than all the rest of a frame."""
     page = opened(written(name), lambda page: page.add_init_script(STEADY)).page
-    page.wait_for_selector("#lab-time:not([data-value=''])")
+    rest(page)
     page.click("#play")
 
     def per_frame(act: str) -> tuple[float, float, float]:
@@ -131,7 +138,7 @@ def test_a_frame_leaves_the_layers_of_the_page_as_they_are(written: Any, opened:
 
 def test_a_move_does_only_what_it_changes(written: Any, opened: Any) -> None:
     page = counted(opened, written("31"))
-    page.page.wait_for_selector("#lab-time:not([data-value=''])")
+    rest(page.page)
     datum = cost(page, "#lab-datum", 0.96)
     scheme = cost(page, "#lab-scheme", "heun", "change")
     # A scheme leaves the true motion, 24 rows of 16 steps of 4 slopes, as it is.
@@ -168,7 +175,7 @@ PIECES, SPELLED = 4, 60  # of graphs and table that a paint waits for, and cells
 
 def test_a_move_draws_few_pieces_for_each_paint_those_in_sight_first(written: Any, opened: Any) -> None:
     page = opened(written("jansen")).page
-    page.wait_for_selector("#lab-time:not([data-value=''])")
+    rest(page)
     columns, rows = (page.locator(f"#lab-table {all_}").count() for all_ in ("th", "tbody tr"))
     piece = SPELLED + columns
     for place, scheme in (("h1", "heun"), ("#lab-table", "euler")):
@@ -197,7 +204,7 @@ def test_a_move_draws_few_pieces_for_each_paint_those_in_sight_first(written: An
 
 def test_while_a_slider_is_dragged_every_graph_and_the_table_have_their_turn(written: Any, opened: Any) -> None:
     page = opened(written("31"), viewport={"width": 1400, "height": 1500}).page
-    page.wait_for_selector("#lab-time:not([data-value=''])")
+    rest(page)
     page.eval_on_selector(".live-laboratory", "at => at.scrollIntoView()")
     page.wait_for_timeout(300)
     state = """[...document.querySelectorAll("#live-panels path.live-table")].map((path) => path.getAttribute("d"))
@@ -220,7 +227,7 @@ def test_while_a_slider_is_dragged_every_graph_and_the_table_have_their_turn(wri
 
 def test_a_move_lays_out_only_what_it_shows(written: Any, opened: Any, browser: Any) -> None:
     page = opened(written("31")).page
-    page.wait_for_selector("#lab-time:not([data-value=''])")
+    rest(page)
     page.eval_on_selector(".live-laboratory", "at => at.scrollIntoView()")
     page.wait_for_timeout(300)
     browser.start_tracing(page=page, categories=["devtools.timeline"])
