@@ -92,7 +92,7 @@ def read_rubric(text: str, name: str = "rubric.toml") -> Rubric:
     if not sum(weights.values()) or not points:
         faults.append(Fault(say("fault.G034"), name, place="parts"))
     missing = found.get("missing_part", default.missing_part)
-    if missing not in {"review", "zero"}:
+    if missing not in ("review", "zero"):
         faults.append(Fault(say("fault.G035", missing=missing), name, place="missing_part"))
     answers = tuple(_answers(found.get("answers", {}), name, faults))
     confusions = tuple(_confusions(found.get("confusion", []), name, faults))

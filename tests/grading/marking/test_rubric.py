@@ -36,6 +36,8 @@ def test_answers_and_confusions():
         ("points = 0\n", "must be greater than 0"),
         ("[parts]\nanswers = 5\n", "none is listed"),
         ('missing_part = "nothing"\n', '"review" or "zero"'),
+        ('missing_part = ["review"]\n', '"review" or "zero"'),
+        ("missing_part = { zero = 1 }\n", '"review" or "zero"'),
         ("points = \n", "this is not TOML"),
         ("[answers]\nw = 3\n", "the quantity was expected"),
         ('[answers]\nw = { of = "w2", row = 0 }\n', "a row from 1"),
