@@ -1,0 +1,35 @@
+"""What the moving part knows as drawn: the arm from a pin ends on the line of the slot that it is rigid with."""
+
+import numpy as np
+
+import coursework
+from coursework.drawing.outline.poses import read_poses
+from coursework.drawing.outline.tracing import read_outline
+from coursework.report.live.scenery import _moving_lines
+from coursework.variant.catalogue import names
+
+SCALE = 300.0
+
+
+def test_an_arm_stands_upright_on_its_slot_as_long_as_the_file_says():
+    looked = 0
+    for name in names():
+        scene = coursework.solve(name, quantities=["table"]).scene
+        outline = read_outline(scene.mechanism)
+        if outline is None or not outline.slots:
+            continue
+        motion = scene.motion
+        poses = read_poses(outline, scene.equations)(np.asarray(motion.t), np.asarray(motion.coordinates))
+        rows = np.arange(len(motion.t))
+        at = {point: np.asarray(SCALE * places[rows].conjugate()) for point, places in poses.at.items()}
+        lines = [*_moving_lines(outline, poses, rows, SCALE, at)]
+        first = sum(len(bar.corners) - 1 for bar in outline.bars)
+        for place, slot in enumerate(outline.slots):
+            (begin, end), (pin, foot) = lines[first + 2 * place : first + 2 * place + 2]
+            beside = SCALE * poses.line(slot)[0]
+            assert np.allclose(abs(foot - pin), abs(beside), atol=1e-9), name
+            along = (end - begin) / abs(end - begin)
+            assert np.allclose(((foot - begin) / along).imag, 0.0, atol=1e-9), name
+            assert np.allclose(((foot - pin) / along).real, 0.0, atol=1e-9), name
+            looked += abs(beside) > 1.0
+    assert looked > 0

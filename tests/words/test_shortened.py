@@ -1,0 +1,23 @@
+"""A text that is too long keeps as many characters as it may have, the last of them an ellipsis."""
+
+import pytest
+
+from coursework.words.templates import clean
+
+TEXT = "φ" + "a φ" * 40 + "."
+
+
+@pytest.mark.parametrize("longest", [len(TEXT) + 1, len(TEXT)])
+def test_what_fits_is_left_as_it_is(longest):
+    assert clean(TEXT, longest).replace("\u200b", "") == TEXT
+
+
+@pytest.mark.parametrize("longest", [len(TEXT) - 1, 40, 3, 2])
+def test_what_is_longer_ends_in_an_ellipsis_and_fills_its_place(longest):
+    kept = clean(TEXT, longest)
+    assert kept.endswith("…")
+    assert kept == TEXT[: longest - 1].rstrip() + "…"
+
+
+def test_no_space_stands_before_the_ellipsis():
+    assert clean("φ φ φ φ", 5) == "φ φ…"
