@@ -20,6 +20,7 @@ from coursework.results.checks.close_to_motion.several_periods import (
     RETURNS,
     Later,
     after,
+    ends,
     later,
     missed,
     share_of,
@@ -181,18 +182,11 @@ def _wrong(evidence: Evidence, names: list[str]) -> Finding | None:
 
 def _strayed(evidence: Evidence, names: list[str]) -> tuple[str, float, float, float] | None:
     """Return (column, share, start, value after the stated period) where the exact motion is not back, None where it is."""
-    exact = evidence.exact
-    assert exact is not None
     if evidence.restricted or (then := after(evidence, evidence.period)) is None:
         return None
-    found = []
-    for name in names:
-        first, last = float(exact.column(name)[0]), float(then[exact.names.index(name)])
-        if evidence.unit(name) == "rad":
-            last -= float(turns(np.array(last - first)))
-        found.append((name, share_of(last - first, evidence.scale[name]), first, last))
-    worst = max(found, key=lambda entry: entry[1])
-    return worst if worst[1] > RETURNS else None
+    worst = max(names, key=lambda name: missed(evidence, then, name))
+    share = missed(evidence, then, worst)
+    return (worst, share, *ends(evidence, then, worst)) if share > RETURNS else None
 
 
 def _is_beyond(evidence: Evidence, name: str) -> bool:

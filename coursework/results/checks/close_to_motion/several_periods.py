@@ -54,12 +54,18 @@ def share_of(size: float, scale: float) -> float:
     return 0.0 if abs(size) < NO_ERROR else abs(size) / scale
 
 
-def missed(evidence: Evidence, row: Array, name: str) -> float:
-    """Return by what part of its scale a column of an exact row is off its start, whole turns taken off."""
+def ends(evidence: Evidence, row: Array, name: str) -> tuple[float, float]:
+    """Return a column of the exact motion at its start and in an exact row, whole turns taken off."""
     exact = evidence.exact
     assert exact is not None
-    gap = float(row[exact.names.index(name)] - exact.column(name)[0])
-    return share_of(gap - float(turns(np.array(gap))) * (evidence.unit(name) == "rad"), evidence.scale[name])
+    first, last = float(exact.column(name)[0]), float(row[exact.names.index(name)])
+    return first, last - float(turns(np.array(last - first))) if evidence.unit(name) == "rad" else last
+
+
+def missed(evidence: Evidence, row: Array, name: str) -> float:
+    """Return by what part of its scale a column of an exact row is off its start, whole turns taken off."""
+    first, last = ends(evidence, row, name)
+    return share_of(last - first, evidence.scale[name])
 
 
 def _later(evidence: Evidence) -> Later | None:
