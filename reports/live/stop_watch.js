@@ -31,21 +31,21 @@ const watch = {
     if (tried.value !== null || !motion.truth) return;
     for (const scheme of Object.keys(data.schemes)) {
       if (this.schemes.some((one) => one.scheme === scheme)) continue;
-      const table = () => motion.again(motion.timed, data.step, motion.truth, scheme);
-      yield* table();
+      const remake = () => motion.again(motion.timed, data.step, motion.truth, scheme);
+      yield* remake();
       const error = motion.timed.n ? largestError(motion.timed, motion.truth).value : 0;
-      const time = error > 0 ? yield* this.best(table, OTHER_ROUNDS) : NaN;
+      const time = error > 0 ? yield* this.best(remake, OTHER_ROUNDS) : NaN;
       this.schemes.push({ scheme, h: data.step, error, time });
       if (time > 0) this.draw();
     }
   },
   // The best of some rounds (ms), each of so many tables that the clock of a browser can tell; nothing waits longer than for
   // one round.  A clock that stands still measures nothing: NaN.
-  *best(table, rounds) {
+  *best(remake, rounds) {
     let many = 1, best = Infinity;
     for (let round = 0; round < rounds; ) {
       if (many > MOST_TABLES) return NaN;
-      const took = yield* this.round(table, many);
+      const took = yield* this.round(remake, many);
       if (took < 4) many *= 2;
       else {
         best = Math.min(best, took / many);
@@ -55,10 +55,10 @@ const watch = {
     return best;
   },
   // The time (ms) of so many tables; a long table is interrupted, and the clock with it.
-  *round(table, many) {
+  *round(remake, many) {
     let took = 0, begun = performance.now();
     for (let i = 0; i < many; i++) {
-      for (const _ of table()) {
+      for (const _ of remake()) {
         const now = performance.now();
         if (now - begun < 8) continue;
         took += now - begun;
