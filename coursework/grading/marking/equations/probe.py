@@ -51,7 +51,7 @@ def random_probe(key: Key) -> Probe:
     for _ in range(_TRIES):
         t = generator.uniform(0.0, float(key.t[-1]) or key.step, POINTS)
         q = generator.uniform(low - margin, high + margin, (POINTS, m))
-        u = key.velocities_at(t, q, {})
+        u = key.velocities_at(t, q)
         fine = np.all(np.isfinite(u), axis=1) & (np.max(np.abs(u), axis=1) < 1e6)
         kept_t, kept_q, kept_u = [*kept_t, *t[fine]], [*kept_q, *q[fine]], [*kept_u, *u[fine]]
         if len(kept_t) >= POINTS:

@@ -19,7 +19,6 @@ from coursework.variant import catalogue
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.units import UnitFault, read
 from coursework.variant.reading.schema import VariantFile as Schema
-from coursework.variant.record.variant import Variant
 from coursework.variant.toml.source import MAX_BYTES, read_source
 from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
@@ -86,10 +85,7 @@ def _differs(value: object, assigned: float) -> bool:
 
 
 def _other_variant(data: dict[str, Any], differing: tuple[str, ...], expected: Expected) -> Sentence | None:
-    """Return why a person must look where a file is another variant: of this class by its data, of the catalogue by its title."""
-    for other in expected.others if differing else ():
-        if other.name != expected.variant.name and _same_data(data, other):
-            return say("reading.review.other_variant", submitted=other.name, assigned=expected.variant.name)
+    """Return why a person must look where a file is another variant of the catalogue by its title."""
     title = data.get("title")
     if not differing and set(map(spell, _section(data, "coordinates"))) == {entry.name for entry in expected.variant.coordinates}:
         return None
@@ -97,12 +93,6 @@ def _other_variant(data: dict[str, Any], differing: tuple[str, ...], expected: E
         return None
     named = _catalogue().get(title)
     return say("reading.review.other_variant", submitted=named, assigned=expected.variant.name) if named else None
-
-
-def _same_data(data: dict[str, Any], other: Variant) -> bool:
-    """Return whether a file has exactly the data of another variant."""
-    given = {spell(str(key)): value for key, value in _section(data, "given").items()}
-    return {*given} == {*other.values} and not any(_differs(given[entry.name], entry.value) for entry in other.given)
 
 
 @cache
