@@ -8,7 +8,7 @@ order, sides and solved forms need no care.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Literal
 
@@ -130,6 +130,12 @@ class Judge:
         return len(taken[0]), tuple(sorted(dependent))
 
     def _mark(self, line: EquationLine) -> EquationMark:
+        """Return the mark of a line in the way of reading it in which it is right, in the first way where it is in none."""
+        for other in line.others:
+            if line.left is None or self._verdict(difference(line)) not in COUNTED:
+                meant = replace(line, left=other.left, right=other.right, repaired=other.text, others=())
+                if self._verdict(difference(meant)) in COUNTED:
+                    line = meant
         if line.left is None or line.right is None:
             column = line.fault.column if line.fault else 1
             message = line.fault.message if line.fault else ""

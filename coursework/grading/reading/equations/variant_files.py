@@ -12,7 +12,6 @@ from functools import cache
 from typing import Any
 
 from coursework.grading.reading.equations.equations import faults_as_lines, read_constraints
-from coursework.grading.reading.equations.names_in_text import Spellings
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import EquationLine
 from coursework.variant import catalogue
@@ -43,7 +42,7 @@ def is_variant_file(text: str) -> bool:
     return _FORMAT.search(text[: 4 * MAX_BYTES]) is not None
 
 
-def read_variant_file(content: bytes, name: str, expected: Expected, spellings: Spellings) -> VariantFile:
+def read_variant_file(content: bytes, name: str, expected: Expected) -> VariantFile:
     """Return what a variant file holds; a file that is not TOML is one equation that cannot be read."""
     try:
         source = read_source(content, name, {})
@@ -52,7 +51,7 @@ def read_variant_file(content: bytes, name: str, expected: Expected, spellings: 
     known = set(Schema.model_fields) | {field.alias for field in Schema.model_fields.values() if field.alias}
     unknown = tuple(str(key)[:40] for key in source.data if key not in known)
     differing = _differing(source.data, expected)
-    lines = tuple(read_constraints(source, name, spellings))
+    lines = tuple(read_constraints(source, name, expected))
     return VariantFile(lines, differing, unknown, _other_variant(source.data, differing, expected))
 
 
