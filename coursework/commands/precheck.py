@@ -107,4 +107,6 @@ def _tell_equations(work: StudentWork) -> bool:
             tell(say("screen.line", line=line.line, why=line.fault.message if line.fault else say("screen.not_equation")))
         elif line.repaired:
             tell(say("screen.line_read_as", line=line.line, repaired=line.repaired))
+        else:
+            tell(say("screen.line_read", line=line.line, text=line.text))
     return not unread

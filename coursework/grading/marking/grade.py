@@ -160,6 +160,8 @@ class Marker:
             table.misconception if table else None,
         )
         status, reason, notes = self._status(work, shares)
+        if status == "graded" and equations is not None and self.rubric.weights["equations"] and (unread := equations.unread):
+            status, reason = "needs-review", say("reading.review.unread_line", line=unread.line.line, text=unread.line.text[:80])
         notes = (*work.notes, *self._notes(table), *notes)
         if status == "graded" and notes:
             status = "graded-with-notes"

@@ -92,7 +92,8 @@ class EquationLine:
     """One line of equations: `text` as handed in; `left = right` once read, else the fault and its column.
 
     `repaired` is the text that was read in its place, "" where nothing needed mending; `others` are further ways to read the
-    line, of which one that is right is what was meant.
+    line, of which one that is right is what was meant; `relates` says of a line nobody could read that it names two symbols of
+    the variant: it is an equation, and no prose.
     """
 
     file: str
@@ -103,6 +104,7 @@ class EquationLine:
     repaired: str = ""
     fault: Fault | None = None
     others: tuple[EquationReading, ...] = ()
+    relates: bool = False
 
 
 @dataclass(frozen=True, slots=True)

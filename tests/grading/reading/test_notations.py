@@ -130,3 +130,24 @@ def test_lengths_by_their_end_points_in_other_mechanisms(name):
         assert meaning_of("BM", expected(name), {}).name == "a"
     assert meaning_of("XY", expected(name), {}) is None
     assert variant
+
+
+@pytest.mark.parametrize(("text", "sign"), [
+    ("(12) 2·r3·ω3·sin(φ3) − r3·ω3·cos(φ3) − 0,5·r3·ω4 = 0", "− 0,5"),
+    ("2*r3*w3*sin(phi3) + r3*w3*cos(phi3) + 0.5*r3*w4 = 0", "+ r3*w3*cos"),
+    ("[12] 2 r3 w3 sin φ3 + r3 w3 cos φ3 + ½ r3 w4 = 0", "+ r3 w3 cos"),
+    ("12) -2*r3*w3*sin(phi3) - r3*w3*cos(phi3) + 0.5*r3*w4 = 0", "-2*r3"),
+])  # fmt: skip
+def test_a_hint_points_at_the_sign_in_the_line_as_handed_in(text, sign):
+    mark = marked(text).marks[0]
+    assert (mark.verdict, mark.hint.kind) == ("wrong", "sign")
+    assert mark.hint.column == text.index(sign) + 1
+
+
+def test_a_line_nobody_can_read_is_a_question_while_equations_are_missing():
+    three = PLAIN.rsplit("\n", 1)[0]
+    unread = "r3*w3*sin(phi3) - r2*w2*cos(phi2) - r1*w1*zeta(phi1) = 0"
+    assert marked(f"{three}\n{unread}").unread.line.line == 4
+    assert marked(f"{PLAIN}\n{unread}").unread is None
+    for prose in ("V1 = 4.5 m/s is given", "name = Ivanov", "h = 0.02"):
+        assert marked(f"{three}\n{prose}").unread is None

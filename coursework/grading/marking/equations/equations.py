@@ -14,6 +14,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from coursework.grading.marking.equations.columns import column_as_handed_in
 from coursework.grading.marking.equations.edits import Edit, Values, applied, edits
 from coursework.grading.marking.equations.linear import Linear, linear, rank, says_more
 from coursework.grading.marking.equations.numbers import NoValue, real, size_of
@@ -72,6 +73,12 @@ class EquationMarks:
     def wrong(self) -> tuple[EquationMark, ...]:
         """Return the wrong lines."""
         return tuple(mark for mark in self.marks if mark.verdict == "wrong")
+
+    @property
+    def unread(self) -> EquationMark | None:
+        """Return the first line that nobody could read and that may earn points: while equations are missing it is a question."""
+        missing = self.independent < self.needed
+        return next((mark for mark in self.marks if missing and mark.verdict == "unreadable" and mark.line.relates), None)
 
     @property
     def share(self) -> float:
@@ -178,7 +185,8 @@ class Judge:
         if not found:
             return None
         best = min(found, key=lambda edit: (_PREFERRED.index(edit.kind), edit.column))
-        return Hint(best.kind, best.column, _written(applied(tree, best)), len(found) - 1)
+        column = column_as_handed_in(line.text, line.repaired or line.text, best.column, is_sign=best.kind == "sign")
+        return Hint(best.kind, column, _written(applied(tree, best)), len(found) - 1)
 
 
 _PREFERRED = ("sign", "function", "name", "factor")

@@ -9,8 +9,9 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field, replace
 
+from coursework.grading.reading.equations.latex import without_latex
 from coursework.grading.reading.equations.meanings import Meanings, key, meaning_of, put_in
-from coursework.grading.reading.equations.names_in_text import Spellings, spellings_of
+from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings, spellings_of
 from coursework.grading.reading.equations.plain_text import without_labels
 from coursework.grading.reading.equations.repair import repaired
 from coursework.grading.reading.expected import Expected
@@ -22,6 +23,7 @@ from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say
 
 MORE_LINES = 20  # beyond twice the equations needed
+_WORD = re.compile(r"[^\W\d]\w*")
 _OWN_NAME = re.compile(r"[^\W\d][\w{}']{0,40}")
 
 
@@ -58,7 +60,16 @@ def read_line(text: str, file: str, line: int, expected: Expected, own: Meanings
     if others:
         fault = Fault(say("fault.G063", example=f"{expected.variant.sought[0]} {bare.strip()}"[:80]), column=1)
     short = text[: reader.MAX_CHARACTERS]
-    return EquationLine(file, line, short, None, None, fault=Fault(fault.message, file, line, fault.column), others=others)
+    told = Fault(fault.message, file, line, fault.column)
+    return EquationLine(
+        file, line, short, None, None, fault=told, others=others, relates=len(names_in(short, names.spellings)) > 1
+    )
+
+
+def names_in(text: str, spellings: Spellings) -> set[str]:
+    """Return the declared names that stand in a text by themselves, in any spelling; t and pi are no names here."""
+    words = _WORD.findall(without_latex(text))
+    return {known for word in words if (known := spellings.canonical(word)) is not None} - {*BUILT_IN}
 
 
 def _read(text: str, whole: str, names: _Names) -> EquationReading | Fault:

@@ -17,6 +17,7 @@ from coursework.grading.reading.equations.equations import (
     definition,
     is_equation_without_sign,
     most_lines,
+    names_in,
     read_line,
     spellings_for,
 )
@@ -126,4 +127,4 @@ def _names(read: EquationLine, spellings: Spellings) -> set[str]:
     """Return the declared names in a line, of one that cannot be read those that stand by themselves."""
     if read.left is not None and read.right is not None:
         return {node.name for node in (*read.left.walk(), *read.right.walk()) if node.op == "name"}
-    return {known for word in _WORD.findall(read.text) if (known := spellings.canonical(word)) is not None}
+    return names_in(read.text, spellings)
