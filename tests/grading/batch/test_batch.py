@@ -71,7 +71,7 @@ def test_an_equation_nobody_can_read_is_a_question_with_points_proposed_and_neve
     assert grade(tmp_path / "in", tmp_path / "out").exit_code == 0
     entry = submissions(tmp_path / "out")["ivan"]
     assert (entry["status"], entry["score"], entry["proposed"]) == ("needs-review", None, 90.0)
-    assert "zeta" in entry["reason"]
+    assert "zeta" in rows(tmp_path / "out")["ivan"]["sentence"]
     assert "zeta" in (tmp_path / "out" / "class.html").read_text(encoding="utf-8")
 
 
