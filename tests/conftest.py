@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
+import os
 import shutil
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
+
+# Compiled once for all processes of the suite, some two hundred, whatever the environment says; .gitignore knows the folders.
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+sys.dont_write_bytecode = False
+# PyMuPDF would load a neural net that looks for paragraphs, and nobody asks it for any.
+sys.modules["pymupdf.layout"] = None  # type: ignore[assignment]
 
 BROWSERS = ("chromium", "google-chrome", "chromium-browser", "google-chrome-stable", "chrome", "msedge")
 

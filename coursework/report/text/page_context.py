@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cached_property
 
 from coursework.mechanism.derivation.constants import NamedAngles, named_angles
 from coursework.motion.integration.motion import Motion
@@ -27,7 +28,7 @@ STOP_DIGITS = 8  # a dead point is located to 1e-8 s
 DATUM_DIGITS = 6  # digits of a converted datum or of a time: more than a task sheet ever gives
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class PageContext:
     """One run and one language."""
 
@@ -54,7 +55,7 @@ class PageContext:
         """Return the velocities whose derivative is written with a dot."""
         return frozenset(self.run.motion.velocity_names)
 
-    @property
+    @cached_property
     def angles(self) -> NamedAngles:
         """Return the constant angles of the equations, by the names that the page gives them."""
         run, variant = self.run, self.run.variant
