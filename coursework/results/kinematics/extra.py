@@ -97,7 +97,7 @@ def invariant_table(variant: Variant, way: Way, second: Array) -> ExtraTable:
     title = say("extra.invariants" if way.is_stroke else "extra.invariants_rows", name=slider.name, **span, **size)
     note = say("extra.invariants_note", crank=crank.name, name=slider.name)
     sizes = (0.0, 0.0, 0.0, float(np.abs(found.b).max()))
-    columns = np.array([(phi - phi[0]) / turn, found.a, found.b, found.c]).T
+    columns = np.array([(phi - phi[0]) / turn, found.a, found.b, found.c]).T + 0.0  # no -0
     return ExtraTable(title, ("k", "a_k", "b_k", "c_k"), ("",) * 4, columns, sizes, note)
 
 

@@ -20,6 +20,8 @@ from coursework.variant.record.variant import Coordinate
 _OFF = 0.1
 # A row this part of a step off a dead position is that position.
 _SAME = 1e-6
+# One that is off a row by this part of a step is so by round-off.
+_ROUND_OFF = 1e-9
 # Of two strokes whose crank angles differ by less than this part the first is taken: they are those of two turns.
 _ALIKE = 1e-2
 
@@ -76,9 +78,11 @@ def _bracketed(exact: Motion, rates: Rates, rate: str) -> tuple[Motion, list[Bra
 
 
 def _dead(exact: Motion, rates: Rates, rate: str, bracket: list[float]) -> float | None:
-    """Return the time (s) of the dead position between two samples."""
+    """Return the time (s) of the dead position between two samples, that of a row where it is one but for round-off."""
     begin, end = bracket
-    return begin if begin == end else root(exact, rates, lambda motion: motion.column(rate), (begin, end))
+    time = begin if begin == end else root(exact, rates, lambda motion: motion.column(rate), (begin, end))
+    row = float(exact.t[np.argmin(np.abs(exact.t - time))]) if time is not None else 0.0
+    return row if time is not None and abs(time - row) < _ROUND_OFF * exact.step else time
 
 
 def _stroke(exact: Motion, rates: Rates, slider: Coordinate, begin: Motion, end: Motion) -> Way:

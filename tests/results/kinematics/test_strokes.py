@@ -34,6 +34,7 @@ def stroke(run: Any) -> tuple[float, float, np.ndarray[Any, np.dtype[np.float64]
 def assert_whole(rows: np.ndarray[Any, np.dtype[np.float64]]) -> None:
     """The table begins and ends at dead positions, and says so to the last digit."""
     assert rows[0, :3].tolist() == [0.0, 0.0, 0.0]
+    assert not np.any(np.signbit(rows[[0, -1], :3]))
     assert rows[-1, :3].tolist() == [1.0, 1.0, 0.0]
     assert np.all(np.diff(rows[:, 0]) > 0)
     assert np.all(rows[1:-1, 2] > 0)
