@@ -8,7 +8,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from coursework.commands.screen import in_language, tell, tell_wrapped, title_of
-from coursework.results.checks.result import GROUPS, Finding, never_more
+from coursework.results.checks.result import GROUPS, Finding, beside, never_more
 from coursework.results.checks.summary import summary
 from coursework.run import Run
 from coursework.scene.quantities import CHECKS
@@ -131,8 +131,9 @@ def tell_checks(run: Run) -> None:
         for check in (check for check in run.checks if check.group == group):
             parts = [f"  {in_language(say(f'checks.mark.{check.verdict}'))} {check.verdict:<6} {check.code:<16}"]
             if check.value is not None:
-                bare = {"value": never_more(check.value, check.unit, 3)}  # three digits are shown
-                parts.append(say("screen.value_unit", **bare, unit=check.unit) if check.unit else say("screen.value", **bare))
+                value = float(f"{never_more(check.value, check.unit, 3):.3g}")  # three digits are shown
+                unit = beside(check.unit, value)
+                parts.append(say("screen.value_unit", value=value, unit=unit) if unit else say("screen.value", value=value))
             if check.limit is not None:
                 parts.append(say("screen.limit", limit=check.limit))
             parts += [say("screen.column", column=check.column)] if check.column else []

@@ -7,7 +7,7 @@ Used by the children of a batch.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -16,7 +16,7 @@ from coursework.grading.marking.grade import Grade, TableMarks
 from coursework.grading.marking.table.cells import CARRIED, GIVEN, KEY, MISSING, WRONG
 from coursework.grading.pages.curves import panel
 from coursework.words.sentence import Sentence
-from coursework.words.sentences import Phrases, joined, load_phrases, say
+from coursework.words.sentences import Phrases, joined, load_phrases, say, say_count
 from coursework.words.templates import clean, filled
 
 # Longer tables show their first rows and those with wrong cells: the page stays one that a person reads.
@@ -193,9 +193,13 @@ def _equations(grade: Grade, words: Phrases) -> dict[str, Any] | None:
             }
         )  # fmt: skip
     marks = grade.equations
-    dependent = say("feedback.dependent", lines=joined(map(str, marks.dependent), "join.comma")) if marks.dependent else ""
+    dependent = _dependent(marks.dependent)
     count = say("feedback.independent", independent=marks.independent, needed=marks.needed)
     return {"items": items, "count": count, "dependent": dependent}
+
+
+def _dependent(lines: Sequence[int]) -> str:
+    return say_count("feedback.dependent", len(lines), lines=joined(map(str, lines), "join.comma")) if lines else ""
 
 
 def _answers(grade: Grade, words: Phrases) -> list[dict[str, Any]] | None:

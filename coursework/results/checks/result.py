@@ -78,6 +78,13 @@ def never_more(value: float, unit: str, decimals: int = 4) -> float:
     return value if own is None else floored(value, min(own, decimals))
 
 
+def beside(unit: str, value: float) -> str:
+    """Return a unit in the form that stands beside a number as it is printed: "1 row", "24 rows"."""
+    if isinstance(unit, Sentence) and "number" in unit.values:
+        return say(unit.key, **{**unit.values, "number": int(value) if float(value).is_integer() else value})
+    return unit
+
+
 def percent(share: float) -> Sentence:
     """Return a share in percent: whole from 10 % on, two digits below."""
     value = 100 * share
