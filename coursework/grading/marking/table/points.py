@@ -16,6 +16,7 @@ from coursework.system.arrays import Array, Flags
 # Rows whose velocities are all shown and right, below which steps made with them prove nothing.
 ENOUGH_ROWS = 0.6
 _CONSTANT = 1e-9
+_RUN = 5
 # Of a step: the part of the largest one-step gap to spare, the coordinates of a row that must be near, the rows that must follow.
 _SPARE, _MOST, _FOLLOWING = 0.25, 0.66, 0.75
 
@@ -82,12 +83,13 @@ def rows_that_follow(key: Key, cells: Cells) -> Flags:
 
 
 def _in_a_run(right: Flags) -> Flags:
-    """Return where a cell (n, k) is one of three right ones below each other: fewer are right by chance where nothing follows."""
-    middle = np.zeros_like(right)
-    middle[1:-1] = right[:-2] & right[1:-1] & right[2:]
-    run = middle.copy()
-    run[1:] |= middle[:-1]
-    run[:-1] |= middle[1:]
+    """Return where a cell (n, k) is one of several right ones below each other: fewer are right by chance where nothing follows."""
+    if len(right) < _RUN:
+        return right
+    whole = np.lib.stride_tricks.sliding_window_view(right, _RUN, axis=0).all(axis=-1)
+    run = np.zeros_like(right)
+    for place in range(_RUN):
+        run[place : place + len(whole)] |= whole
     return run
 
 
