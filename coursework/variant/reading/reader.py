@@ -96,10 +96,9 @@ def _build(source: Source, name: str, path: Path | None) -> Variant:
         parts.faults.append(slip)
     if parts.faults:
         raise InputError(parts.faults)
+    variant = replace(variant, times=parts.times)
     remarks = remarks_on(variant, dimensions, source, parts.grads)
-    return replace(
-        variant, plausibility=remarks, times=parts.times, reread=partial(with_changes, partial(_read_again, source, name, path))
-    )
+    return replace(variant, plausibility=remarks, reread=partial(with_changes, partial(_read_again, source, name, path)))
 
 
 def _read_again(source: Source, name: str, path: Path | None, changes: Mapping[KeyPath, Any]) -> Variant:
