@@ -61,7 +61,7 @@ def tell_run_briefly(run: Run, folder: Path, written: list[str]) -> None:
     tell_remarks(run)
     advice: dict[str, None] = {}  # in the order of the checks, each once
     for finding in findings:
-        if finding.verdict in NOT_PASSED and finding.code != "STOP":
+        if (finding.verdict in NOT_PASSED or finding.unjudged) and finding.code != "STOP":
             fact, *further = _parted(finding)
             advice |= dict.fromkeys(further)
             mark = say(f"checks.mark.{finding.verdict}")
@@ -125,7 +125,7 @@ def _why_stopped(run: Run) -> list[str]:
 
 
 def tell_checks(run: Run) -> None:
-    """Print what every check has found, group by group, and the sentences of those that did not pass."""
+    """Print what every check has found, group by group, and the sentences of those that did not pass or not judge all."""
     for group in GROUPS:
         tell(say(f"checks.group.{group}"))
         for check in (check for check in run.checks if check.group == group):
@@ -140,5 +140,5 @@ def tell_checks(run: Run) -> None:
             parts += [say("screen.row", row=check.row)] if check.row else []
             tell(joined(parts, "join.nothing"))
     for check in run.checks:
-        if check.verdict in NOT_PASSED and check.code != "STOP":
+        if (check.verdict in NOT_PASSED or check.unjudged) and check.code != "STOP":
             tell(say("screen.check", code=check.code, sentence=check.sentence))

@@ -19,7 +19,7 @@ from typing import Any, get_args
 import click
 
 from coursework.commands.run import make_run, run_variant, step_of
-from coursework.commands.screen import in_language, tell, tell_last
+from coursework.commands.screen import in_language, tell, tell_last, tell_own_file
 from coursework.commands.templates import with_templates
 from coursework.report.output.formats import PAGES, chosen
 from coursework.report.output.results import Results
@@ -246,6 +246,7 @@ def _items(variants: Sequence[str]) -> list[Item]:
     seen: set[str] = set()
     taken: set[str] = {SUMMARY, COMBINED}
     for variant in (found for word in variants for found in _expanded(word)):
+        tell_own_file(variant)
         try:
             path = find(variant)
         except CourseworkError:

@@ -85,8 +85,8 @@ class WayToMotion:
         """The position equations, if the file has any; checked against start and written equations."""
         closure = compile_closure(self.equations, self.start)
         require_start(closure)
-        agreed = require_agreement(self.equations, closure)
-        return replace(closure, agreed=agreed) if closure is not None else None
+        found = require_agreement(self.equations, closure)
+        return replace(closure, agreed=found.agreed, unjudged=found.unjudged) if closure is not None else None
 
     @computed("equations", "start")
     def reduction(self) -> Reduction:

@@ -50,9 +50,8 @@ class GroupKind:
     """A kind of group.
 
     `closure` writes it as formulas; `solve` puts it together in a mode, None where a drive gives its coordinate; `modes` says
-    what +1 and -1 mean, empty where there is one way, and `usual_mode`
-    which holds where nothing tells; `meaning` is the key of the sentence about a dead point that its determinant alone does
-    not show; `joints` joins its bodies, of which `carries` says which one each coordinate moves.
+    what +1 and -1 mean, empty where there is one way; `meaning` is the key of the sentence about a dead point that its
+    determinant alone does not show; `joints` joins its bodies, of which `carries` says which one each coordinate moves.
 
     >>> from coursework.mechanism.groups import group_kind
     >>> group_kind("PRP").shape.guides, group_kind("PRP").driven, group_kind("crank").driven
@@ -65,7 +64,6 @@ class GroupKind:
     solve: Callable[[Known, int], GroupMotion] | None
     joints: Joints
     modes: Mapping[int, str] = field(default_factory=dict)
-    usual_mode: int = 0
     meaning: str = ""
     carries: tuple[int, ...] = (0, 1)
 

@@ -114,5 +114,4 @@ def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Seq
     )
 
 
-# Without a word about the mode the slide is counted from D towards the block.
-RPR = GroupKind("RPR", Shape(2, (0, 1), 0, 2), _closure, _solve, _joints, modes=MODES, usual_mode=1)
+RPR = GroupKind("RPR", Shape(2, (0, 1), 0, 2), _closure, _solve, _joints, modes=MODES)

@@ -5,8 +5,6 @@ Enters: a `PageContext`.  Leaves: the summary, and one part for each group of ch
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from coursework.report.text.numbers import ROUND_OFF, TIGHT
@@ -62,9 +60,6 @@ def _judged(context: PageContext, check: Finding) -> Judged:
     heads, lines = _lines(context, check)
     if check.verdict == "PASS" and value == 0:
         heads, lines = [], []  # where nothing is off, noughts say nothing more
-    if check.verdict == "PASS" and check.is_least and (value or 0.0) < (check.limit or 0.0):
-        # AGREEMENT counts equations: those that nothing in the file can judge are no fault, so their whole is no limit.
-        check = replace(check, limit=None)
 
     def behind(value: float | None) -> str:
         return context.unit_beside(value, check.unit) if is_short and value is not None else ""

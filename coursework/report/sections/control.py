@@ -53,8 +53,6 @@ def _number(context: PageContext, finding: Finding) -> Cell:
         return ""
     value = counted(value, finding.unit) if abs(value) > ROUND_OFF else 0.0
     key = finding.unit.key if isinstance(finding.unit, Sentence) else ""
-    if key == "unit.equations" and finding.limit is not None and value < finding.limit:
-        return context.words("control.of", part=numbers.whole(int(value)), whole=numbers.whole(int(finding.limit)))
     if key == OF_POWER:
         return context.with_unit(numbers.plain(100 * value), "%")
     if key in SHARES:

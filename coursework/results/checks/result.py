@@ -32,8 +32,8 @@ class Finding:
     `column` and `row` (from 1) are where the largest number stands; `first` and `last` the rows a period compares (SI);
     `step` (s) is one with which every claim about the motion holds, `option` how the command line is told.  `rows` are
     further lines, (label, value, unit) each.  `cured`: whether a finer step can turn COARSE into PASS.  `headline`: what the
-    summary says of it before all else.  `code`, `group` and `is_least` (the limit is the least that
-    passes, else the most) are those of the check.
+    summary says of it before all else, `unjudged` what it adds to "computed right".
+    `code`, `group` and `is_least` (the limit is the least that passes, else the most) are those of the check.
     """
 
     verdict: Verdict
@@ -50,6 +50,7 @@ class Finding:
     cured: bool = True
     option: str = ""
     headline: str = ""
+    unjudged: str = ""
     code: str = ""
     group: Group = "computation"
     is_least: bool = False

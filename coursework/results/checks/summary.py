@@ -34,12 +34,14 @@ def summary(findings: Sequence[Finding], *, is_motion: bool = False, named: Call
 def _computed(findings: list[Finding], named: Callable[[Finding], str]) -> Sentence:
     judged = [finding for finding in findings if finding.verdict != "SKIP"]
     count = {"passed": sum(finding.verdict == "PASS" for finding in judged), "all": len(judged)}
+    unjudged = [finding.unjudged for finding in findings if finding.unjudged]
     failed = tuple(named(finding) for finding in judged if finding.verdict == "FAIL" and finding.code != "STOP")
     if failed:
         return say("summary.wrong", codes=failed, **count)
     if coarse := tuple(named(finding) for finding in judged if finding.verdict == "COARSE" and finding.code != "STOP"):
-        return say("summary.rounded", codes=coarse, **count)
-    return say("summary.right", **count)
+        rounded = say("summary.rounded", codes=coarse, **count)
+        return joined([rounded, *(say("summary.besides", unjudged=one) for one in unjudged)])
+    return say("summary.right_but", unjudged=unjudged[0]) if unjudged else say("summary.right", **count)
 
 
 def _close(accuracy: Finding | None, findings: list[Finding], named: Callable[[Finding], str], *, is_motion: bool) -> list[str]:

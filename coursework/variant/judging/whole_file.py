@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from coursework.variant.judging.bounds import exceeded
+from coursework.variant.judging.coordinate_order import faults_of_names
 from coursework.variant.judging.lengths import faults_of_lengths
 from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath
@@ -33,4 +34,4 @@ def faults_of_the_whole(variant: Variant, source: Source, times: Iterable[KeyPat
     if variant.driven and (missing := [law for law in (f"V{variant.driven}{part}" for part in "xy") if law not in laws]):
         message = say("fault.V048", point=variant.driven, missing=tuple(missing))
         faults.append(source.fault(("closure", "driven"), message))
-    return faults + faults_of_lengths(variant, source)
+    return faults + faults_of_names(variant, source) + faults_of_lengths(variant, source)

@@ -143,9 +143,8 @@ def test_an_equation_that_alone_knows_a_velocity_is_not_said_to_be_checked():
     extra = '\n[[constraint]]\nname = "tail"\nbecause = "a counter"\nequation = "w9 = 3*w3"\n'
     text = V31.replace('w4 = "1/s"', 'w4 = "1/s"\nw9 = "1/s"') + extra
     agreement = found(solve(text), "AGREEMENT")
-    assert agreement.verdict == "PASS"
-    assert (agreement.value, agreement.limit) == (4.0, 5.0)
-    assert "Signs and coefficients of equation tail are not checked" in agreement.sentence
+    assert (agreement.verdict, agreement.value, agreement.limit) == ("SKIP", None, None)
+    assert agreement.sentence.startswith("4 of 5 equations agree; tail is not judged: nothing in the geometry gives w9.")
 
 
 @pytest.mark.parametrize("scheme", ["rk4", "exact"])

@@ -136,13 +136,29 @@ def test_a_part_of_a_whole_is_never_told_larger_than_it_is(share, told):
     assert f"{floored(share):.4g}" == told
 
 
-@pytest.mark.parametrize(("names", "told"), [(("2",), "of equation 2 are"), (("2", "4"), "of equations 2 and 4 are")])
-def test_equations_that_nothing_confirms_are_called_so(names, told):
+ALL = ("1", "2", "3", "4")
+
+
+@pytest.mark.parametrize(
+    ("names", "told"),
+    [
+        (("2",), "3 of 4 equations agree; 2 is not judged: nothing in the geometry gives w4. Write in [unknowns] "),
+        (("2", "4"), "2 of 4 equations agree; 2 and 4 are not judged: nothing in the geometry gives w4. Write"),
+        (ALL, "Equations 1, 2, 3 and 4 are not judged: nothing in the geometry gives w4. Write"),
+    ],
+)
+def test_equations_that_nothing_judges_are_called_so(names, told):
     run = solve("v101")
-    closure = run.results.evidence.closure
-    left = tuple(name for name in ("1", "2", "3", "4") if name not in names)
-    found = finding("AGREEMENT", evidence_of(run, closure=replace(closure, agreed=left)))
-    assert told in found.sentence
+    agreed = tuple(name for name in ALL if name not in names)
+    unjudged = tuple((name, ("w4",)) for name in names)
+    closure = replace(run.results.evidence.closure, agreed=agreed, unjudged=unjudged)
+    found = finding("AGREEMENT", evidence_of(run, closure=closure))
+    assert (found.verdict, found.value, found.limit) == ("SKIP", None, None)
+    assert found.sentence.startswith(told)
+    right = replace(found, verdict="PASS", code="RESIDUAL", unjudged="")
+    first = "The table is computed right; equation"
+    assert summary([right, found]).startswith(first)
+    assert "of 1" not in summary([right, found]).split(".")[0]
 
 
 @pytest.mark.parametrize("name", SUMMARIES)
