@@ -8,7 +8,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from coursework.commands.screen import in_language, tell, tell_wrapped, title_of
-from coursework.results.checks.result import GROUPS, Finding, beside, never_more
+from coursework.results.checks.result import GROUPS, OF_THE_SCALE, Finding, beside, never_more
 from coursework.results.checks.summary import summary
 from coursework.run import Run
 from coursework.scene.quantities import CHECKS
@@ -139,6 +139,8 @@ def tell_checks(run: Run) -> None:
             parts += [say("screen.column", column=check.column)] if check.column else []
             parts += [say("screen.row", row=check.row)] if check.row else []
             tell(joined(parts, "join.nothing"))
+    if any(isinstance(check.unit, Sentence) and check.unit.key == OF_THE_SCALE for check in run.checks):
+        tell_wrapped(say("screen.scale"))
     for check in run.checks:
         if (check.verdict in NOT_PASSED or check.unjudged) and check.code != "STOP":
             tell(say("screen.check", code=check.code, sentence=check.sentence))

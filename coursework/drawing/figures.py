@@ -28,8 +28,8 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.integration.motion import Motion, Stop
 from coursework.variant.formula.tree import Formula, terms
-from coursework.words.sentence import Sentence
-from coursework.words.sentences import say
+from coursework.variant.record.variant import Variant
+from coursework.words.sentences import joined, say
 
 HIGHEST = 86.0  # mm: with its caption the drawing leaves room on the first page
 ARROW = 13.0  # mm, of a driven velocity: its direction counts, not its size
@@ -51,7 +51,7 @@ def draw_start(mechanism: Mechanism, equations: VelocityEquations, motion: Motio
         t, coordinates = np.append(t, motion.t), np.vstack([coordinates, motion.coordinates])
     poses = read_poses(outline, equations)(t, coordinates)
     board, svg = _mechanism(mechanism, outline, poses, 0)
-    caption = say("drawing.mechanism.caption", scale=board.scale_text, driven=_driven_words(outline))
+    caption = say("drawing.mechanism.caption", scale=board.scale_text, driven=_driven_words(outline, equations.variant))
     return Drawing("mechanism", svg, board.width, board.height, caption, say("drawing.mechanism.alt"))
 
 
@@ -184,9 +184,11 @@ def _dot(a: complex, b: complex) -> float:
     return (a.conjugate() * b).real
 
 
-def _driven_words(outline: Outline) -> Sentence:
-    if outline.driven:
-        return say("drawing.mechanism.driven", points=outline.driven)
-    if outline.cranks:
-        return say("drawing.mechanism.turned", rates=tuple(rate for rate, _ in outline.cranks))
-    return say("drawing.mechanism.free")
+def _driven_words(outline: Outline, variant: Variant) -> str:
+    """Return how arrows show what is driven; what no arrow shows is named."""
+    turned = tuple(rate for rate, _ in outline.cranks)
+    others = tuple(rate for rate in variant.known_rates if rate not in turned)
+    told = [say("drawing.mechanism.driven", points=outline.driven)] if outline.driven else []
+    told += [say("drawing.mechanism.turned", rates=turned)] if turned else []
+    told += [say("drawing.mechanism.given", rates=others)] if others else []
+    return joined(told) if told else say("drawing.mechanism.free")

@@ -24,7 +24,7 @@ from coursework.report.sections.solution import solution
 from coursework.report.sections.statement import statement
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Part, Section
-from coursework.report.text.tables import extra_parts
+from coursework.report.text.tables import TABLE_FILE, extra_parts
 from coursework.report.text.text_runs import LONGEST_NAME
 from coursework.scene.quantities import ACCURACY, CHECKS, GRAPH_CHECK, PLOTS, TABLE, Quantity
 
@@ -48,7 +48,8 @@ def all_sections(context: PageContext) -> Iterator[Section]:
         yield section.labelled("" if section.name in WITHOUT_NUMBER else str(number))
     yield from _written_by(PAPER, context)
     for quantity, extra in context.run.extra_tables.items():
-        yield Section(quantity, _heading(context, quantity, extra.title), extra_parts(context, extra))
+        file = f"{quantity}.csv" if quantity in context.run.own_tables else TABLE_FILE
+        yield Section(quantity, _heading(context, quantity, extra.title), extra_parts(context, extra, file))
     for quantity, drawings in context.run.figures(context.words.written).items():
         if drawings:
             yield Section(

@@ -17,6 +17,7 @@ Group = Literal["computation", "motion"]
 GROUPS: tuple[Group, ...] = ("computation", "motion")
 Verdict = Literal["PASS", "COARSE", "FAIL", "SKIP", "ERROR"]
 # Units of what is never told as more than there is, a part of a whole and digits left of sixteen, and their decimals.
+OF_THE_SCALE = "unit.of_the_scale"
 OF_POWER, DIGITS_LEFT = "unit.of_power", "unit.digits"
 _DECIMALS = {OF_POWER: 4, DIGITS_LEFT: 1}
 # The status a command ends with is that of the worst verdict.

@@ -177,3 +177,45 @@ mode = "+1"
 [frame]
 hinges = ["A", "D"]
 """
+
+# A crank at constant speed, and a point that is driven up and down: two drives of two kinds.
+FIVE_BAR = """format = 1
+title = "Five-bar with a driven point and a crank"
+[given]
+r1 = "0.08 m"
+r2 = "0.35 m"
+r3 = "0.30 m"
+V = "0.2 m/s"
+p = "8 1/s"
+n = "40 rpm"
+[drive]
+VMx = "0"
+VMy = "V*cos(p*t)"
+w1 = "n"
+[coordinates]
+phi1 = { start = "60 deg", rate = "w1" }
+phi2 = { start = "0.9 rad", rate = "w2" }
+phi3 = { start = "-0.9 rad", rate = "w3" }
+[time]
+step = "0.02 s"
+end = "1.5 s"
+[[constraint]]
+name = "1"
+equation = "-r1*w1*sin(phi1) - r2*w2*sin(phi2) - r3*w3*sin(phi3) = VMx"
+[[constraint]]
+name = "2"
+equation = "r1*w1*cos(phi1) + r2*w2*cos(phi2) + r3*w3*cos(phi3) = VMy"
+[points]
+A = "(0, 0)"
+B = "A + r1 @ phi1"
+C = "B + r2 @ phi2"
+M = "C + r3 @ phi3"
+[links]
+1 = { points = ["A", "B"], rate = "w1" }
+2 = { points = ["B", "C"], rate = "w2" }
+3 = { points = ["C", "M"], rate = "w3" }
+[frame]
+hinges = ["A"]
+[closure]
+driven = "M"
+"""
