@@ -60,7 +60,7 @@ def _seen(sketch: Sketch, findings: Findings) -> str:
     """Return what to look at: a centre on a point that therefore hardly moves, or the fastest point."""
     size, places = sketch.pose.size, sketch.pose.positions
     points = {body.name: body.points for body in sketch.pose.bodies}
-    for link, centre in findings.centres.items():
+    for link, centre in findings.drawn.items():
         for name in points[link]:
             if centre.at is not None and centre.lines and abs(places[name] - centre.at) < CLOSE * size:
                 return say("graph.close", link=link, point=name)
@@ -85,13 +85,13 @@ class _Drawing:
         self.middle = self.painter.middle
 
     def svg(self, title: str) -> str:
-        for name, centre in self.findings.centres.items():
+        for name, centre in self.findings.drawn.items():
             self.construction(name, centre)
         self.painter.fixed()
         self.painter.moving()
         for name in self.points:
             self.velocity(name)
-        for name, centre in self.findings.centres.items():
+        for name, centre in self.findings.drawn.items():
             self.cross(name, centre)
         self.names()
         self.foot(title)

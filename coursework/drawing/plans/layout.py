@@ -98,7 +98,7 @@ def _try(sketch: Sketch, findings: Findings, scale: float, longest: float, wide:
         return None
     near = set()
     # The nearest first: a far one must not take the room of those that fit.
-    for name, centre in sorted(findings.centres.items(), key=lambda item: abs((item[1].at or 0j) * mm - _middle(box))):
+    for name, centre in sorted(findings.drawn.items(), key=lambda item: abs((item[1].at or 0j) * mm - _middle(box))):
         if centre.at is not None and centre.lines:
             wider = _join(box, centre.at * mm, CENTRE_ROOM)
             if _fits(wider, room):
