@@ -22,7 +22,7 @@ from coursework.drawing.paper.symbols import decimal, lowered_name, short
 from coursework.drawing.plans.foot import draw_foot
 from coursework.drawing.plans.graph_words import centre_letter
 from coursework.drawing.plans.instant_centres import Centre, Findings
-from coursework.drawing.plans.layout import Layout, lay_out
+from coursework.drawing.plans.layout import CROSS, Layout, lay_out
 from coursework.drawing.plans.sketch import Sketch
 from coursework.words.sentences import say
 
@@ -127,7 +127,7 @@ class _Drawing:
         layout = self.layout
         at = layout.put(centre.at)
         if link in layout.near:
-            for arm in (1.5 + 1.5j, 1.5 - 1.5j):
+            for arm in (complex(CROSS, CROSS), complex(CROSS, -CROSS)):
                 self.sheet.line(at - arm, at + arm, 'stroke="black" stroke-width="0.4"')
             self.marks.append(((self.letter, short(link), ""), [(at, at - self.middle, 2.2)], (at, at)))
             return
