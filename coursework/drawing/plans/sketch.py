@@ -97,7 +97,11 @@ def _sketch(outline: Outline, poses: Poses, row: int, variant: Variant, given: M
     fixed = frozenset({*hinges, *resting})
     driven_racks = {rack.link: rack.contact for rack in racks(outline, poses.pose(0)) if rack.contact not in resting}
     moving = dict.fromkeys(name for body in bodies for name in body.points if name not in fixed | contacts)
-    bodies = [replace(body, guide=guided[body.points[0]]) if _is_slider(body, guided) else body for body in bodies]
+    carried = {block.link for block in outline.blocks if block.open}  # on links that move: these turn with them
+    bodies = [
+        replace(body, guide=guided[body.points[0]]) if _is_slider(body, guided) and body.name not in carried else body
+        for body in bodies
+    ]
     bodies = [
         replace(body, points=(*body.points, driven_racks[body.name])) if body.name in driven_racks else body for body in bodies
     ]

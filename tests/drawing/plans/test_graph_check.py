@@ -203,7 +203,8 @@ def test_variant_31_is_read_as_the_guide_reads_it() -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["31", *(name.lower() for name in DRAWABLE), "v107", "homework", "jansen", "peaucellier", "example-1"]
+    "name",
+    ["31", *(name.lower() for name in DRAWABLE), "v107", "homework", "jansen", "peaucellier", "example-1", "prp", "walschaerts"],
 )
 def test_every_reading_is_as_near_as_its_lengths_allow(name: str) -> None:
     """Errors of a ruler add up along the working: no value may be off by more than its tolerance, which adds them up."""
