@@ -22,6 +22,7 @@ from coursework.report.sections.motion_equations import equations
 from coursework.report.sections.results import results
 from coursework.report.sections.solution import solution
 from coursework.report.sections.statement import statement
+from coursework.report.sections.structure import structure
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Part, Section
 from coursework.report.text.tables import extra_parts
@@ -32,7 +33,7 @@ Writer = Callable[[PageContext], list[Part]]
 Writers = tuple[tuple[Writer, Quantity[Any] | None], ...]
 
 # Each writer with the quantity that must be asked for; None: always there.
-NUMBERED: Writers = ((statement, None), (dead_point, None), (equations, None), (solution, None))
+NUMBERED: Writers = ((statement, None), (dead_point, None), (structure, None), (equations, None), (solution, None))
 PAPER: Writers = (
     (results, TABLE), (graphs, PLOTS), (control, CHECKS), (graph_check, GRAPH_CHECK),
 )  # fmt: skip
