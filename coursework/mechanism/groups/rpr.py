@@ -114,6 +114,4 @@ def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Seq
     )
 
 
-RPR = GroupKind(
-    "RPR", Shape(2, (0, 1), 0, 2, ("offset",)), _closure, _solve, _joints, modes=MODES, letters=("B", "D", "E")
-)
+RPR = GroupKind("RPR", Shape(2, (0, 1), 0, 2, ("offset",)), _closure, _solve, _joints, modes=MODES, letters=("B", "D", "E"))

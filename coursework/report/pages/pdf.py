@@ -15,6 +15,8 @@ from coursework.report.pages.model import ReportModel
 # Tried in turn: (standard, fonts of the machine).  The first serves all Latin, Greek and Cyrillic text; a name in
 # another script takes the machine's fonts; where those lack the sign too, the page is printed without the standard.
 WAYS = (("ua-1", False), ("ua-1", True), (None, True))
+# Typst says of a tagged page that nothing in it is suspect, which is so where nothing is said; poppler takes that for a fault.
+SAID, UNSAID = b"/MarkInfo<</Marked true/Suspects false>>", b"/MarkInfo<</Marked true>>"
 
 
 def render_pdf(model: ReportModel) -> bytes:
@@ -32,7 +34,8 @@ def pdf_of(template: str, data: Any) -> bytes:
     refused = RuntimeError(template)
     for standard, everything in WAYS:
         try:
-            return bytes(typeset(template, data, "pdf", standard=standard, everything=everything))
+            made = bytes(typeset(template, data, "pdf", standard=standard, everything=everything))
+            return made.replace(SAID, UNSAID.ljust(len(SAID)))  # as long as before: the places of its objects stay
         except RuntimeError as error:  # typst.TypstError, which cannot be named before Typst is loaded
             refused = error
             if "could not be displayed" not in str(error):

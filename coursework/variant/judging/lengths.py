@@ -17,7 +17,6 @@ from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-
 _RIGHT = 1e-9  # of a quarter turn: a right angle in degrees, read as radians
 
 

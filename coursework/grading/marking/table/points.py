@@ -83,10 +83,10 @@ def rows_that_follow(key: Key, cells: Cells) -> Flags:
 
 
 def _in_a_run(right: Flags) -> Flags:
-    """Return where a cell (n, k) is one of several right ones below each other: fewer are right by chance where nothing follows."""
+    """Return where a cell (n, k) is one of several right ones below each other; fewer are right by chance."""
     if len(right) < _RUN:
         return right
-    whole = np.lib.stride_tricks.sliding_window_view(right, _RUN, axis=0).all(axis=-1)
+    whole: Flags = np.asarray(np.lib.stride_tricks.sliding_window_view(right, _RUN, axis=0).all(axis=-1))
     run = np.zeros_like(right)
     for place in range(_RUN):
         run[place : place + len(whole)] |= whole
