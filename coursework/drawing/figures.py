@@ -30,14 +30,9 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.integration.motion import Motion, Stop
 from coursework.variant.formula.tree import Formula, terms
-<<<<<<< HEAD
 from coursework.variant.record.variant import Variant
-from coursework.words.sentences import joined, say
-=======
 from coursework.words.errors import InputError
-from coursework.words.sentence import Sentence
-from coursework.words.sentences import say
->>>>>>> pictures
+from coursework.words.sentences import joined, say
 
 HIGHEST = 86.0  # mm: with its caption the drawing leaves room on the first page
 ARROW = 13.0  # mm, of a driven velocity: its direction counts, not its size
@@ -75,19 +70,12 @@ def draw_start(
     time = float(t[0])
     if all_rows(equations, motion):
         t, coordinates = np.append(t, motion.t), np.vstack([coordinates, motion.coordinates])
-<<<<<<< HEAD
-    poses = read_poses(outline, equations)(t, coordinates)
-    board, svg = _mechanism(mechanism, outline, poses, 0)
-    caption = say("drawing.mechanism.caption", scale=board.scale_text, driven=_driven_words(outline, equations.variant))
-    return Drawing("mechanism", svg, board.width, board.height, caption, say("drawing.mechanism.alt"))
-=======
     board, svg = _mechanism(mechanism, outline, read(t, coordinates), 0, values)
     angles = say("drawing.mechanism.angles") if "data-angle" in svg else ""
-    told = {"scale": board.scale_text, "driven": _driven_words(outline), "angles": angles}
+    told = {"scale": board.scale_text, "driven": _driven_words(outline, equations.variant), "angles": angles}
     caption = say("drawing.mechanism.later", row=row + 1, time=time, **told) if row else say("drawing.mechanism.caption", **told)
     alt = say("drawing.mechanism.alt_later", row=row + 1) if row else say("drawing.mechanism.alt")
     return Drawing("mechanism", svg, board.width, board.height, caption, alt)
->>>>>>> pictures
 
 
 def draw_stop(mechanism: Mechanism, equations: VelocityEquations, motion: Motion, stop: Stop) -> Drawing | None:
