@@ -39,6 +39,9 @@ def _computed(findings: list[Finding], named: Callable[[Finding], str]) -> Sente
         return say("summary.wrong", codes=failed, **count)
     if coarse := tuple(named(finding) for finding in judged if finding.verdict == "COARSE" and finding.code != "STOP"):
         return say("summary.rounded", codes=coarse, **count)
+    if any(finding.code == "STOP" and finding.verdict != "PASS" for finding in judged):
+        reached = {"passed": count["passed"], "all": count["all"] - 1}  # that it stops is said before
+        return say("summary.right_to_stop", **reached)
     return say("summary.right", **count)
 
 
