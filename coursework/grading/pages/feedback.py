@@ -156,7 +156,8 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
     m = len(key.coordinates)
     panels = [
         panel(
-            _symbol(name), words.unit(key.variant.unit_of(name)), key.t, key.table[:, m + place], cells.student.values[:, m + place],
+            _symbol(name), words.unit(key.variant.unit_of(name)), key.t,
+            key.table[:, m + place], cells.student.values[:, m + place],
             cells.wrong[:, m + place], words,
         )
         for place, name in enumerate(key.velocities)

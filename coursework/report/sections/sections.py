@@ -55,7 +55,7 @@ def all_sections(context: PageContext) -> Iterator[Section]:
                 quantity, _heading(context, quantity, quantity), [part for one in drawings for part in drawn_parts(context, one)]
             )
     for place, section in enumerate(_written_by(APPENDIX, context)):
-        yield section.labelled(context.words("section.appendix", letter="ABCDEFGH"[place]))
+        yield section.labelled(context.words("section.appendix", letter=context.words("section.letters")[place]))
 
 
 def _heading(context: PageContext, quantity: str, named: str) -> str:
