@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from coursework.assigning.handout import Handout, guide_number
 from coursework.assigning.page_words import Plain, datum, drives, lettered, mathematics, symbol_runs, symbol_text, time_text
 from coursework.report.formulas.svg import Drawn, draw
-from coursework.report.pages.pdf import pdf_of
+from coursework.report.pages.pdf import Paper, pdf_of
 from coursework.report.text.words import Words
 from coursework.words.errors import OutputError
 from coursework.words.templates import clean, filled
@@ -50,7 +50,7 @@ def sheet_html(page: Plain) -> str:
     return filled("sheet.html.j2", page=page, pictures=drawn.pictures, glyphs=drawn.glyphs)
 
 
-def sheets_pdf(pages: Sequence[Plain]) -> bytes:
+def sheets_pdf(pages: Sequence[Plain]) -> Paper:
     """Return one PDF with every sheet, each beginning on a page of its own.  Raises `OutputError`."""
     return pdf_of("sheets.typ", list(pages))
 

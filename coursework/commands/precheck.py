@@ -52,7 +52,15 @@ def _tell_table(key: Key, work: StudentWork) -> bool:
     tell(say("screen.turned" if reading.transposed else "screen.not_turned", **known))
     for column in table.columns:
         told = "screen.column_by_head" if column.by == "header" else "screen.column_by_place"
-        tell(say(told, name=f"{column.name:<8}", at=column.at, unit=column.unit, decimals=column.decimals))
+        tell(
+            say(
+                told,
+                name=f"{column.name:<8}",
+                at=column.at,
+                unit="rad/s" if column.unit == "1/s" else column.unit,
+                decimals=column.decimals,
+            )
+        )
     missing = [name for name in key.names if table.column(name) is None]
     if missing:
         tell(say("screen.missing_columns", missing=", ".join(missing)))

@@ -16,6 +16,7 @@ from fontTools.ttLib import TTCollection, TTFont
 
 ROOT = Path(__file__).parents[2]
 FACE = ROOT / "reports" / "fonts" / "NotoSansSC.otf"
+MARKS = "“”‘’—…"  # which Chinese sets as wide as its signs
 FAMILY = "Noto Sans CJK SC"
 
 
@@ -30,7 +31,7 @@ def national() -> set[str]:
     """Return the 6763 hanzi of GB 2312, with its punctuation."""
     rows = (*range(0xA1, 0xA4), *range(0xB0, 0xF8))
     signs = (bytes((row, place)).decode("gb2312", "ignore") for row in rows for place in range(0xA1, 0xFF))
-    return {sign for sign in signs if sign and unicodedata.east_asian_width(sign) in "WF"}
+    return {sign for sign in signs if sign and (unicodedata.east_asian_width(sign) in "WF" or sign in MARKS)}
 
 
 def signs_of(face: Path) -> set[str]:

@@ -15,6 +15,7 @@ from coursework.report.text.text_runs import numeral
 from coursework.results.checks.evidence import NO_ERROR
 from coursework.results.checks.result import DIGITS_LEFT, GROUPS, OF_THE_SCALE, VERDICTS, Finding, never_more
 from coursework.words.sentence import Sentence
+from coursework.words.sentences import ENGLISH
 from coursework.words.templates import clean
 
 NOTHING_AT_ALL = 1e-18  # SI: smaller than any round-off of a mechanism
@@ -66,7 +67,7 @@ def _judged(context: PageContext, check: Finding) -> Judged:
     return Judged(
         mark=context.words(f"checks.mark.{check.verdict}"),
         verdict=context.words(f"checks.word.{check.verdict}"),
-        code=clean(check.code),
+        code=clean(check.code) if context.words.phrases.language == ENGLISH else "",  # a code is a word of English
         title=context.rich(check.title),
         sentence=context.rich(check.sentence),
         value=numeral(context.with_unit(numbers.limit(value) if is_count else numbers.scalar(value), behind(value))),

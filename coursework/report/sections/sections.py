@@ -60,7 +60,7 @@ def all_sections(context: PageContext) -> Iterator[Section]:
             )
     yield from _written_by(LAST, context)
     for place, section in enumerate(_written_by(APPENDIX, context)):
-        yield section.labelled(context.words("section.appendix", letter="ABCDEFGH"[place]))
+        yield section.labelled(context.words("section.appendix", letter=context.words("section.letters")[place]))
 
 
 def _heading(context: PageContext, quantity: str, named: str) -> str:

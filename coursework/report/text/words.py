@@ -54,7 +54,7 @@ class Words:
 
     def amount(self, number: str, unit: str) -> str:
         """Return a number with its unit behind it, as this language writes it."""
-        return with_unit(number, self.phrases.unit(unit))
+        return self("amount.percent", value=number) if unit == "%" else with_unit(number, self.phrases.unit(unit))
 
     @property
     def numbers(self) -> Numbers:

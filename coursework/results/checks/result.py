@@ -91,5 +91,5 @@ def percent(share: float) -> Sentence:
     """Return a share in percent: whole from 10 % on, two digits below."""
     value = 100 * share
     if 0 < value < 1e-4:
-        return say("amount.below", value=1e-4, unit="%")
-    return say("amount.whole" if value >= 9.95 or value == 0 else "amount.two", value=value, unit="%")
+        return say("amount.share_below", value=1e-4)
+    return say("amount.share" if value >= 9.95 or value == 0 else "amount.share_two", value=value)

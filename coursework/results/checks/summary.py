@@ -41,7 +41,12 @@ def _computed(findings: list[Finding], named: Callable[[Finding], str]) -> Sente
     if coarse := tuple(named(finding) for finding in judged if finding.verdict == "COARSE" and finding.code != "STOP"):
         rounded = say("summary.rounded", codes=coarse, **count)
         return joined([rounded, *(say("summary.besides", unjudged=one) for one in unjudged)])
-    return say("summary.right_but", unjudged=unjudged[0]) if unjudged else say("summary.right", **count)
+    if unjudged:
+        return say("summary.right_but", unjudged=unjudged[0])
+    if any(finding.code == "STOP" and finding.verdict != "PASS" for finding in judged):
+        reached = {"passed": count["passed"], "all": count["all"] - 1}  # that it stops is said before
+        return say("summary.right_to_stop", **reached)
+    return say("summary.right", **count)
 
 
 def _scale(sentence: object) -> dict[str, object]:
