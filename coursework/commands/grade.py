@@ -13,7 +13,7 @@ import click
 from coursework.commands.screen import in_language, tell, tell_own_file
 from coursework.grading.batch.class_list import ClassList, class_of_one, class_of_roster, read_source
 from coursework.grading.batch.decisions import Override, read_overrides
-from coursework.grading.batch.gradebook import Options, grade_class
+from coursework.grading.batch.gradebook import PAGES, Options, grade_class
 from coursework.grading.batch.journal import Journal
 from coursework.grading.batch.single import autograder_results
 from coursework.grading.batch.tables_of_class import class_tables
@@ -25,6 +25,7 @@ from coursework.grading.marking.rubric import Rubric, check_rubric, read_rubric
 from coursework.grading.platforms.canvas import read_gradebook
 from coursework.grading.platforms.roster import read_roster
 from coursework.grading.platforms.worksheet import Worksheet, read_worksheet
+from coursework.system.lock import held, refuse_link
 from coursework.system.pool import Worker
 from coursework.words.custom_templates import templates_in_use
 from coursework.words.errors import Fault, InputError, OutputError
@@ -56,8 +57,11 @@ def grade_source(
             check_rubric(marking, found, str(rubric or "rubric"))
         decided = _decided(overrides, listed, marking)
         setup = Setup(text, not no_pages, class_tables(listed.variants), memory, templates_in_use(), language)
-        _prepare(out)
+        _prepare(out, source)
+        for remark in opened.remarks:
+            tell(remark)
         with (
+            held(out),
             Journal(out) as journal,
             click.progressbar(length=len(listed.places), label=in_language(say("screen.progress.grade")), width=30) as bar,
         ):
@@ -69,6 +73,8 @@ def grade_source(
             written = write_gradebook(
                 out, listed, graded, marking, worksheet=sheet, canvas=gradebook, moodle=moodle, language=language
             )
+            if set(graded.places) != {place.id for place in listed.places}:
+                raise RuntimeError(f"{len(listed.places)} submissions, {len(graded.places)} grades")
             _tell(listed, graded.fresh, len(graded.changes), out, written, {e.id: e.grade["status"] for e in graded.entries()})
             journal.rewrite([graded.places[student] for student in sorted(graded.places)])
     return 0
@@ -100,7 +106,11 @@ def _one(
     return 0
 
 
-def _prepare(out: Path) -> None:
+def _prepare(out: Path, source: Path) -> None:
+    """Make OUT.  Raises `InputError` where it lies among what is graded, `OutputError` where it leads elsewhere."""
+    if source.is_dir() and out.resolve().is_relative_to(source.resolve()):
+        raise InputError([Fault(say("fault.C074", source=source), str(out))])
+    refuse_link(out / PAGES)
     try:
         out.mkdir(parents=True, exist_ok=True)
     except OSError as error:

@@ -6,6 +6,7 @@ Memory holds places in the file, not grades: a university's journal is larger th
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,8 +14,12 @@ from types import TracebackType
 from typing import IO, Any
 
 from coursework.system.plain_lines import line_of, read_line
+from coursework.system.whole_files import refused
+from coursework.words.errors import Fault, OutputError
+from coursework.words.sentences import say
 
 NAME = "journal.jsonl"
+_DIGITS = 32
 AGAIN = ("timeout", "crashed-grader")  # a fault of ours or of the machine may be gone by the next run
 
 
@@ -28,6 +33,30 @@ class Entry:
     page: str = ""
 
 
+@dataclass(frozen=True, slots=True)
+class _Line:
+    """One line: the entry as text, and the check sum by which it is believed."""
+
+    sum: str
+    entry: str
+
+
+def _written(entry: Entry) -> bytes:
+    text = line_of(entry).decode("ascii").rstrip("\n")
+    return line_of(_Line(hashlib.sha256(text.encode()).hexdigest()[:_DIGITS], text))
+
+
+def _read(line: bytes) -> Entry | None:
+    """Return the entry of a line, None for one that is torn, damaged, or was written by somebody else."""
+    try:
+        found = read_line(_Line, line)
+        if hashlib.sha256(found.entry.encode()).hexdigest()[:_DIGITS] != found.sum:
+            return None
+        return read_line(Entry, found.entry.encode())
+    except ValueError:
+        return None
+
+
 class Journal:
     """The journal of one OUT folder; a context manager that holds the file open."""
 
@@ -36,7 +65,11 @@ class Journal:
         self._file: IO[bytes] | None = None
 
     def __enter__(self) -> Journal:
-        self._file = self.path.open("a+b")
+        """Open the file.  Raises `OutputError` for what is no file of its own in OUT: a link, a folder, a pipe."""
+        if self.path.is_symlink() or (self.path.exists() and not self.path.is_file()):
+            raise OutputError([Fault(say("fault.W016"), str(self.path))])
+        with refused(self.path):
+            self._file = self.path.open("a+b", buffering=0)
         end = self._file.seek(0, 2)
         if end:
             self._file.seek(end - 1)
@@ -55,10 +88,7 @@ class Journal:
         by_id: dict[str, int] = {}
         place = file.seek(0)
         for line in file:
-            try:
-                entry = read_line(Entry, line)
-            except ValueError:
-                entry = None
+            entry = _read(line)
             if entry is not None:
                 by_id[entry.id] = place
                 if entry.grade.get("status") not in AGAIN:
@@ -70,22 +100,25 @@ class Journal:
         """Return the entry that stands at a place."""
         file = self._open()
         file.seek(place)
-        return read_line(Entry, file.readline())
+        entry = _read(file.readline())
+        if entry is None:
+            raise RuntimeError(f"{self.path}: the line at {place} was changed while the class was graded")
+        return entry
 
     def add(self, entry: Entry) -> int:
         """Write one entry so that it is there even if the power goes now; return its place."""
         file = self._open()
-        place = file.seek(0, 2)
-        file.write(line_of(entry))
-        file.flush()
-        return place
+        line = _written(entry)
+        with refused(self.path):
+            file.write(line)  # at the end of the file, wherever that is now, in one piece
+        return file.tell() - len(line)
 
     def rewrite(self, places: Iterable[int]) -> None:
         """Keep the entries of this run only, in the order given, so that the file does not grow from run to run."""
         part = self.path.with_name(f".{NAME}.part")
         with part.open("wb") as file:
             for place in places:
-                file.write(line_of(self.read(place)))
+                file.write(_written(self.read(place)))
         self._open().close()
         part.replace(self.path)
 

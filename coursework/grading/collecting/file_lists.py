@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import PurePosixPath
 
 from coursework.grading.platforms.downloads import Owner, canvas_owner, moodle_owner
-from coursework.grading.platforms.names import same_key
+from coursework.grading.platforms.names import legible, same_key
 from coursework.grading.reading.submission import Note
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
@@ -26,7 +26,8 @@ class FileList:
     """The files of one student, not yet read: (name, where it is found) of each.
 
     `id` verbatim (NFC), `name` as the platform gives it, `number` the platform's own; `folder` is what Moodle wants
-    feedback to be returned under; `review` is why a person must look.
+    feedback to be returned under; `review` is why a person must look.  Two that would have one id have ids of their own;
+    `shared` is the one they would have, "" for all others.
     """
 
     id: str
@@ -36,6 +37,7 @@ class FileList:
     folder: str = ""
     notes: tuple[Note, ...] = ()
     review: Sentence | None = None
+    shared: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,10 +105,7 @@ def _by_folder(names: Names) -> list[FileList]:
         top, between, rest = name.partition("/")
         if between:
             files.setdefault(top, []).append((rest, place))
-    return [
-        FileList(unicodedata.normalize("NFC", top), None, tuple(sorted(found)), notes=tuple(names.notes.get(top, ())))
-        for top, found in files.items()
-    ]
+    return [FileList(top, None, tuple(sorted(found)), notes=tuple(names.notes.get(top, ()))) for top, found in files.items()]
 
 
 def _flat(names: Names) -> list[FileList]:
@@ -121,17 +120,16 @@ def _flat(names: Names) -> list[FileList]:
 
 
 def _flat_id(name: str) -> str:
-    plain = unicodedata.normalize("NFC", name)
-    if "_" in plain.lstrip("_"):
-        return plain.partition("_")[0] or plain
-    stem = PurePosixPath(plain).stem
+    if "_" in name.lstrip("_"):
+        return name.partition("_")[0] or name
+    stem = PurePosixPath(name).stem
     copy = _COPY.fullmatch(stem)
     return copy[1] if copy else stem
 
 
 def _with_doubts(file_lists: Iterable[FileList]) -> tuple[FileList, ...]:
     """Return the file lists by id; ids that some system takes for one, and copies beside an original, need a person."""
-    ordered = sorted(file_lists, key=lambda file_list: file_list.id)
+    ordered = sorted(_with_ids(file_lists), key=lambda file_list: file_list.id)
     same: dict[str, list[str]] = {}
     alike: dict[str, list[str]] = {}
     for file_list in ordered:
@@ -140,12 +138,31 @@ def _with_doubts(file_lists: Iterable[FileList]) -> tuple[FileList, ...]:
     checked = []
     for file_list in ordered:
         twins, copies = same[same_key(file_list.id)], alike[_original(file_list.id)]
-        if len(twins) > 1:
+        if file_list.shared:
+            file_list = replace(file_list, review=say("reading.review.same_id", names=(file_list.shared, file_list.shared)))
+        elif len(twins) > 1:
             file_list = replace(file_list, review=say("reading.review.same_id", names=tuple(twins)))
         elif len(copies) > 1 and _original(file_list.id) in copies:
             file_list = replace(file_list, review=say("reading.review.resubmitted", names=tuple(copies)))
         checked.append(file_list)
     return tuple(checked)
+
+
+def _with_ids(file_lists: Iterable[FileList]) -> Iterator[FileList]:
+    """Give the file lists with ids and names that can be written; of names that look alike each keeps an id of its own."""
+    same: dict[str, list[FileList]] = {}
+    for file_list in file_lists:
+        same.setdefault(unicodedata.normalize("NFC", legible(file_list.id)), []).append(file_list)
+    for student, listed in same.items():
+        for place, file_list in enumerate(sorted(listed, key=lambda one: one.id.encode("utf-8", "surrogatepass")), start=1):
+            yield replace(
+                file_list,
+                id=student if place == 1 else f"{student}~{place}",
+                name=None if file_list.name is None else legible(file_list.name),
+                folder=legible(file_list.folder),
+                files=tuple((legible(name), where) for name, where in file_list.files),
+                shared=student if len(listed) > 1 else "",
+            )
 
 
 def _original(student: str) -> str:

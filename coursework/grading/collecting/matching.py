@@ -38,7 +38,7 @@ def match(roster: Roster, file_lists: Iterable[FileList], platform: str, workshe
     found: dict[str, list[FileList]] = {}
     others: list[FileList] = []
     for file_list in file_lists:
-        student = people.by_id.get(same_key(file_list.id))
+        student = people.by_id.get(same_key(file_list.shared or file_list.id))
         if student is None and platform == "moodle":
             row = rows.get(file_list.number)
             student = people.of_row(row) if row else (people.named(file_list.name) if worksheet is None else None)

@@ -11,6 +11,7 @@ import stat
 from collections.abc import Iterator
 from pathlib import Path
 
+from coursework.grading.platforms.names import legible
 from coursework.grading.reading.files.kinds import is_ignored, is_named_as_table
 from coursework.grading.reading.limits import FILE_BYTES
 from coursework.grading.reading.submission import Note, SubmittedFile, note, submitted_file
@@ -30,19 +31,19 @@ def _walk(folder: Path, before: str, depth: int) -> Iterator[tuple[str, Path | N
     try:
         entries = sorted(os.scandir(folder), key=lambda entry: entry.name)
     except OSError as error:
-        yield before, note("ignored_file", name=before or folder.name, why=error.strerror or str(error))
+        yield before, note("ignored_file", name=legible(before or folder.name), why=error.strerror or str(error))
         return
     for entry in entries:
-        name = before + entry.name
+        name = before + entry.name  # as the disk has it, which may be no text
         if is_ignored(entry.name):
             continue
         if entry.is_symlink():
-            yield name, note("ignored_file", name=name, why=say("reading.why.link"))
+            yield name, note("ignored_file", name=legible(name), why=say("reading.why.link"))
         elif entry.is_dir(follow_symlinks=False):
             if depth > 1 and not is_named_as_table(entry.name):
                 yield from _walk(folder / entry.name, f"{name}/", depth - 1)
             else:
-                yield name, note("ignored_file", name=name, why=say("reading.why.folder"))
+                yield name, note("ignored_file", name=legible(name), why=say("reading.why.folder"))
         else:
             yield name, folder / entry.name
 

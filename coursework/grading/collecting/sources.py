@@ -10,19 +10,23 @@ import zipfile
 import zlib
 from collections.abc import Callable, Iterable
 from functools import partial
+from io import BytesIO
 from pathlib import Path, PurePosixPath
 from types import TracebackType
 
 from coursework.grading.collecting.file_lists import FileList, Names, sorted_out, unwrapped
 from coursework.grading.collecting.regular_files import HEAD, files_below, read_regular, too_large
+from coursework.grading.platforms.names import legible
 from coursework.grading.reading.files.archive import legible_name
 from coursework.grading.reading.files.kinds import is_ignored
 from coursework.grading.reading.limits import FILE_BYTES, FILES, INFLATED_BYTES
 from coursework.grading.reading.submission import Note, Submission, SubmittedFile, note, submitted_file
 from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 _MOST_PARTS = 200_000
+_ENTRY, _UTF8 = b"PK\x01\x02", 0x08  # an entry of the list of parts, and the mark (in its ninth byte) that its name is UTF-8
 
 
 class Source:
@@ -33,6 +37,7 @@ class Source:
         self.path = path
         self._zip = _open_zip(path) if path.is_file() else None
         self._parts: dict[str, zipfile.ZipInfo] = {}
+        self.remarks: list[Sentence] = []  # about what belongs to nobody
         if self._zip is None and not path.is_dir():
             raise InputError([Fault(say("fault.G001"), str(path))])
         names = self._names_in_zip() if self._zip else self._names_in_folder()
@@ -75,7 +80,10 @@ class Source:
         names: list[tuple[str, str]] = []
         for part in self._zip.infolist():
             name = legible_name(part).replace("\\", "/").strip("/")
-            if not name or is_ignored(name) or ".." in PurePosixPath(name).parts:
+            if ".." in PurePosixPath(name).parts:
+                self.remarks.append(say("screen.entry_outside", name=legible(name)[:80]))
+                continue
+            if not name or is_ignored(name):
                 continue
             if part.is_dir():
                 folders.add(name)
@@ -102,12 +110,30 @@ class Source:
 
 def _open_zip(path: Path) -> zipfile.ZipFile:
     try:
-        opened = zipfile.ZipFile(path)
+        opened = _zip_of(path)
     except (zipfile.BadZipFile, OSError, ValueError) as error:
         raise InputError([Fault(say("fault.G002", error=str(error)), str(path))]) from error
     if len(opened.infolist()) > _MOST_PARTS:
         raise InputError([Fault(say("fault.G003", most=_MOST_PARTS), str(path))])
     return opened
+
+
+def _zip_of(path: Path) -> zipfile.ZipFile:
+    """Open a zip; a name in it that is said to be UTF-8 and is not would cost all others, so its mark is taken off."""
+    try:
+        return zipfile.ZipFile(path)
+    except UnicodeDecodeError:
+        content = bytearray(path.read_bytes())
+    place = content.find(_ENTRY)
+    while place >= 0:
+        length = int.from_bytes(content[place + 28 : place + 30], "little")
+        if content[place + 9] & _UTF8:
+            try:
+                content[place + 46 : place + 46 + length].decode("utf-8")
+            except UnicodeDecodeError:
+                content[place + 9] &= ~_UTF8
+        place = content.find(_ENTRY, place + 46 + length)
+    return zipfile.ZipFile(BytesIO(content))
 
 
 def collect_one(place: Path, student: str = "submission") -> Submission:
@@ -117,7 +143,7 @@ def collect_one(place: Path, student: str = "submission") -> Submission:
     found = list(files_below(place)) if place.is_dir() else [(place.name, place)]
     notes = [entry for _, entry in found if isinstance(entry, Note)]
     paths = [(name, path) for name, path in found if isinstance(path, Path)]
-    files, more = _gathered((name, partial(read_regular, path, name)) for name, path in paths)
+    files, more = _gathered((legible(name), partial(read_regular, path, legible(name))) for name, path in paths)
     return Submission(student, None, files, (*notes, *more))
 
 
@@ -126,7 +152,7 @@ def collect_files(paths: Iterable[Path], student: str = "submission") -> Submiss
     listed = list(paths)
     if missing := [path for path in listed if not path.is_file()]:
         raise InputError([Fault(say("fault.G005"), str(missing[0]))])
-    files, notes = _gathered((path.name, partial(read_regular, path, path.name)) for path in listed)
+    files, notes = _gathered((legible(path.name), partial(read_regular, path, legible(path.name))) for path in listed)
     return Submission(student, None, files, notes)
 
 

@@ -81,6 +81,8 @@ def read_rubric(text: str, name: str = "rubric.toml") -> Rubric:
         found = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise InputError([Fault(say("fault.G046", error=error), name)]) from error
+    except RecursionError:
+        raise InputError([Fault(say("fault.G065"), name)]) from None
     faults: list[Fault] = []
     known = ("points", "missing_part", "parts", "table", "answers", "confusion")
     _refuse_unknown(found, known, "", name, faults)

@@ -5,17 +5,23 @@ Enters: any text.  Leaves: the text for a CSV cell, or for a page.  Used by ever
 
 from __future__ import annotations
 
+import re
 import unicodedata
 
 _STARTS_FORMULA = tuple("=+-@＝＋－＠\t\r\n\0")
+_PARTED = re.compile(r"([;\t\r\n][\s\"\u00a0]*)([=+\-@＝＋－＠](?=[\w(@\"']))")
 
 
 def text_cell(text: str) -> str:
-    """Return a text cell that no spreadsheet takes for a formula: where it might be one, a `'` stands first.
+    r"""Return a text cell that no spreadsheet takes for a formula: where it might be one, a `'` stands first.
 
-    >>> text_cell("=HYPERLINK(1)"), text_cell("Ann")
-    ("'=HYPERLINK(1)", 'Ann')
+    So it is behind a semicolon, a tab or the end of a line, where a spreadsheet may part the cell.
+
+    >>> text_cell("=HYPERLINK(1)"), text_cell("Ann"), text_cell('a;=HYPERLINK("x")')
+    ("'=HYPERLINK(1)", 'Ann', 'a;\'=HYPERLINK("x")')
     """
+    start = len(text) - len(text.lstrip())
+    text = text[:start] + _PARTED.sub(r"\1'\2", text[start:])
     first = text.lstrip(" \"'\u00a0")
     return f"'{text}" if text.startswith(_STARTS_FORMULA) or first.startswith(_STARTS_FORMULA) else text
 

@@ -26,6 +26,19 @@ def file_stem(student: str) -> str:
     return "x-" + hashlib.sha256(student.encode("utf-8", "surrogatepass")).hexdigest()[:16]
 
 
+def legible(name: str) -> str:
+    r"""Return a name from a disk as it can be written anywhere: bytes that are no UTF-8 as \xff.
+
+    >>> legible("caf\udce9.csv")
+    'caf\\xe9.csv'
+    """
+    return "".join(_byte(letter) if "\ud800" <= letter <= "\udfff" else letter for letter in name)
+
+
+def _byte(half: str) -> str:
+    return f"\\x{ord(half) - 0xDC00:02x}" if "\udc80" <= half <= "\udcff" else f"\\u{ord(half):04x}"
+
+
 def same_key(student: str) -> str:
     """Return what two ids have in common that some file system or platform takes for one: NFC, case folded."""
     return unicodedata.normalize("NFC", unicodedata.normalize("NFC", student).casefold())

@@ -1,0 +1,173 @@
+"""Whatever names a disk has and whoever writes into OUT: everybody has a grade, the same bytes as alone."""
+
+import json
+import os
+import subprocess
+import sys
+import unicodedata
+import zipfile
+from hashlib import sha256
+
+import numpy as np
+import pytest
+
+from coursework.grading.batch.journal import Entry, Journal
+from coursework.grading.platforms.escapes import text_cell
+from coursework.system import lock
+from coursework.words.errors import OutputError
+from tests.grading.batch.classroom import csv, hand_in, small_class
+from tests.grading.batch.test_batch import grade, submissions
+from tests.grading.marking import students
+
+posix = pytest.mark.skipif(os.name != "posix", reason="names of any bytes, links and pipes are of POSIX")
+
+
+def bytes_of(out):
+    return {path.relative_to(out).as_posix(): sha256(path.read_bytes()).hexdigest() for path in out.rglob("*") if path.is_file()}
+
+
+@posix
+def test_names_that_are_no_text_cost_nobody(tmp_path):
+    source = tmp_path / "in"
+    hand_in(source / "ada")
+    table = csv(students.table())
+    (source / "bert").mkdir()
+    for name in (b"\xff.csv", b"caf\xe9.csv"):
+        (source / "bert" / os.fsdecode(name)).write_bytes(table)
+    (source / os.fsdecode(b"\xe8\xe2\xe0\xed")).mkdir()
+    assert grade(source, tmp_path / "out").exit_code == 0
+    found = submissions(tmp_path / "out")
+    assert sorted(found) == ["\\xe8\\xe2\\xe0\\xed", "ada", "bert"]
+    assert {entry["name"] for entry in found["bert"]["files"]} == {"\\xff.csv", "caf\\xe9.csv"}
+    assert found["ada"]["status"] == "graded"
+
+
+@posix
+def test_folders_of_random_bytes_are_all_found(tmp_path):
+    chance = np.random.default_rng(4)
+    names = {bytes(chance.integers(1, 256, chance.integers(1, 20)).tolist()).replace(b"/", b"_").strip(b".~") for _ in range(300)}
+    names = {name for name in names if name and not name.startswith((b".", b"~"))}
+    (tmp_path / "in").mkdir()
+    for name in names:
+        (tmp_path / "in" / os.fsdecode(name)).mkdir()
+    assert grade(tmp_path / "in", tmp_path / "out", "--no-pages").exit_code == 0
+    assert len(submissions(tmp_path / "out")) == len([*(tmp_path / "in").iterdir()])
+
+
+@posix
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_two_spellings_of_one_name_are_two_people_whom_somebody_must_look_at(tmp_path, jobs):
+    name = "René"
+    for form, table in (("NFC", students.table()), ("NFD", students.table(students.heun))):
+        hand_in(tmp_path / "in" / unicodedata.normalize(form, name), table)
+    assert grade(tmp_path / "in", tmp_path / "out", "--jobs", jobs).exit_code == 0
+    found = submissions(tmp_path / "out")
+    assert sorted(found) == [name, f"{name}~2"]
+    assert {entry["status"] for entry in found.values()} == {"needs-review"}
+    assert len({entry["proposed"] for entry in found.values()}) == 2
+
+
+def test_one_bad_name_in_a_zip_costs_that_entry_at_most(tmp_path):
+    target = tmp_path / "in.zip"
+    with zipfile.ZipFile(target, "w") as file:
+        for student in ("ada", "berté"):
+            file.writestr(f"{student}/table.csv", csv(students.table()))
+        file.writestr("../outside/table.csv", b"x")
+    content = target.read_bytes().replace("berté".encode(), b"bert\xff\xfe")
+    target.write_bytes(content)
+    done = grade(target, tmp_path / "out")
+    assert done.exit_code == 0, done.output
+    found = submissions(tmp_path / "out")
+    assert len(found) == 2
+    assert found["ada"]["table"]["score"] == 60.0
+    assert "../outside/table.csv" in done.output
+
+
+@pytest.mark.parametrize("line", [
+    b'{"key":"x","id":"ada","grade":{},"page":""}', b"[1,2,3]", b"NaN", b"[" * 100_000, b'{"sum":"0","entry":"{}"}',
+    b'{"sum":"0","entry":[]}', b"\xff\xfe",
+])  # fmt: skip
+def test_a_damaged_line_of_the_journal_is_marked_anew(tmp_path, line):
+    hand_in(tmp_path / "in" / "ada")
+    assert grade(tmp_path / "in", tmp_path / "out").exit_code == 0
+    before = bytes_of(tmp_path / "out")
+    journal = tmp_path / "out" / "journal.jsonl"
+    journal.write_bytes(line + b"\n" + journal.read_bytes().replace(b"100.0", b"999.0"))
+    assert grade(tmp_path / "in", tmp_path / "out").exit_code == 0
+    assert bytes_of(tmp_path / "out") == before
+
+
+@posix
+@pytest.mark.parametrize("kind", ["folder", "pipe", "link"])
+def test_a_journal_that_is_no_file_is_refused(tmp_path, kind):
+    hand_in(tmp_path / "in" / "ada")
+    out, other = tmp_path / "out", tmp_path / "other"
+    out.mkdir()
+    other.write_bytes(b"kept")
+    place = out / "journal.jsonl"
+    {"folder": place.mkdir, "pipe": lambda: os.mkfifo(place), "link": lambda: place.symlink_to(other)}[kind]()
+    done = grade(tmp_path / "in", out)
+    assert (done.exit_code, done.output.count("W016")) == (2, 1)
+    assert other.read_bytes() == b"kept"
+
+
+def test_results_among_submissions_are_refused(tmp_path):
+    hand_in(tmp_path / "in" / "ada")
+    for out in (tmp_path / "in", tmp_path / "in" / "marks"):
+        done = grade(tmp_path / "in", out)
+        assert (done.exit_code, done.output.count("C074")) == (2, 1)
+    assert grade(tmp_path / "in", tmp_path / "in-marks").exit_code == 0
+
+
+def test_a_folder_is_held_by_one_process_and_let_go_when_it_ends(tmp_path):
+    with lock.held(tmp_path), pytest.raises(OutputError, match=str(os.getpid())), lock.held(tmp_path):
+        pass
+    with lock.held(tmp_path):
+        pass
+    assert not list(tmp_path.iterdir())
+
+
+def test_two_graders_at_once_leave_the_bytes_of_one(tmp_path):
+    source = small_class(tmp_path / "in")
+    assert grade(source, tmp_path / "alone").exit_code == 0
+    expected = bytes_of(tmp_path / "alone")
+    command = [sys.executable, "-m", "coursework", "grade", str(source), "--variant", "31", "--jobs", "1", "--out"]
+    for round_ in range(3):
+        out = tmp_path / f"out{round_}"
+        two = [subprocess.Popen([*command, str(out)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) for _ in range(2)]
+        states = sorted(process.wait() for process in two)
+        assert states in ([0, 0], [0, 2])
+        assert bytes_of(out) == expected
+
+
+def test_a_line_stands_where_the_journal_says_even_if_the_file_has_grown(tmp_path):
+    with Journal(tmp_path) as journal:
+        first = journal.add(Entry("k1", "a", {"status": "graded", "score": 1.0}))
+        with (tmp_path / "journal.jsonl").open("ab") as other:
+            other.write(b"something else\n")
+        second = journal.add(Entry("k2", "b", {"status": "graded", "score": 2.0}))
+        assert (journal.read(first).id, journal.read(second).id) == ("a", "b")
+        assert journal.places()[0] == {"k1": first, "k2": second}
+
+
+def test_a_rubric_of_brackets_is_one_sentence(tmp_path):
+    hand_in(tmp_path / "in" / "ada")
+    (tmp_path / "rubric.toml").write_text("points = " + "[" * 9_999, encoding="utf-8")
+    done = grade(tmp_path / "in", tmp_path / "out", "--rubric", tmp_path / "rubric.toml")
+    assert done.exit_code == 2
+    assert len(done.output.strip().splitlines()) <= 2
+
+
+@pytest.mark.parametrize(("text", "safe"), [
+    ('a;=HYPERLINK("x")', "a;'=HYPERLINK(\"x\")"), ("a\n=1+1", "a\n'=1+1"), ("x; -3 follows", "x; '-3 follows"),
+    ("a; b = c", "a; b = c"), ("-0.5; text", "'-0.5; text"),
+])  # fmt: skip
+def test_a_formula_behind_a_separator_is_none(text, safe):
+    assert text_cell(text) == safe
+
+
+def test_json_of_the_class_can_be_read_whatever_the_names(tmp_path):
+    hand_in(tmp_path / "in" / "a;=1")
+    assert grade(tmp_path / "in", tmp_path / "out").exit_code == 0
+    assert [*submissions(tmp_path / "out")] == ["a;=1"]
+    assert json.loads((tmp_path / "out" / "grades.json").read_text(encoding="utf-8"))
