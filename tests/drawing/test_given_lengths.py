@@ -19,6 +19,7 @@ from coursework.drawing.paper.sheet import Sheet
 from coursework.report.text.symbols import symbol
 from coursework.variant.catalogue import names
 from tests.drawing import measured
+from tests.solved import solved
 
 # What lies at no point drawn, or changes with the motion: an origin, a drive's radius, the law of a crank's length.
 ABSENT = {
@@ -44,7 +45,7 @@ def ends_of(svg: str, word: str) -> tuple[complex, complex]:
 
 @pytest.mark.parametrize("name", names())
 def test_every_given_length_is_written_on_the_drawing(name: str) -> None:
-    run = solve(name, quantities=["table"])
+    run = solved(name, quantities=["table"])
     drawing = run.mechanism()
     assert drawing is not None
     written = " ".join(word.text.translate(_LOWERED) for word in measured.words(drawing.svg))
@@ -61,7 +62,7 @@ def test_every_given_length_is_written_on_the_drawing(name: str) -> None:
     ("name", "word", "metres"), [("engine-start", "e", 0.01), ("v112", "xD", 0.0986648), ("jansen", "l", 0.0078)]
 )
 def test_a_short_dimension_has_its_arrows_outside_and_is_true_to_scale(name: str, word: str, metres: float) -> None:
-    drawing = solve(name, quantities=["table"]).mechanism()
+    drawing = solved(name, quantities=["table"]).mechanism()
     assert drawing is not None
     first, second = ends_of(drawing.svg, word)
     assert abs(second - first) == pytest.approx(metres * scale_of(drawing.caption), abs=0.02)
@@ -72,7 +73,7 @@ def test_a_short_dimension_has_its_arrows_outside_and_is_true_to_scale(name: str
 
 @pytest.mark.parametrize(("name", "word"), [("oscillating-cylinder", "e"), ("prp", "ri")])
 def test_an_offset_that_a_link_has_stands_beside_that_part(name: str, word: str) -> None:
-    svg = solve(name, quantities=["table"]).mechanism().svg  # type: ignore[union-attr]
+    svg = solved(name, quantities=["table"]).mechanism().svg  # type: ignore[union-attr]
     slots = [line for line in measured.lines(svg, "data-link") if "data-slot" in line.says]
     stub = min(slots, key=lambda line: abs(line.b - line.a))
     [label] = [one for one in measured.words(svg) if one.text == word]
@@ -120,4 +121,4 @@ def test_an_origin_without_a_name_is_marked_where_data_count_from_it() -> None:
     tips = ends_of(svg, "xK")
     assert min(abs(tip.real - (mark.box[0] + mark.box[2]) / 2) for tip in tips) < 5
     for name in ("v112", "31"):
-        assert all(word.text != "0" for word in measured.words(solve(name, quantities=["table"]).mechanism().svg))  # type: ignore[union-attr]
+        assert all(word.text != "0" for word in measured.words(solved(name, quantities=["table"]).mechanism().svg))  # type: ignore[union-attr]

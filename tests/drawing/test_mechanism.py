@@ -20,11 +20,12 @@ from coursework.variant.catalogue import names
 from coursework.variant.formula.tree import spelled
 from tests.drawing import measured
 from tests.hard.scenes import scene
+from tests.solved import solved
 
 
 @cache
 def run_of(name: str) -> Run:
-    return solve(name, quantities=["table"])
+    return solved(name, quantities=["table"])
 
 
 @cache
@@ -79,7 +80,7 @@ def test_links_are_as_long_as_the_scale_says(name: str) -> None:
     run, drawing = run_of(name), drawing_of(name)
     scale = re.search(r"scale (\d[\d.]*):(\d+(?:\.\d+)?)", drawing.caption)
     assert scale is not None
-    points = solve(name, quantities=["table", "points"], scheme="euler").table.iloc[0]
+    points = solved(name, quantities=["table", "points"], scheme="euler").table.iloc[0]
     sides = [line for line in measured.lines(drawing.svg, "data-link") if "data-from" in line.says]
     assert sides
     for line in sides:

@@ -14,11 +14,12 @@ from coursework.drawing.paper.record import Drawing
 from coursework.run import Run
 from coursework.variant.catalogue import names
 from tests.drawing import measured
+from tests.solved import solved
 
 
 @cache
 def run_of(name: str) -> Run:
-    return solve(name, quantities=["table", "trajectories", "hodographs"])
+    return solved(name, quantities=["table", "trajectories", "hodographs"])
 
 
 def drawings_of(name: str) -> dict[str, Drawing]:

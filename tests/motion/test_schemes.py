@@ -9,6 +9,7 @@ import coursework
 from coursework.motion.integration.loops import generate_loop
 from coursework.motion.schemes import SCHEMES
 from coursework.variant.reading.reader import parse_variant
+from tests.solved import solved
 
 PAGE = (Path(__file__).parents[1] / "reference" / "format_page_31.toml").read_text(encoding="utf-8")
 WRITTEN = PAGE[: PAGE.index("# --- geometry")]
@@ -77,7 +78,7 @@ def test_the_orders_are_those_of_the_lecture():
 @pytest.mark.parametrize("scheme", SCHEMES)
 @pytest.mark.parametrize("name", ["31", "v108", "example-1", "jansen"])
 def test_the_generated_loop_is_the_march_bit_for_bit(scheme, name):
-    run = coursework.solve(name, scheme, quantities=["table"])
+    run = solved(name, scheme=scheme, quantities=["table"])
     loop = generate_loop(SCHEMES[scheme], run.scene.rates)
     for last in (0, 1, 2, len(run.motion.t) - 1):
         assert loop(0.0, last, run.step, *run.scene.start) == tuple(run.motion.coordinates[last])

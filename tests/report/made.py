@@ -1,28 +1,16 @@
-"""Runs of the catalogue, their models, pages and papers, each made once a process; who looks at them leaves them as they are.
+"""Models, pages and papers of runs of the catalogue, each made once a process; who looks at them leaves them as they are.
 
 Not for tests of the making itself: those make anew, and under changed words, templates or fonts nothing of this is asked.
 """
 
 from __future__ import annotations
 
-from functools import cache
 from typing import Any
 
-import coursework
 from coursework.report.pages import build_model, render_html, render_pdf
 from coursework.report.pages.model import ReportModel
 from coursework.scene.scene_run import SceneRun
-
-
-@cache
-def _solved(variant: str, options: tuple[tuple[str, Any], ...]) -> SceneRun:
-    return coursework.solve(variant, **dict(options))
-
-
-def solved(variant: str, **options: Any) -> SceneRun:
-    """Return the run of a variant of the catalogue."""
-    return _solved(variant, tuple((key, tuple(value) if isinstance(value, list) else value) for key, value in options.items()))
-
+from tests.solved import solved as solved
 
 _models: dict[tuple[int, str, bool], tuple[SceneRun, ReportModel]] = {}
 

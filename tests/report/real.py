@@ -14,6 +14,7 @@ from coursework.variant.reading.reader import parse_variant
 from coursework.variant.record.variant import Variant
 from tests.hard.scenes import four_bar, scene
 from tests.report.made import model_of
+from tests.solved import solved
 
 ROOT = Path(__file__).parents[2]
 V31 = (ROOT / "variants" / "31.toml").read_text(encoding="utf-8")
@@ -35,7 +36,7 @@ def changed(changes: Mapping[str, str], text: str = V31) -> Variant:
 @cache
 def full() -> SceneRun:
     """Return variant 31 with everything its file asks for."""
-    return coursework.solve("31", student="Olena Kovalchuk", group="MT-21")
+    return solved("31", student="Olena Kovalchuk", group="MT-21")
 
 
 @cache
@@ -110,7 +111,7 @@ def oddities() -> list[SceneRun]:
     texts = (unjudged, closed, parse_variant(HELD), remarked, redundant, moved, fold, still, three, smooth, guides, dead)
     bare = [coursework.solve(one, quantities=["table"]) for one in texts]
     parts = {"31": "phi3", "example-1": "theta2", "v107": "accuracy"}
-    return [*bare, *(coursework.solve(name, quantities=[quantity]) for name, quantity in parts.items())]
+    return [*bare, *(solved(name, quantities=[quantity]) for name, quantity in parts.items())]
 
 
 def timed() -> SceneRun:

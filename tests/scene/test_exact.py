@@ -15,6 +15,7 @@ from coursework.variant.reading.reader import parse_variant
 from coursework.variant.record.vocabulary import EXACT
 from tests.command import call
 from tests.report.real import text_of
+from tests.solved import solved
 
 pytestmark = pytest.mark.usefixtures("folder")
 ROOT = Path(__file__).parents[2]
@@ -32,7 +33,7 @@ def rows_of(path):
 
 
 def test_files_whose_motion_is_a_chain_of_groups_have_it_by_default():
-    schemes = {entry.name: coursework.solve(entry.name, quantities=["table"]).scheme for entry in entries()}
+    schemes = {entry.name: solved(entry.name, quantities=["table"]).scheme for entry in entries()}
     exact = {name for name, scheme in schemes.items() if scheme == "exact"}
     assert len(exact) == 21
     assert exact >= {"example-1", "example-3", "example-6", "homework", "prp"}

@@ -35,7 +35,7 @@ class ShownEquation:
 
 def shown_equations(equations: VelocityEquations, reduction: Reduction) -> tuple[ShownEquation, ...]:
     """Return the velocity equations, written or derived, in the order of the file."""
-    sides = [equation.shown(equations.order) for equation in equations.equations]
+    sides = equations.once("sides", lambda: [equation.shown(equations.order) for equation in equations.equations])
     return tuple(
         ShownEquation(e.name, e.because, left, right, e.written is None, e.name in reduction.used)
         for e, (left, right) in zip(equations.equations, sides, strict=True)

@@ -22,6 +22,7 @@ from coursework.variant.catalogue import names
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.errors import InputError
 from tests.drawing import measured
+from tests.solved import solved
 
 # Closed forms to 40 digits, velocities and accelerations confirmed by five-point differences; see the file's own `rule`.
 REFERENCE = json.loads((Path(__file__).parents[2] / "reference" / "polygons.json").read_text(encoding="utf-8"))["plans"]
@@ -30,7 +31,7 @@ Key = tuple[str, str, str, str, str]
 
 @cache
 def run_of(name: str) -> Run:
-    return solve(name, quantities=["plans"])
+    return solved(name, quantities=["plans"])
 
 
 @cache

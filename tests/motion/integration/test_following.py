@@ -8,6 +8,7 @@ from coursework.motion.integration.following import NotReached, _Follower, follo
 from coursework.variant.catalogue import names
 from coursework.variant.reading.reader import parse_variant
 from tests.hard.scenes import V31_IMPOSSIBLE
+from tests.solved import solved
 
 
 @pytest.fixture
@@ -32,7 +33,7 @@ def step_by_step(closure, rates, times, monkeypatch):
 
 @pytest.mark.parametrize("name", names())
 def test_the_rows_are_those_found_step_by_step(name, monkeypatch):
-    scene = coursework.solve(name).scene
+    scene = solved(name).scene
     assert scene.closure.complete
     time = scene.variant.time
     for stride in (1, 3):

@@ -9,6 +9,7 @@ from coursework.motion.integration.loops import generate_rows
 from coursework.motion.schemes import SCHEMES
 from coursework.variant.reading.reader import parse_variant
 from tests.hard.scenes import V31_IMPOSSIBLE
+from tests.solved import solved
 
 
 def both(run, scheme, step, end, start=None, guarded=()):
@@ -20,7 +21,7 @@ def both(run, scheme, step, end, start=None, guarded=()):
 @pytest.mark.parametrize("scheme", SCHEMES)
 @pytest.mark.parametrize("name", ["31", "v105", "example-1", "example-3", "jansen", "variable-crank-table"])
 def test_every_row_is_the_same_to_the_last_bit(name, scheme):
-    run = coursework.solve(name, quantities=["table"])
+    run = solved(name, quantities=["table"])
     rows, steps = both(run, scheme, run.step, run.end)
     for field in ("t", "coordinates", "velocities", "determinants"):
         assert np.array_equal(getattr(rows, field), getattr(steps, field))

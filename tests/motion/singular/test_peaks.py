@@ -5,6 +5,7 @@ import pytest
 from scipy.optimize import minimize_scalar
 
 import coursework
+from tests.solved import solved
 
 
 def peak(run):
@@ -14,7 +15,7 @@ def peak(run):
 @pytest.mark.parametrize(("name", "rate"), [("v107", "w3"), ("jansen", "wc")])
 def test_the_largest_rate_is_that_of_a_fine_exact_motion(name, rate):
     """An independent way: exact rows twenty times as dense, then a parabola through the three about the largest."""
-    run = coursework.solve(name, quantities=["table", "checks"])
+    run = solved(name, quantities=["table", "checks"])
     fine = coursework.solve(name, step=run.step / 20, quantities=["table"]).exact
     sizes = np.abs(fine.column(rate))
     place = int(np.argmax(sizes))
@@ -30,7 +31,7 @@ def test_the_largest_rate_is_that_of_a_fine_exact_motion(name, rate):
 
 @pytest.mark.parametrize(("name", "told"), [("example-1", "w1 is constant: 10 rad/s"), ("31", "w3 is largest at t = 0 s")])
 def test_a_constant_rate_has_no_moment_and_one_at_the_start_has(name, told):
-    assert peak(coursework.solve(name, quantities=["table", "checks"])).sentence.startswith(told)
+    assert peak(solved(name, quantities=["table", "checks"])).sentence.startswith(told)
 
 
 def test_nothing_beyond_the_end_counts():

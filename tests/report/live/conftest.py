@@ -12,6 +12,7 @@ import coursework
 from coursework.report.output.formats import chosen
 from coursework.report.output.results import Results
 from coursework.variant.record.variant import Variant
+from tests.solved import solved
 
 Written = Callable[..., Path]
 
@@ -25,7 +26,8 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> Written:
         key = (variant if isinstance(variant, str) else repr(variant.changes), live, *sorted(options.items()))
         if key not in folders:
             folder = tmp_path_factory.mktemp("page")
-            results = Results(coursework.solve(variant, **options), live=live)
+            run = solved(variant, **options) if isinstance(variant, str) else coursework.solve(variant, **options)
+            results = Results(run, live=live)
             for each in chosen(("html", "csv"), "run"):
                 for name, content in each.write(results):
                     (folder / name).write_bytes(content)

@@ -15,6 +15,7 @@ from coursework.report.live.numbers import live_numbers
 from coursework.report.live.script import script_of
 from coursework.scene.scene_run import SceneRun
 from coursework.variant.catalogue import names
+from tests.solved import solved
 
 pytestmark = pytest.mark.browser
 # What the page itself does with the runtime, here handed to the test.
@@ -52,7 +53,7 @@ def scaled(found: Any, right: np.ndarray) -> float:
 
 @pytest.mark.parametrize("name", names())
 def test_the_rows_of_a_variant_are_those_of_python(engine: Any, name: str) -> None:
-    run = coursework.solve(name, scheme="euler")
+    run = solved(name, scheme="euler")
     numbers = started(engine, run)
     found = engine.evaluate("([h, d, stop]) => marched('euler', h, d, stop)", [run.step, numbers["numbers"], numbers["stop"]])
     assert scaled(found["rows"], run.motion.rows) < 1e-12
@@ -63,7 +64,7 @@ def test_the_rows_of_a_variant_are_those_of_python(engine: Any, name: str) -> No
 @pytest.mark.parametrize("scheme", ["midpoint", "heun", "ralston", "rk4"])
 @pytest.mark.parametrize("name", ["31", "robot-arm", "variable-crank-table", "walschaerts"])
 def test_every_scheme_steps_as_in_python(engine: Any, name: str, scheme: str) -> None:
-    run = coursework.solve(name, scheme=scheme)
+    run = solved(name, scheme=scheme)
     numbers = started(engine, run)
     found = engine.evaluate("([name, h, d]) => marched(name, h, d, null)", [scheme, run.step, numbers["numbers"]])
     assert scaled(found["rows"], run.motion.rows) < 1e-12
@@ -72,7 +73,7 @@ def test_every_scheme_steps_as_in_python(engine: Any, name: str, scheme: str) ->
 
 @pytest.mark.parametrize("name", names())
 def test_the_true_motion_is_that_of_the_closed_positions(engine: Any, name: str) -> None:
-    run = coursework.solve(name)
+    run = solved(name)
     numbers = started(engine, run)
     found = engine.evaluate("([d, stop]) => followed(d, stop)", [numbers["numbers"], numbers["stop"]])
     rows, right = np.array(found["rows"]), run.exact.coordinates

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-import coursework
 from coursework.drawing.outline.poses import read_poses
 from coursework.drawing.outline.tracing import read_outline
 from coursework.report.live.scenery import _moving_lines
 from coursework.variant.catalogue import names
+from tests.solved import solved
 
 SCALE = 300.0
 
@@ -14,7 +14,7 @@ SCALE = 300.0
 def test_an_arm_stands_upright_on_its_slot_as_long_as_the_file_says():
     looked = 0
     for name in names():
-        scene = coursework.solve(name, quantities=["table"]).scene
+        scene = solved(name, quantities=["table"]).scene
         outline = read_outline(scene.mechanism)
         if outline is None or not outline.slots:
             continue

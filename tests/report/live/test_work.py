@@ -10,6 +10,7 @@ import pytest
 
 import coursework
 from coursework.motion.schemes import SCHEMES
+from tests.solved import solved
 
 pytestmark = pytest.mark.browser
 # Counts what the page calls: trigonometry (velocities and places), elements made, attributes set, layouts asked for.
@@ -82,7 +83,7 @@ def test_the_mechanism_is_drawn_before_the_laboratory_is_built(written: Any, ope
     # One Runge-Kutta step a row and the places of what is drawn, against sixteen steps a row.
     assert 3 * first["trigonometry"] < whole
     # When the page is there, so is all of the laboratory.
-    assert page.page.locator("#lab-table tbody tr").count() == len(coursework.solve(name).motion.t)
+    assert page.page.locator("#lab-table tbody tr").count() == len(solved(name).motion.t)
     assert float(page.value("#lab-error")) > 0
 
 

@@ -28,6 +28,7 @@ from coursework.words.sentences import PLURALS, Phrases, joined, load_phrases, s
 from tests.report import words_missing
 from tests.report.real import text_of
 from tests.report.text.test_sentences_of_a_page import keys
+from tests.solved import solved
 from tests.sources import files, nodes
 
 ROOT = Path(__file__).parents[3]
@@ -220,7 +221,7 @@ def test_words_beside_a_part_of_one_have_a_form_of_their_own(language: str, besi
 
 @pytest.mark.parametrize("name", ["31", "epicyclic", "andrews"])
 def test_numbers_have_the_decimal_sign_of_the_page_and_chinese_has_no_spaces(name: str, reading: ModuleType) -> None:
-    run = coursework.solve(name)
+    run = solved(name)
     as_written = " ".join(run.variant.remarks)  # what a file says in its own language stays as it is
     for language in ("ru", "uk"):
         model = build_model(run, language)

@@ -9,7 +9,6 @@ from typing import Any
 
 import pytest
 
-import coursework
 from coursework.report.pages import build_model, notebook_html
 from coursework.report.text.words import Words, load_words
 from coursework.results.checks.result import Finding
@@ -18,6 +17,7 @@ from coursework.words.errors import InputError
 from coursework.words.sentences import load_phrases, say
 from tests.hard.test_change_points import past_the_pivot
 from tests.results.kinematics.mechanisms import FIVE_BAR
+from tests.solved import solved
 
 
 def keys(table: Mapping[str, Any]) -> set[str]:
@@ -60,24 +60,23 @@ class Judged:
 
 def unusual(real: ModuleType) -> list[Any]:
     """Return runs that between them make the report say everything it can say."""
-    solve = coursework.solve
     codes = tuple(check.code for check in real.full().checks)
     verdicts = ("PASS", "COARSE", "FAIL", "SKIP", "ERROR")
     extras = ["table", "plots", "checks", "accelerations", "points", "analogs", "invariants"]
-    dated = solve("31", date="D", student="S", group="G", quantities=real.EVERYTHING)
+    dated = solved("31", date="D", student="S", group="G", quantities=real.EVERYTHING)
     return [
         dated, real.full(), real.stopped(), judged(real, verdicts, codes),
-        judged(real, verdicts), judged(real, ("PASS",)), judged(real, ("PASS", "PASS")), solve("v107"),
-        solve("v108"), solve("v104"), solve("v112", quantities=["table"]),
-        solve("31", project=1), solve("31", project=2), solve("31", gain=5.0), solve("31", scheme="rk4"),
-        solve("31", scheme="exact"),
-        solve("31", step=0.48 / 999, quantities=["table", "plots"]), solve("31", end=0.02, quantities=["table"]),
-        solve("example-2", quantities=extras), solve("variable-crank-table"), solve("variable-crank"), solve("robot-arm"),
-        solve("andrews", quantities=["table"]), solve("31", quantities=["checks"]), solve("oscillating-cylinder"),
-        solve("jansen", quantities=["table"]), solve("cardan", quantities=["table", "checks"]),
-        solve("epicyclic", quantities=["table"]), solve("engine-start", quantities=["checks"]),
-        solve("v110", quantities=["table"]),
-        solve("31", quantities=["trajectories", "hodographs", "plans", "points"]),
+        judged(real, verdicts), judged(real, ("PASS",)), judged(real, ("PASS", "PASS")), solved("v107"),
+        solved("v108"), solved("v104"), solved("v112", quantities=["table"]),
+        solved("31", project=1), solved("31", project=2), solved("31", gain=5.0), solved("31", scheme="rk4"),
+        solved("31", scheme="exact"),
+        solved("31", step=0.48 / 999, quantities=["table", "plots"]), solved("31", end=0.02, quantities=["table"]),
+        solved("example-2", quantities=extras), solved("variable-crank-table"), solved("variable-crank"), solved("robot-arm"),
+        solved("andrews", quantities=["table"]), solved("31", quantities=["checks"]), solved("oscillating-cylinder"),
+        solved("jansen", quantities=["table"]), solved("cardan", quantities=["table", "checks"]),
+        solved("epicyclic", quantities=["table"]), solved("engine-start", quantities=["checks"]),
+        solved("v110", quantities=["table"]),
+        solved("31", quantities=["trajectories", "hodographs", "plans", "points"]),
         real.timed(), *real.oddities(), claimed(real), solve(parse_variant(FIVE_BAR)),
         solve(parse_variant(past_the_pivot(0.001, 0.02)), quantities=["table", "checks"]),
     ]  # fmt: skip
@@ -122,7 +121,7 @@ def test_an_unknown_language_is_refused_with_the_known_ones() -> None:
 
 
 def test_what_counts_is_said_in_the_form_of_its_number(real: ModuleType) -> None:
-    cardan = coursework.solve("cardan", quantities=("table", "checks"))
+    cardan = solved("cardan", quantities=("table", "checks"))
     sections = ("equations", "results", "control", "checks")
     told = " ".join(real.text_of(real.parts(cardan, section)) for section in sections).replace("\u00a0", " ")
     assert "1 equation" in told

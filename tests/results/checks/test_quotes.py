@@ -7,6 +7,7 @@ import pytest
 import coursework
 from coursework.variant.catalogue import entries
 from coursework.variant.reading.reader import parse_variant
+from tests.solved import solved
 
 ASSIGNED = re.compile(r"(\w+) = (-?\d+(?:\.\d+)?)(?![\d.]*\d)(?! *(?:m|mm|s|deg)\b)")
 
@@ -35,7 +36,7 @@ def test_the_catalogue_quotes_ten_numbers():
 
 @pytest.mark.parametrize("name", ["example-3", "example-6", "engine-start"])
 def test_the_quotes_of_the_catalogue_are_those_of_its_tables(name):
-    run = coursework.solve(name, quantities=["table", "checks"])
+    run = solved(name, quantities=["table", "checks"])
     found = check(run)
     assert found.verdict == "PASS"
     assert f"({len(run.variant.quotes)} in all)" in found.sentence

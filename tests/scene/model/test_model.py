@@ -8,6 +8,7 @@ import pytest
 import coursework
 from coursework.variant.catalogue import names
 from coursework.variant.reading.reader import parse_variant
+from tests.solved import solved
 
 RUNS = {}
 
@@ -15,7 +16,7 @@ RUNS = {}
 def scene(name):
     """Return the model and the rows of a catalogue variant."""
     if name not in RUNS:
-        RUNS[name] = coursework.compile_model(name), coursework.solve(name, quantities=["table"]).motion
+        RUNS[name] = coursework.compile_model(name), solved(name, quantities=["table"]).motion
     return RUNS[name]
 
 
