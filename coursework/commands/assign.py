@@ -11,7 +11,7 @@ import click
 
 from coursework.assigning.assign import Wishes, assign
 from coursework.assigning.variants import Assignment, load_ranges, read_file
-from coursework.commands.screen import in_language, tell, tell_own_file
+from coursework.commands.screen import in_language, tell, tell_own_file, tell_unprinted
 from coursework.grading.platforms.roster import read_roster
 from coursework.report.text.words import load_words
 from coursework.variant.catalogue import load
@@ -32,8 +32,10 @@ def assign_class(
     assignment = Assignment(chosen, load_ranges(ranges or template, chosen), seed)
     centre, count = assignment.acceptance.centre, len(listed.students)
     tell(say("assign.pilot", feasible=centre.feasible, drawn=centre.drawn))
+    letters: list[str] = []
     with click.progressbar(length=2 * count, label=in_language(say("assign.progress")), width=30) as bar:
-        written = assign(listed, assignment, out, Wishes(seed, deadline, pdf), words, bar.update, bar.update)
+        written = assign(listed, assignment, out, Wishes(seed, deadline, pdf), words, bar.update, bar.update, letters.append)
         bar.finish()
+    tell_unprinted("".join(letters))
     tell(say("assign.written", count=count, out=str(out), written=tuple(written)))
     return 0

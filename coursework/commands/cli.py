@@ -18,6 +18,7 @@ import click
 from coursework.commands.options import (
     SET,
     VARIANT,
+    CommandWithKinds,
     CommandWithTemplates,
     Formats,
     SchemeOption,
@@ -180,16 +181,17 @@ def variants_command(language: str) -> int:
     return PASSED
 
 
-@main.command("new")
+@main.command("new", cls=CommandWithKinds)
 @click.argument("name")
+@click.option("--groups", "kinds", metavar="KIND,KIND…", help="Write a chain of groups of these kinds (below), a crank first.")
 @click.option("--from", "original", shell_complete=offered("variants"), help="Copy this variant, with the tables it reads.")
 @SET
-@spoken(passed_on=False)
-def new_command(name: str, original: str | None, set_values: tuple[str, ...]) -> int:
-    """Write NAME.toml, a commented variant file to fill in, or a copy of another."""
+@spoken(passed_on=True)
+def new_command(name: str, original: str | None, set_values: tuple[str, ...], kinds: str | None, language: str) -> int:
+    """Write NAME.toml, a commented variant file to fill in, a chain of groups, or a copy of another."""
     from coursework.commands.new import new_variant
 
-    return new_variant(name, original, set_values)
+    return new_variant(name, original, set_values, kinds, language)
 
 
 @main.command("accuracy", cls=CommandWithTemplates)

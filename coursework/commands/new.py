@@ -1,6 +1,6 @@
-"""`coursework new`: a variant file to fill in, which runs as it is: the commented template, or a copy of a variant.
+"""`coursework new`: a variant file to fill in, which runs as it is: the commented template, a chain of groups, or a copy.
 
-Enters: a name, with --from what to copy, with --set what is other in the copy.
+Enters: a name, with --groups the kinds of a chain, with --from what to copy, with --set what is other in the copy.
 Leaves: NAME.toml in the current folder, with the tables it reads.
 Used by `cli.py`.
 """
@@ -8,21 +8,31 @@ Used by `cli.py`.
 from __future__ import annotations
 
 import re
+import tomllib
 from collections.abc import Sequence
 from pathlib import Path
 
-from coursework.commands.screen import tell, tell_own_file
+from coursework.commands.screen import in_language, tell, tell_own_file
 from coursework.scene.model.variant_text import variant_text
 from coursework.system.whole_files import write_bytes
 from coursework.variant.catalogue import find, load, names
 from coursework.variant.reading.set_values import with_set
-from coursework.words.data_folders import folder
+from coursework.variant.record.vocabulary import GROUP_KINDS
+from coursework.words.data_folders import REPORTS, folder
 from coursework.words.errors import InputError
-from coursework.words.sentences import say, say_count
+from coursework.words.sentences import ENGLISH, say, say_count
+
+MOST_GROUPS = 20
+# A remark behind # (a text before it has no # inside), or the text behind one of these keys.
+_TEXTS = re.compile(r"""(^[^#\n]*# |^(?:source|teaches|because) *= ")(.+?)("?$)""", re.M)
 
 
-def new_variant(name: str, original: str | None = None, set_values: Sequence[str] = ()) -> int:
-    """Write NAME.toml, a copy of `original` or of the template; files that exist are left alone."""
+def new_variant(
+    name: str, original: str | None = None, set_values: Sequence[str] = (), kinds: str | None = None, language: str = ENGLISH
+) -> int:
+    """Write NAME.toml: a copy of `original`, a chain of `kinds`, or the template in a language; what exists is left alone."""
+    if kinds is not None and original is not None:
+        raise InputError(say("fault.C070"))
     if set_values and original is None:
         raise InputError(say("fault.C045"))
     stem = name.removesuffix(".toml")
@@ -31,7 +41,10 @@ def new_variant(name: str, original: str | None = None, set_values: Sequence[str
     if stem.lower() in names():
         raise InputError(say("fault.C026", stem=stem))
     target = Path(f"{stem}.toml")
-    contents = {target: _template(stem)} if original is None else _copies(target, original, set_values)
+    if original is not None:
+        contents = _copies(target, original, set_values)
+    else:
+        contents = {target: _template(stem, language) if kinds is None else _chain(stem, kinds)}
     for path, content in contents.items():
         if path.exists() and (path == target or path.read_bytes() != content):
             raise InputError(say("fault.C027", path=path))
@@ -42,9 +55,38 @@ def new_variant(name: str, original: str | None = None, set_values: Sequence[str
     return 0
 
 
-def _template(stem: str) -> bytes:
-    text = (folder("reports") / "new-variant.toml").read_text(encoding="utf-8")
+def _template(stem: str, language: str) -> bytes:
+    """Return the template; what its remarks and texts are in a language stands in a file beside it, by what they are here."""
+    place = folder(REPORTS)
+    text = (place / "new-variant.toml").read_text(encoding="utf-8")
+    if (translated := place / f"new-variant.{language}.toml").is_file():
+        said = tomllib.loads(translated.read_text(encoding="utf-8"))
+        text = _TEXTS.sub(lambda found: f"{found[1]}{said.get(found[2], found[2])}{found[3]}", text)
     return text.replace("NAME", stem).encode("utf-8")
+
+
+def _chain(stem: str, kinds: str) -> bytes:
+    """Return the file of a chain.  Raises `InputError` for kinds that make none."""
+    from difflib import get_close_matches
+
+    from coursework.mechanism.drafts.chain import DoesNotClose, draft_of
+    from coursework.mechanism.drafts.text import text_of
+    from coursework.mechanism.groups import group_kind
+
+    asked = [kind.strip() for kind in kinds.split(",") if kind.strip()]
+    meant = {kind.lower(): kind for kind in GROUP_KINDS}
+    known = ", ".join(GROUP_KINDS)
+    if wrong := [kind for kind in asked if kind.lower() not in meant]:
+        alike = get_close_matches(wrong[0].lower(), [*meant], n=1)
+        hint = say("hint.closest", name=meant[alike[0]]) if alike else ""
+        raise InputError(say("fault.C071", kind='", "'.join(dict.fromkeys(wrong)), hint=hint, known=known))
+    named = [meant[kind.lower()] for kind in asked]
+    if len(named) < 2 or len(named) > MOST_GROUPS or not group_kind(named[0]).driven:
+        raise InputError(say("fault.C072", found=", ".join(named) or say("fault.part.nothing"), most=MOST_GROUPS))
+    try:
+        return text_of(draft_of(named), stem, in_language).encode("utf-8")
+    except DoesNotClose as error:
+        raise InputError(say("fault.C073", number=error.number, kind=named[error.number - 1])) from error
 
 
 def _copies(target: Path, original: str, set_values: Sequence[str]) -> dict[Path, bytes]:

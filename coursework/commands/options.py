@@ -6,6 +6,7 @@ Used by `cli.py`.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from itertools import pairwise
 from pathlib import Path
@@ -94,6 +95,16 @@ class CommandWithTemplates(click.Command):
         except BaseException:
             ctx.close()
             raise
+
+
+class CommandWithKinds(click.Command):
+    """A command whose help ends with the table of kinds of groups, made from their records."""
+
+    def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        from coursework.commands.kinds import kinds_table
+
+        language = str(ctx.params.get("language") or os.environ.get("COURSEWORK_LANGUAGE") or "en")
+        formatter.write(f"\n{kinds_table(language)}\n")
 
 
 def templates(*, passed_on: bool) -> Callable[[Callable[..., int]], Callable[..., int]]:

@@ -14,8 +14,7 @@ import numpy as np
 from coursework.commands.screen import in_language, tell, tell_own_file
 from coursework.grading.collecting.sources import collect_files
 from coursework.grading.marking.grade import student_of
-from coursework.grading.marking.key import Key
-from coursework.grading.marking.reference import key_of
+from coursework.grading.marking.key import Key, key_of
 from coursework.grading.marking.table.cells import Cells, mark_cells
 from coursework.grading.marking.table.points import true_steps
 from coursework.grading.reading.expected import Expected, grid_of
@@ -55,7 +54,15 @@ def _tell_table(key: Key, work: StudentWork) -> bool:
     tell(say("screen.turned" if reading.transposed else "screen.not_turned", **known))
     for column in table.columns:
         told = "screen.column_by_head" if column.by == "header" else "screen.column_by_place"
-        tell(say(told, name=f"{column.name:<8}", at=column.at, unit=column.unit, decimals=column.decimals))
+        tell(
+            say(
+                told,
+                name=f"{column.name:<8}",
+                at=column.at,
+                unit="rad/s" if column.unit == "1/s" else column.unit,
+                decimals=column.decimals,
+            )
+        )
     missing = [name for name in key.names if table.column(name) is None]
     if missing:
         tell(say("screen.missing_columns", missing=", ".join(missing)))
@@ -109,4 +116,6 @@ def _tell_equations(work: StudentWork) -> bool:
             tell(say("screen.line", line=line.line, why=line.fault.message if line.fault else say("screen.not_equation")))
         elif line.repaired:
             tell(say("screen.line_read_as", line=line.line, repaired=line.repaired))
+        else:
+            tell(say("screen.line_read", line=line.line, text=line.text))
     return not unread

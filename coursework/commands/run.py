@@ -11,7 +11,7 @@ from typing import Any
 
 from coursework.api import solve
 from coursework.commands.run_on_screen import tell_run, tell_run_briefly
-from coursework.commands.screen import is_terminal, tell, tell_own_file
+from coursework.commands.screen import is_terminal, tell, tell_own_file, tell_unprinted
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
 from coursework.report.output.formats import FORMATS, PAGES, Format, chosen
 from coursework.report.output.results import Results
@@ -155,7 +155,9 @@ def write_all(run: Run, folder: Path, formats: Sequence[Format], language: str, 
     results = Results(run, language, live)
     results.compute(any(PAGES in each.serves for each in formats))
     with working_folder(folder) as hidden:
-        return write_set(results, formats, folder, hidden)
+        written = write_set(results, formats, folder, hidden)
+    tell_unprinted(results.unprinted)
+    return written
 
 
 def earlier_files(folder: Path) -> tuple[str, ...] | None:

@@ -36,6 +36,11 @@ def speak(language: str) -> None:
     _SPOKEN.set(language)
 
 
+def speaks_english() -> bool:
+    """Return whether the command speaks English: codes and verdicts are words of it, and stand before no sentence of another."""
+    return _SPOKEN.get() == ENGLISH
+
+
 def in_language(text: str) -> str:
     """Return a sentence in the language of the command; any other text as it is."""
     return load_phrases(_SPOKEN.get()).written(text)
@@ -75,6 +80,12 @@ def tell_wrapped(text: str, *, hanging: str = "") -> None:
         lines = textwrap.wrap(kept, width, subsequent_indent=hanging, break_long_words=False, break_on_hyphens=False)
         line = "\n".join(lines).replace(_TIED, " ")
     click.echo(line)
+
+
+def tell_unprinted(letters: str) -> None:
+    """Say which letters no face here has, so that a PDF shows boxes in their place; nothing where there are none."""
+    if letters:
+        tell(say("screen.unprinted", letters=letters), err=True)
 
 
 def tell_faults(error: CourseworkError) -> None:

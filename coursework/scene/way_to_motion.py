@@ -231,6 +231,17 @@ class WayToMotion:
 
         return accelerations(self.equations, self.reduction, self.exact, self.search.passages)
 
+    @computed("exact", "equations", "reduction", "rates", "search")
+    def extremes(self) -> dict[str, tuple[float, float]]:
+        """The least and the largest value of every column of the exact motion up to its last row, between rows too."""
+        from coursework.motion.integration.extremes import extremes
+        from coursework.results.kinematics.accelerations import accelerations
+
+        passages = self.search.passages
+        return extremes(
+            self.exact, self.every_rate, lambda motion: accelerations(self.equations, self.reduction, motion, passages)
+        )
+
     @property
     def scheme_rows(self) -> Motion | None:
         """The rows of a scheme beside a table that is exact; none beside a table that a scheme has made."""

@@ -26,6 +26,9 @@ Length: TypeAlias = ArrayLike | tuple[ArrayLike, ArrayLike, ArrayLike]
 # farther outside is a mechanism that really cannot be put together (hard case H05).
 ULPS = 8.0
 
+# The letters of a group's points in sentences, where no file gives its own.
+TEXTBOOK = {letter: letter for letter in "BCD"}
+
 
 class CannotAssemble(ValueError):
     """The links of a group do not meet.
@@ -138,7 +141,7 @@ def require_crossing(group: str, sine: Array, turned: Array, gap: Array, data: t
 def require_mode(group: str, mode: int, modes: Mapping[int, str]) -> None:
     """Raise `ValueError` unless `mode` is one of `modes` (number to the key of its meaning)."""
     if mode not in modes:
-        known = ", ".join(f"{number:+d} ({say(meaning)})" for number, meaning in modes.items())
+        known = ", ".join(f"{number:+d} ({say(meaning, **TEXTBOOK)})" for number, meaning in modes.items())
         raise ValueError(say("group.no_mode", group=group, mode=repr(mode), known=known))
 
 

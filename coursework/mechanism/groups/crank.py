@@ -70,4 +70,4 @@ def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Seq
     return (Joint(REVOLUTE, (points[0], own[0]), group.start_points[0]),)
 
 
-CRANK = GroupKind("crank", Shape(1, (1,), 0, 1), _closure, None, _joints, carries=(0,))
+CRANK = GroupKind("crank", Shape(1, (1,), 0, 1), _closure, None, _joints, carries=(0,), letters=("A", "B"))

@@ -80,4 +80,4 @@ def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Seq
     return (*slides, Joint(REVOLUTE, (own[0], own[1]), hinge))
 
 
-PRP = GroupKind("PRP", Shape(0, (0,), 2, 2), _closure, _solve, _joints, meaning="determinant.parallel")
+PRP = GroupKind("PRP", Shape(0, (0,), 2, 2), _closure, _solve, _joints, meaning="determinant.parallel", letters=("Ki", "Kj", "C"))

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 
 from coursework.mechanism.groups.assembly import numbers, require_crossing
 from coursework.mechanism.groups.joint import PRISMATIC, REVOLUTE, Joint
-from coursework.mechanism.groups.kind import QUARTER, Closed, GroupKind, Known, Shape, along, plus, unknowns
+from coursework.mechanism.groups.kind import QUARTER, Closed, GroupKind, Known, Shape, across, along, plus, unknowns
 from coursework.mechanism.groups.line import Line
 from coursework.mechanism.groups.pairs import GroupMotion, Guide, Pair, count_rows, group_motion
 from coursework.mechanism.groups.plane import cross, direction, vectors
@@ -74,7 +74,7 @@ def _slide(group: Group) -> Formula:
 
 def _closure(group: Group) -> Closed:
     (on_block, on_guide), guide = unknowns(group), group.guides[0]
-    met = plus(guide.through, along(on_guide, guide.angle))
+    met = plus(guide.through, along(on_guide, guide.angle), *across(guide.offset, guide.angle))
     return (group.start_points[0], plus(met, along(on_block, _slide(group)))), met
 
 
@@ -91,4 +91,7 @@ def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Seq
     )
 
 
-RPP = GroupKind("RPP", Shape(1, (0,), 1, 2), _closure, _solve, _joints, meaning="determinant.parallel")
+RPP = GroupKind(
+    "RPP", Shape(1, (0,), 1, 2, ("angle",)), _closure, _solve, _joints,
+    meaning="determinant.parallel", letters=("B", "K", "D"),
+)  # fmt: skip

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from coursework.mechanism.groups import assembly
-from coursework.mechanism.groups.assembly import at, dead, metres, numbers, refuse, rows_where
+from coursework.mechanism.groups.assembly import TEXTBOOK, at, dead, metres, numbers, refuse, rows_where
 from coursework.mechanism.groups.joint import PRISMATIC, REVOLUTE, Joint
 from coursework.mechanism.groups.kind import Closed, GroupKind, Known, Shape, across, along, plus, unknowns
 from coursework.mechanism.groups.pairs import GroupMotion, Pair, count_rows, group_motion
@@ -61,7 +61,7 @@ def rpr(
         rows = rows_where(spare < -rounding, n)
         short = -at(spare, rows[0])
         apart_at, offset = metres(at(apart, rows[0])), metres(at(np.abs(e0), rows[0]))
-        raise refuse("RPR", rows, say("group.offset", apart=apart_at, offset=offset, short=metres(short)), short)
+        raise refuse("RPR", rows, say("group.offset", **TEXTBOOK, apart=apart_at, offset=offset, short=metres(short)), short)
     if (apart <= rounding).any():
         raise dead("RPR", rows_where(apart <= rounding, n), say("group.dead.on_pivot"), placed=False)
     limit = spare <= rounding
@@ -114,4 +114,4 @@ def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Seq
     )
 
 
-RPR = GroupKind("RPR", Shape(2, (0, 1), 0, 2), _closure, _solve, _joints, modes=MODES)
+RPR = GroupKind("RPR", Shape(2, (0, 1), 0, 2, ("offset",)), _closure, _solve, _joints, modes=MODES, letters=("B", "D", "E"))

@@ -13,7 +13,7 @@ from functools import partial
 import numpy as np
 
 from coursework.mechanism.groups import assembly
-from coursework.mechanism.groups.assembly import Length, at, dead, metres, refuse, rows_where
+from coursework.mechanism.groups.assembly import TEXTBOOK, Length, at, dead, metres, refuse, rows_where
 from coursework.mechanism.groups.joint import PRISMATIC, REVOLUTE, Joint
 from coursework.mechanism.groups.kind import Closed, GroupKind, Known, Shape, across, along, plus, unknowns
 from coursework.mechanism.groups.line import Line
@@ -52,7 +52,7 @@ def rrp(b: Pair, guide: Guide, *, length: Length, mode: int, positions_only: boo
     if (spare < -rounding).any():
         rows = rows_where(spare < -rounding, n)
         far, short = at(np.abs(q), rows[0]), -at(spare, rows[0])
-        reason = say("group.rod", far=metres(far), length=metres(at(r, rows[0])), short=metres(short))
+        reason = say("group.rod", **TEXTBOOK, far=metres(far), length=metres(at(r, rows[0])), short=metres(short))
         raise refuse("RRP", rows, reason, short)
     limit = spare <= rounding
     along = mode * np.sqrt(np.where(limit, 0.0, spare * (r + np.abs(q))))
@@ -103,4 +103,7 @@ def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Seq
     )
 
 
-RRP = GroupKind("RRP", Shape(1, (1,), 1, 2), _closure, _solve, _joints, modes=MODES, meaning="determinant.right_angle")
+RRP = GroupKind(
+    "RRP", Shape(1, (1,), 1, 2), _closure, _solve, _joints,
+    modes=MODES, meaning="determinant.right_angle", letters=("B", "K", "C"),
+)  # fmt: skip

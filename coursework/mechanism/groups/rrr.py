@@ -13,7 +13,7 @@ from functools import partial
 import numpy as np
 
 from coursework.mechanism.groups import assembly
-from coursework.mechanism.groups.assembly import CannotAssemble, Length, at, dead, metres, refuse, rows_where
+from coursework.mechanism.groups.assembly import TEXTBOOK, CannotAssemble, Length, at, dead, metres, refuse, rows_where
 from coursework.mechanism.groups.joint import REVOLUTE, Joint
 from coursework.mechanism.groups.kind import Closed, GroupKind, Known, Shape, along, plus, unknowns
 from coursework.mechanism.groups.pairs import GroupMotion, Pair, count_rows, group_motion
@@ -109,10 +109,10 @@ def _out_of_reach(rows: tuple[int, ...], apart: Array, r_i: Array, r_j: Array) -
     short = at(apart - (r_i + r_j), row)
     if short > 0.0:
         reach = metres(at(r_i + r_j, row))
-        return refuse("RRR", rows, say("group.short", apart=far, reach=reach, short=metres(short)), short)
+        return refuse("RRR", rows, say("group.short", **TEXTBOOK, apart=far, reach=reach, short=metres(short)), short)
     gap = at(np.abs(r_i - r_j), row)
     short = at(np.abs(r_i - r_j) - apart, row)
-    return refuse("RRR", rows, say("group.fold", apart=far, gap=metres(gap), short=metres(short)), short)
+    return refuse("RRR", rows, say("group.fold", **TEXTBOOK, apart=far, gap=metres(gap), short=metres(short)), short)
 
 
 def _closure(group: Group) -> Closed:
@@ -130,4 +130,4 @@ def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Seq
     return (*ends, Joint(REVOLUTE, (own[0], own[1]), _closure(group)[1]))
 
 
-RRR = GroupKind("RRR", Shape(2, (2,), 0, 2), _closure, _solve, _joints, modes=MODES)
+RRR = GroupKind("RRR", Shape(2, (2,), 0, 2), _closure, _solve, _joints, modes=MODES, letters=("B", "D", "C"))

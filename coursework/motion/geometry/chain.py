@@ -62,12 +62,13 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
         try:
             mode = _mode(equations, group, q[:1])
             if mode is None:
-                plus, minus = (say(group_kind(group.kind).modes[sign]) for sign in (1, -1))
+                kind = group_kind(group.kind)
+                plus, minus = (kind.mode_meaning(sign, kind.letters_in(group)) for sign in (1, -1))
                 raise _fault(say("fault.V307", kind=group.kind, plus=plus, minus=minus), number, group, variant)
             found = dyad(equations.symbols, group, mode, values).coordinates
         except groups.CannotAssemble as error:
-            named = _letters(group)
-            known = {"kind": group.kind, "time": float(times[error.row]), "reason": error.reason}
+            named = ", ".join(map(spelled, group.start_points))
+            known = {"kind": group.kind, "time": float(times[error.row]), "reason": _in_letters_of(group, error.reason)}
             told = say("fault.V306", **known, letters=named) if named else say("fault.V305", **known)
             raise _fault(told, number, group, variant) from error
         except ValueError as error:
@@ -84,10 +85,11 @@ def _fault(told: Sentence, number: int, group: Group, variant: Variant) -> Input
     return InputError([Fault(told, variant.file, group.line, 0, place)])
 
 
-def _letters(group: Group) -> str:
-    """Return which points of the file the letters of a group's sentences stand for."""
-    named = [(letter, spelled(point)) for letter, point in zip("BD", group.start_points, strict=False)]
-    return ", ".join(f"{letter} = {point}" for letter, point in named if letter != point)
+def _in_letters_of(group: Group, reason: str) -> str:
+    """Return why a group does not close with the points of the file in the place of the textbook's letters."""
+    if not isinstance(reason, Sentence):
+        return reason
+    return say(reason.key, **{**reason.values, **group_kind(group.kind).letters_in(group)})
 
 
 def _continued(angles: Array, start: float | None) -> Array:

@@ -13,14 +13,14 @@ from coursework.report.text.parts import Cell, Checks, Judged, Paragraph, Part, 
 from coursework.report.text.tables import thinned
 from coursework.report.text.text_runs import numeral
 from coursework.results.checks.evidence import NO_ERROR
-from coursework.results.checks.result import DIGITS_LEFT, GROUPS, VERDICTS, Finding, never_more
+from coursework.results.checks.result import DIGITS_LEFT, GROUPS, OF_THE_SCALE, VERDICTS, Finding, never_more
 from coursework.words.sentence import Sentence
+from coursework.words.sentences import ENGLISH
 from coursework.words.templates import clean
 
 NOTHING_AT_ALL = 1e-18  # SI: smaller than any round-off of a mechanism
 BESIDE_A_LIMIT = 1e-9  # of its limit: what passes with so little is round-off of lengths that close
 NEARLY_WHOLE = 5e-5  # of an amount: less than four digits show
-OF_THE_SCALE = "unit.of_the_scale"
 MOST_LINES = 30  # further lines of one check; more are thinned
 SHORT_UNIT = 12  # letters of a unit that stands behind its number; a longer one stands below
 
@@ -67,7 +67,7 @@ def _judged(context: PageContext, check: Finding) -> Judged:
     return Judged(
         mark=context.words(f"checks.mark.{check.verdict}"),
         verdict=context.words(f"checks.word.{check.verdict}"),
-        code=clean(check.code),
+        code=clean(check.code) if context.words.phrases.language == ENGLISH else "",  # a code is a word of English
         title=context.rich(check.title),
         sentence=context.rich(check.sentence),
         value=numeral(context.with_unit(numbers.limit(value) if is_count else numbers.scalar(value), behind(value))),

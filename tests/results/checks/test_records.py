@@ -74,7 +74,9 @@ def test_the_page_shows_two_groups_and_the_summary_first():
     plain = build_model(run).plain()["sections"]
     answer = next(part["right"] for part in plain[0]["parts"] if part["kind"] == "beside")
     assert answer["title"] == "Result"
-    assert "".join(piece.get("t", "") for piece in answer["items"][0]).startswith("The table is computed right: 5 of 5.")
+    assert "".join(piece.get("t", "") for piece in answer["items"][0]).startswith(
+        "The table is computed right: 5 of 5 checks of the computation."
+    )
     checks = next(section for section in plain if section["name"] == "checks")
     groups = [part for part in checks["parts"] if part["kind"] == "checks"]
     assert [part["title"] for part in groups] == [
@@ -95,37 +97,41 @@ def judged(code, verdict, **more):
 SUMMARIES = {
     "all is well": (
         [judged("STOP", "PASS"), judged("ACCURACY", "PASS", value=0.003, column="w6", row=12)],
-        "The table is computed right: 1 of 1. It is close to the motion: largest error 0.3 % (w6, row 12).",
+        "The table is computed right: 1 of 1 checks of the computation. "
+        "It is close to the motion: largest error 0.3 % (w6, row 12).",
     ),
     "the step is too coarse for something else": (
         [judged("STOP", "PASS"), judged("ACCURACY", "PASS", value=0.0, column="w6", row=1),
          judged("STEP", "COARSE", option="--step h/2"), judged("PEAK", "COARSE", option="--step h/2")],
-        "The table is computed right: 1 of 1. It is close to the motion: no entry is off by more than round-off. "
+        "The table is computed right: 1 of 1 checks of the computation. "
+        "It is close to the motion: no entry is off by more than round-off. "
         "The step is too coarse for STEP and PEAK; take --step h/2.",
     ),
     "no step helps": (
         [judged("STOP", "PASS"), judged("ACCURACY", "COARSE", value=1.36, column="w7", row=21)],
-        "The table is computed right: 1 of 1. It is not close to the motion: largest error 136 % (w7, row 21).",
+        "The table is computed right: 1 of 1 checks of the computation. "
+        "It is not close to the motion: largest error 136 % (w7, row 21).",
     ),
     "no geometry": (
         [judged("STOP", "PASS"), judged("AGREEMENT", "SKIP", headline="Signs are not checked: the file has no geometry."),
          judged("ACCURACY", "SKIP")],
-        "Signs are not checked: the file has no geometry. The table is computed right: 1 of 1. "
+        "Signs are not checked: the file has no geometry. The table is computed right: 1 of 1 checks of the computation. "
         "How close it is to the motion is not known.",
     ),
     "wrong": (
         [judged("STOP", "PASS"), judged("RESIDUAL", "FAIL"), judged("ACCURACY", "FAIL"), judged("PERIOD-POSITION", "FAIL")],
-        "The table is not computed right: 1 of 2; see RESIDUAL. A sentence. Wrong: PERIOD-POSITION.",
+        "The table is not computed right: 1 of 2 checks of the computation; see RESIDUAL. A sentence. Wrong: PERIOD-POSITION.",
     ),
     "the tool itself": (
         [judged("STOP", "PASS"), judged("ACCURACY", "PASS", value=0.01, column="w1", row=2), judged("DRIFT", "ERROR")],
-        "The table is computed right: 1 of 1. It is close to the motion: largest error 1 % (w1, row 2). "
+        "The table is computed right: 1 of 1 checks of the computation. "
+        "It is close to the motion: largest error 1 % (w1, row 2). "
         "The tool could not judge DRIFT.",
     ),
     "rounded data": (
         [judged("STOP", "PASS"), judged("TABLE-DIGITS", "COARSE"),
          judged("ACCURACY", "PASS", value=1e-9, column="u", row=2)],
-        "The table is computed right: 1 of 2, as far as the digits of its data go; see TABLE-DIGITS. "
+        "The table is computed right, as far as the digits of its data go: 1 of 2 checks of the computation; see TABLE-DIGITS. "
         "It is close to the motion: largest error less than 0.0001 % (u, row 2).",
     ),
 }  # fmt: skip

@@ -1,0 +1,36 @@
+"""The table of kinds of groups in the help of `coursework new`: what each takes, in which order, and what it means.
+
+Enters: a language.  Leaves: text.  Used by `options.py`.
+"""
+
+from __future__ import annotations
+
+import shutil
+import textwrap
+import unicodedata
+
+from coursework.commands.screen import WIDE, in_language, speak
+from coursework.mechanism.drafts.roles import roles, title
+from coursework.mechanism.groups import GROUPS
+from coursework.words.sentences import say
+
+_KIND, _KEY = 8, 13  # columns of the name of a kind, and of a key
+
+
+def kinds_table(language: str) -> str:
+    """Return the table.  Raises `InputError` for a language without words."""
+    speak(language)
+    lines = [in_language(say("new.table"))]
+    for kind in GROUPS:
+        letters = kind.named()
+        lines += ["", f"  {kind.name:<{_KIND}}{in_language(title(kind, letters))}"]
+        for key, meant in roles(kind, letters).items():
+            lines += _wrapped(" " * (_KIND + 2) + f"{key:<{_KEY}}", in_language(meant))
+    return "\n".join(lines)
+
+
+def _wrapped(head: str, text: str) -> list[str]:
+    if any(unicodedata.east_asian_width(letter) in WIDE for letter in text):
+        return [head + text]  # the terminal itself breaks what has no gaps between words
+    width = max(shutil.get_terminal_size().columns, 72)
+    return textwrap.wrap(text, width, initial_indent=head, subsequent_indent=" " * len(head), break_on_hyphens=False)

@@ -1,0 +1,217 @@
+"""A chain of groups of the kinds asked for: who hangs on whom, what everything is called, and sizes that close.
+
+Enters: names of kinds, cranks and dyads, the first a crank.  Leaves: `Draft`.  Used by `text.py` and `commands/new.py`.
+
+A dyad hangs on the points that wait longest: pins of cranks, and points where dyads before it meet.  What it needs beside them
+is a pivot or a guide on the frame.  A dyad without a point of its own rides on the body of such a point: that carries its last
+guide.  On a crank such a guide would stand parallel to a fixed one twice a turn, so that a crank with one swings.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from coursework.mechanism.drafts.candidates import ROWS, End, Placement, place
+from coursework.mechanism.groups import GroupKind, group_kind
+from coursework.mechanism.groups.plane import Vectors, vectors
+from coursework.system.arrays import Array
+from coursework.variant.record.vocabulary import GROUP_KINDS
+
+CRANK, TURNED = 0.1, (30, 120, 75, 165)  # m; where cranks stand at the start, degrees
+SWING = 0.6  # rad: how far a crank that carries a guide swings to each side
+_APART = 4 * CRANK  # between the pivot of a further crank and the point before it
+
+
+@dataclass(frozen=True, slots=True)
+class Coordinate:
+    """A coordinate and its rate; `unit` rad or m."""
+
+    name: str
+    rate: str
+    unit: str
+
+
+@dataclass(frozen=True, slots=True)
+class GuideOf:
+    """A guide of a group: the point it goes through, the name of its angle, the coordinate it turns with, "" for none."""
+
+    through: str
+    angle: str
+    turns: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class GroupDraft:
+    """One group: names of its points, lengths, guides and coordinates; a crank also with the number of its drive, and whether
+    it swings.
+    """
+
+    kind: GroupKind
+    points: tuple[str, ...]
+    guides: tuple[GuideOf, ...]
+    lengths: tuple[str, ...]
+    meets: str
+    coordinates: tuple[Coordinate, ...]
+    crank: int = 0
+    swings: bool = False
+
+    @property
+    def letters(self) -> dict[str, str]:
+        """Return what stands in the gaps of the sentences about its kind."""
+        return self.kind.named((*self.points, *(guide.through for guide in self.guides), self.meets))
+
+
+@dataclass(slots=True)
+class Draft:
+    """The groups, the points of the frame (m), and the numbers: lengths (m) and angles (degrees) by name."""
+
+    groups: list[GroupDraft] = field(default_factory=list)
+    places: dict[str, complex] = field(default_factory=dict)
+    lengths: dict[str, float] = field(default_factory=dict)
+    angles: dict[str, int] = field(default_factory=dict)
+
+    @property
+    def cranks(self) -> list[GroupDraft]:
+        """Return the groups that a drive turns."""
+        return [group for group in self.groups if group.kind.driven]
+
+
+class DoesNotClose(ValueError):
+    """No dimensions were found in which the group of this number (from 1) closes for the whole turn."""
+
+    def __init__(self, number: int) -> None:
+        super().__init__(number)
+        self.number = number
+
+
+def draft_of(names: Sequence[str]) -> Draft:
+    """Return a chain of the kinds `names`.  Raises `DoesNotClose`.
+
+    >>> draft = draft_of(["crank", "RRR"])
+    >>> [(str(group.kind), group.points, group.meets) for group in draft.groups]
+    [(crank, ('A',), 'B'), (RRR, ('B', 'C'), 'D')]
+    """
+    swinging: set[int] = set()
+    while True:
+        drafting = _Drafting(swinging)
+        try:
+            for name in names:
+                drafting.add(group_kind(name))
+        except _MustSwing as needed:
+            swinging.add(needed.crank)
+            continue
+        return drafting.draft
+
+
+class _MustSwing(Exception):
+    """The chain is drafted again, with this crank swinging."""
+
+    def __init__(self, crank: int) -> None:
+        self.crank = crank
+
+
+class _Drafting:
+    """The chain as far as it has been drafted; `waiting` are the points that nothing hangs on yet."""
+
+    def __init__(self, swinging: set[int]) -> None:
+        self.draft = Draft()
+        self.waiting: list[End] = []
+        self._swinging = swinging
+        self._letters = _letters()
+        self._bodies = itertools.count(1)
+        self._turning: dict[str, int] = {}  # pins of cranks that turn all the way round
+
+    def add(self, kind: GroupKind) -> None:
+        """Add a group of a kind."""
+        bodies = [next(self._bodies) for _ in range(kind.shape.coordinates)]
+        coordinates = tuple(self._coordinate(kind, i, bodies[body]) for i, body in enumerate(kind.carries))
+        if kind.driven:
+            self._add_crank(kind, bodies[0], coordinates)
+        else:
+            self._add_dyad(kind, bodies, coordinates)
+
+    def _coordinate(self, kind: GroupKind, index: int, body: int) -> Coordinate:
+        angle = index < GROUP_KINDS[kind.name]
+        return Coordinate(f"phi{body}", f"w{body}", "rad") if angle else Coordinate(f"s{body}", f"u{body}", "m")
+
+    def _add_crank(self, kind: GroupKind, body: int, coordinates: tuple[Coordinate, ...]) -> None:
+        number = len(self.draft.cranks) + 1
+        beside = round(self.waiting[-1].middle.real + _APART, 2) if self.waiting else 0.0
+        height = round(self.waiting[-1].middle.imag, 2) if self.waiting else 0.0
+        pivot, pin = self._new_point(complex(beside, height)), next(self._letters)
+        swings = number in self._swinging
+        start = np.radians(TURNED[(number - 1) % len(TURNED)])
+        time = 2 * np.pi * np.arange(ROWS) / ROWS
+        angle = start + (SWING * np.sin(time) if swings else time)
+        self.draft.lengths[f"r{body}"] = CRANK
+        self.draft.groups.append(GroupDraft(kind, (pivot,), (), (f"r{body}",), pin, coordinates, number, swings))
+        if not swings:
+            self._turning[pin] = number
+        self.waiting.append(End(pin, self.draft.places[pivot] + CRANK * np.exp(1j * angle), coordinates[0].name, angle))
+
+    def _add_dyad(self, kind: GroupKind, bodies: list[int], coordinates: tuple[Coordinate, ...]) -> None:
+        number = len(self.draft.groups) + 1
+        carrier = None if kind.shape.points else self._carrier()
+        ends = self.waiting[: kind.shape.points]
+        taken = [*self.draft.places.values(), *(end.middle for end in self.waiting)]
+        found = place(kind, ends, carrier, taken)
+        if found is None and len(ends) > 1:  # two moving points may come too near to each other
+            ends = ends[:1]
+            found = place(kind, ends, carrier, taken)
+        if found is None:
+            raise DoesNotClose(number)
+        hung = [end.name for end in (*ends, *([carrier] if carrier else ()))]
+        self.waiting = [end for end in self.waiting if end.name not in hung]
+        group = self._named(kind, bodies, coordinates, [end.name for end in ends], found, carrier)
+        self.draft.groups.append(group)
+        self.waiting.append(self._end(group, found))
+
+    def _carrier(self) -> End:
+        """Return the point whose body is to carry a guide, taken from those that wait."""
+        for end in self.waiting:
+            if end.name not in self._turning:
+                return end
+        raise _MustSwing(self._turning[self.waiting[0].name])
+
+    def _named(
+        self, kind: GroupKind, bodies: list[int], coordinates: tuple[Coordinate, ...], hung: list[str], found: Placement,
+        carrier: End | None,
+    ) -> GroupDraft:  # fmt: skip
+        """Return the group with names for all that is new; their numbers are kept."""
+        points = [*hung, *(self._new_point(pivot) for pivot in found.pivots)]
+        slides = [coordinate.name[1:] for coordinate in coordinates if coordinate.unit == "m"]
+        guides = []
+        for (through, angle), number in zip(found.fixed, reversed(slides), strict=False):
+            self.draft.angles[f"gamma{number}"] = angle
+            guides.append(GuideOf(self._new_point(through), f"gamma{number}"))
+        if carrier is not None and found.carried is not None:
+            self.draft.angles[f"delta{slides[-1]}"] = found.carried
+            guides.append(GuideOf(carrier.name, f"delta{slides[-1]}", carrier.turns))
+        lengths = [f"r{body}" for body, _ in zip(bodies, found.lengths, strict=False)]
+        self.draft.lengths.update(zip(lengths, found.lengths, strict=True))
+        return GroupDraft(kind, tuple(points), tuple(guides), tuple(lengths), next(self._letters), coordinates)
+
+    def _end(self, group: GroupDraft, found: Placement) -> End:
+        """Return the point where a group meets, with the body that goes with it: the last that turns, if one does."""
+        path: Vectors = vectors(found.motion.meets.position)
+        angles = [place for place, coordinate in enumerate(group.coordinates) if coordinate.unit == "rad"]
+        if not angles:
+            return End(group.meets, path, "", np.zeros(ROWS))
+        angle: Array = np.unwrap(found.motion.coordinates[:, angles[-1]])
+        return End(group.meets, path, group.coordinates[angles[-1]].name, angle)
+
+    def _new_point(self, place: complex) -> str:
+        name = next(self._letters)
+        self.draft.places[name] = place
+        return name
+
+
+def _letters() -> Iterator[str]:
+    """Yield A, B, C … Z, A2, B2 …"""
+    for turn in itertools.count(1):
+        for code in range(ord("A"), ord("Z") + 1):
+            yield f"{chr(code)}{turn if turn > 1 else ''}"
