@@ -8,8 +8,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from coursework.api import solve
-from coursework.commands.screen import loaded, tell
+from coursework.commands.screen import tell, tell_own_file
 from coursework.system.whole_files import write_bytes
+from coursework.variant.catalogue import load
 from coursework.words.sentences import load_phrases, say
 
 FRAMES_A_ROW = 2
@@ -19,7 +20,8 @@ def animate_variant(variant: str, out: Path | None, scheme: str | None, language
     """Return 0 after writing the picture."""
     from coursework.report.graphs.moving_picture import moving_picture
 
-    read = loaded(variant)
+    tell_own_file(variant)
+    read = load(variant)
     run = solve(read, scheme, quantities=("table",))
     finer = solve(read, scheme, step=run.step / FRAMES_A_ROW, quantities=("table",))
     path = out or Path(f"{read.name}.gif")

@@ -11,9 +11,10 @@ import click
 
 from coursework.assigning.assign import Wishes, assign
 from coursework.assigning.variants import Assignment, load_ranges, read_file
-from coursework.commands.screen import in_language, loaded, tell, tell_unprinted
+from coursework.commands.screen import in_language, tell, tell_own_file, tell_unprinted
 from coursework.grading.platforms.roster import read_roster
 from coursework.report.text.words import load_words
+from coursework.variant.catalogue import load
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
@@ -26,7 +27,8 @@ def assign_class(
     listed = read_roster(read_file(roster), str(roster))
     if not listed.students:
         raise InputError(say("fault.A006", file=str(roster)))
-    chosen = loaded(template)
+    tell_own_file(template)
+    chosen = load(template)
     assignment = Assignment(chosen, load_ranges(ranges or template, chosen), seed)
     centre, count = assignment.acceptance.centre, len(listed.students)
     tell(say("assign.pilot", feasible=centre.feasible, drawn=centre.drawn))

@@ -7,16 +7,18 @@ from __future__ import annotations
 
 from coursework.api import solve
 from coursework.commands.run_on_screen import tell_remarks
-from coursework.commands.screen import loaded, tell, title_of
+from coursework.commands.screen import tell, tell_own_file, title_of
 from coursework.results.checks.computed_right.equations import open_to_doubt
 from coursework.run import Run
+from coursework.variant.catalogue import load
 from coursework.variant.formula.tree import spelled
 from coursework.words.sentences import say, say_count
 
 
 def check_variant(variant: str) -> int:
     """Return 0 where the whole motion is possible, 1 where it stops."""
-    run = solve(loaded(variant))
+    tell_own_file(variant)
+    run = solve(load(variant))
     chosen = run.variant
     tell(f"{title_of(chosen)}  ({chosen.name}, {chosen.path})")
     tell_remarks(run)

@@ -11,7 +11,7 @@ from pathlib import Path
 import click
 import numpy as np
 
-from coursework.commands.screen import in_language, loaded, tell
+from coursework.commands.screen import in_language, tell, tell_own_file
 from coursework.grading.collecting.sources import collect_files
 from coursework.grading.marking.grade import student_of
 from coursework.grading.marking.key import Key, key_of
@@ -20,6 +20,7 @@ from coursework.grading.marking.table.points import true_steps
 from coursework.grading.reading.expected import Expected, grid_of
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.student_work import StudentWork
+from coursework.variant.catalogue import load
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
@@ -29,7 +30,8 @@ def precheck_files(files: tuple[Path, ...], variant: str | None) -> int:
     chosen = variant or next((str(path) for path in files if path.suffix == ".toml"), None)
     if chosen is None:
         raise InputError(say("fault.C028"))
-    key = key_of(loaded(chosen))
+    tell_own_file(chosen)
+    key = key_of(load(chosen))
     grid = grid_of(key.variant, {name: tuple(key.table[:, place].tolist()) for place, name in enumerate(key.names)})
     work = read_submission(collect_files(files), Expected(grid, key.variant))
     for entry in work.files:

@@ -11,13 +11,14 @@ from typing import Any
 
 from coursework.api import solve
 from coursework.commands.run_on_screen import tell_run, tell_run_briefly
-from coursework.commands.screen import is_terminal, loaded, tell, tell_unprinted
+from coursework.commands.screen import is_terminal, tell, tell_own_file, tell_unprinted
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
 from coursework.report.output.formats import FORMATS, PAGES, Format, chosen
 from coursework.report.output.results import Results
 from coursework.report.output.write import write_set
 from coursework.run import Run
 from coursework.system.file_set import files_of, working_folder
+from coursework.variant.catalogue import load
 from coursework.variant.reading.set_values import with_set
 from coursework.variant.record.variant import Variant
 from coursework.variant.record.vocabulary import EXACT
@@ -33,7 +34,8 @@ def run_variant(
 ) -> int:  # fmt: skip
     """Return the exit status of one run."""
     wanted = chosen(formats, "run")
-    read = with_set(loaded(variant), set_values, check_row)
+    tell_own_file(variant)
+    read = with_set(load(variant), set_values, check_row)
     if precision == "single":
         return tell_round_off(solve(read, _stepping(read, scheme), step_of(step, read), end, quantities=("table",)))
     if error is not None and step != "auto":

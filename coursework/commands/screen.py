@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from coursework.variant.catalogue import load, own_file
+from coursework.variant.catalogue import own_file
 from coursework.words.errors import CourseworkError, Fault
 from coursework.words.sentences import ENGLISH, load_phrases, say
 
@@ -61,15 +61,6 @@ def tell_own_file(variant: str) -> None:
     """Say where a file of the current folder is taken in place of a variant of the catalogue."""
     if (own := own_file(variant)) is not None:
         tell(say("screen.own_file", file=own, name=variant.lower()), err=True)
-
-
-def loaded(variant: str) -> Variant:
-    """Return the variant of a name or a path, and say where a file of the current folder is taken for it.
-
-    Raises `InputError` as `load` does.
-    """
-    tell_own_file(variant)
-    return load(variant)
 
 
 def is_terminal() -> bool:

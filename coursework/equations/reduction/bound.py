@@ -170,9 +170,10 @@ class Geometry:
             at = self._symbols.vectors[own]
             rate = _of(body.rate) if body.rate in self.variant.sought else _known(body.rate)
             return _turned(self._moved(at), rate, (contact[0] - at[0], contact[1] - at[1]))
-        frame = self.variant.frame
-        on_rail = any(through == named(str(wheel.contact)) for through, _ in frame.rails)
-        return (_STILL, _STILL) if on_rail or frame.circles else None
+        frame, rails = self.variant.frame, {through.name for through, _ in self.variant.frame.rails}
+        others = [link for link in self.variant.links if link.contact and link.contact not in rails]
+        # A contact on no rail is on a circle of the frame, where there is one for each such wheel.
+        return (_STILL, _STILL) if wheel.contact in rails or 0 < len(others) <= len(frame.circles) else None
 
     def _body(self, name: str, binding: Binding) -> _Body:
         if name not in self._bodies:

@@ -195,10 +195,11 @@ def _unchecked(context: PageContext, written: Sequence[str]) -> str:
     """Return what is known of the signs of equations that no path between points gives."""
     words = context.words
     confirmed, open_to_doubt = _confirmed(context, written)
+    advice = [context.told(sentence) for sentence in _proposed(context, written)]
     if not confirmed:
-        return words("constraints.unchecked")
+        return words.sentences([words("constraints.unchecked"), *advice])
     rest = [words("constraints.open", names=words.listing(open_to_doubt))] if open_to_doubt else []
-    return words.sentences([words("constraints.compared", names=words.listing(confirmed)), *rest])
+    return words.sentences([words("constraints.compared", names=words.listing(confirmed)), *rest, *advice])
 
 
 def _confirmed(context: PageContext, names: Sequence[str]) -> tuple[list[str], list[str]]:

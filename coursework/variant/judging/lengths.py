@@ -27,17 +27,19 @@ def faults_of_lengths(variant: Variant, source: Source) -> list[Fault]:
     -r @ phi turns a length round, (a - b) @ phi may count from either side: what a formula says of data above zero is meant.
     e @ (phi + pi/2), (x, y) and the offset of a guide are offsets with a sign.
     """
-    found = dict.fromkeys((path, spelled(length)) for path, length in _lengths(variant) if _value(length, variant) == 0)
+    found = dict.fromkeys((path, spelled(length)) for path, length, _ in _lengths(variant) if _value(length, variant) == 0)
     faults = [source.fault(source.path_of(path), say("fault.V087", text=text)) for path, text in found]
     return faults + _negative(variant, source) or _lost(variant, source)
 
 
-def _lengths(variant: Variant) -> Iterator[tuple[KeyPath, Formula]]:
-    """Yield every length of a link: before @, of a group, of a wheel from its centre to its contact, of a circle of the frame."""
+def _lengths(variant: Variant) -> Iterator[tuple[KeyPath, Formula, bool]]:
+    """Yield every length of a link, and whether it may have a sign: before @, of a group, of a wheel from its centre to its
+    contact, of a circle of the frame.
+    """
     for path, formula in variant.formulas():
-        yield from ((path, node.args[0]) for node in formula.walk() if node.op == "@")
+        yield from ((path, node.args[0], _is_across(node.args[1], variant)) for node in formula.walk() if node.op == "@")
     for i, group in enumerate(variant.groups):
-        yield from ((("group", i, "lengths", j), length) for j, length in enumerate(group.lengths))
+        yield from ((("group", i, "lengths", j), length, False) for j, length in enumerate(group.lengths))
     points = dict(variant.points)
     for link in variant.links:
         arm = points.get(link.contact or "")
@@ -51,9 +53,9 @@ def _lengths(variant: Variant) -> Iterator[tuple[KeyPath, Formula]]:
             zeros = [_value(part, variant) == 0 for part in arm.args[1].args]
             for part, other_is_zero in zip(arm.args[1].args, reversed(zeros), strict=True):
                 if other_is_zero:  # the wheel stands on a guide along an axis
-                    yield ("points", str(link.contact)), part
+                    yield ("points", str(link.contact)), part, False
     for i, (_, radius) in enumerate(variant.frame.circles):
-        yield ("frame", "circles", i, "radius"), radius
+        yield ("frame", "circles", i, "radius"), radius, False
 
 
 def refused_length(reason: str) -> Sentence:
@@ -64,12 +66,11 @@ def refused_length(reason: str) -> Sentence:
 def _negative(variant: Variant, source: Source) -> list[Fault]:
     """Return a fault for each datum that makes a length negative, at its plainest use, and for other such lengths of a group."""
     below = {name for name, value in variant.values.items() if value < 0}
-    signed = {id(node.args[0]) for _, formula in variant.formulas() for node in formula.walk() if _is_across(node, variant)}
     worst: dict[str, tuple[int, KeyPath, Formula, float]] = {}
-    for path, length in _lengths(variant):
+    for path, length, is_signed in _lengths(variant):
         value = _value(length, variant)
         culprits = sorted(below & {*length.names()}) or [spelled(length)] * (path[0] in {"group", "frame"})
-        if value is not None and value < 0 and id(length) not in signed:
+        if value is not None and value < 0 and not is_signed:
             for name in culprits:
                 plainness = sum(1 for _ in length.walk())
                 if name not in worst or plainness < worst[name][0]:
@@ -81,11 +82,8 @@ def _negative(variant: Variant, source: Source) -> list[Fault]:
     return faults
 
 
-def _is_across(node: Formula, variant: Variant) -> bool:
-    """Return whether a formula is an offset to one side, e @ (phi + pi/2), which may be negative as one along an axis may."""
-    if node.op != "@":
-        return False
-    angle = node.args[1]
+def _is_across(angle: Formula, variant: Variant) -> bool:
+    """Return whether an angle is that of an offset to one side, phi + pi/2, or of an axis."""
     turn = _value(angle.args[1] if angle.op in {"+", "-"} else angle, variant)
     quarters = (turn or 0.0) / (math.pi / 2)
     if turn is None or abs(quarters - round(quarters)) > _RIGHT:

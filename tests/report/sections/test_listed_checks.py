@@ -26,11 +26,17 @@ def test_a_limit_says_which_side_of_it_passes(real: ModuleType) -> None:
     assert most == {"INITIAL", "RESIDUAL", "ACCURACY", "PERIOD-POSITION", "PERIOD-VELOCITY", "CONTINUITY", "PEAK", "DRIFT"}
 
 
-def test_what_passes_is_not_set_beside_a_limit_it_does_not_reach(real: ModuleType) -> None:
-    """Nothing in v101 can judge its equation 2: three of four are confirmed, and that is no fault."""
-    items = listed(real, coursework.solve("v101", quantities=("table", "checks")))
-    assert real.text_of([items["AGREEMENT"]["value"]]) == "3\xa0equations"
-    assert real.text_of([items["AGREEMENT"]["limit"]]) == "–"
+def test_what_is_not_judged_has_no_number_and_no_limit(real: ModuleType) -> None:
+    """The wheel of v101 has its rate from its contact; without the link nothing judges equation 2."""
+    text = coursework.load("v101").path.read_text(encoding="utf-8")
+    without = text.replace('4 = { wheel = "C", contact = "P", rate = "w4" }\n', "")
+    assert without != text
+    whole, part = (
+        listed(real, coursework.solve(coursework.parse_variant(one), quantities=("table", "checks"))) for one in (text, without)
+    )
+    assert real.text_of([whole["AGREEMENT"]["value"]]) == "4\xa0equations"
+    assert part["AGREEMENT"]["mark"] == say("checks.mark.SKIP")
+    assert [real.text_of([part["AGREEMENT"][key]]) for key in ("value", "limit")] == ["–", "–"]
 
 
 def test_a_start_that_closes_to_the_last_digits_is_open_by_nought(real: ModuleType) -> None:

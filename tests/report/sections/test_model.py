@@ -107,13 +107,15 @@ def test_units_of_tables_beside_the_results_are_in_the_language_of_the_page(real
     assert all(real.text_of(caption)[-1] != "." for caption in chinese)
 
 
-def test_the_control_says_how_many_equations_the_geometry_confirms(real: ModuleType) -> None:
-    def confirmed(run: Any) -> str:
+def test_the_control_claims_of_the_geometry_what_it_judges_whole(real: ModuleType) -> None:
+    def confirmed(run: Any) -> list[str]:
         (claims,) = (part for part in real.parts(run, "control") if part["kind"] == "claims")
-        return str(next(real.text_of(line[3]) for line in claims["items"] if "what the geometry says" in real.text_of(line[2])))
+        return [real.text_of(line[3]) for line in claims["items"] if "what the geometry says" in real.text_of(line[2])]
 
-    assert confirmed(solved("v101")) == "3 of 4"
-    assert confirmed(solved("v104")) == "4\u00a0equations"
+    assert confirmed(solved("v101")) == confirmed(solved("v104")) == ["4\u00a0equations"]
+    text = coursework.load("v102").path.read_text(encoding="utf-8")
+    unbound = coursework.parse_variant(text.replace(', of = "C", along = "90 deg"', ""), "v102")
+    assert confirmed(coursework.solve(unbound, quantities=("table", "checks"))) == []
 
 
 def test_the_first_row_stands_beside_the_last(real: ModuleType) -> None:
