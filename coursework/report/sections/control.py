@@ -43,13 +43,19 @@ def _claim(context: PageContext, finding: Finding) -> str:
     known = found.values if found else {}
     said = [found.key.removeprefix("check.")] if found else []
     said += [f"{finding.code}.same"] if is_right and finding.value == 0 else []
-    said += [f"{finding.code}.{finding.verdict.lower()}", f"{finding.code}.{'right' if is_right else 'wrong'}"]
+    verdict = f"{finding.code}.{'right' if is_right else 'wrong'}"
+    said += [f"{finding.code}.{finding.verdict.lower()}", *([f"{verdict}_row"] if _is_inside(context, finding) else []), verdict]
     key = next((f"control.{name}" for name in said if words.has(f"control.{name}")), None)
     if key is None:
         return context.told(finding.title)
     values = {name: context.lettering(str(value)) if value in columns else value for name, value in known.items()}
     symbol = context.lettering(finding.column) if finding.column in columns else ""
     return words(key, **{**values, "symbol": symbol or words("control.column"), "row": finding.row or 1})
+
+
+def _is_inside(context: PageContext, finding: Finding) -> bool:
+    """Return whether a finding speaks of a row behind which the table goes on."""
+    return finding.row is not None and finding.row < len(context.run.motion.t)
 
 
 def _first_sentence(sentence: str) -> Sentence | None:

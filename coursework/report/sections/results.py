@@ -80,7 +80,8 @@ def _first_last(context: PageContext, found: list[Split], number: int, many: int
     turned = [say("first_last.turns", symbol=context.lettering(s.name), turns=numbers.signed(s.turns)) for s in found if s.turns]
     note = runs(say("first_last.taken_off", turned=say("join.semicolon").join(turned))) if turned else []
     which = say("table.part", part=number, parts=many) if many > 1 else ""
-    told = say("first_last.caption" if parts != ROWS else "first_last.caption_motion", row=row + 1)
+    of_row = "" if row == len(motion.t) - 1 else "_row"
+    told = say(f"first_last.caption{of_row}" if parts != ROWS else f"first_last.caption_motion{of_row}", row=row + 1)
     caption = runs(say.sentences([told, which]))
     return Table(columns, rows, caption, strong=[2], note=note, id="first-last" if number == 1 else "")
 
@@ -121,11 +122,24 @@ def _period(context: PageContext, found: list[Split]) -> list[str]:
     late = abs(end - round(end / period) * period)
     told = {"row": row + 1, "end": context.quantity(end, "s"), "period": context.quantity(period, "s")}
     most = max(coordinates, key=lambda split: abs(split.period))
+    of_row = "" if row == len(context.run.motion.t) - 1 and round(end / period) == 1 else "_row"
     if context.run.tableau is None:
-        return [say("why.elsewhere" if unreturned(context) else "why.returns", **told)]
+        return [say(f"why.elsewhere{of_row}" if unreturned(context) else f"why.returns{of_row}", **told)]
     if late < 1e-9 * period:
-        return [say("why.period_met", **told)]
+        return [say(f"why.period_met{of_row}", **told)]
     if all(abs(split.period) < HARDLY * abs(split.total) for split in coordinates):
-        return [say("why.period_near", late=context.with_unit(context.numbers.scalar(late, SHORT), context.unit("s")), **told)]
+        return [
+            say(
+                f"why.period_near{of_row}", late=context.with_unit(context.numbers.scalar(late, SHORT), context.unit("s")), **told
+            )
+        ]
     part, whole = (context.numbers.scalar(value, 2 if value is most.period else 3) for value in (most.period, most.total))
-    return [say("why.period", part=part, whole=context.with_unit(whole, most.unit), symbol=context.lettering(most.name), **told)]
+    return [
+        say(
+            f"why.period{of_row}",
+            part=part,
+            whole=context.with_unit(whole, most.unit),
+            symbol=context.lettering(most.name),
+            **told,
+        )
+    ]

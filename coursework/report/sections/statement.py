@@ -267,14 +267,15 @@ def _misses(context: PageContext) -> list[Runs]:
     coordinates, left = context.run.motion.coordinate_names, unreturned(context)
     moved = [split for split in left if split.name in coordinates]
     row = (context.run.results.evidence.period_row or 0) + 1
+    of_row = "" if row == len(context.run.motion.t) else "_row"  # the run goes on behind a whole number of periods
     gaps = [
         f"{context.lettering(split.name)}{TIGHT}{context.with_unit(numbers.scalar(split.total, 3), split.unit)}"
         for split in [split for split in moved if split.name not in _driven(context)] or moved
     ]
     if gaps:
-        told.append(runs(say("result.misses", row=row, gaps=say("join.comma").join(gaps))))
+        told.append(runs(say(f"result.misses{of_row}", row=row, gaps=say("join.comma").join(gaps))))
     elif any(split.name in coordinates for split in splits(context)):
-        told.append(runs(say("result.repeats_positions" if left else "result.repeats", row=row)))
+        told.append(runs(say(f"result.repeats_positions{of_row}" if left else f"result.repeats{of_row}", row=row)))
     # Beside rows that are the motion itself there is no other word of how far the scheme's are off.
     if context.run.tableau is None and (sentence := largest_error_sentence(context)):
         told.append(runs(sentence))

@@ -11,6 +11,7 @@ from coursework.motion.geometry.time_derivatives import jets
 from coursework.report.text.numbers import TIGHT
 from coursework.report.text.page_context import PageContext
 from coursework.scene.quantities import GRAPH_CHECK
+from coursework.variant.record.variant import Variant
 
 PERIOD = "T"  # what a period is called, unless a datum has the name
 SAME = 1e-7  # parts of the largest velocity: far above round-off, far below the difference of two velocities
@@ -29,6 +30,7 @@ def sought(context: PageContext) -> list[str]:
     time = run.variant.time
     if time.period is not None:
         key = "statement.period_plain" if PERIOD in run.variant.values else "statement.period"
+        key = key if _changes(run.variant) else "statement.period_is"  # a constant drive repeats after any time
         told.append(words(key, period=context.quantity(time.period, "s")))
     is_exact = run.tableau is None
     told.append(words("statement.method_exact") if is_exact else words("statement.method", scheme=context.told(run.scheme_title)))
@@ -36,6 +38,12 @@ def sought(context: PageContext) -> list[str]:
         when = context.quantity((time.check_row - 1) * time.step, "s")
         told.append(words("statement.check_row", row=time.check_row, time=when))
     return told
+
+
+def _changes(variant: Variant) -> bool:
+    """Return whether a drive changes in time."""
+    moving = {"t", *(law.name for law in variant.functions)}
+    return any(law.table or law.pieces or any(moving & set(part.names()) for part in law.formulas) for law in variant.drive)
 
 
 def _explained(context: PageContext, name: str) -> str:

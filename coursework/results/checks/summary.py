@@ -73,9 +73,9 @@ def _close(accuracy: Finding | None, findings: list[Finding], named: Callable[[F
     elif accuracy.value == 0:
         told.append(say("summary.no_error"))
     elif accuracy.value is not None:
-        share, scale = percent(accuracy.value), _scale(accuracy.sentence)
-        told_share = say("summary.share", share=share, **scale) if scale else share
-        found = {"share": told_share, "name": accuracy.column, "row": accuracy.row}
+        known = _scale(accuracy.sentence)
+        scale = say("summary.scale", **known) if known else ""
+        found = {"share": percent(accuracy.value), "name": accuracy.column, "row": accuracy.row, "scale": scale}
         is_far = accuracy.verdict == "COARSE"
         told.append(say("summary.far", take=take, **found) if is_far else say("summary.close", **found))
     if failed := tuple(named(finding) for finding in findings if finding.verdict == "FAIL" and finding is not accuracy):

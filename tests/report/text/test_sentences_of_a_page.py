@@ -58,6 +58,10 @@ class Judged:
         return getattr(self.run, name)
 
 
+# Runs that go on behind a whole number of periods: end and period (s), scheme.
+BEHIND = ((0.6, None, "euler"), (0.6, 0.48, "euler"), (0.6, 0.4803, "euler"), (0.6, None, "exact"), (0.6, 0.48036604, "exact"))
+
+
 def unusual(real: ModuleType) -> list[Any]:
     """Return runs that between them make the report say everything it can say."""
     codes = tuple(check.code for check in real.full().checks)
@@ -78,6 +82,7 @@ def unusual(real: ModuleType) -> list[Any]:
         solved("v110", quantities=["table"]),
         solved("31", quantities=["trajectories", "hodographs", "plans", "points"]),
         real.timed(), *real.oddities(), claimed(real), solve(parse_variant(FIVE_BAR)),
+        *(solve("31", end=end, period=period, scheme=scheme) for end, period, scheme in BEHIND),
         solve(parse_variant(past_the_pivot(0.001, 0.02)), quantities=["table", "checks"]),
     ]  # fmt: skip
 
