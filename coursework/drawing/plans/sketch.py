@@ -67,9 +67,9 @@ def read_sketch(mechanism: Mechanism, equations: VelocityEquations) -> Callable[
     rates = jets(equations, components, 1)[1] if pushed else None
 
     def read(motion: Motion, row: int) -> Sketch:
-        only = slice(row, row + 1)
-        flat = rates(motion.t[only], motion.coordinates[only], motion.velocities[only])[0].tolist() if rates else []
-        given = {name: complex(x, y) for name, x, y in zip(pushed, flat[::2], flat[1::2], strict=True)}
+        columns = rates(motion.t, motion.coordinates, motion.velocities).T if rates else np.zeros((0, 1))
+        parts = [_seen(column, row) for column in columns]
+        given = {name: complex(x, y) for name, x, y in zip(pushed, parts[::2], parts[1::2], strict=True)}
         return _sketch(outline, posed(motion.t, motion.coordinates), row, mechanism.variant, given)
 
     return read
