@@ -61,7 +61,7 @@ def _template(stem: str, language: str) -> bytes:
     text = (place / "new-variant.toml").read_text(encoding="utf-8")
     if (translated := place / f"new-variant.{language}.toml").is_file():
         said = tomllib.loads(translated.read_text(encoding="utf-8"))
-        text = _TEXTS.sub(lambda found: found[1] + said.get(found[2], found[2]) + found[3], text)
+        text = _TEXTS.sub(lambda found: f"{found[1]}{said.get(found[2], found[2])}{found[3]}", text)
     return text.replace("NAME", stem).encode("utf-8")
 
 

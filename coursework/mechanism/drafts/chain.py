@@ -62,7 +62,7 @@ class GroupDraft:
     @property
     def letters(self) -> dict[str, str]:
         """Return what stands in the gaps of the sentences about its kind."""
-        return self.kind.named((*self.points, *(guide.through for guide in self.guides), self.meets))
+        return self.kind.shape.named((*self.points, *(guide.through for guide in self.guides), self.meets))
 
 
 @dataclass(slots=True)

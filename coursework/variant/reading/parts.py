@@ -43,14 +43,17 @@ class Parts:
         self.values: dict[str, float] = {}
         self.times: dict[KeyPath, Formula] = {}
         self.grads: list[tuple[KeyPath, str]] = []
+        self.broken: set[KeyPath] = set()  # entries (section and key) with a fault
         self._unread: list[tuple[KeyPath, str, str]] = []
 
     def say(self, path: KeyPath, message: Sentence, column: int = 0) -> None:
         """Keep a fault."""
+        self.broken.add(path[:2])
         self.faults.append(self.source.fault(path, message, column))
 
     def undeclared(self, path: KeyPath, message: Sentence, column: int = 0) -> None:
         """Keep a fault about a name that is not declared, unless another fault has hidden its declaration."""
+        self.broken.add(path[:2])
         if self.sure:
             self.say(path, message, column)
 
@@ -68,6 +71,7 @@ class Parts:
         except units.UnitFault as fault:
             if fault.unit and not wanted:
                 self._unread.append((path, str(value), fault.unit))
+                self.broken.add(path[:2])
             else:
                 self.say(path, fault.message)
             return _NOTHING
@@ -90,6 +94,7 @@ class Parts:
         unit = units.plain_unit(text)
         if unit not in units.UNITS:
             self._unread.append((path, text, ""))
+            self.broken.add(path[:2])
             return ""
         return units.UNITS[unit][1]
 

@@ -19,6 +19,7 @@ from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.tree import Formula
 from coursework.variant.formula.units import is_quantity, measured
 from coursework.variant.judging.at_start import faults_at_start
+from coursework.variant.judging.broken import Broken
 from coursework.variant.judging.dimension_check import check_dimensions
 from coursework.variant.judging.plausibility import remarks_on
 from coursework.variant.judging.whole_file import faults_of_the_whole
@@ -81,16 +82,19 @@ def _build(source: Source, name: str, path: Path | None) -> Variant:
     shape = read_shape(source)
     file = shape.file
     parts = Parts(source, Names.declared(file), sure=shape.sure)
+    parts.broken |= shape.broken
     variant = _assemble(file, parts, name, path)
     dimensions = check_dimensions(variant, source, parts.times)
     parts.tell_unread(dimensions.si_of)
     doubtful = parts.names.faults(source)
     parts.faults += shape.faults + doubtful
     slip = None if doubtful else dimensions.fault  # a name with two meanings has two dimensions
-    if not parts.faults:
-        parts.faults += faults_of_the_whole(variant, source, parts.times)
+    if not doubtful:
+        told, broken = {fault.line for fault in parts.faults}, Broken(parts.broken)
+        found = faults_of_the_whole(variant, source, parts.times, broken)
         # A datum with a wrong unit spoils values at t = 0; what is wrong in the line of the slip itself says more than it.
-        parts.faults += [f for f in faults_at_start(variant, source) if slip is None or f.line == slip.line]
+        found += [f for f in faults_at_start(variant, source, broken) if slip is None or f.line == slip.line]
+        parts.faults += [fault for fault in found if fault.line not in told]
     if slip and slip.line not in {fault.line for fault in parts.faults}:
         parts.faults.append(slip)
     if parts.faults:

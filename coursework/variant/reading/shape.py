@@ -29,11 +29,15 @@ Entry = dict[str, Any]
 
 @dataclass(frozen=True, slots=True)
 class Shape:
-    """`sure` is False where a fault may have taken declarations with it: names not declared are then no further fault."""
+    """`broken` are the entries (section and key) with a fault, or whole sections.
+
+    `sure` is False where a fault may have taken declarations with it: names not declared are then no further fault.
+    """
 
     file: schema.VariantFile
     faults: list[Fault]
     sure: bool
+    broken: frozenset[KeyPath]
 
 
 def read_shape(source: Source) -> Shape:
@@ -43,7 +47,8 @@ def read_shape(source: Source) -> Shape:
     repaired: set[KeyPath] = set()
     while True:
         try:
-            return Shape(schema.VariantFile.model_validate(data), faults, not any(map(_takes_names, repaired)))
+            file = schema.VariantFile.model_validate(data)
+            return Shape(file, faults, not any(map(_takes_names, repaired)), frozenset(path[:2] for path in repaired))
         except ValidationError as error:
             found = _entries(error.errors(include_url=False), data)
             faults += [_fault(path, entry, source) for path, entry in found.items() if path not in repaired]
