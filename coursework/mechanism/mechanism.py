@@ -13,6 +13,7 @@ from graphlib import TopologicalSorter
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.joints import Linkage, Mobility, linkage
 from coursework.variant.formula.tree import Formula
+from coursework.variant.judging.broken import Broken
 from coursework.variant.judging.groups import faults_of_groups
 from coursework.variant.record.variant import Constraint, Group, Variant
 from coursework.variant.record.vocabulary import GROUP_SHAPES
@@ -47,7 +48,7 @@ def build(variant: Variant) -> Mechanism:
     written = dict(variant.points)
     constraints = list(variant.constraints)
     unknown = {group.kind: group_kind(group.kind).shape for group in variant.groups if group.kind not in GROUP_SHAPES}
-    if unknown and (faults := faults_of_groups(variant, unknown)):
+    if unknown and (faults := faults_of_groups(variant, unknown, Broken())):
         raise InputError(faults)
     for index, group in enumerate(variant.groups, start=1):
         constraint, met = _as_closure(group, index)

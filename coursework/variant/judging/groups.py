@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from graphlib import CycleError, TopologicalSorter
 
+from coursework.variant.judging.broken import Broken
 from coursework.variant.record.entries import Group
 from coursework.variant.record.roles import entries, letters_of, mode_meaning
 from coursework.variant.record.variant import Variant
@@ -20,18 +21,21 @@ from coursework.words.sentences import say, say_count
 _KEYS = {"from": "points", "lengths": "lengths", "guides": "guides", "coordinates": "coordinates"}
 
 
-def faults_of_groups(variant: Variant, shapes: Mapping[str, Shape]) -> list[Fault]:
-    """Return every fault of the groups: what one lacks, a mode that is missing, an order that cannot be, points in a circle."""
+def faults_of_groups(variant: Variant, shapes: Mapping[str, Shape], broken: Broken) -> list[Fault]:
+    """Return every fault of the groups: what one lacks, a mode that is missing, an order that cannot be, points in a circle.
+
+    Of a group, or a coordinate, that is `broken` nothing more is said.
+    """
     own = [
         fault
         for number, group in enumerate(variant.groups, start=1)
-        if group.kind in shapes
-        for fault in _own(number, group, shapes[group.kind], variant)
+        if group.kind in shapes and not broken.has("group", number - 1, "kind")
+        for fault in _own(number, group, shapes[group.kind], variant, broken)
     ]
     return own + ([*_order(variant)] or [*_circles(variant)])
 
 
-def _own(number: int, group: Group, shape: Shape, variant: Variant) -> Iterator[Fault]:
+def _own(number: int, group: Group, shape: Shape, variant: Variant, broken: Broken) -> Iterator[Fault]:
     found = {
         "from": (len(group.start_points), (shape.points,)),
         "guides": (len(group.guides), (shape.guides,)),
@@ -39,16 +43,19 @@ def _own(number: int, group: Group, shape: Shape, variant: Variant) -> Iterator[
         "coordinates": (len(group.coordinates), (shape.coordinates,)),
     }
     for key, (count, right) in found.items():
-        if count not in right:
+        faulty = any(broken.has("group", number - 1, name) for name in ((key, "guide") if key == "guides" else (key,)))
+        if count not in right and not faulty:
             wanted = say_count(f"fault.shape.{_KEYS[key]}", right[-1])
             roles = _roles(key, group, shape, count)
             told = say("fault.V343", number=number, kind=group.kind, wanted=wanted, found=count, roles=roles)
             yield Fault(told, variant.file, variant.line_of("group", number - 1, key) or group.line)
-    rate = next((c.rate for c in variant.coordinates if c.name == group.coordinates[0]), "")
-    if shape.driven and rate and rate not in variant.known_rates:
-        yield Fault(say("fault.V344", number=number, kind=group.kind, rate=rate), variant.file, group.line)
-    starts = [c.start_or_guess for c in variant.coordinates if c.name in group.coordinates]
-    if shape.modes and not group.mode and None in starts:
+    own = [c for c in variant.coordinates if c.name in group.coordinates]
+    if broken.has("group", number - 1, "coordinates") or not own:
+        return
+    if shape.driven and own[0].rate not in variant.known_rates and not broken.has("coordinates", own[0].name, "rate"):
+        yield Fault(say("fault.V344", number=number, kind=group.kind, rate=own[0].rate), variant.file, group.line)
+    open_start = any(c.start_or_guess is None and not broken.has("coordinates", c.name, "start") for c in own)
+    if shape.modes and not group.mode and open_start and not broken.has("group", number - 1, "mode"):
         plus, minus = (mode_meaning(shape, mode, letters_of(shape, group)) for mode in (1, -1))
         place = say("place.group_of", number=number, names=", ".join(group.coordinates))
         yield Fault(say("fault.V307", kind=group.kind, plus=plus, minus=minus), variant.file, group.line, 0, place)

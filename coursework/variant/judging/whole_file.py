@@ -39,6 +39,4 @@ def faults_of_the_whole(variant: Variant, source: Source, times: Iterable[KeyPat
     if variant.driven and (missing := [law for law in (f"V{variant.driven}{part}" for part in "xy") if law not in laws]):
         message = say("fault.V048", point=variant.driven, missing=tuple(missing))
         faults.append(source.fault(("closure", "driven"), message))
-    if not (broken.has("group") or broken.has("coordinates")):
-        faults += faults_of_groups(variant, GROUP_SHAPES)
-    return faults + faults_of_lengths(broken.sound(variant), source)
+    return faults + faults_of_groups(variant, GROUP_SHAPES, broken) + faults_of_lengths(broken.sound(variant), source)

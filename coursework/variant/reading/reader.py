@@ -81,10 +81,10 @@ def parse_variant(content: str | bytes, file: str = "variant", tables: Mapping[s
 def _build(source: Source, name: str, path: Path | None) -> Variant:
     shape = read_shape(source)
     file = shape.file
-    parts = Parts(source, Names.declared(file), sure=shape.sure)
+    parts = Parts(source, Names.declared(file), shape.hidden)
     parts.broken |= shape.broken
     variant = _assemble(file, parts, name, path)
-    dimensions = check_dimensions(variant, source, parts.times)
+    dimensions = check_dimensions(Broken(parts.broken).without_groups(variant), source, parts.times)
     parts.tell_unread(dimensions.si_of)
     doubtful = parts.names.faults(source)
     parts.faults += shape.faults + doubtful
@@ -185,7 +185,7 @@ def _law(section: str, key: str, value: Any, parts: Parts) -> Law:
         if section == "drive" and of != "t":
             parts.say((*path, "of"), say("fault.V069", of=value.of))
         elif of not in {"t", *known}:
-            parts.undeclared((*path, "of"), say("fault.V075", of=value.of, hint=closest(of, known)))
+            parts.undeclared((*path, "of"), {"coordinate"}, say("fault.V075", of=value.of, hint=closest(of, known)))
         return Law(name, table=table, of=of, method=value.method, file=value.table)
     return Law(name, _formula(path, value, parts, scope))
 
@@ -271,7 +271,11 @@ def _quote(place: int, entry: schema.Quote, columns: list[str], time: Time, part
         parts.say(("quote", place, "row"), say("fault.V066", row=entry.row, number=time.steps + 1))
     column = parts.names.canonical(entry.column)
     if column not in columns:
-        parts.undeclared(("quote", place, "column"), say("fault.V067", column=column, hint=closest(column, columns)))
+        parts.undeclared(
+            ("quote", place, "column"),
+            {"coordinate", "rate", "unknown"},
+            say("fault.V067", column=column, hint=closest(column, columns)),
+        )
     return Quote(entry.row, column, entry.value.replace("−", "-"), _scheme(entry.scheme, ("quote", place, "scheme"), parts))
 
 
