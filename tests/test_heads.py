@@ -2,14 +2,14 @@
 
 import ast
 import re
+from functools import cache
 from pathlib import Path
-
-import pytest
 
 from tests.sources import PACKAGE, files, nodes, tree
 
-TREES = {path.relative_to(PACKAGE): tree(path) for path in files()}
+PATHS = [path.relative_to(PACKAGE) for path in files()]
 USED = re.compile(r"\b(?:[Uu]sed|[Rr]ead|[Mm]ade)(?: only)? by (.*?)(?:\.(?:\s|$)|;)", re.S)
+NAMES = re.compile(r"`([\w/]+(?:\.py|/))`")
 
 
 def dotted(path: Path) -> str:
@@ -22,35 +22,29 @@ def imported(path: Path) -> set[str]:
     return {node.module for node in found} | {f"{node.module}.{alias.name}" for node in found for alias in node.names}
 
 
-IMPORTS = {path: imported(PACKAGE / path) for path in TREES}
-USERS = {
-    path: [user for user, names in IMPORTS.items() if name in names] for path, name in zip(TREES, map(dotted, TREES), strict=True)
-}
-NAMED = [
-    (path, named)
-    for path, tree in TREES.items()
-    for told in USED.findall(ast.get_docstring(tree) or "")
-    for named in re.findall(r"`([\w/]+(?:\.py|/))`", told)
-]
+@cache
+def users() -> dict[Path, list[Path]]:
+    """Return for each module those that import it."""
+    imports = {path: imported(PACKAGE / path) for path in PATHS}
+    return {path: [user for user, names in imports.items() if dotted(path) in names] for path in PATHS}
 
 
-@pytest.mark.parametrize(("path", "named"), NAMED, ids=lambda part: str(part))
-def test_who_is_said_to_use_a_module_imports_it(path, named):
-    users = USERS[path]
-    hit = [
-        user
-        for user in users
-        if named.strip("/") in {user.as_posix(), user.name, *map(str, user.parent.parts), user.parent.as_posix()}
-    ]
-    assert hit, f"{path} is used by {sorted(map(str, users))}, not by {named}"
+def head(path: Path) -> str:
+    return ast.get_docstring(tree(PACKAGE / path)) or ""
 
 
-def test_many_heads_are_looked_at():
-    assert len(NAMED) > 100
+def is_one(user: Path, named: str) -> bool:
+    return named.strip("/") in {user.as_posix(), user.name, *map(str, user.parent.parts), user.parent.as_posix()}
 
 
-@pytest.mark.parametrize("path", [path for path in TREES if path.name != "__init__.py"], ids=str)
-def test_a_module_that_others_import_says_who_uses_it(path):
-    used = any(user != path for user in USERS[path])
-    said = re.search(r"\b[Uu]sed\b|[Rr]ead by|[Mm]ade by|every floor", ast.get_docstring(TREES[path]) or "")
-    assert said or not used
+def test_who_is_said_to_use_a_module_imports_it():
+    told = [(path, name) for path in PATHS for said in USED.findall(head(path)) for name in NAMES.findall(said)]
+    assert len(told) > 100
+    wrong = [(path, named) for path, named in told if not any(is_one(user, named) for user in users()[path])]
+    assert not wrong, [f"{path} is used by {sorted(map(str, users()[path]))}, not by {named}" for path, named in wrong]
+
+
+def test_a_module_that_others_import_says_who_uses_it():
+    said = re.compile(r"\b[Uu]sed\b|[Rr]ead by|[Mm]ade by|every floor")
+    used = [path for path in PATHS if path.name != "__init__.py" and any(user != path for user in users()[path])]
+    assert [str(path) for path in used if not said.search(head(path))] == []

@@ -41,10 +41,12 @@ class Wishes:
 def assign(
     roster: Roster, assignment: Assignment, out: Path, wishes: Wishes, words: Words,
     drawn: Callable[[int], None] = lambda number: None, made: Callable[[int], None] = lambda number: None,
+    missed: Callable[[str], None] = lambda letters: None,
 ) -> list[str]:  # fmt: skip
     """Write the files of a class and return their kinds; nothing is written where one student gets no variant.
 
-    `drawn` and `made` are told how many students more have data and files.  Raises `InputError`, `OutputError`.
+    `drawn` and `made` are told how many students more have data and files, `missed` which letters the PDF shows as boxes.
+    Raises `InputError`, `OutputError`.
     """
     individuals = assignment.individuals([student.id for student in roster.students], drawn)
     equations = key_equations(Scene(assignment.template, assignment.settings), words)
@@ -64,7 +66,9 @@ def assign(
         made(1)
     written = ["ID.toml", "sheets/ID.html", "key/ID.csv", "key/ID.html", ROSTER, CLASS]
     if wishes.pdf:
-        _write(out / PDF, sheets_pdf(pages))
+        paper = sheets_pdf(pages)
+        _write(out / PDF, paper.content)
+        missed(paper.missing)
         written.append(PDF)
     _write(out / CLASS, class_page(handouts, assignment, wishes.seed, words).encode("utf-8"))
     _write(out / ROSTER, roster_csv(handouts, assignment).encode("utf-8-sig"))

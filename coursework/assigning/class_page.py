@@ -14,7 +14,6 @@ from coursework.assigning.page_words import Plain, symbol_runs
 from coursework.assigning.ranges import MEASURES, Range
 from coursework.assigning.spread import BASE, HEIGHT, LEFT, MARK, RIGHT, WIDTH, strip
 from coursework.assigning.variants import Assignment
-from coursework.report.text.numbers import unit_text, with_unit
 from coursework.report.text.words import Words
 from coursework.variant.formula.units import read
 from coursework.words.templates import clean, filled
@@ -29,7 +28,7 @@ def class_page(handouts: Sequence[Handout], assignment: Assignment, seed: str, w
     draws = [one.attempt + 1 for one in accepted]
     refused = [words(f"assign.refused.{reason}", number=number) for reason, number in sorted(centre.refused.items())]
     ranges = assignment.ranges.ranges
-    summary = words(
+    summary = words.phrases.said(
         "assigned.summary", count=len(handouts), template=clean(assignment.template.name, LONGEST), seed=clean(seed, LONGEST),
         drawn=centre.drawn, feasible=centre.feasible, mean=statistics.fmean(draws) if draws else 0.0, most=max(draws, default=0),
     )  # fmt: skip
@@ -39,7 +38,7 @@ def class_page(handouts: Sequence[Handout], assignment: Assignment, seed: str, w
         data=[_datum(one, accepted, assignment, words) for one in ranges if one.count > 1] if accepted else [],
         axis={"width": WIDTH, "left": LEFT, "right": RIGHT, "mark": MARK, "foot": HEIGHT - BASE},
         columns=[_column(one, accepted, assignment, words) for one in ranges],
-        measures=[(words(f"assigned.{name}"), MEASURES[name]) for name in MEASURES],
+        measures=[(words(f"assigned.{name}"), words.unit(MEASURES[name])) for name in MEASURES],
         students=[_student(handout, words) for handout in handouts],
         same=[words("join.comma").join(group) for group in _equal(accepted)],
     )  # fmt: skip
@@ -51,7 +50,7 @@ def _measure(name: str, accepted: Sequence[Accepted], assignment: Assignment, wo
     centre = assignment.acceptance.centre.numbers[name]
     banded = name in assignment.ranges.difficulty.numbers
     low, high = assignment.acceptance.band(name) if banded else (min(values), max(values))
-    ends = tuple(with_unit(words.numbers.scalar(value), MEASURES[name]) for value in (min(low, *values), max(high, *values)))
+    ends = tuple(words.amount(words.numbers.scalar(value), MEASURES[name]) for value in (min(low, *values), max(high, *values)))
     return {"title": words(f"assigned.{name}"), "strip": strip(values, low, high, centre, (ends[0], ends[1]))}
 
 
@@ -74,7 +73,7 @@ def _ends(one: Range) -> Sequence[int]:
 
 def _dressed(text: str, words: Words) -> str:
     quantity = read(text)
-    return with_unit(quantity.text.replace("-", "−").replace(".", words("decimal")), quantity.unit)
+    return words.amount(words.numbers.dressed(quantity.text), quantity.unit)
 
 
 def _column(one: Range, accepted: Sequence[Accepted], assignment: Assignment, words: Words) -> Plain:
@@ -83,7 +82,7 @@ def _column(one: Range, accepted: Sequence[Accepted], assignment: Assignment, wo
     units = {read(text).unit for text in texts}
     unit = units.pop() if len(units) == 1 else ""
     cells = [_dressed(read(text).text if unit else text, words) for text in texts]
-    return {"symbol": _head(one, assignment, words), "unit": unit_text(unit), "cells": cells}
+    return {"symbol": _head(one, assignment, words), "unit": words.unit(unit), "cells": cells}
 
 
 def _student(handout: Handout, words: Words) -> Plain:

@@ -73,7 +73,7 @@ def make_handout(student: Student, individual: Individual) -> Handout:
     scene = Scene(variant, Settings(DEFAULT_SCHEME.name))
     time = variant.time
     motion = march(scene.rates, DEFAULT_SCHEME.name, scene.start, time.step, time.end)
-    mechanism = draw_start(scene.mechanism, scene.equations, motion, scene.start)
+    mechanism = draw_start(scene.mechanism, scene.equations, motion, scene.start, lambda: scene.exact)
     check = None
     if time.check_row is not None and variant.links:
         # The key compares the drawing with the table; what Euler's error is stands in the report of a run.

@@ -12,7 +12,6 @@ from coursework.assigning.handout import Handout
 from coursework.assigning.page_words import Equation, Plain, equation, lettered, mathematics, symbol_runs
 from coursework.assigning.sheet import LONGEST, data_rows, pictures, start_rows
 from coursework.report.output.tables import timed_csv
-from coursework.report.text.numbers import unit_text, with_unit
 from coursework.report.text.words import Words
 from coursework.scene.scene import Scene
 from coursework.variant.formula.tree import named
@@ -49,7 +48,7 @@ def key_html(handout: Handout, equations: tuple[Sequence[Equation], Sequence[Equ
         "start": start_rows(handout, words),
         "written": list(written),
         "solved": list(solved),
-        "columns": [[symbol_runs(variant, name), unit_text(variant.unit_of(name))] for name in ("t", *variant.columns)],
+        "columns": [[symbol_runs(variant, name), words.unit(variant.unit_of(name))] for name in ("t", *variant.columns)],
         "rows": _rows(handout, words),
         "marked": variant.time.check_row or 0,
         "check": _check(handout, words),
@@ -71,14 +70,14 @@ def _check(handout: Handout, words: Words) -> Plain | None:
         return None
     variant, numbers = handout.variant, words.numbers
     decimals = handout.least_decimals + 1
-    heading = words("key.check", row=check.row, time=with_unit(numbers.plain(check.time), "s"))
+    heading = words("key.check", row=check.row, time=words.amount(numbers.plain(check.time), "s"))
     return {
         "heading": lettered(variant, heading),
         "svg": check.drawing(words.written).svg,
         "says": words("key.drawn"),
         "heads": [words(f"key.{key}") for key in ("quantity", "measured", "tabled")],
         "rows": [
-            [lettered(variant, name), *(with_unit(numbers.fixed(value, decimals), unit) for value in (measured, tabled))]
+            [lettered(variant, name), *(words.amount(numbers.fixed(value, decimals), unit) for value in (measured, tabled))]
             for name, measured, tabled, _, unit in check.rows
         ],
         "notes": [lettered(variant, clean(words.written(note))) for note in check.notes],

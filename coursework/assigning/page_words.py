@@ -11,7 +11,6 @@ from typing import Any
 
 from coursework.report.formulas.display import display, marked, marked_text
 from coursework.report.formulas.typst_math import Setter
-from coursework.report.text.numbers import with_unit
 from coursework.report.text.symbols import symbol
 from coursework.report.text.text_runs import ITALIC, printed, runs
 from coursework.report.text.words import Words
@@ -37,7 +36,7 @@ def symbol_text(variant: Variant, name: str) -> str:
 
 def time_text(variant: Variant, key: str, words: Words) -> str:
     """Return the step or end of the table; where the file has a formula for it, that too."""
-    value = with_unit(words.numbers.plain(getattr(variant.time, key)), "s")
+    value = words.amount(words.numbers.plain(getattr(variant.time, key)), "s")
     formula = variant.times.get(("time", key))
     if formula is None:
         return value
@@ -57,7 +56,7 @@ def velocities(variant: Variant) -> tuple[str, ...]:
 
 def datum(text: str, unit: str, words: Words) -> str:
     """Return a datum with the digits it was drawn with, and its unit."""
-    return with_unit(clean(text, LONGEST).replace("-", "−").replace(".", words("decimal")), unit)
+    return words.amount(words.numbers.dressed(clean(text, LONGEST)), unit)
 
 
 def equation(variant: Variant, left: Formula, right: Formula, words: Words, name: str = "") -> Equation:
@@ -90,7 +89,7 @@ def _function(variant: Variant, law: Law, words: Words) -> str:
 
 
 def _from(time: float, words: Words) -> str:
-    return words("sheet.from", time=with_unit(words.numbers.plain(time), "s"))
+    return words("sheet.from", time=words.amount(words.numbers.plain(time), "s"))
 
 
 def mathematics(equations: Iterable[Equation]) -> list[str]:

@@ -11,8 +11,7 @@ from collections.abc import Sequence
 from coursework.assigning.handout import Handout, guide_number
 from coursework.assigning.page_words import Plain, datum, drives, lettered, mathematics, symbol_runs, symbol_text, time_text
 from coursework.report.formulas.svg import Drawn, draw
-from coursework.report.pages.pdf import pdf_of
-from coursework.report.text.numbers import with_unit
+from coursework.report.pages.pdf import Paper, pdf_of
 from coursework.report.text.words import Words
 from coursework.words.errors import OutputError
 from coursework.words.templates import clean, filled
@@ -51,7 +50,7 @@ def sheet_html(page: Plain) -> str:
     return filled("sheet.html.j2", page=page, pictures=drawn.pictures, glyphs=drawn.glyphs)
 
 
-def sheets_pdf(pages: Sequence[Plain]) -> bytes:
+def sheets_pdf(pages: Sequence[Plain]) -> Paper:
     """Return one PDF with every sheet, each beginning on a page of its own.  Raises `OutputError`."""
     return pdf_of("sheets.typ", list(pages))
 
@@ -92,7 +91,7 @@ def start_rows(handout: Handout, words: Words) -> list[list[object]]:
             text = datum(coordinate.text, coordinate.written or coordinate.unit, words)
         else:
             value = words.numbers.fixed(handout.start[place], handout.least_decimals + SOLVED)
-            text = with_unit(value, coordinate.unit)
+            text = words.amount(value, coordinate.unit)
         rows.append([symbol_runs(handout.variant, coordinate.name), text, []])
     return rows
 
@@ -108,7 +107,7 @@ def _tasks(handout: Handout, words: Words) -> list[str]:
     ]
     if handout.check is not None:
         row = handout.check.row
-        when = with_unit(numbers.plain(handout.check.time), "s")
+        when = words.amount(numbers.plain(handout.check.time), "s")
         key = "sheet.task.check" if guide_number(row) >= 1 else "sheet.task.check_early"
         tasks.append(words(key, row=row, time=when, number=guide_number(row)))
     return tasks

@@ -13,7 +13,7 @@ from pathlib import Path
 import click
 
 from coursework.api import solve
-from coursework.commands.screen import in_language, tell, title_of
+from coursework.commands.screen import in_language, loaded, tell, title_of
 from coursework.report.output.formats import chosen
 from coursework.report.output.results import StudyResults
 from coursework.report.output.write import write_set
@@ -22,7 +22,6 @@ from coursework.results.accuracy.record import AccuracyStudy
 from coursework.results.accuracy.study import make_study, time_of
 from coursework.run import Run
 from coursework.system.file_set import working_folder
-from coursework.variant.catalogue import load
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
@@ -30,7 +29,7 @@ from coursework.words.sentences import say
 def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...] | None, language: str) -> int:
     """Return 0 after writing it, 1 where the motion stops and there is nothing to study."""
     wanted = chosen(formats, "accuracy")
-    read = load(variant)
+    read = loaded(variant)
     run = solve(read, quantities=("accuracy",))
     if run.stop is not None:
         tell(say("screen.nothing_to_study", sentence=run.stop.sentence))

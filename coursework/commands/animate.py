@@ -8,9 +8,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from coursework.api import solve
-from coursework.commands.screen import tell
+from coursework.commands.screen import loaded, tell
 from coursework.system.whole_files import write_bytes
-from coursework.variant.catalogue import load
 from coursework.words.sentences import load_phrases, say
 
 FRAMES_A_ROW = 2
@@ -20,7 +19,7 @@ def animate_variant(variant: str, out: Path | None, scheme: str | None, language
     """Return 0 after writing the picture."""
     from coursework.report.graphs.moving_picture import moving_picture
 
-    read = load(variant)
+    read = loaded(variant)
     run = solve(read, scheme, quantities=("table",))
     finer = solve(read, scheme, step=run.step / FRAMES_A_ROW, quantities=("table",))
     path = out or Path(f"{read.name}.gif")

@@ -11,10 +11,9 @@ import click
 
 from coursework.assigning.assign import Wishes, assign
 from coursework.assigning.variants import Assignment, load_ranges, read_file
-from coursework.commands.screen import in_language, tell
+from coursework.commands.screen import in_language, loaded, tell, tell_unprinted
 from coursework.grading.platforms.roster import read_roster
 from coursework.report.text.words import load_words
-from coursework.variant.catalogue import load
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
@@ -27,12 +26,14 @@ def assign_class(
     listed = read_roster(read_file(roster), str(roster))
     if not listed.students:
         raise InputError(say("fault.A006", file=str(roster)))
-    chosen = load(template)
+    chosen = loaded(template)
     assignment = Assignment(chosen, load_ranges(ranges or template, chosen), seed)
     centre, count = assignment.acceptance.centre, len(listed.students)
     tell(say("assign.pilot", feasible=centre.feasible, drawn=centre.drawn))
+    letters: list[str] = []
     with click.progressbar(length=2 * count, label=in_language(say("assign.progress")), width=30) as bar:
-        written = assign(listed, assignment, out, Wishes(seed, deadline, pdf), words, bar.update, bar.update)
+        written = assign(listed, assignment, out, Wishes(seed, deadline, pdf), words, bar.update, bar.update, letters.append)
         bar.finish()
+    tell_unprinted("".join(letters))
     tell(say("assign.written", count=count, out=str(out), written=tuple(written)))
     return 0

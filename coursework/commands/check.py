@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from coursework.api import solve
 from coursework.commands.run_on_screen import tell_remarks
-from coursework.commands.screen import tell, title_of
+from coursework.commands.screen import loaded, tell, title_of
+from coursework.results.checks.computed_right.equations import open_to_doubt
 from coursework.run import Run
-from coursework.variant.catalogue import load
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, named, spelled
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
@@ -18,7 +18,7 @@ from coursework.words.sentences import say, say_count
 
 def check_variant(variant: str) -> int:
     """Return 0 where the whole motion is possible, 1 where it stops."""
-    run = solve(load(variant))
+    run = solve(loaded(variant))
     chosen = run.variant
     tell(f"{title_of(chosen)}  ({chosen.name}, {chosen.path})")
     tell_remarks(run)
@@ -51,6 +51,8 @@ def check_variant(variant: str) -> int:
     else:
         key = "screen.closed" if closure.complete else "screen.open"
         tell(say_count(key, len(closure.names)))
+        if doubt := open_to_doubt(closure):
+            tell(doubt[0])
     stop = scene.stop
     if stop is None:
         tell(say("screen.possible", end=chosen.time.end))

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import click
 
-from coursework.commands.screen import in_language, tell
+from coursework.commands.screen import in_language, tell, tell_own_file
 from coursework.grading.batch.class_list import ClassList, class_of_one, class_of_roster, read_source
 from coursework.grading.batch.decisions import Override, read_overrides
 from coursework.grading.batch.gradebook import Options, grade_class
@@ -39,6 +39,7 @@ def grade_source(
     """Return the exit status of grading one source."""
     if (variant is None) == (roster is None):
         raise InputError(say("fault.C023"))
+    tell_own_file(variant or "")
     text = _bytes(rubric).decode("utf-8-sig", errors="replace") if rubric else ""
     marking = read_rubric(text, str(rubric or "rubric"))
     if results:

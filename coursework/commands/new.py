@@ -12,7 +12,7 @@ import tomllib
 from collections.abc import Sequence
 from pathlib import Path
 
-from coursework.commands.screen import in_language, tell
+from coursework.commands.screen import in_language, tell, tell_own_file
 from coursework.scene.model.variant_text import variant_text
 from coursework.system.whole_files import write_bytes
 from coursework.variant.catalogue import find, load, names
@@ -91,6 +91,7 @@ def _chain(stem: str, kinds: str) -> bytes:
 
 def _copies(target: Path, original: str, set_values: Sequence[str]) -> dict[Path, bytes]:
     """Return the file and its tables by the paths they go to.  Raises `InputError` where the original has faults."""
+    tell_own_file(original)
     source = find(original)
     variant = with_set(load(source), set_values)
     tables = [law.file for law in (*variant.drive, *variant.functions) if law.file]

@@ -11,17 +11,15 @@ from pathlib import Path
 import click
 import numpy as np
 
-from coursework.commands.screen import in_language, tell
+from coursework.commands.screen import in_language, loaded, tell
 from coursework.grading.collecting.sources import collect_files
 from coursework.grading.marking.grade import student_of
-from coursework.grading.marking.key import Key
-from coursework.grading.marking.reference import key_of
+from coursework.grading.marking.key import Key, key_of
 from coursework.grading.marking.table.cells import Cells, mark_cells
 from coursework.grading.marking.table.points import true_steps
 from coursework.grading.reading.expected import Expected, grid_of
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.student_work import StudentWork
-from coursework.variant.catalogue import load
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
@@ -31,7 +29,7 @@ def precheck_files(files: tuple[Path, ...], variant: str | None) -> int:
     chosen = variant or next((str(path) for path in files if path.suffix == ".toml"), None)
     if chosen is None:
         raise InputError(say("fault.C028"))
-    key = key_of(load(chosen))
+    key = key_of(loaded(chosen))
     grid = grid_of(key.variant, {name: tuple(key.table[:, place].tolist()) for place, name in enumerate(key.names)})
     work = read_submission(collect_files(files), Expected(grid, key.variant))
     for entry in work.files:
@@ -54,7 +52,15 @@ def _tell_table(key: Key, work: StudentWork) -> bool:
     tell(say("screen.turned" if reading.transposed else "screen.not_turned", **known))
     for column in table.columns:
         told = "screen.column_by_head" if column.by == "header" else "screen.column_by_place"
-        tell(say(told, name=f"{column.name:<8}", at=column.at, unit=column.unit, decimals=column.decimals))
+        tell(
+            say(
+                told,
+                name=f"{column.name:<8}",
+                at=column.at,
+                unit="rad/s" if column.unit == "1/s" else column.unit,
+                decimals=column.decimals,
+            )
+        )
     missing = [name for name in key.names if table.column(name) is None]
     if missing:
         tell(say("screen.missing_columns", missing=", ".join(missing)))
@@ -108,4 +114,6 @@ def _tell_equations(work: StudentWork) -> bool:
             tell(say("screen.line", line=line.line, why=line.fault.message if line.fault else say("screen.not_equation")))
         elif line.repaired:
             tell(say("screen.line_read_as", line=line.line, repaired=line.repaired))
+        else:
+            tell(say("screen.line_read", line=line.line, text=line.text))
     return not unread

@@ -11,14 +11,13 @@ from typing import Any
 
 from coursework.api import solve
 from coursework.commands.run_on_screen import tell_run, tell_run_briefly
-from coursework.commands.screen import is_terminal, tell
+from coursework.commands.screen import is_terminal, loaded, tell, tell_unprinted
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
 from coursework.report.output.formats import FORMATS, PAGES, Format, chosen
 from coursework.report.output.results import Results
 from coursework.report.output.write import write_set
 from coursework.run import Run
 from coursework.system.file_set import files_of, working_folder
-from coursework.variant.catalogue import load
 from coursework.variant.reading.set_values import with_set
 from coursework.variant.record.variant import Variant
 from coursework.variant.record.vocabulary import EXACT
@@ -34,7 +33,7 @@ def run_variant(
 ) -> int:  # fmt: skip
     """Return the exit status of one run."""
     wanted = chosen(formats, "run")
-    read = with_set(load(variant), set_values, check_row)
+    read = with_set(loaded(variant), set_values, check_row)
     if precision == "single":
         return tell_round_off(solve(read, _stepping(read, scheme), step_of(step, read), end, quantities=("table",)))
     if error is not None and step != "auto":
@@ -154,7 +153,9 @@ def write_all(run: Run, folder: Path, formats: Sequence[Format], language: str, 
     results = Results(run, language, live)
     results.compute(any(PAGES in each.serves for each in formats))
     with working_folder(folder) as hidden:
-        return write_set(results, formats, folder, hidden)
+        written = write_set(results, formats, folder, hidden)
+    tell_unprinted(results.unprinted)
+    return written
 
 
 def earlier_files(folder: Path) -> tuple[str, ...] | None:

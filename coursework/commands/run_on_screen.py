@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from coursework.commands.screen import in_language, tell, tell_wrapped, title_of
-from coursework.results.checks.result import GROUPS, Finding, never_more
+from coursework.commands.screen import in_language, speaks_english, tell, tell_wrapped, title_of
+from coursework.results.checks.result import GROUPS, OF_THE_SCALE, Finding, beside, never_more
 from coursework.results.checks.summary import summary
 from coursework.run import Run
 from coursework.scene.quantities import CHECKS
@@ -23,13 +23,14 @@ INDENT = "    "
 def tell_remarks(run: Run) -> None:
     """Print what looks like a slip of the pen in the file."""
     for remark in run.variant.plausibility:
-        tell(say("screen.check", code=remark.code, sentence=say("remark.line", line=remark.line, sentence=remark.sentence)))
+        told = say("remark.line", line=remark.line, sentence=remark.sentence)
+        tell(say("screen.check", code=remark.code, sentence=told) if speaks_english() else say("screen.note", sentence=told))
 
 
 def tell_run(run: Run, folder: Path, written: list[str]) -> None:
     """Print the result, its summary first, with every check."""
     if run.summary:
-        tell(run.summary)
+        tell(run.summary if speaks_english() else _named_summary(run))
     tell(f"{title_of(run.variant)}  ({run.variant.name})")
     if changed := _set_values(run):
         tell(changed)
@@ -50,7 +51,7 @@ def tell_run_briefly(run: Run, folder: Path, written: list[str]) -> None:
     tell_wrapped(say("screen.computed", title=title_of(run.variant), name=run.variant.name, how=_how_computed(run)))
     findings = run.checks if run.asks(CHECKS) else ()
     if findings:
-        tell_wrapped(summary(findings, is_motion=run.tableau is None, named=lambda finding: finding.title))
+        tell_wrapped(_named_summary(run))
     for line in (_set_values(run), *_about_rows(run)):
         if line:
             tell_wrapped(line)
@@ -61,7 +62,7 @@ def tell_run_briefly(run: Run, folder: Path, written: list[str]) -> None:
     tell_remarks(run)
     advice: dict[str, None] = {}  # in the order of the checks, each once
     for finding in findings:
-        if finding.verdict in NOT_PASSED and finding.code != "STOP":
+        if (finding.verdict in NOT_PASSED or finding.unjudged) and finding.code != "STOP":
             fact, *further = _parted(finding)
             advice |= dict.fromkeys(further)
             mark = say(f"checks.mark.{finding.verdict}")
@@ -71,6 +72,11 @@ def tell_run_briefly(run: Run, folder: Path, written: list[str]) -> None:
     tell_wrapped(say("screen.written_to", out=folder, files=", ".join(written)))
     if findings:
         tell_wrapped(say("screen.more_with_verbose"))
+
+
+def _named_summary(run: Run) -> Sentence:
+    """Return the summary with the names of checks in place of their codes."""
+    return summary(run.checks, is_motion=run.tableau is None, named=lambda finding: finding.title)
 
 
 def _parted(finding: Finding) -> list[str]:
@@ -86,7 +92,18 @@ def _how_computed(run: Run) -> Sentence:
 
 def _set_values(run: Run) -> str:
     changed = run.variant.set_values
-    return say("run.set", listed=tuple(f"{name} = {value}" for name, value in changed.items())) if changed else ""
+    return say("run.set", listed=tuple(_set_value(name, value) for name, value in changed.items())) if changed else ""
+
+
+def _set_value(name: str, value: str) -> Sentence:
+    """Return a value as it was set; a law or a whole number has no unit behind it."""
+    number, _, unit = value.partition(" ")
+    try:
+        if unit:
+            return say("remark.set", name=name, number=float(number), unit=unit)
+    except ValueError:
+        pass
+    return say("remark.set_plain", name=name, value=value)
 
 
 def _about_rows(run: Run) -> list[str]:
@@ -125,19 +142,27 @@ def _why_stopped(run: Run) -> list[str]:
 
 
 def tell_checks(run: Run) -> None:
-    """Print what every check has found, group by group, and the sentences of those that did not pass."""
+    """Print what every check has found, group by group, and the sentences of those that did not pass or not judge all."""
     for group in GROUPS:
         tell(say(f"checks.group.{group}"))
         for check in (check for check in run.checks if check.group == group):
-            parts = [f"  {in_language(say(f'checks.mark.{check.verdict}'))} {check.verdict:<6} {check.code:<16}"]
+            parts: list[str] = []
             if check.value is not None:
-                bare = {"value": never_more(check.value, check.unit, 3)}  # three digits are shown
-                parts.append(say("screen.value_unit", **bare, unit=check.unit) if check.unit else say("screen.value", **bare))
+                value = float(f"{never_more(check.value, check.unit, 3):.3g}")  # three digits are shown
+                unit = beside(check.unit, value)
+                parts.append(say("screen.value_unit", value=value, unit=unit) if unit else say("screen.value", value=value))
             if check.limit is not None:
                 parts.append(say("screen.limit", limit=check.limit))
             parts += [say("screen.column", column=check.column)] if check.column else []
             parts += [say("screen.row", row=check.row)] if check.row else []
-            tell(joined(parts, "join.nothing"))
+            mark, found = in_language(say(f"checks.mark.{check.verdict}")), in_language(joined(parts, "join.nothing"))
+            if speaks_english():
+                tell(f"  {mark} {check.verdict:<6} {check.code:<16}{found}")
+            else:
+                said = say("check.line", name=check.title, part=found.strip()) if found else check.title
+                tell(f"  {mark} {in_language(said)}")
+    if any(isinstance(check.unit, Sentence) and check.unit.key == OF_THE_SCALE for check in run.checks):
+        tell_wrapped(say("screen.scale"))
     for check in run.checks:
-        if check.verdict in NOT_PASSED and check.code != "STOP":
-            tell(say("screen.check", code=check.code, sentence=check.sentence))
+        if (check.verdict in NOT_PASSED or check.unjudged) and check.code != "STOP":
+            tell(say("screen.check", code=check.code if speaks_english() else check.title, sentence=check.sentence))

@@ -16,8 +16,9 @@ from typing import TYPE_CHECKING
 
 import click
 
+from coursework.variant.catalogue import load, own_file
 from coursework.words.errors import CourseworkError, Fault
-from coursework.words.sentences import ENGLISH, load_phrases
+from coursework.words.sentences import ENGLISH, load_phrases, say
 
 if TYPE_CHECKING:
     from coursework.variant.record.variant import Variant
@@ -35,6 +36,11 @@ def speak(language: str) -> None:
     _SPOKEN.set(language)
 
 
+def speaks_english() -> bool:
+    """Return whether the command speaks English: codes and verdicts are words of it, and stand before no sentence of another."""
+    return _SPOKEN.get() == ENGLISH
+
+
 def in_language(text: str) -> str:
     """Return a sentence in the language of the command; any other text as it is."""
     return load_phrases(_SPOKEN.get()).written(text)
@@ -49,6 +55,21 @@ def title_of(variant: Variant) -> str:
 def tell(text: str, *, err: bool = False) -> None:
     """Print a line."""
     click.echo(in_language(text), err=err)
+
+
+def tell_own_file(variant: str) -> None:
+    """Say where a file of the current folder is taken in place of a variant of the catalogue."""
+    if (own := own_file(variant)) is not None:
+        tell(say("screen.own_file", file=own, name=variant.lower()), err=True)
+
+
+def loaded(variant: str) -> Variant:
+    """Return the variant of a name or a path, and say where a file of the current folder is taken for it.
+
+    Raises `InputError` as `load` does.
+    """
+    tell_own_file(variant)
+    return load(variant)
 
 
 def is_terminal() -> bool:
@@ -68,6 +89,12 @@ def tell_wrapped(text: str, *, hanging: str = "") -> None:
         lines = textwrap.wrap(kept, width, subsequent_indent=hanging, break_long_words=False, break_on_hyphens=False)
         line = "\n".join(lines).replace(_TIED, " ")
     click.echo(line)
+
+
+def tell_unprinted(letters: str) -> None:
+    """Say which letters no face here has, so that a PDF shows boxes in their place; nothing where there are none."""
+    if letters:
+        tell(say("screen.unprinted", letters=letters), err=True)
 
 
 def tell_faults(error: CourseworkError) -> None:

@@ -19,7 +19,7 @@ from typing import Any, get_args
 import click
 
 from coursework.commands.run import make_run, run_variant, step_of
-from coursework.commands.screen import in_language, tell, tell_last
+from coursework.commands.screen import in_language, tell, tell_last, tell_own_file, tell_unprinted
 from coursework.commands.templates import with_templates
 from coursework.report.output.formats import PAGES, chosen
 from coursework.report.output.results import Results
@@ -202,9 +202,11 @@ def run_several(variants: Sequence[str], jobs: int, task: RunTask) -> int:
     write_bytes(task.out / SUMMARY, summary_csv(ordered).encode("utf-8", "backslashreplace"))
     written = [SUMMARY]
     if pages := [outcome.page for outcome in ordered if outcome.page is not None]:
-        from coursework.report.pages.pdf import render_pages
+        from coursework.report.pages.pdf import paper_of
 
-        write_bytes(task.out / COMBINED, render_pages(pages))
+        paper = paper_of(pages)
+        write_bytes(task.out / COMBINED, paper.content)
+        tell_unprinted(paper.missing)
         written.append(COMBINED)
     for outcome in ordered:
         if outcome.status >= WRONG_INPUT:
@@ -246,6 +248,7 @@ def _items(variants: Sequence[str]) -> list[Item]:
     seen: set[str] = set()
     taken: set[str] = {SUMMARY, COMBINED}
     for variant in (found for word in variants for found in _expanded(word)):
+        tell_own_file(variant)
         try:
             path = find(variant)
         except CourseworkError:

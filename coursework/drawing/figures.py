@@ -6,14 +6,16 @@ Used by `scene_run.py`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import replace
 
 import numpy as np
 
-from coursework.drawing.lettering.angles import angle_names, draw_angles, segments_of
+from coursework.drawing.lettering.angles import angle_names, draw_angles, room_of_angles, segments_of
 from coursework.drawing.lettering.dimensions import ORIGIN, SEVERAL, crowded_hinges, dimension_names, draw_dimensions
 from coursework.drawing.lettering.naming import link_names, link_owner, part_lengths, point_names, rate_places
+from coursework.drawing.outline.coinciding import clearest, coincides
 from coursework.drawing.outline.lengths import is_origin
 from coursework.drawing.outline.outline import Outline
 from coursework.drawing.outline.poses import Poses, all_rows, read_poses
@@ -28,31 +30,52 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.integration.motion import Motion, Stop
 from coursework.variant.formula.tree import Formula, terms
-from coursework.words.sentence import Sentence
-from coursework.words.sentences import say
+from coursework.variant.record.variant import Variant
+from coursework.words.errors import InputError
+from coursework.words.sentences import joined, say
 
 HIGHEST = 86.0  # mm: with its caption the drawing leaves room on the first page
 ARROW = 13.0  # mm, of a driven velocity: its direction counts, not its size
+ARROWS = (ARROW, 10.5, 15.5, 8.5)  # the next ones where it would end in a hinge
 AT_HINGE = 7.0  # mm: so far the sense of a rotation still stands at its hinge
 AXIS = 'stroke="black" stroke-width="0.15" stroke-dasharray="2.4 1 0.4 1"'
 VELOCITY = 'stroke="black" stroke-width="0.4"'
 
 
-def draw_start(mechanism: Mechanism, equations: VelocityEquations, motion: Motion, start: list[float]) -> Drawing | None:
+def draw_start(
+    mechanism: Mechanism,
+    equations: VelocityEquations,
+    motion: Motion,
+    start: list[float],
+    exact: Callable[[], Motion] | None = None,
+) -> Drawing | None:
     """Return `figure#mechanism`: the start position, None where the file places no points.
 
     `start` are all coordinates at t = 0 (rad, m); rails and slots are as long as the travel of their sliders in `motion`.
+    Where links lie on one line at the start, the drawing shows the row of the `exact` motion in which least coincides.
     """
     outline = read_outline(mechanism)
     if outline is None or not outline.names:
         return None
+    read, row = read_poses(outline, equations), 0
     t, coordinates = np.zeros(1), np.array([start])
+    if exact is not None and coincides(outline, read(t, coordinates)):
+        with suppress(InputError, ArithmeticError):  # what has no exact motion is drawn where it starts
+            closed = exact()
+            if len(closed.t) and all_rows(equations, closed):
+                row = clearest(outline, read(closed.t, closed.coordinates))
+                t, coordinates = closed.t[row : row + 1], closed.coordinates[row : row + 1]
+    names = [coordinate.name for coordinate in equations.variant.coordinates]
+    values = dict(zip(names, coordinates[0].tolist(), strict=True))
+    time = float(t[0])
     if all_rows(equations, motion):
         t, coordinates = np.append(t, motion.t), np.vstack([coordinates, motion.coordinates])
-    poses = read_poses(outline, equations)(t, coordinates)
-    board, svg = _mechanism(mechanism, outline, poses, 0)
-    caption = say("drawing.mechanism.caption", scale=board.scale_text, driven=_driven_words(outline))
-    return Drawing("mechanism", svg, board.width, board.height, caption, say("drawing.mechanism.alt"))
+    board, svg = _mechanism(mechanism, outline, read(t, coordinates), 0, values)
+    angles = say("drawing.mechanism.angles") if "data-angle" in svg else ""
+    told = {"scale": board.scale_text, "driven": _driven_words(outline, equations.variant), "angles": angles}
+    caption = say("drawing.mechanism.later", row=row + 1, time=time, **told) if row else say("drawing.mechanism.caption", **told)
+    alt = say("drawing.mechanism.alt_later", row=row + 1) if row else say("drawing.mechanism.alt")
+    return Drawing("mechanism", svg, board.width, board.height, caption, alt)
 
 
 def draw_stop(mechanism: Mechanism, equations: VelocityEquations, motion: Motion, stop: Stop) -> Drawing | None:
@@ -70,8 +93,10 @@ def draw_stop(mechanism: Mechanism, equations: VelocityEquations, motion: Motion
     return Drawing("dead-point", svg, board.width, board.height, caption, say("drawing.stop.alt"))
 
 
-def _mechanism(mechanism: Mechanism, outline: Outline, poses: Poses, row: int) -> tuple[Board, str]:
-    """Return one row with names, lengths and what drives it."""
+def _mechanism(
+    mechanism: Mechanism, outline: Outline, poses: Poses, row: int, values: Mapping[str, float] | None = None
+) -> tuple[Board, str]:
+    """Return one row with names, lengths and what drives it; with the `values` of its coordinates also their angles."""
     arrows = {name: way for name in outline.driven if (way := driven_way(poses, name, row))}
 
     empty = Sheet(1.0, 1.0, (0.0, 0.0, 1.0, 1.0))
@@ -81,18 +106,23 @@ def _mechanism(mechanism: Mechanism, outline: Outline, poses: Poses, row: int) -
     def needed(mm: float) -> Iterator[tuple[complex, float]]:
         yield from room(outline, poses, [row], arrows, mm)
         yield from (((true_size.place[name] * mm).conjugate(), SEVERAL) for name in crowded)
+        if values is not None:
+            painter = Painter(empty, outline, poses, row, lambda z: (z * mm).conjugate(), mm)
+            yield from room_of_angles(painter, mechanism, values)
 
     board = fit(needed, HIGHEST)
     sheet = board.sheet()
     painter = Painter(sheet, outline, poses, row, board.put, board.mm)
     painter.fixed()
     painter.moving()
-    shafts = {name: (painter.at[name], painter.at[name] + ARROW * way.conjugate()) for name, way in arrows.items()}
+    shafts = {
+        name: (painter.at[name], painter.at[name] + _length(painter, name, way) * way.conjugate()) for name, way in arrows.items()
+    }
     for name, (at, tip) in shafts.items():
         sheet.arrow(at, tip, VELOCITY, f' data-driven="{short(name)}"', heavy=True)
     marks = _marks(painter, sheet, mechanism)
     dimensions = draw_dimensions(painter, mechanism, marks)
-    arcs = draw_angles(painter, mechanism)
+    arcs = draw_angles(painter, mechanism, values)
     point_names(painter)
     for name, (at, tip) in shafts.items():
         sheet.label(("V", lowered_name(name), ""), [(tip, tip - at, 1.0)], ITALIC, owner=Owner([(at, tip)]))
@@ -109,6 +139,13 @@ def _mechanism(mechanism: Mechanism, outline: Outline, poses: Poses, row: int) -
                 sheet.label(rate_word(rate), rate_places(painter, bar, hinge), ITALIC, turn=sense, owner=owner)
     sheet.axes(highest=HIGHEST)
     return replace(board, height=sheet.height), sheet.svg()
+
+
+def _length(painter: Painter, name: str, way: complex) -> float:
+    """Return how long the arrow of a driven velocity is (mm): so that it ends in no hinge and on no joint."""
+    at, along = painter.at[name], way.conjugate()
+    free = (long for long in ARROWS if not painter.at_joint(at + long * along) and not painter.in_ground(at + long * along))
+    return next(free, ARROW)
 
 
 def room(
@@ -184,9 +221,11 @@ def _dot(a: complex, b: complex) -> float:
     return (a.conjugate() * b).real
 
 
-def _driven_words(outline: Outline) -> Sentence:
-    if outline.driven:
-        return say("drawing.mechanism.driven", points=outline.driven)
-    if outline.cranks:
-        return say("drawing.mechanism.turned", rates=tuple(rate for rate, _ in outline.cranks))
-    return say("drawing.mechanism.free")
+def _driven_words(outline: Outline, variant: Variant) -> str:
+    """Return how arrows show what is driven; what no arrow shows is named."""
+    turned = tuple(rate for rate, _ in outline.cranks)
+    others = tuple(rate for rate in variant.known_rates if rate not in turned)
+    told = [say("drawing.mechanism.driven", points=outline.driven)] if outline.driven else []
+    told += [say("drawing.mechanism.turned", rates=turned)] if turned else []
+    told += [say("drawing.mechanism.given", rates=others)] if others else []
+    return joined(told) if told else say("drawing.mechanism.free")

@@ -132,8 +132,9 @@ def _hodograph(name: str, curve: Complex, rows: Complex, t: Array) -> Drawing:
             placed.append(tip_of[row])
     sheet.axes()
     top = int(np.argmax(np.abs(rows)))
+    is_even = float(np.ptp(np.abs(rows))) <= AT_REST * fastest
     words = say(
-        "drawing.hodograph.caption",
+        "drawing.hodograph.even" if is_even else "drawing.hodograph.caption",
         point=name,
         speed=decimal(speed),
         fastest=float(abs(rows[top])),

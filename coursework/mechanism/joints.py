@@ -1,7 +1,7 @@
 """The joints of a mechanism, made once: from [links] and [frame] where a file has them, else from its chain of groups.
 
 Enters: a `Variant` and its points as formulas.  Leaves: `Linkage`, the moving bodies and every `Joint` between them.
-Used by `mechanism.py` (mobility), `equations/reduction/meaning.py` and `tracing.py`.
+Used by `mechanism.py` (mobility), `structure.py`, `equations/reduction/meaning.py` and `tracing.py`.
 """
 
 from __future__ import annotations
@@ -9,12 +9,12 @@ from __future__ import annotations
 import itertools
 import re
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from coursework.mechanism.groups import group_kind
-from coursework.mechanism.groups.joint import PIN_IN_GUIDE, PRISMATIC, REVOLUTE, ROLLING, Joint
+from coursework.mechanism.groups.joint import MESHING, PIN_IN_GUIDE, PRISMATIC, REVOLUTE, ROLLING, Joint
 from coursework.variant.formula.tree import Formula, named
-from coursework.variant.record.variant import Group, Variant
+from coursework.variant.record.variant import Group, Link, Variant
 
 FRAME = "0"
 
@@ -57,6 +57,25 @@ class Linkage:
         return tuple(dict.fromkeys(point.name for point in where if point is not None and point.op == "name"))
 
 
+def with_sliders(found: Linkage) -> Linkage:
+    """Return a linkage in which each pin in a guide has its slider, a body with two joints that take two freedoms each.
+
+    >>> from coursework.variant.catalogue import load
+    >>> variant = load("example-2")
+    >>> with_sliders(linkage(variant, dict(variant.points))).bodies
+    ('1', '2', '3')
+    """
+    bodies, joints = [*found.bodies], []
+    for joint in found.joints:
+        if not joint.kind.slides or joint.kind.takes > 1:
+            joints.append(joint)
+            continue
+        bodies.append(str(1 + max((int(name) for name in bodies if name.isdecimal()), default=0)))
+        joints.append(Joint(REVOLUTE, (joint.bodies[0], bodies[-1]), joint.where))
+        joints.append(Joint(PRISMATIC, (bodies[-1], joint.bodies[1]), joint.where, joint.along))
+    return replace(found, bodies=tuple(bodies), joints=tuple(joints))
+
+
 def linkage(variant: Variant, points: Mapping[str, Formula]) -> Linkage | None:
     """Return bodies and joints; None where a file names neither links nor groups, or equations move what they do not show.
 
@@ -87,17 +106,39 @@ def _of_links(variant: Variant) -> Iterator[Joint]:
         for pair in itertools.pairwise(bodies):
             yield Joint(REVOLUTE, pair, named(name))
     contacts = {link.contact for link in variant.links}
+    racks = {link.points[0]: link.name for link in variant.links if _is_block(link)}
     for through, angle in variant.frame.rails:
         if through.op == "name" and through.name in holds and through.name not in contacts:
-            yield Joint(PIN_IN_GUIDE, (holds[through.name][0], FRAME), through, angle)
-    for link in variant.links:
-        if link.contact:
-            touched = next((body for body in holds.get(link.contact, ()) if body != link.name), FRAME)
-            yield Joint(ROLLING, (link.name, touched), named(link.contact))
+            if through.name in racks:
+                yield Joint(PRISMATIC, (racks[through.name], FRAME), through, angle)
+            else:
+                yield Joint(PIN_IN_GUIDE, (holds[through.name][0], FRAME), through, angle)
+    yield from _contacts(variant, holds, [*racks.values()])
     sleeves = {frozenset((link.name, link.slides)): (link.name, link.slides) for link in variant.links if link.slides}
     for sleeve, bar in sleeves.values():
         own = next((name for name, bodies in holds.items() if sleeve in bodies), "")
         yield Joint(PRISMATIC, (sleeve, bar), named(own) if own else None)
+
+
+def _is_block(link: Link) -> bool:
+    """Return whether a link is a single point that does not turn: on a guide it is the block, or the rack, itself."""
+    return len(link.points) == 1 and not (link.rate or link.wheel or link.slides)
+
+
+def _contacts(variant: Variant, holds: Mapping[str, list[str]], racks: list[str]) -> Iterator[Joint]:
+    """Yield the contacts of wheels, each once; a wheel on a pivot of the frame touches another wheel, what holds the point, or
+    the rack.
+    """
+    met: set[str] = set()
+    for link in variant.links:
+        if not link.contact or link.name in met:
+            continue
+        on_pivot = link.wheel in variant.frame.hinges
+        wheels = [other.name for other in variant.links if other.contact == link.contact and other is not link]
+        touched = [*wheels, *(body for body in holds.get(link.contact, ()) if body != link.name), *(racks if on_pivot else ())]
+        met.update(wheels)
+        kind = MESHING if on_pivot and touched else ROLLING
+        yield Joint(kind, (link.name, touched[0] if touched else FRAME), named(link.contact))
 
 
 def chain_of_groups(variant: Variant, points: Mapping[str, Formula]) -> Linkage:

@@ -133,13 +133,16 @@ def analogs(results: MotionResults) -> ExtraTable:
     return analog_table(scene.variant, scene.exact, scene.exact_accelerations)
 
 
-@computed("exact", "exact_accelerations")
+@computed("exact", "equations", "reduction", "rates", "search")
 def invariants(results: MotionResults) -> ExtraTable:
-    """The invariants a_k, b_k, c_k of the slider."""
-    from coursework.results.kinematics.extra import invariant_table
+    """The invariants a_k, b_k, c_k of the slider, or of the rocker where nothing slides."""
+    from coursework.results.kinematics.accelerations import accelerations
+    from coursework.results.kinematics.extra import invariant_table, stroke_way
 
     scene = results.scene
-    return invariant_table(scene.variant, scene.exact, scene.exact_accelerations)
+    way = stroke_way(scene.variant, scene.exact, scene.every_rate)
+    second = accelerations(scene.equations, scene.reduction, way.motion, scene.search.passages)
+    return invariant_table(scene.variant, way, second)
 
 
 @computed("mechanism", "equations", "motion", "exact")

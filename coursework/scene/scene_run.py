@@ -241,10 +241,13 @@ class SceneRun:
                 yield name, one, one.shows
 
     def mechanism(self) -> Drawing | None:
-        """Return the mechanism in its start position with names, lengths and drive, None where the file places no points."""
+        """Return the mechanism with names, lengths, angles and drive, None where the file places no points.
+
+        It stands as it starts, or where links lie on one line there, in the row in which least coincides.
+        """
         from coursework.drawing.figures import draw_start
 
-        return draw_start(self.scene.mechanism, self.scene.equations, self.motion, self.scene.start)
+        return draw_start(self.scene.mechanism, self.scene.equations, self.motion, self.scene.start, lambda: self.exact)
 
     def at_stop(self) -> Drawing | None:
         """Return the mechanism in the position in which its motion ends, None where it does not end or that is not known."""

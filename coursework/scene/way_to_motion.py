@@ -85,8 +85,8 @@ class WayToMotion:
         """The position equations, if the file has any; checked against start and written equations."""
         closure = compile_closure(self.equations, self.start)
         require_start(closure)
-        agreed = require_agreement(self.equations, closure)
-        return replace(closure, agreed=agreed) if closure is not None else None
+        found = require_agreement(self.equations, closure)
+        return replace(closure, agreed=found.agreed, unjudged=found.unjudged) if closure is not None else None
 
     @computed("equations", "start")
     def reduction(self) -> Reduction:
@@ -230,6 +230,17 @@ class WayToMotion:
         from coursework.results.kinematics.accelerations import accelerations
 
         return accelerations(self.equations, self.reduction, self.exact, self.search.passages)
+
+    @computed("exact", "equations", "reduction", "rates", "search")
+    def extremes(self) -> dict[str, tuple[float, float]]:
+        """The least and the largest value of every column of the exact motion up to its last row, between rows too."""
+        from coursework.motion.integration.extremes import extremes
+        from coursework.results.kinematics.accelerations import accelerations
+
+        passages = self.search.passages
+        return extremes(
+            self.exact, self.every_rate, lambda motion: accelerations(self.equations, self.reduction, motion, passages)
+        )
 
     @property
     def scheme_rows(self) -> Motion | None:

@@ -52,12 +52,13 @@ def entries(language: str = ENGLISH) -> list[Entry]:
 def find(path_or_name: str | Path) -> Path:
     """Return the file of a name in the catalogue, of a path, or of a path without its ending .toml.
 
+    A file of the current folder stands before a variant of the catalogue with its name.
     Raises `InputError` for a name that is none of these, with the closest one.
     """
     text = str(path_or_name)
     is_name = re.fullmatch(r"[\w-]{1,60}", text) is not None
     if is_name and text.lower() in names():
-        return folder("variants") / f"{text.lower()}.toml"
+        return own_file(text) or folder("variants") / f"{text.lower()}.toml"
     path = Path(text)
     ended = path.with_name(f"{path.name}.toml") if path.name and path.suffix != ".toml" else path
     if _is_file(ended) or _is_file(path):
@@ -69,6 +70,16 @@ def find(path_or_name: str | Path) -> Path:
         hint = closest(text.lower(), [*names(), *(file.stem for file in sorted(Path().glob("*.toml")))])
         raise InputError(say("fault.C014", text=text, ended=ended, hint=hint))
     return path
+
+
+def own_file(path_or_name: str | Path) -> Path | None:
+    """Return the file of the current folder that is taken in place of a variant of the catalogue, None where there is none."""
+    text = str(path_or_name)
+    if text.lower() not in names():
+        return None
+    path = Path(f"{text}.toml")
+    is_other = _is_file(path) and not path.samefile(folder("variants") / f"{text.lower()}.toml")
+    return path if is_other else None
 
 
 def load(path_or_name: str | Path) -> Variant:

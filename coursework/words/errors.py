@@ -46,7 +46,9 @@ class Fault:
         where = self.file + (f":{self.line}" if self.line else "")
         if self.column:
             where += f":{self.column}"
-        said = f"{written(self.place)}: {written(self.message)}".removeprefix(": ")
+        place, said = written(self.place), written(self.message)
+        if place:
+            said = f"{place}{'：' if said.endswith('。') else ': '}{said}"
         return visible(f"{self.code} {where}  {said}" if where else f"{self.code} {said}")
 
     def plain(self) -> dict[str, Any]:

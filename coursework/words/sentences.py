@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
+from string import Formatter
 from typing import Any
 
 from coursework.words.data_folders import REPORTS, folder, folder_of_package
@@ -29,6 +30,7 @@ PLURALS: dict[str, Callable[[int], str]] = {
     "other": lambda n: "other",
 }
 _ROUND = ":r}"  # a format of our own, see `_Number`
+_NOUN = ";"  # another: "{more:.2g;раз|раза|раз}", see `_Counting`
 _UNIT = re.compile("[A-Za-zµ]+")  # rad and s of "rad/s²"
 # A space of our own beside a gap: Chinese sets one beside Latin letters and figures, none between its own signs or beside its
 # full stops and parentheses; which of them a gap brings is known when it is filled.
@@ -78,7 +80,8 @@ class Phrases:
         if self.language != ENGLISH:
             template = template.replace(" {", f"{_SPACE}{{").replace("} ", f"}}{_SPACE}")
         try:
-            return _closed_up(template.format(**values))
+            filled = _Counting(self).vformat(template, (), values) if _NOUN in template else template.format(**values)
+            return _closed_up(filled)
         except (KeyError, IndexError, ValueError, AttributeError) as error:
             known = ", ".join(f"{{{name}}}" for name in values) or "–"
             raise InputError(say("fault.L001", language=self.language, key=key, error=str(error), known=known)) from error
@@ -141,6 +144,27 @@ class Phrases:
         if isinstance(value, str):
             return self.unit(self.written(value)) if name == "unit" else self.written(value)
         return self.listing([self.written(part) for part in value]) if isinstance(value, tuple) else value
+
+
+class _Counting(Formatter):
+    """Fills gaps that end in a noun, "{more:.2g;раз|раза|раз}", and sets behind the number the form that belongs to it as it
+    is printed: one, few, many, and that of a number which is not whole (like few where it is left out).
+    """
+
+    def __init__(self, phrases: Phrases) -> None:
+        self._rule, self._mark = PLURALS[phrases.template("plural")], phrases.template("decimal")
+
+    def format_field(self, value: Any, format_spec: str) -> str:
+        """Return a value in its format, with its noun."""
+        spec, _, nouns = format_spec.partition(_NOUN)
+        text = str(format(value, spec))
+        if not nouns:
+            return text
+        forms = dict(zip(("one", "few", "many", "other"), nouns.split("|"), strict=False))
+        written = "".join(text.replace(self._mark, ".").split())
+        whole, _, part = written.partition(".")
+        form = "many" if not whole.isdigit() else "other" if part.strip("0") else self._rule(int(whole))
+        return f"{text} {forms.get(form, forms['few'])}"
 
 
 class _Number(float):

@@ -75,9 +75,9 @@ def test_a_bend_may_be_written_with_any_signs(written: str) -> None:
 @pytest.mark.parametrize(("value", "is_drawn"), [("1.8 deg", True), ("1.6 deg", False)])
 def test_an_angle_too_small_to_be_seen_has_no_arc(value: str, is_drawn: bool) -> None:
     svg = svg_of("stephenson", **{'gamma = "10 deg"': f'gamma = "{value}"'})
-    assert ("data-angle" in svg) == is_drawn
+    assert ('data-angle="γ"' in svg) == is_drawn
 
 
 def test_an_angle_that_is_no_direction_is_not_drawn() -> None:
     """alpha of variant 31 is the phase of its drive."""
-    assert "data-angle" not in svg_of("31")
+    assert measured.names(svg_of("31"), "data-angle") == {"phi1", "phi2", "phi3"}

@@ -1,8 +1,8 @@
 """Cut a Chinese face to the signs that the words need:  python -m tests.report.cut_font NotoSansCJK-Regular.ttc
 
 Enters: Google's Noto Sans CJK (a collection; the face for simplified Chinese is taken), under the SIL Open Font License.
-Leaves: `reports/fonts/NotoSansSC.otf` with the signs of `words.zh.toml` and of the Chinese texts of the catalogue.  A name
-that a student types is set in the faces of the machine, as for any script.
+Leaves: `reports/fonts/NotoSansSC.otf` with the signs of `words.zh.toml`, of the Chinese texts of the catalogue and all of
+GB 2312, in which the names of people and schools are written.  What that lacks is set in the faces of the machine.
 """
 
 from __future__ import annotations
@@ -16,14 +16,22 @@ from fontTools.ttLib import TTCollection, TTFont
 
 ROOT = Path(__file__).parents[2]
 FACE = ROOT / "reports" / "fonts" / "NotoSansSC.otf"
+MARKS = "“”‘’—…"  # which Chinese sets as wide as its signs
 FAMILY = "Noto Sans CJK SC"
 
 
 def wanted() -> set[str]:
-    """Return every wide sign of the words file and of the catalogue."""
+    """Return every wide sign of the words file, of the catalogue and of GB 2312."""
     files = [ROOT / "reports" / "words.zh.toml", *sorted((ROOT / "variants").rglob("*.toml"))]
     text = "".join(path.read_text(encoding="utf-8") for path in files)
-    return {sign for sign in text if unicodedata.east_asian_width(sign) in "WF"}
+    return {sign for sign in text if unicodedata.east_asian_width(sign) in "WF"} | national()
+
+
+def national() -> set[str]:
+    """Return the 6763 hanzi of GB 2312, with its punctuation."""
+    rows = (*range(0xA1, 0xA4), *range(0xB0, 0xF8))
+    signs = (bytes((row, place)).decode("gb2312", "ignore") for row in rows for place in range(0xA1, 0xFF))
+    return {sign for sign in signs if sign and (unicodedata.east_asian_width(sign) in "WF" or sign in MARKS)}
 
 
 def signs_of(face: Path) -> set[str]:

@@ -153,7 +153,7 @@ SCENES = {
     "points": ("31", ["points"], MARCH | {"points"}),
     "points that accelerate": ("31", ["points", "accelerations"], MARCH | {"accelerations", "point_accelerations"}),
     "analogs": ("example-2", ["analogs"], MARCH | {"exact", "exact_accelerations", "analogs"}),
-    "invariants": ("variable-crank", ["invariants"], MARCH | {"exact", "exact_accelerations", "invariants"}),
+    "invariants": ("variable-crank", ["invariants"], MARCH | {"exact", "invariants"}),
     "accuracy": ("31", ["accuracy"], MARCH | {"exact", "accuracy"}),
     "drawing": ("31", ["graph_check"], MARCH | {"exact", "graph_check"}),
 }

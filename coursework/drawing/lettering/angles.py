@@ -1,5 +1,6 @@
-"""Angles that a file gives: the slope of a guide, the bend of a link, as an arc between two directions with its letter.
+"""Angles as arcs between two directions with their letters: those a file gives, and coordinates in their positive sense.
 
+Given are the slope of a guide and the bend of a link.  A coordinate has an arrow where it ends; its arc says data-angle="phi1".
 Enters: a `Painter` whose mechanism is drawn, and the `Mechanism`.  Leaves: thin arcs, and `Arc` for their letters.
 Used by `drawing/figures.py`.
 """
@@ -9,17 +10,18 @@ from __future__ import annotations
 import cmath
 import itertools
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from coursework.drawing.lettering.turns import signed, turns
 from coursework.drawing.outline.lengths import arm_base
 from coursework.drawing.paper.cover import Segment
 from coursework.drawing.paper.painter import Painter
 from coursework.drawing.paper.placing import Owner
-from coursework.drawing.paper.sheet import ITALIC, inside
-from coursework.drawing.paper.symbols import name_word
+from coursework.drawing.paper.sheet import ITALIC, Word, inside, plain
+from coursework.drawing.paper.symbols import angle_word
 from coursework.mechanism.mechanism import Mechanism
 from coursework.variant.formula.tree import Formula, constant, terms
 
@@ -29,46 +31,92 @@ RADII = (7.0, 9.0, 11.0, 13.5)  # mm, the first the best
 FARTHER = 1.0  # mm of lines that an arc rather covers than having a radius 1 mm larger
 PAST = 1.5  # mm: the line from which an angle is measured ends that far behind its arc
 PIECE = 0.05  # rad of an arc that is drawn straight
-CHORDS = 6  # so many does an arc count for where words are placed
-ALONG = 0.02  # rad: a link that near to a direction shows it
+CHORDS, CHORD = 6, 0.5  # so many does an arc count for where words are placed, or one for so many rad
+ALONG, REACHED = 0.02, 0.9  # rad: a link that near to a direction shows it, where it reaches the arc, to this part
 SMALLEST = 0.03  # rad: a smaller angle is not seen
+AROUND = (5.0, 6.0, 7.5, 9.0, 11.0, 13.5, 17.0, 21.0, 26.0)  # mm, of the arcs of coordinates
+HIDDEN = 20.0  # mm of lines that it rather covers than having its arrow end in a hinge, or being no angle of its link
+RING = 1.25  # mm: the line from which an angle is measured begins beside the joint
+MISTAKEN = 14.0  # mm of lines that a letter rather covers than being taken for another angle's
+HEAD, ROOM = 1.7, 3.0  # mm: their arrow, and how long an arc is that shows it well
+TOO_SHORT = 6.0  # mm of lines that an arc rather covers than being 1 mm shorter than that
+OVER, LONGER = 3.0, 0.5  # such an arc, often a long one, minds more what it covers, and being 1 mm longer
+SENSE = 0.6  # rad: what is nought is told, beside an arc that only shows where it would grow
+NOUGHT = 1e-9  # rad
+PARTS = (0.5, 0.75, 0.25, 0.9)  # of an arc: beside these its letter may stand
+ONE = 1e-6  # mm: places that near to each other are one
 
 
 @dataclass(frozen=True, slots=True)
 class Angle:
-    """A datum `name` from the direction `begin` by `turn` (rad, as on the sheet) at one of the places `at`."""
+    """The angle `name` from the direction `begin` by `turn` (rad, as on the sheet) at one of the places `at`.
+
+    One that is `counted` from an axis has an arrow where it ends; `tail` is written behind its name.
+    """
 
     name: str
     at: tuple[complex, ...]
     begin: complex
     turn: float
+    counted: bool = False
+    tail: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class Arc:
-    """The arc of a datum, through a few of its points; `out` is the direction away from where it turns."""
+    """The arc of an angle, through a few of its points, about the place `at`; `word` names it, `sides` are drawn beside it."""
 
-    name: str
+    word: Word
     points: tuple[complex, ...]
-    out: complex
+    at: complex
+    sides: tuple[Segment, ...]
 
 
-def draw_angles(painter: Painter, mechanism: Mechanism) -> list[Arc]:
-    """Draw the given angles, each once; return their arcs, for `angle_names`."""
+def draw_angles(painter: Painter, mechanism: Mechanism, values: Mapping[str, float] | None = None) -> list[Arc]:
+    """Draw the given angles, each once; return their arcs, for `angle_names`.
+
+    With the `values` of coordinates (rad, m) these are drawn too, each that is an angle.
+    """
     arcs: dict[str, Arc] = {}
     for angle in (*_slopes(painter, mechanism), *_bends(painter, mechanism)):
-        if angle.name not in arcs and SMALLEST < abs(angle.turn) < math.tau and (arc := _place(painter, angle)):
+        if angle.name not in arcs and SMALLEST < abs(angle.turn) < math.tau and (arc := _place(painter, angle, RADII)):
+            arcs[angle.name] = arc
+    for angle in _coordinates(painter, mechanism, values) if values is not None else ():
+        if arc := _place(painter, angle, AROUND):
             arcs[angle.name] = arc
     return list(arcs.values())
+
+
+def room_of_angles(painter: Painter, mechanism: Mechanism, values: Mapping[str, float]) -> Iterator[tuple[complex, float]]:
+    """Yield the places about which the coordinates turn, with the room that the smallest arc takes around them."""
+    for angle in _coordinates(painter, mechanism, values):
+        yield from ((at, AROUND[1] + PAST) for at in angle.at[:1])
+
+
+def _coordinates(painter: Painter, mechanism: Mechanism, values: Mapping[str, float]) -> Iterator[Angle]:
+    """Yield the coordinates that are angles as they lie on the sheet, whose y goes down."""
+    for turn in turns(mechanism, {**mechanism.variant.values, "pi": math.pi, **values, **painter.place}):
+        places = tuple(_known(painter, painter.put(at)) for at in turn.at)
+        if SMALLEST < turn.size < math.tau - NOUGHT:
+            yield Angle(turn.coordinate, places, turn.axis.conjugate(), -turn.sense * turn.size, counted=True)
+        else:
+            tail = " = 0" if min(turn.size, math.tau - turn.size) < NOUGHT else " ≈ 0"
+            yield Angle(turn.coordinate, places, turn.axis.conjugate(), -turn.sense * SENSE, counted=True, tail=tail)
+
+
+def _known(painter: Painter, at: complex) -> complex:
+    """Return the point that lies at a place of the sheet, the place itself where there is none."""
+    return next((point for point in painter.at.values() if abs(point - at) < ONE), at)
 
 
 def angle_names(painter: Painter, arcs: Sequence[Arc]) -> None:
     """Write the letters of angles beside their arcs."""
     for arc in arcs:
         lines = list(itertools.pairwise(arc.points))
-        middle = arc.points[len(arc.points) // 2]
-        owner = Owner(lines, painter.sheet.heavy)
-        painter.sheet.label(name_word(arc.name), [(middle, arc.out, 0.6), (middle, -arc.out, 0.6)], ITALIC, owner=owner)
+        beside = [arc.points[round(part * (len(arc.points) - 1))] for part in PARTS]
+        places = [(at, way * (at - arc.at), 0.6) for at in dict.fromkeys(beside) for way in (1, -1)]
+        others = [line for other in arcs if other is not arc for line in (*itertools.pairwise(other.points), *other.sides)]
+        painter.sheet.label(arc.word, places, ITALIC, owner=Owner(lines, [*painter.sheet.heavy, *others], mistaken=MISTAKEN))
 
 
 def _slopes(painter: Painter, mechanism: Mechanism) -> Iterator[Angle]:
@@ -100,7 +148,7 @@ def _bends(painter: Painter, mechanism: Mechanism) -> Iterator[Angle]:
 def _angle(mechanism: Mechanism, formula: Formula, at: tuple[complex, ...], along: complex) -> Iterator[Angle]:
     """Yield the one datum of a direction, the rest of which is a coordinate or a number; the sheet turns the other way round."""
     given = {datum.name: datum.value for datum in mechanism.variant.given if datum.si == "rad"}
-    parts = list(_signed(formula, 1))
+    parts = list(signed(formula))
     data = [(part.name, sign) for part, sign in parts if part.op == "name" and part.name in given]
     rest = [part for part, _ in parts if part.name not in given]
     if len(data) == 1 and all(_is_direction(part) for part in rest):
@@ -113,32 +161,27 @@ def _is_direction(part: Formula) -> bool:
     return part.op == "name" or constant(part) is not None or all(name == "pi" for name in part.names())
 
 
-def _signed(formula: Formula, sign: int) -> Iterator[tuple[Formula, int]]:
-    if formula.op in {"+", "-"}:
-        yield from _signed(formula.args[0], sign)
-        yield from _signed(formula.args[1], sign if formula.op == "+" else -sign)
-    elif formula.op == "neg":
-        yield from _signed(formula.args[0], -sign)
-    else:
-        yield formula, sign
-
-
-def _place(painter: Painter, angle: Angle) -> Arc | None:
+def _place(painter: Painter, angle: Angle, radii: Sequence[float]) -> Arc | None:
     """Draw an angle where its arc covers least; return the arc, None where there is no room."""
     sheet = painter.sheet
     best, chosen = math.inf, None
     for at in angle.at:
-        for radius in RADII:
+        for radius in radii:
+            sides = [way for way in _sides(angle) if not _is_shown(painter, at, way, radius)]
             count = max(2, math.ceil(abs(angle.turn) / PIECE))
             points = tuple(at + radius * angle.begin * cmath.exp(1j * angle.turn * k / count) for k in range(count + 1))
-            sides = [way for way in (angle.begin, angle.begin * cmath.exp(1j * angle.turn)) if not _is_shown(painter, at, way)]
-            lines = [(at, at + (radius + PAST) * way) for way in sides]
+            lines = [(at + RING * way, at + (radius + PAST) * way) for way in sides]
             ends = [line[1] for line in lines]
             if not all(inside(p - 0.01, p + 0.01, sheet.field) for p in (*points, *ends)):
                 continue
             looked = [*points[2:-2], *ends, *((at + end) / 2 for end in ends)]
             squares = np.array([(p.real, p.imag) for p in looked]).reshape(-1, 2)
-            cost = float(sheet.taken.covered(squares, 0.4, 0.4, sheet.field).sum()) / max(len(looked), 1) + FARTHER * radius
+            cost = float(sheet.taken.covered(squares, 0.4, 0.4, sheet.field).sum()) / max(len(looked), 1)
+            long = radius * abs(angle.turn)
+            cost = OVER * cost + LONGER * long + TOO_SHORT * max(0.0, ROOM - long) if angle.counted else cost + FARTHER * radius
+            hidden = painter.at_joint(points[-1]) or painter.in_ground(points[-1])
+            if angle.counted and (hidden or (angle.tail and sides)):
+                cost += HIDDEN
             if cost < best - 1e-9:
                 best, chosen = cost, (at, points, lines)
     if chosen is None:
@@ -146,17 +189,37 @@ def _place(painter: Painter, angle: Angle) -> Arc | None:
     at, points, lines = chosen
     for line in lines:
         sheet.line(*line, LINE)
-    sheet.path(list(points), f'{PEN} data-angle="{"".join(name_word(angle.name))}"', blocks=False)
-    few = points[:: max(1, len(points) // CHORDS)]
+    word = angle_word(angle.name)
+    sheet.path(list(points), f'{PEN} data-angle="{plain(angle.name) if angle.counted else "".join(word)}"', blocks=False)
+    if angle.counted:
+        _head(painter, at, points)
+    few = points[:: max(1, len(points) // max(CHORDS, math.ceil(abs(angle.turn) / CHORD)))]
     sheet.segments += itertools.pairwise(few)
-    return Arc(angle.name, few, few[len(few) // 2] - at)
+    return Arc((word[0], word[1], word[2] + angle.tail), few, at, tuple(lines))
 
 
-def _is_shown(painter: Painter, at: complex, direction: complex) -> bool:
-    """Return whether a link that begins at a place, or a fixed guide there, goes in a direction."""
-    ways = [end - at for line in painter.sheet.heavy for end in line if at in line and end != at]
+def _sides(angle: Angle) -> Iterator[complex]:
+    """Yield the directions that bound an angle; of one that is nought only its axis."""
+    yield angle.begin
+    if not angle.tail:
+        yield angle.begin * cmath.exp(1j * angle.turn)
+
+
+def _head(painter: Painter, at: complex, points: Sequence[complex]) -> None:
+    """Draw the arrow where an arc ends."""
+    tip = points[-1]
+    size = min(HEAD, 0.6 * abs(tip - at) * abs(cmath.phase((tip - at) / (points[0] - at)) or math.pi))
+    behind = min(points, key=lambda point: (round(abs(abs(point - tip) - size), 9), -points.index(point)))
+    along = (tip - behind) / abs(tip - behind) if tip != behind else 1j
+    neck, side = tip - size * along, 0.3 * size * 1j * along
+    painter.sheet.path([tip, neck + side, neck - side], 'fill="black" stroke="none"', closed=True, blocks=False)
+
+
+def _is_shown(painter: Painter, at: complex, direction: complex, radius: float) -> bool:
+    """Return whether a link that begins at a place and reaches the arc, or a fixed guide there, goes in a direction."""
+    ways = [end - at for line in painter.sheet.heavy for end in line if at in line and abs(end - at) > REACHED * radius]
     ways += [b - at for a, b in painter.rails.values() if abs(at - a) + abs(b - at) < abs(b - a) + 0.01]
-    return any(abs(cmath.phase(way / direction)) < ALONG for way in ways)
+    return any(abs(cmath.phase(way / direction)) < ALONG for way in ways if way)
 
 
 def segments_of(arcs: Sequence[Arc]) -> list[Segment]:

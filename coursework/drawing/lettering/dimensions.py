@@ -31,6 +31,7 @@ OUTSIDE = 5.0  # mm: so long are they then
 LEVELS = (0.0, 5.0, 7.0, 9.5, 12.0, 15.0, 19.0)  # mm beside its points
 CLEAR = 5.0  # mm beyond all points: there a dimension crosses no link
 AWAY = 0.5  # mm of lines that a dimension rather covers than standing 1 mm farther off
+HIDDEN = 60.0  # mm of lines that it rather covers than having an arrow end in the ground of a hinge
 SAMPLE = 1.5  # mm between the places at which a line is looked at
 PAST, OFF = 1.0, 1.8  # mm: an extension line ends that much past the arrow, and begins that far from its point
 BELOW = 7.0  # mm: the ground of a hinge ends there
@@ -132,7 +133,10 @@ def _place(painter: Painter, one: Dimension) -> Segment | None:
         looked = [at for begin, end in whole for at in _samples(begin, end)]
         squares = np.array([(at.real, at.imag) for at in looked])
         cost = float(painter.sheet.taken.covered(squares, 0.6, 0.6, painter.sheet.field).sum())
-        cost += away[level]
+        unit = (ends[1] - ends[0]) / abs(ends[1] - ends[0])
+        heads = (HEAD * unit, -HEAD * unit) if abs(ends[1] - ends[0]) > TIGHT else (-HEAD * unit, HEAD * unit)
+        hidden = sum(painter.in_ground(end + head) for end, head in zip(ends, heads, strict=True))
+        cost += away[level] + HIDDEN * hidden
         if cost < best - 1e-6:
             best, chosen = cost, (ends, lines)
     if chosen is None:

@@ -129,8 +129,7 @@ def part_lengths(painter: Painter, mechanism: Mechanism, near: Sequence[Segment]
         if word[0] and abs(b - a) > SHORT:
             thin = [(begin, end) for _, begin, end in (*named[:place], *named[place + 1 :])]
             rivals = [line for line in (*thin, *painter.sheet.heavy, *near, *painter.grounds) if not lies_on(line, (a, b))]
-            owner = Owner([(a, b)], rivals, breaks=(a, b) not in painter.sheet.heavy)
-            painter.sheet.label(word, beside(painter, (a, b), 1.0, towards=-1), ITALIC, owner=owner)
+            painter.sheet.label(word, beside(painter, (a, b), 1.0, towards=-1), ITALIC, owner=Owner([(a, b)], rivals))
 
 
 def _unsaid(mechanism: Mechanism, known: Mapping[frozenset[str], Formula]) -> dict[str, float]:

@@ -16,7 +16,7 @@ from functools import cached_property
 from coursework.drawing.outline.ground import hinge_ground, inward, racks, rail_side, wheel_on
 from coursework.drawing.outline.outline import Bar, Block, Outline, Rail, Slot, Track, Wheel
 from coursework.drawing.outline.poses import Poses
-from coursework.drawing.paper.cover import Rectangle
+from coursework.drawing.paper.cover import Rectangle, Segment
 from coursework.drawing.paper.sheet import PITCH, Sheet, inside, middle_of, plain
 
 LINK = 'stroke="black" stroke-width="0.8"'
@@ -27,7 +27,10 @@ RING = 'fill="white" stroke="black" stroke-width="0.35"'
 DOT = 'fill="black" stroke="none"'
 BLOCK = (4.2, 2.4)  # mm, half length and half height of a slider
 BEYOND = 10.0  # mm of a bar beyond the farthest place of its sleeve
-RAIL = 9.0  # mm of a rail beyond the farthest place of its slider
+RAIL, LEAST_RAIL = 9.0, 5.0  # mm of a rail beyond the farthest place of its slider; no less
+OFF_JOINT = 2.4  # mm: a rail passes a joint that does not slide on it so far off
+JOINT = 1.25  # mm: the radius of a joint
+GROUND, HALF_GROUND = 8.0, 5.5  # mm: how far the symbol of a hinge reaches, with what is kept free around it
 ALIGNED = 1e-9  # of the mechanism: a point within this of a line lies on it
 
 
@@ -101,15 +104,40 @@ class Painter:
     def rail(self, rail: Rail) -> None:
         """Draw a rail, hatched on the side where nothing is."""
         a, b = self.rail_line(rail)
-        along = (b - a) / abs(b - a)
-        side = -1j * along * rail_side(self.outline, self.poses.pose(0), rail)
+        side = -1j * (b - a) / abs(b - a) * rail_side(self.outline, self.poses.pose(0), rail)
+        pieces = [(a, b)]
         if rail.rider and not rail.rolls:
-            a, b = a + side * BLOCK[1], b + side * BLOCK[1]
-        if part := inside(a, b, self.sheet.field):
-            self.sheet.line(*part, FRAME, ' data-rail=""')
-            self.sheet.hatch(*part, side)
-            self.grounds.append(part)
-            self.rails[rail] = part
+            side, pieces = self.clear_of_joints(rail, (a, b), side)
+        for piece in pieces:
+            if part := inside(*piece, self.sheet.field):
+                self.sheet.line(*part, FRAME, ' data-rail=""')
+                self.sheet.hatch(*part, side)
+                self.grounds.append(part)
+                self.rails.setdefault(rail, part)
+
+    def clear_of_joints(self, rail: Rail, ends: Segment, side: complex) -> tuple[complex, list[Segment]]:
+        """Return the side of its block on which a rail is drawn, and its pieces: through no joint that does not slide on it.
+
+        It is rather shorter, or on the other side, than in two pieces with the joint between them.
+        """
+        a, b = ends
+        along = (b - a) / abs(b - a)
+        joints = [self.at[name] for name in self.names if name != rail.rider]
+
+        def near(begin: complex, end: complex) -> list[float]:
+            ways = ((joint - begin) * along.conjugate() for joint in joints)
+            return [
+                way.real for way in ways if abs(way.imag) < OFF_JOINT and -OFF_JOINT < way.real < abs(end - begin) + OFF_JOINT
+            ]
+
+        for way, less in itertools.product((side, -side), (0.0, RAIL - LEAST_RAIL)):
+            begin, end = a + BLOCK[1] * way + less * along, b + BLOCK[1] * way - less * along
+            if not near(begin, end):
+                return way, [(begin, end)]
+        begin, end = a + BLOCK[1] * side, b + BLOCK[1] * side
+        cuts = [0.0, *(reach for at in sorted(near(begin, end)) for reach in (at - OFF_JOINT, at + OFF_JOINT)), abs(end - begin)]
+        pieces = [(begin + low * along, begin + high * along) for low, high in zip(cuts[::2], cuts[1::2], strict=True)]
+        return side, [piece for piece, low, high in zip(pieces, cuts[::2], cuts[1::2], strict=True) if high - low > PITCH]
 
     def track(self, track: Track) -> None:
         """Draw the part of a fixed circle near its wheel, hatched inside the solid, with the radius that leads there."""
@@ -143,6 +171,18 @@ class Painter:
         self.sheet.hatch(foot - 4.6 * side, foot + 4.6 * side, down)
         self.grounds.append((foot - 4.6 * side, foot + 4.6 * side))
         self.sheet.boxes.append(_around(at + 3.5 * down, 4.0))
+
+    def in_ground(self, place: complex) -> bool:
+        """Return whether a place lies in the symbol of a hinge below its ring, where no arrow can be seen to end."""
+        for name in self.outline.hinges:
+            off = (place - self.at[name]) * self.ground(name).conjugate()
+            if JOINT < off.real < GROUND and abs(off.imag) < HALF_GROUND:
+                return True
+        return False
+
+    def at_joint(self, place: complex) -> bool:
+        """Return whether a place lies on the ring of a joint, or so near that an arrow would end in it."""
+        return any(abs(self.at[name] - place) < 1.4 * JOINT for name in self.names)
 
     def ground(self, name: str) -> complex:
         """Return on which side of a hinge its ground is: below, as in a textbook, unless a link hides it there."""
@@ -236,7 +276,7 @@ class Painter:
         members = sum(name in bar.corners for bar in self.outline.bars)
         pinned = name in self.outline.hinges or any(name == block.at for block in self.outline.blocks)
         ring = members > 1 or pinned or any(name == wheel.centre for wheel in self.outline.wheels)
-        self.sheet.circle(self.at[name], 1.25 if ring else 1.0, RING if ring else DOT)
+        self.sheet.circle(self.at[name], JOINT if ring else 1.0, RING if ring else DOT)
 
 
 def _dot(a: complex, b: complex) -> float:

@@ -26,7 +26,7 @@ MARGIN = 0.5  # mm kept free around a word
 CLEAR = 0.4  # mm more beside a heavy line, half of its width
 HEAVY = 120.0  # mm of thin lines that a word rather covers than a heavy one: a link or an arrow
 WORD_ON_WORD = 200.0  # the same for another word
-CROSSED = 4.0  # the same for every line that goes through it
+CROSSED = 20.0  # the same for every line that goes through it
 SYMBOL = (3.0, 6.0)  # the same for a mm² of a symbol, and for every symbol
 GAP, SIDE_BY_SIDE = 2.2, 20.0  # mm: words nearer on one line read as one; mm of lines that a word rather covers
 LEADING = 0.8  # mm: so do words nearer above each other
@@ -48,7 +48,6 @@ class Owner:
     rivals: Sequence[Segment] = ()
     mistaken: float = 8.0
     lost: float = LOST  # mm: a word farther from it is led back by a thin line
-    breaks: bool = False  # its own thin line may be broken for the word, as a dimension line is
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,7 +97,6 @@ class Taken:
     def stand(self, width: float, height: float, places: Sequence[Place], owner: Owner, room: Rectangle) -> Stand:
         """Return where a word of a width and height (mm) stands best."""
         claimed, owned = Lines([*owner.own, *owner.rivals]), len(owner.own)
-        own = Lines(owner.own) if owner.breaks else None
         half = np.array([width / 2, height / 2])
         turns = math.tau * np.arange(DIRECTIONS) / DIRECTIONS
         toward = np.array([np.angle(away) if away else -math.pi / 4 for _, away, _ in places])
@@ -122,9 +120,6 @@ class Taken:
             middles = np.column_stack([at.real, at.imag])
             low, high = middles - half, middles + half
             cost = least + self.covered(middles, width, height, room)
-            if own is not None:
-                crossed, length = own.within(low - MARGIN, high + MARGIN)
-                cost -= length + CROSSED * crossed
             feet = begins[kept]
             # What a reader could mistake only adds to the cost: it is looked at where the rest is cheap.
             order = np.argsort(np.round(cost, 6), kind="stable")

@@ -1,7 +1,7 @@
 """Names of a file as a drawing writes them: "r1" is r₁, "2*r3" is 2r₃, "phi1" is φ₁.
 
 Enters: a name or a formula.  Leaves: short text.
-Used by `naming.py`, `dimensions.py`, `drawing/figures.py` and `plans/`.
+Used by `naming.py`, `angles.py`, `dimensions.py`, `drawing/figures.py` and `plans/`.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from coursework.words.sentences import say
 
 LONGEST_NAME = 12  # letters of the name of a point or link
 LONGEST_LENGTH = 14  # letters of the length beside a link; a longer formula says less than none
+LONGEST_INDEX = 4  # letters of an index
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _NAME = re.compile(r"(?<![^\W\d])(?<!\.)([^\W\d_]+?)(\d*)(?!\w)")
 _INDEXED = re.compile(r"([^\W\d_])(?:_?(\d+)|_(\w+)|([ij])|(?<=[xy])([^\W\d_]))")
@@ -58,6 +59,18 @@ def lowered_name(name: str) -> str:
     """Return the name of a point as it stands below a letter: "P1" is P₁; "P1'", the point under it, P₁′."""
     plain, prime = _without_prime(name)
     return (short(lettered(plain)) if _INDEXED.fullmatch(plain) else short(plain)) + prime
+
+
+def angle_word(name: str) -> tuple[str, str, str]:
+    """Return the name of an angle as a word with what is set lower: "phi1" is φ with 1, "phib" φ with b, "beta" β.
+
+    >>> angle_word("phi1"), angle_word("psi"), angle_word("q2")
+    (('φ', '1', ''), ('ψ', '', ''), ('q', '2', ''))
+    """
+    heads = (name[:end] for end in range(len(name), 1, -1))
+    head = next((head for head in heads if greek(head) != head), "")
+    low = name[len(head) :].removeprefix("_")
+    return (greek(head), greek(low), "") if head and len(low) <= LONGEST_INDEX else name_word(name)
 
 
 def length_text(length: Formula) -> str:

@@ -13,6 +13,7 @@ import numpy as np
 
 from coursework.drawing.plans.pose import Pose
 
+NOUGHT = 1e-13  # of the largest velocity found: what is smaller is round-off
 FREE = 1e-9  # of the largest singular value: below it a combination of velocities is not determined
 
 
@@ -27,7 +28,7 @@ class Solved:
 def solve_plan(pose: Pose, velocities: Mapping[str, complex]) -> Solved:
     """Return all that rigid links, guides and sleeves determine, given velocities of points (m/s)."""
     points = list(dict.fromkeys(name for body in pose.bodies for name in body.points))
-    points += [pivot for pivot, _, _ in pose.sleeves.values() if pivot not in points]
+    points += [slide.rider for slide in pose.slides if slide.rider not in points]
     column = {name: 2 * k for k, name in enumerate(points)}
     turn = {body.name: 2 * len(points) + k for k, body in enumerate(pose.bodies)}
     size = pose.size or 1.0
@@ -63,17 +64,15 @@ def solve_plan(pose: Pose, velocities: Mapping[str, complex]) -> Solved:
     for body in pose.bodies:
         if body.rate and same[body.rate] != body.name:
             require({turn[body.name]: 1.0, turn[same[body.rate]]: -1.0})
-    for bar, (pivot, along, sleeve) in pose.sleeves.items():
-        first = next(body.points[0] for body in pose.bodies if body.name == bar)
-        arm = 1j * (pose.positions[pivot] - pose.positions[first])
-        normal = 1j * along
-        part = (normal.conjugate() * arm).real
-        require(
-            {**vector(first, normal), **vector(pivot, normal, -1.0), turn[bar]: part / size}
-            if first != pivot
-            else {turn[bar]: 0.0}
-        )
-        require({turn[bar]: 1.0, turn[sleeve]: -1.0})
+    for slide in pose.slides:
+        first = next((body.points[0] for body in pose.bodies if body.name == slide.link), slide.rider)
+        arm = 1j * (pose.positions[slide.rider] - pose.positions[first])
+        normal = 1j * slide.along
+        if first != slide.rider:
+            part = (normal.conjugate() * arm).real
+            require({**vector(first, normal), **vector(slide.rider, normal, -1.0), turn[slide.link]: part / size})
+        if slide.block in turn:
+            require({turn[slide.link]: 1.0, turn[slide.block]: -1.0})
     count = 2 * len(points) + len(pose.bodies)
     matrix = np.zeros((len(rows), count))
     for k, row in enumerate(rows):
@@ -83,5 +82,6 @@ def solve_plan(pose: Pose, velocities: Mapping[str, complex]) -> Solved:
     rank = int(np.sum(strengths > FREE * strengths[0])) if len(strengths) else 0
     free = np.max(np.abs(ways[rank:]), axis=0, initial=0.0)
     found = np.linalg.lstsq(matrix, np.array(right), rcond=FREE)[0]
+    found[np.abs(found) <= NOUGHT * np.max(np.abs(found), initial=0.0)] = 0.0
     determined = {name: complex(found[k], found[k + 1]) for name, k in column.items() if max(free[k], free[k + 1]) < FREE**0.5}
     return Solved(determined, {name: float(found[k]) / size for name, k in turn.items() if free[k] < FREE**0.5})

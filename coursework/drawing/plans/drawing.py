@@ -22,7 +22,7 @@ from coursework.drawing.paper.symbols import decimal, lowered_name, short
 from coursework.drawing.plans.foot import draw_foot
 from coursework.drawing.plans.graph_words import centre_letter
 from coursework.drawing.plans.instant_centres import Centre, Findings
-from coursework.drawing.plans.layout import Layout, lay_out
+from coursework.drawing.plans.layout import CROSS, Layout, lay_out
 from coursework.drawing.plans.sketch import Sketch
 from coursework.words.sentences import say
 
@@ -60,7 +60,7 @@ def _seen(sketch: Sketch, findings: Findings) -> str:
     """Return what to look at: a centre on a point that therefore hardly moves, or the fastest point."""
     size, places = sketch.pose.size, sketch.pose.positions
     points = {body.name: body.points for body in sketch.pose.bodies}
-    for link, centre in findings.centres.items():
+    for link, centre in findings.drawn.items():
         for name in points[link]:
             if centre.at is not None and centre.lines and abs(places[name] - centre.at) < CLOSE * size:
                 return say("graph.close", link=link, point=name)
@@ -85,13 +85,13 @@ class _Drawing:
         self.middle = self.painter.middle
 
     def svg(self, title: str) -> str:
-        for name, centre in self.findings.centres.items():
+        for name, centre in self.findings.drawn.items():
             self.construction(name, centre)
         self.painter.fixed()
         self.painter.moving()
         for name in self.points:
             self.velocity(name)
-        for name, centre in self.findings.centres.items():
+        for name, centre in self.findings.drawn.items():
             self.cross(name, centre)
         self.names()
         self.foot(title)
@@ -127,7 +127,7 @@ class _Drawing:
         layout = self.layout
         at = layout.put(centre.at)
         if link in layout.near:
-            for arm in (1.5 + 1.5j, 1.5 - 1.5j):
+            for arm in (complex(CROSS, CROSS), complex(CROSS, -CROSS)):
                 self.sheet.line(at - arm, at + arm, 'stroke="black" stroke-width="0.4"')
             self.marks.append(((self.letter, short(link), ""), [(at, at - self.middle, 2.2)], (at, at)))
             return

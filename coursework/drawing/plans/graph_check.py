@@ -10,19 +10,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from coursework.drawing.outline.lengths import stretching
 from coursework.drawing.outline.tracing import read_outline
 from coursework.drawing.paper.record import Drawing
-from coursework.drawing.plans.graph_words import centre_letter, drift, how_found, omega_name
+from coursework.drawing.paper.symbols import decimal
+from coursework.drawing.plans.check_plan import CheckPlan, plan_of
+from coursework.drawing.plans.graph_words import centre_letter, drift, how_found, omega_name, why_unread
 from coursework.drawing.plans.instant_centres import Findings, construct
 from coursework.drawing.plans.layout import lay_out
+from coursework.drawing.plans.moving import kinematics_of
 from coursework.drawing.plans.pose import Body
 from coursework.drawing.plans.readings import Reading, read_off
 from coursework.drawing.plans.sketch import Sketch, read_sketch
+from coursework.drawing.plans.vectors import UNITS, VELOCITY
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.geometry.time_derivatives import jets
@@ -41,6 +45,7 @@ class GraphCheck:
     `rows` (name, measured, table value, measured - table, unit): angular velocities, speeds of joints, centres; nan where
     the table has no such value.  `true` reads the same off the exact row: name -> (value, unit), nothing where there is none.
     `notes` are sentences: how each centre was found, what the drawing does not determine, how far the row does not close.
+    `plan` is that of velocities, None where centres on the sheet give all.
     """
 
     row: int
@@ -51,6 +56,7 @@ class GraphCheck:
     true: Callable[[], dict[str, tuple[float, str]]]
     notes: tuple[str, ...]
     readings: tuple[Reading, ...] = ()
+    plan: CheckPlan | None = None
 
     @property
     def exact(self) -> tuple[tuple[str, float, float, str], ...]:
@@ -68,6 +74,29 @@ class GraphCheck:
         from coursework.drawing.plans.drawing import draw
 
         return draw(self.sketch, self.findings, self.row, self.time, written, blank=blank)
+
+    def sheets(self, written: Callable[[str], str] = str, *, blank: bool = False) -> tuple[Drawing, ...]:
+        """Return all sheets: `figure#graph-check` and, where it is needed, `figure#check-plan`; none if nothing is read."""
+        if self.unread:
+            return ()
+        position = self.drawing(written, blank=blank)
+        return (position,) if self.plan is None else (position, self._plan_sheet(self.plan, written, blank=blank))
+
+    def _plan_sheet(self, plan: CheckPlan, written: Callable[[str], str], *, blank: bool) -> Drawing:
+        from coursework.drawing.plans.polygon_sheet import draw_plan
+
+        hinges = self.sketch.outline.hinges
+        drawn = draw_plan(plan.polygons, VELOCITY, hinges, self.row, written, index=0, blank=blank)
+        scale = decimal(plan.scale.unit)
+        bare = say("graph.blank_plan", row=self.row, time=self.time, scale=scale, unit=UNITS[VELOCITY])
+        return replace(drawn, id="check-plan", caption=bare if blank else drawn.caption)
+
+    @property
+    def unread(self) -> str:
+        """Return why there is no sheet: nothing can be read off it; "" where something was."""
+        if any(self.findings.velocities.values()) and any(one.read is not None for one in self.readings):
+            return ""
+        return say("graph.unread", row=self.row, time=self.time, why=why_unread(self.findings, self.plan))
 
     @property
     def scale(self) -> float:
@@ -102,10 +131,27 @@ def check_graph(mechanism: Mechanism, equations: VelocityEquations, motion: Moti
         return _measured(perfect, construct(perfect.pose)) if perfect else {}
 
     values = {name: abs(value) for name, value in tabled.items()}
-    scale = lay_out(sketch, findings).scale
-    readings = read_off(sketch, findings, scale, values)
-    notes = (*how_found(sketch, findings), *sketch.notes, *drift(sketch))
-    return GraphCheck(row, float(motion.t[row - 1]), sketch, findings, rows, true, notes, readings)
+    layout, plan = lay_out(sketch, findings), None
+    readings = read_off(sketch, findings, layout, values, None)
+    moves = any(findings.velocities.values())
+    if moves and (findings.planned or any(one.computed and not one.rests for one in readings)):
+        # Where a plan is drawn at all, or a row would rest on no reading, it serves all links whose centre is off the sheet.
+        seen = {name for name, centre in findings.drawn.items() if centre.at is None or not centre.lines or name in layout.near}
+        far = tuple(body.name for body in sketch.pose.bodies if body.name in findings.drawn and body.name not in seen)
+        findings = replace(findings, beyond=far)
+        plan = _plan(equations, motion, row - 1, sketch, findings)
+        readings = read_off(sketch, findings, layout, values, plan)
+    notes = (*how_found(sketch, findings, plan), *sketch.notes, *drift(sketch))
+    return GraphCheck(row, float(motion.t[row - 1]), sketch, findings, rows, true, notes, readings, plan)
+
+
+def _plan(
+    equations: VelocityEquations, motion: Motion, row: int, sketch: Sketch, findings: Findings
+) -> CheckPlan | None:  # fmt: skip
+    """Return the plan of velocities of a row (from 0), drawn and by the table."""
+    only = slice(row, row + 1)
+    here = replace(motion, t=motion.t[only], coordinates=motion.coordinates[only], velocities=motion.velocities[only])
+    return plan_of(sketch, findings, kinematics_of(sketch.outline, equations, here, np.zeros_like(here.velocities)))
 
 
 def _required_row(variant: Variant, motion: Motion) -> int:

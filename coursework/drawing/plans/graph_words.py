@@ -7,8 +7,9 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
 
+from coursework.drawing.plans.check_plan import CheckPlan
 from coursework.drawing.plans.instant_centres import Centre, Findings
 from coursework.drawing.plans.pose import Body
 from coursework.drawing.plans.sketch import Sketch
@@ -47,24 +48,46 @@ def omega_name(body: Body) -> str:
     return body.rate or say("drawing.omega", link=body.name)
 
 
-def how_found(sketch: Sketch, findings: Findings) -> list[str]:
+def how_found(sketch: Sketch, findings: Findings, plan: CheckPlan | None) -> list[str]:
     """Return how each link was dealt with, in the order of the file."""
-    sentences: list[str] = [say("drawing.plan", point=point, a=a, b=b) for point, (a, b) in findings.plans.items()]
-    sleeves = {bar: pivot for bar, (pivot, _, _) in sketch.pose.sleeves.items()}
-    for body in sketch.pose.bodies:
+    sentences: list[str] = []
+    sleeves = {(slide.link, slide.rider) for slide in sketch.pose.slides}
+    solved = plan.solved if plan is not None else set(sketch.pose.positions)
+    bodies = [body for body in sketch.pose.bodies if not body.guide]
+    links = [body.name for body in bodies if body.name in findings.planned and not solved & {*body.points}]
+    if asked := [body.name for body in bodies if body.name in links and len(body.points) > 1]:
+        sentences.append(say("drawing.by_lines", links=tuple(asked)))
+    if plan is not None and findings.beyond:
+        sentences.append(say("drawing.beyond", links=findings.beyond))
+    for body in bodies:
         centre = findings.centres.get(body.name)
+        if body.name in links:
+            continue
         if body.name in findings.planned:
             sentences.append(say("drawing.by_plan", link=body.name))
         elif body.name in findings.missing:
             sentences.append(say("drawing.missing", link=body.name))
-        elif centre is not None and not body.guide:
+        elif centre is not None:
             sentences.append(_story(body, centre, sketch.wheels, centre_letter(sketch), sleeves))
     return sentences
 
 
-def _story(body: Body, centre: Centre, wheels: Mapping[str, tuple[str, str]], letter: str, sleeves: Mapping[str, str]) -> str:
-    if body.name in sleeves and centre.at is not None and sleeves[body.name] in centre.lines:
-        pivot = sleeves[body.name]
+def why_unread(findings: Findings, plan: CheckPlan | None) -> str:
+    """Return why a drawing has nothing that could be read."""
+    if not any(findings.velocities.values()):
+        return say("graph.unread_still")
+    if findings.missing:
+        return say("graph.unread_left")
+    return say(
+        "graph.unread_together"
+        if (findings.planned or findings.beyond) and (plan is None or plan.solved)
+        else "graph.unread_given"
+    )
+
+
+def _story(body: Body, centre: Centre, wheels: Mapping[str, tuple[str, str]], letter: str, sleeves: Set[tuple[str, str]]) -> str:
+    pivot = next((name for name in centre.lines if (body.name, name) in sleeves), "")
+    if pivot and centre.at is not None:
         other = next(name for name in centre.lines if name != pivot)
         return say("drawing.sleeve", centre=_centre(body, letter), point=other, pivot=pivot)
     if centre.lines and centre.at is None:

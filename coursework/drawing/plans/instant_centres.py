@@ -37,16 +37,21 @@ class Centre:
 class Findings:
     """What the drawing yields, by name: `centres` and `omegas` (rad/s) of links, `velocities` (m/s) of points.
 
-    `plans` point -> the two points whose velocities gave its own by a velocity plan; `planned` links whose angular velocity
-    was solved from the plan of all links together; `missing` links that the geometry does not determine.
+    `planned` are links that no centre gives: they follow from the plan of velocities, as do those `beyond`, whose centre is
+    off the sheet; `missing` those that the geometry does not determine.
     """
 
     centres: Mapping[str, Centre]
     omegas: Mapping[str, float]
     velocities: Mapping[str, complex]
-    plans: Mapping[str, tuple[str, str]]
     missing: tuple[str, ...]
     planned: tuple[str, ...] = ()
+    beyond: tuple[str, ...] = ()
+
+    @property
+    def drawn(self) -> dict[str, Centre]:
+        """Return the centres that are drawn: those that were found without a plan."""
+        return {name: centre for name, centre in self.centres.items() if name not in self.planned}
 
 
 def cross(a: complex, b: complex) -> float:
@@ -64,14 +69,18 @@ def construct(pose: Pose) -> Findings:
     paper = _Paper(pose)
     paper.draw()
     planned: tuple[str, ...] = ()
-    if any(body.name not in paper.omegas for body in pose.bodies):
+    if any(not paper.finished(body) for body in pose.bodies):
         solved = solve_plan(pose, paper.velocities)
-        planned = tuple(body.name for body in pose.bodies if body.name not in paper.omegas and body.name in solved.omegas)
+        planned = tuple(body.name for body in pose.bodies if not paper.finished(body) and body.name in solved.omegas)
         paper.take(solved.velocities, {name: solved.omegas[name] for name in planned})
         paper.draw()
-    missing = tuple(body.name for body in pose.bodies if body.name not in paper.omegas)
+    missing = tuple(
+        body.name
+        for body in pose.bodies
+        if body.name not in paper.omegas and (len(body.points) > 1 or not paper.velocities.keys() >= {*body.points})
+    )  # that a block turns is asked by nobody
     centres = {name: paper.within_reach(centre) for name, centre in paper.centres.items()}
-    return Findings(centres, paper.omegas, paper.velocities, paper.plans, missing, planned)
+    return Findings(centres, paper.omegas, paper.velocities, missing, planned)
 
 
 @dataclass(slots=True)
@@ -84,7 +93,6 @@ class _Paper:
     velocities: dict[str, complex] = field(default_factory=dict)
     directions: dict[str, complex] = field(default_factory=dict)
     rates: dict[str, float] = field(default_factory=dict)
-    plans: dict[str, tuple[str, str]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self.rates.update(self.pose.rates)
@@ -102,8 +110,10 @@ class _Paper:
                 self.find_centre(body)
                 self.find_omega(body)
                 self.carry_on(body)
-            if known == self.known():
-                self.plan_velocities()
+
+    def finished(self, body: Body) -> bool:
+        """Return whether the rotation of a link and the velocities of its points are known."""
+        return body.name in self.omegas and all(name in self.velocities for name in body.points)
 
     def take(self, velocities: Mapping[str, complex], omegas: Mapping[str, float]) -> None:
         """Write down what was solved elsewhere."""
@@ -156,10 +166,9 @@ class _Paper:
 
     def _by_directions(self, body: Body) -> Centre | None:
         ways = {name: self.directions[name] for name in body.points if name in self.directions}
-        if body.name in self.pose.sleeves:
-            pivot, along, _ = self.pose.sleeves[body.name]
-            if self.velocities.get(pivot) == 0:  # the point of the bar in a sleeve that stands moves along the bar
-                ways[pivot] = along
+        for slide in self.pose.slides:  # the point of the bar in a sleeve that stands moves along the bar
+            if slide.link == body.name and self.velocities.get(slide.rider) == 0:
+                ways[slide.rider] = slide.along
         pairs = list(itertools.combinations(ways, 2))
         pairs.sort(key=lambda pair: -abs(cross(ways[pair[0]], ways[pair[1]])))
         for a, b in pairs:
@@ -191,9 +200,9 @@ class _Paper:
         omega = self.rates.get(body.rate or "")
         if omega is None and centre is not None:
             omega = 0.0 if centre.at is None else self._over_distance(body, centre.at, centre.point)
-        bar = next((bar for bar, (_, _, sleeve) in self.pose.sleeves.items() if sleeve == body.name), "")
-        if omega is None or bar in self.omegas:
-            omega = self.omegas.get(bar, omega)
+        for slide in self.pose.slides:
+            if slide.block == body.name and slide.link in self.omegas:
+                omega = self.omegas[slide.link]
         if omega is not None:
             self.omegas[body.name] = omega
             if body.rate:
@@ -226,24 +235,3 @@ class _Paper:
                 self._move(name, self.velocities[moving])
             if (towards := along if at is None else arm) and name not in self.pose.fixed:
                 self.directions.setdefault(name, towards / abs(towards))
-
-    def plan_velocities(self) -> None:
-        """Find the inner joint X of a dyad A-X-B from two known velocities: V_A + V_XA = V_B + V_XB, each across its link.
-
-        Used where no centre can be drawn yet, because the direction of X is not known.
-        """
-        for first, second in itertools.combinations(self.pose.bodies, 2):
-            for name in first.points:
-                ends = [self._known_end(body, name) for body in (first, second)]
-                if name not in second.points or name in self.velocities or not all(ends):
-                    continue
-                a, b = ends
-                across_a, across_b = (1j * (self._at(name) - self._at(end)) for end in ends)
-                if abs(sine := cross(across_a, across_b)) > PARALLEL * abs(across_a) * abs(across_b):
-                    gap = self.velocities[b] - self.velocities[a]
-                    self._move(name, self.velocities[a] + across_a * cross(gap, across_b) / sine)
-                    self.plans[name] = (a, b)
-
-    def _known_end(self, body: Body, joint: str) -> str:
-        """Return a point of the link with known velocity, other than the joint."""
-        return next((name for name in body.points if name != joint and name in self.velocities), "")

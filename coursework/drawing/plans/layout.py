@@ -7,11 +7,11 @@ Source of the row: ISO 5455, GOST 2.302 (1:1, 1:2, 1:2.5, 1:4, 1:5, 1:10 ...); t
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from coursework.drawing.paper.symbols import ratio
 from coursework.drawing.plans.foot import FOOT
-from coursework.drawing.plans.instant_centres import Findings
+from coursework.drawing.plans.instant_centres import Centre, Findings
 from coursework.drawing.plans.sketch import Sketch
 from coursework.words.sentence import Sentence
 
@@ -23,6 +23,7 @@ ARROWS = (45.0, 30.0, 20.0)  # mm: the longest velocity is at most as long
 ROUND = tuple(sorted(m * 10.0**k for k in range(-9, 9) for m in (1.0, 2.0, 5.0)))
 ROOM = {"point": 8.0, "hinge": 11.0, "tip": 6.0, "rim": 3.0}  # mm around, for symbols and labels
 CENTRE_ROOM = 6.0
+CROSS = 1.5  # mm: the arms of the cross that marks a centre
 
 Box = tuple[float, float, float, float]
 
@@ -54,6 +55,13 @@ class Layout:
     def field(self) -> Box:
         """Return left, top, right, bottom of the room for the drawing."""
         return (EDGE, EDGE, self.width - EDGE, self.height - FOOT)
+
+    def holds(self, centre: Centre) -> bool:
+        """Return whether a centre and the cross that marks it lie within the borders."""
+        if centre.at is None or not centre.lines:
+            return False
+        (left, top, right, bottom), at = self.field, self.put(centre.at)
+        return left + CROSS <= at.real <= right - CROSS and top + CROSS <= at.imag <= bottom - CROSS
 
     @property
     def scale_text(self) -> Sentence:
@@ -98,7 +106,7 @@ def _try(sketch: Sketch, findings: Findings, scale: float, longest: float, wide:
         return None
     near = set()
     # The nearest first: a far one must not take the room of those that fit.
-    for name, centre in sorted(findings.centres.items(), key=lambda item: abs((item[1].at or 0j) * mm - _middle(box))):
+    for name, centre in sorted(findings.drawn.items(), key=lambda item: abs((item[1].at or 0j) * mm - _middle(box))):
         if centre.at is not None and centre.lines:
             wider = _join(box, centre.at * mm, CENTRE_ROOM)
             if _fits(wider, room):
@@ -109,7 +117,9 @@ def _try(sketch: Sketch, findings: Findings, scale: float, longest: float, wide:
     height = high + EDGE + FOOT
     top = (height - FOOT + EDGE - high) / 2
     origin = complex((width - across) / 2 - box[0], top + box[3])
-    return Layout(scale, speed, wide, width, height, origin, frozenset(near))
+    sheet = Layout(scale, speed, wide, width, height, origin, frozenset(near))
+    # One whose name has little room may lie on the sheet all the same.
+    return replace(sheet, near=frozenset(near | {name for name, centre in findings.drawn.items() if sheet.holds(centre)}))
 
 
 def _box(sketch: Sketch, findings: Findings, mm: float, speed: float) -> Box:

@@ -1,11 +1,12 @@
 """How every point of an outline and of the links it draws moves, over all rows of a motion.
 
 Enters: an `Outline`, velocity equations, a motion and its accelerations.  Leaves: `Kinematics`.
-Used by `polygons.py`.
+Used by `plans.py`, `polygons.py`, `vectors.py` and `check_plan.py`.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -29,39 +30,50 @@ class Moving:
     acceleration: Complex
 
 
+@dataclass(frozen=True, slots=True)
 class Kinematics:
-    """The motion of every point of an outline and of the links it draws; arrays over the rows of a motion."""
+    """The motion of every point and the angular velocity and acceleration of every link by name, (n,) at times `t` (s)."""
 
-    def __init__(self, outline: Outline, equations: VelocityEquations, motion: Motion, accelerations: Array) -> None:
-        symbols = equations.symbols
-        self.outline, self.motion, self.accelerations = outline, motion, accelerations
-        self.t = motion.t
-        vectors = [symbols.vectors.get(name) or symbols.vector(formula) for name, formula in outline.points]
-        wanted = [component for vector in vectors for component in vector]
-        rows = (motion.t, motion.coordinates, motion.velocities, accelerations)
-        levels = [level(*rows) for level in jets(equations, wanted, 2)]
-        self.points = {
-            name: Moving(*(np.asarray(level[:, 2 * k] + 1j * level[:, 2 * k + 1]) for level in levels))
-            for k, (name, _) in enumerate(outline.points)
-        }
-
-    def turning(self, bar: Bar) -> tuple[Array, Array]:
-        """Return angular velocity and acceleration (n,) of a link: its column, else how its slot or two of its points turn."""
-        if bar.rate in self.motion.velocity_names:
-            place = self.motion.velocity_names.index(bar.rate)
-            return self.motion.velocities[:, place], self.accelerations[:, place]
-        ends = next(((slot.base, slot.toward) for slot in self.outline.slots if slot.link == bar.link), bar.corners[:2])
-        if len(ends) < 2:
-            return np.zeros(len(self.t)), np.zeros(len(self.t))
-        a, b = (self.points[name] for name in ends)
-        arm = b.at - a.at
-        square = np.abs(arm) ** 2
-        rate = (arm.conjugate() * (b.velocity - a.velocity)).imag / square
-        return rate, (arm.conjugate() * (b.acceleration - a.acceleration)).imag / square
+    t: Array
+    points: dict[str, Moving]
+    turning: Mapping[str, tuple[Array, Array]]
 
     def carried(self, bar: Bar, base: str, at: Complex) -> Moving:
         """Return the motion of the point of a link that lies at a place, from that of its point `base`."""
-        omega, epsilon = self.turning(bar)
+        omega, epsilon = self.turning[bar.link]
         moving = self.points[base]
         arm = at - moving.at
         return Moving(at, moving.velocity + 1j * omega * arm, moving.acceleration + (1j * epsilon - omega * omega) * arm)
+
+
+def kinematics_of(outline: Outline, equations: VelocityEquations, motion: Motion, accelerations: Array) -> Kinematics:
+    """Return how all moves in every row of a motion; `accelerations` (n, k) as its velocities."""
+    symbols = equations.symbols
+    vectors = [symbols.vectors.get(name) or symbols.vector(formula) for name, formula in outline.points]
+    wanted = [component for vector in vectors for component in vector]
+    levels = [level(motion.t, motion.coordinates, motion.velocities, accelerations) for level in jets(equations, wanted, 2)]
+    points = {
+        name: Moving(*(np.asarray(level[:, 2 * k] + 1j * level[:, 2 * k + 1]) for level in levels))
+        for k, (name, _) in enumerate(outline.points)
+    }
+    turning = {bar.link: _turning(bar, outline, points, motion, accelerations) for bar in outline.bars}
+    return Kinematics(motion.t, points, turning)
+
+
+def _turning(
+    bar: Bar, outline: Outline, points: Mapping[str, Moving], motion: Motion, accelerations: Array
+) -> tuple[Array, Array]:  # fmt: skip
+    """Return angular velocity and acceleration (n,) of a link: its column, else how its slot or two of its points turn."""
+    if bar.rate in motion.velocity_names:
+        place = motion.velocity_names.index(bar.rate)
+        return motion.velocities[:, place], accelerations[:, place]
+    ways = [(slot.base, slot.toward) for slot in outline.slots if slot.link == bar.link]
+    ways += [(bar.corners[0], bar.corners[1])] if len(bar.corners) > 1 else []
+    ways += [(block.base, block.toward) for block in outline.blocks if block.link == bar.link and block.open]
+    if not ways:
+        return np.zeros(len(motion.t)), np.zeros(len(motion.t))
+    a, b = (points[name] for name in ways[0])
+    arm = b.at - a.at
+    square = np.abs(arm) ** 2
+    rate = (arm.conjugate() * (b.velocity - a.velocity)).imag / square
+    return rate, (arm.conjugate() * (b.acceleration - a.acceleration)).imag / square

@@ -14,7 +14,10 @@ from coursework.drawing.outline.outline import Outline
 from coursework.drawing.outline.poses import all_rows
 from coursework.drawing.outline.tracing import read_outline
 from coursework.drawing.paper.record import Drawing
-from coursework.drawing.plans.polygons import ACCELERATION, UNITS, VELOCITY, Polygons, polygons
+from coursework.drawing.plans.given import given_points
+from coursework.drawing.plans.moving import kinematics_of
+from coursework.drawing.plans.polygons import polygons
+from coursework.drawing.plans.vectors import ACCELERATION, UNITS, VELOCITY, Polygons
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.integration.motion import Motion
@@ -74,6 +77,10 @@ def make_plans(
     if not all_rows(equations, table[0]):
         raise InputError([Fault(say("fault.V524"), variant.file)])
     pairs = stretching(mechanism)
-    rows, true = (polygons(outline, equations, motion, second, pairs) for motion, second in (table, exact))
+    given, rates = given_points(outline, variant), variant.known_rates
+    rows, true = (
+        polygons(outline, kinematics_of(outline, equations, motion, second), given, rates, pairs)
+        for motion, second in (table, exact)
+    )
     row = min(variant.time.row_of_check, max(1, min(len(rows.t), len(true.t))))
     return Plans(outline, row, rows, true, chain=bool(variant.groups))

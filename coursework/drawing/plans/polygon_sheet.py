@@ -1,7 +1,7 @@
 """One plan of velocities or accelerations on paper, true to its scale, with the steps in which it is drawn.
 
 Enters: `Polygons` and a row.  Leaves: `Drawing` with numbered steps.
-Used by `plans.py`.
+Used by `plans.py` and `graph_check.py`.
 """
 
 from __future__ import annotations
@@ -10,20 +10,18 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from coursework.drawing.lettering.naming import PARTS, lies_on
-from coursework.drawing.paper.board import COLUMN, EDGE, SPEEDS, around
+from coursework.drawing.paper.board import COLUMN, EDGE, around
 from coursework.drawing.paper.placing import Owner
 from coursework.drawing.paper.record import Drawing
 from coursework.drawing.paper.sheet import ITALIC, SMALL_LETTER, Sheet, Word
 from coursework.drawing.paper.sheet import width as width_of
 from coursework.drawing.paper.symbols import decimal, name_word, short
 from coursework.drawing.plans.foot import FOOT, draw_foot
-from coursework.drawing.plans.polygons import ACCELERATION, POLE, UNITS, VELOCITY, Polygons
+from coursework.drawing.plans.plan_scale import LONGEST, SEEN, SMALL, arrows_of, scale_of, short_ones
 from coursework.drawing.plans.steps import image, steps
+from coursework.drawing.plans.vectors import ACCELERATION, POLE, UNITS, VELOCITY, Polygons
 from coursework.words.sentences import say
 
-LONGEST = 80.0  # mm of the longest vector
-SMALL = 4.0  # mm: a shorter vector is drawn again in the inset
-SEEN = 1e-7  # of the longest vector: below it a vector is nothing but round-off
 INSET, HEAD = 44.0, 9.0  # mm: the least width of the inset, and the room of its words
 PENS = {
     "absolute": 'stroke="black" stroke-width="0.45"', "relative": 'stroke="black" stroke-width="0.3"',
@@ -34,19 +32,22 @@ PENS = {
 NAMES = {VELOCITY: "v", ACCELERATION: "a"}
 
 
-def draw_plan(found: Polygons, plan: str, hinges: tuple[str, ...], row: int, written: Callable[[str], str]) -> Drawing:
-    """Return one plan of a row (from 1); the scale is the smallest of 1, 2, 5 · 10^k a mm with no vector over 80 mm."""
-    arrows = _arrows(found, plan, row - 1)
-    longest = max((abs(vector) for _, _, _, _, vector in arrows), default=0.0)
-    unit = next((s for s in SPEEDS if longest / s <= LONGEST * (1 + 1e-12)), SPEEDS[-1])
+def draw_plan(
+    found: Polygons, plan: str, hinges: tuple[str, ...], row: int, written: Callable[[str], str], *,
+    index: int | None = None, blank: bool = False,
+) -> Drawing:  # fmt: skip
+    """Return one plan of a row (from 1), which stands at `index` (from 0) of the polygons; a `blank` one has what is given."""
+    index = row - 1 if index is None else index
+    scale = scale_of(found, plan, index)
+    unit = scale.unit
+    arrows = arrows_of(found, plan, index)
     mm = [(kind, start, end, at / unit, vector / unit) for kind, start, end, at, vector in arrows]
-    small = _small(mm)
+    small = short_ones(mm)
     left, top, right, bottom = around([(0j, 9.0), *((complex(at + vector).conjugate(), 7.0) for *_, at, vector in mm)])
     inset = None
-    if small:
-        inset = _Inset.of(
-            small, lambda times: written(say("plans.inset", times=times, scale=decimal(unit / times), unit=UNITS[plan]))
-        )
+    if small and not blank:
+        enlarged = say("plans.inset", times=scale.times, scale=decimal(unit / scale.times), unit=UNITS[plan])
+        inset = _Inset.of(small, scale.times, written(enlarged))
     corner = complex(right + 3, top)
     if inset is not None:
         if right + 3 + inset.width - left > COLUMN - 2 * EDGE:
@@ -56,6 +57,9 @@ def draw_plan(found: Polygons, plan: str, hinges: tuple[str, ...], row: int, wri
     pole = complex((width - right - left) / 2, EDGE - top)
     sheet = Sheet(width, bottom - top + 2 * EDGE + FOOT, (EDGE, EDGE, width - EDGE, bottom - top + 2 * EDGE))
     images: dict[str, complex] = {}
+    if blank:
+        given = {one.point for one in found.found if one.rule in {"given", "turned"}}
+        mm = [arrow for arrow in mm if arrow[0] == "absolute" and arrow[2] in given]
     for kind, start, end, at, vector in mm:
         tail, tip = pole + complex(at).conjugate(), pole + complex(at + vector).conjugate()
         if abs(vector) > 0.3:
@@ -80,12 +84,12 @@ def draw_plan(found: Polygons, plan: str, hinges: tuple[str, ...], row: int, wri
             rivals = [line for line in sheet.segments if not lies_on(line, (tail, tip))]
             low = image(end) + ("" if start == POLE else image(start))
             sheet.label(("n" if kind == "normal" else "k", low, ""), places, ITALIC, owner=Owner([(tail, tip)], rivals))
-    scale = say("plans.scale", scale=decimal(unit), unit=UNITS[plan])
-    time = float(found.t[row - 1])
-    draw_foot(sheet, [scale, say("drawing.title", row=row, time=time)], written)
+    said = say("plans.scale", scale=decimal(unit), unit=UNITS[plan])
+    time = float(found.t[index])
+    draw_foot(sheet, [said, say("drawing.title", row=row, time=time)], written)
     caption = say(f"plans.{plan}.caption", row=row, time=time, scale=decimal(unit), unit=UNITS[plan])
     alt = say(f"plans.{plan}.alt", row=row)
-    told = steps(found, plan, row - 1, unit)
+    told = () if blank else steps(found, plan, index, scale)
     letters = _letters(found, hinges)
     return Drawing(f"{plan}-plan", sheet.svg(), sheet.width, sheet.height, caption, alt, exact=True, steps=told, letters=letters)
 
@@ -95,28 +99,6 @@ def _letters(found: Polygons, hinges: tuple[str, ...]) -> tuple[str, ...]:
     points = {name.rstrip("'") for s in found.segments for name in (s.start, s.end) if name != POLE}
     points |= {*hinges, *(line.base for one in found.found for line in one.lines if line.base)}
     return tuple(sorted({name[0] for name in points} | {image(name)[0] for name in points}))
-
-
-def _arrows(found: Polygons, plan: str, row: int) -> list[tuple[str, str, str, complex, complex]]:
-    """Return kind, from, to, where it begins and the vector: parts of an acceleration follow each other."""
-    here = [(s.kind, s.start, s.end, complex(s.vector[row])) for s in found.segments if s.plan == plan]
-    tips = {end: vector for kind, _, end, vector in here if kind == "absolute"}
-    first = {(start, end): vector for kind, start, end, vector in here if kind in {"normal", "coriolis"}}
-    arrows = []
-    for kind, start, end, vector in here:
-        at = tips.get(start, 0j)
-        if kind == "tangential" or (kind == "sliding" and plan == ACCELERATION):
-            at += first[start, end]
-        arrows.append((kind, start, end, at, vector))
-    return arrows
-
-
-def _small(mm: list[tuple[str, str, str, complex, complex]]) -> list[tuple[str, str, str, complex]]:
-    """Return the vectors that would hide in a joint of the plan: image letters and vector (mm)."""
-    longest = max((abs(vector) for *_, vector in mm), default=0.0)
-    kept = {(start, end): (kind, start, end, vector) for kind, start, end, _, vector in mm
-            if kind in {"absolute", "relative", "sliding"} and SEEN * longest < abs(vector) < SMALL}  # fmt: skip
-    return list(kept.values())
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,12 +113,9 @@ class _Inset:
     origin: complex
 
     @classmethod
-    def of(cls, small: list[tuple[str, str, str, complex]], told: Callable[[int], str]) -> _Inset:
-        times = 10
-        while max(abs(vector) for *_, vector in small) * times < SMALL:
-            times *= 10
+    def of(cls, small: list[tuple[str, str, str, complex]], times: int, told: str) -> _Inset:
         left, top, right, bottom = around([(0j, 7.0), *(((times * vector).conjugate(), 7.0) for *_, vector in small)])
-        lines = told(times).split("\n")
+        lines = told.split("\n")
         width = max(INSET, right - left, *(SMALL_LETTER * width_of(line) + 3 for line in lines))
         return cls(small, times, lines, width, bottom - top + HEAD, complex((width - right - left) / 2, HEAD - top))
 

@@ -1,106 +1,79 @@
-"""Plans of velocities and accelerations: every vector of the polygons of a mechanism, for all rows at once.
+"""Plans of velocities and accelerations: which image is found next, and by which lines, for all rows at once.
 
-Enters: an `Outline`, velocity equations, a motion and its accelerations.  Leaves: `Polygons`, vectors in m/s and m/s².
-Used by `plans.py`, `polygon_sheet.py` and `steps.py`.
+Enters: an `Outline` and how its points move.  Leaves: `Polygons`, vectors in m/s and m/s².
+Used by `plans.py` and `check_plan.py`.
 A dyad needs no rule of its own: a point is found where two known lines meet, each across a link, along a guide or along a
-link on which it slides.  Source: Ponomarev, coursework guide; theory of mechanisms, method of plans.
+link on which it slides.  Of a link that turns as its guide does one line is enough, drawn through any of its points.
+Source: Ponomarev, coursework guide; theory of mechanisms, method of plans.
 """
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
-from coursework.drawing.outline.outline import Bar, Outline
-from coursework.drawing.plans.moving import Complex, Kinematics, Moving
-from coursework.equations.reduction.equations import VelocityEquations
-from coursework.motion.integration.motion import Motion
-from coursework.system.arrays import Array
+from coursework.drawing.outline.outline import Bar, Outline, Slot
+from coursework.drawing.plans.moving import Complex, Kinematics
+from coursework.drawing.plans.vectors import POLE, Found, Line, Polygons, Vectors
 
-POLE = "pole"
-VELOCITY, ACCELERATION = "velocity", "acceleration"
-UNITS = {VELOCITY: "m/s", ACCELERATION: "m/s²"}
-
-
-@dataclass(frozen=True, slots=True)
-class Segment:
-    """One vector of a plan in every row: `kind` absolute, relative, normal, tangential, coriolis or sliding; `start` to `end`.
-
-    `start` is "pole" or a point's name; "B'" is the point of the guide-carrying link under B.
-    """
-
-    plan: str
-    kind: str
-    start: str
-    end: str
-    vector: Complex
-
-
-@dataclass(frozen=True, slots=True)
-class Line:
-    """A line on which a point's image lies: `kind` "bar", "rail", "wheel" or "slot"; drawn from the image of `base`."""
-
-    kind: str
-    base: str
-    link: str = ""
-
-
-@dataclass(frozen=True, slots=True)
-class Found:
-    """How the image of a point was found: `rule` and the lines that meet in it."""
-
-    rule: str
-    point: str
-    lines: tuple[Line, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class Polygons:
-    """All vectors of one motion at times `t` (s), and how each point was `found`, in the order of drawing."""
-
-    t: Array
-    segments: tuple[Segment, ...]
-    found: tuple[Found, ...]
+PARALLEL = 1e-9  # sine of the angle below which two lines meet in no row
 
 
 def polygons(
-    outline: Outline, equations: VelocityEquations, motion: Motion, accelerations: Array,
+    outline: Outline, kinematics: Kinematics, given: Sequence[str] = (), rates: Sequence[str] = (),
     stretching: frozenset[frozenset[str]] = frozenset(),
 ) -> Polygons:  # fmt: skip
-    """Return the plans of every row of a motion; `accelerations` (n, k) as its velocities.
+    """Return the plans of every row of a motion: `given` points move as a drive says, links with known `rates` turn so.
 
     `stretching` are pairs of points of a link whose distance changes: there one slides on the link.
     """
-    plan = _Plan(outline, Kinematics(outline, equations, motion, accelerations), stretching)
-    plan.draw()
-    return Polygons(motion.t, tuple(plan.segments.values()), tuple(plan.found))
+    plan = _Plan(outline, kinematics, rates, stretching)
+    plan.draw(given)
+    return Polygons(kinematics.t, tuple(plan.paper.segments.values()), tuple(plan.paper.found))
 
 
 class _Plan:
     """The polygons while they are drawn: which images there are, which links turn in a known way."""
 
-    def __init__(self, outline: Outline, kinematics: Kinematics, stretching: frozenset[frozenset[str]]) -> None:
-        self.outline, self.kinematics, self.stretching = outline, kinematics, stretching
-        self.segments: dict[tuple[str, str, str, str], Segment] = {}
-        self.found: list[Found] = []
-        self.images: list[str] = [*outline.hinges]
-        self.turning: set[str] = set()
-        self.rails = {rail.rider: rail for rail in outline.rails if rail.rider and not rail.rolls}
+    def __init__(
+        self, outline: Outline, kinematics: Kinematics, rates: Sequence[str], stretching: frozenset[frozenset[str]]
+    ) -> None:  # fmt: skip
+        self.outline, self.kinematics = outline, kinematics
+        self.paper = Vectors(kinematics, outline.hinges, stretching, images=[*outline.hinges])
+        self.images = self.paper.images
         self.bars = [bar for bar in outline.bars if bar.corners]
-        self.wheels = {wheel.link: wheel for wheel in outline.wheels}
+        self.rails = {rail.rider: rail for rail in outline.rails if rail.rider and not rail.rolls}
+        self.driven = {bar.link for bar in self.bars if bar.rate and bar.rate in rates}
+        unturned = {bar.link for bar in self.bars if not bar.rate}
+        self.still = {block.link for block in outline.blocks if block.link in unturned and not block.open}  # in fixed guides
+        self.turning = {*self.driven, *self.still}
         self.names = [name for bar in self.bars for name in bar.corners]
+        self.under: set[tuple[str, str]] = set()
 
-    def draw(self) -> None:
-        driven = {rate for rate, _ in self.outline.cranks}
-        for name in self.outline.driven:
-            self.place(name, "given")
-        self.turning.update(bar.link for bar in self.bars if bar.rate in driven)
-        while self.carried() or self.rolled() or self.slid() or self.met() or self.solved():
+    def draw(self, given: Sequence[str]) -> None:
+        """Draw on until every point has its image."""
+        for name in given:
+            self.paper.place(name, "given")
+        while self.turned() or self.carried() or self.rolled() or self.slid() or self.met() or self.solved():
             pass
 
     # how images are found, the simplest way first
+
+    def turned(self) -> bool:
+        """Let a block turn as its guide, and a guide as its block."""
+        before = len(self.turning)
+        for slot, block in self.guided():
+            if self.turning & {slot.link, block}:
+                self.turning |= {slot.link, block}
+        return len(self.turning) > before
+
+    def guided(self) -> Iterator[tuple[Slot, str]]:
+        """Yield each slot with each block in it."""
+        for slot, block in itertools.product(self.outline.slots, self.outline.blocks):
+            if block.open and block.at in slot.riders and (block.base, block.toward) == (slot.base, slot.toward):
+                yield slot, block.link
 
     def carried(self) -> bool:
         """Place the points of a link whose turning is known."""
@@ -112,12 +85,11 @@ class _Plan:
             if base and bar.link in self.turning:
                 for name in bar.corners:
                     if name not in self.images:
-                        self.along_bar(bar, base, name)
-                        crank = bar.rate in {rate for rate, _ in self.outline.cranks}
-                        rule = "turned" if crank else "similar"
-                        if frozenset((base, name)) in self.stretching:
+                        self.paper.along_bar(bar, base, name)
+                        rule = "turned" if bar.link in self.driven and base in self.outline.hinges else "similar"
+                        if frozenset((base, name)) in self.paper.stretching:
                             rule = "stretches"
-                        self.place(name, rule, (Line("bar", base, bar.link),))
+                        self.paper.place(name, rule, (Line("bar", base, bar.link),))
                         return True
         return False
 
@@ -125,32 +97,39 @@ class _Plan:
         """Place the contact of a wheel whose centre is known."""
         for wheel in self.outline.wheels:
             if wheel.centre in self.images and wheel.contact not in self.images:
-                bar = next(bar for bar in self.bars if bar.link == wheel.link)
+                bar = self.bar(wheel.link)
                 self.turning.add(bar.link)
                 contact = self.kinematics.carried(bar, wheel.centre, self.kinematics.points[wheel.contact].at)
                 self.kinematics.points[wheel.contact] = contact
-                self.along_bar(bar, wheel.centre, wheel.contact)
-                self.place(wheel.contact, "rolls", (Line("wheel", wheel.centre, wheel.link),))
+                self.paper.along_bar(bar, wheel.centre, wheel.contact)
+                self.paper.place(wheel.contact, "rolls", (Line("wheel", wheel.centre, wheel.link),))
                 return True
         return False
 
     def slid(self) -> bool:
         """Place the point of a link under what slides on it, and with it the link."""
         for slot in self.outline.slots:
-            bar = next(bar for bar in self.bars if bar.link == slot.link)
+            bar = self.bar(slot.link)
             for rider in slot.riders:
-                if rider not in self.images or bar.link in self.turning:
+                if rider not in self.images or (rider, bar.link) in self.under:
                     continue
-                base = self.base(bar)
-                guided = next((name for name in bar.corners if name in self.rails), "")
-                if not base and not (guided and not bar.rate):
+                base, way = self.base(bar), self.way(bar)
+                if bar.link in self.turning and way is not None and not base:
+                    name, line = way
+                elif bar.link not in self.turning and base:
+                    name, line = base, Line("bar", base, bar.link)
+                else:
                     continue
                 self.turning.add(bar.link)
-                under = self.over(bar, base or guided, rider)
-                across = Line("bar", base, bar.link) if base else Line("rail", POLE, bar.link)
-                self.found.append(Found("slide", under, (across, Line("slot", rider, bar.link))))
-                if not base:
-                    self.place(guided, "translates", (Line("rail", POLE, bar.link),))
+                self.under.add((rider, bar.link))
+                under = self.paper.over(bar, name, rider, joined=bool(base))
+                line = self.along(line, under)
+                self.paper.found.append(Found("slide", under, (line, Line("slot", rider, bar.link)), rider))
+                if not base and bar.link in self.still:
+                    self.paper.place(name, "translates", (line,))
+                elif not base:
+                    self.paper.about(bar, under, name, self.kinematics.points[name])
+                    self.paper.place(name, "similar", (Line("bar", under, bar.link),))
                 return True
         return False
 
@@ -159,11 +138,10 @@ class _Plan:
         for name in dict.fromkeys(self.names):
             if name in self.images:
                 continue
-            lines = [*self.lines(name)]
-            if len(lines) > 1:
-                for line in lines[:2]:
-                    self.along(line, name)
-                self.place(name, "lines", tuple(lines[:2]))
+            pairs = itertools.combinations(self.lines(name), 2)
+            crossing = next((pair for pair in pairs if self.meet(*(self.direction(line, name) for line in pair))), ())
+            if crossing:
+                self.paper.place(name, "lines", tuple([self.along(line, name) for line in crossing]))
                 return True
         return False
 
@@ -173,28 +151,62 @@ class _Plan:
             base = self.base(bar)
             for name in bar.corners:
                 if base and name not in self.images:
-                    self.along_bar(bar, base, name)
-                    self.place(name, "solved", (Line("bar", base, bar.link),))
+                    self.paper.along_bar(bar, base, name)
+                    self.paper.place(name, "solved", (Line("bar", base, bar.link),))
                     return True
         rest = next((name for name in self.names if name not in self.images), "")
         if rest:
-            self.place(rest, "solved")
+            self.paper.place(rest, "solved")
         return bool(rest)
 
     def lines(self, name: str) -> Iterator[Line]:
         """Yield the lines on which the image of a point lies."""
         if name in self.rails:
-            yield Line("rail", POLE)
+            yield Line("rail", POLE, name)
         for slot in self.outline.slots:
-            if name in slot.riders and slot.link in self.turning and self.base(self.bar(slot.link)):
+            if name in slot.riders and self.settled(slot.link):
                 yield Line("slot", name, slot.link)
         for wheel in self.outline.wheels:
             if name == wheel.centre and self.rests(wheel.contact):
                 yield Line("wheel", wheel.contact, wheel.link)
         for bar in self.bars:
             base = self.base(bar)
-            if name in bar.corners and base and bar.link not in self.turning:
+            if name not in bar.corners:
+                continue
+            if base and bar.link not in self.turning:
                 yield Line("bar", base, bar.link)
+            elif not base and bar.link in self.turning and (way := self.way(bar)) is not None and way[0] != name:
+                yield way[1]
+
+    def way(self, bar: Bar) -> tuple[str, Line] | None:
+        """Return a point of a link that runs in a guide whose motion is known, and the line that gives."""
+        for name in bar.corners:
+            if name in self.rails:
+                return name, Line("rail", POLE, name)
+            for slot in self.outline.slots:
+                if slot.link != bar.link and name in slot.riders and self.settled(slot.link):
+                    return name, Line("slot", name, slot.link)
+        return None
+
+    def settled(self, link: str) -> bool:
+        """Return whether both the turning of a link and the image of a point of it are known."""
+        return link in self.turning and bool(self.base(self.bar(link)))
+
+    def direction(self, line: Line, name: str) -> Complex:
+        """Return the direction (n,) of a line on which the image of a point lies."""
+        points = self.kinematics.points
+        if line.kind == "rail":
+            rail = self.rails[line.link]
+            return points[rail.toward].at - points[rail.base].at
+        if line.kind == "slot":
+            slot = next(one for one in self.outline.slots if one.link == line.link and line.base in one.riders)
+            return points[slot.toward].at - points[slot.base].at
+        return 1j * (points[name].at - points[line.base].at)
+
+    @staticmethod
+    def meet(one: Complex, other: Complex) -> bool:
+        """Return whether two directions differ in some row."""
+        return bool(np.max(np.abs((one.conjugate() * other).imag) - PARALLEL * np.abs(one) * np.abs(other), initial=0.0) > 0)
 
     def rests(self, contact: str) -> bool:
         """Return whether a contact rolls on what is fixed."""
@@ -211,63 +223,11 @@ class _Plan:
         there = [name for name in bar.corners if name in self.images]
         return next((name for name in there if name in self.outline.hinges), there[0] if there else "")
 
-    # what is drawn
-
-    def place(self, name: str, rule: str, lines: Sequence[Line] = ()) -> None:
-        """Draw the image of a point from the pole."""
-        moving = self.kinematics.points[name]
-        self.segment(VELOCITY, "absolute", POLE, name, moving.velocity)
-        self.segment(ACCELERATION, "absolute", POLE, name, moving.acceleration)
-        self.images.append(name)
-        self.found.append(Found(rule, name, tuple(lines)))
-
-    def along(self, line: Line, name: str) -> None:
-        """Draw what leads along a line to the image of a point."""
-        if line.kind == "bar":
-            self.along_bar(self.bar(line.link), line.base, name)
+    def along(self, line: Line, name: str) -> Line:
+        """Draw what leads along a line to the image of a point; return the line as it is drawn."""
+        if line.kind == "bar" and name in self.names:
+            self.paper.along_bar(self.bar(line.link), line.base, name)
         elif line.kind == "slot":
             bar = self.bar(line.link)
-            self.over(bar, self.base(bar), name)
-
-    def along_bar(self, bar: Bar, base: str, name: str) -> None:
-        """Draw the motion of a point about another of its link."""
-        if frozenset((base, name)) in self.stretching:
-            self.over(bar, base, name)
-        else:
-            self.about(bar, base, name, self.kinematics.points[name])
-
-    def about(self, bar: Bar, base: str, name: str, moving: Moving) -> None:
-        start = self.kinematics.points[base]
-        fixed = base in self.outline.hinges
-        omega, _ = self.kinematics.turning(bar)
-        relative = moving.acceleration - start.acceleration
-        normal = -omega * omega * (moving.at - start.at)
-        begin = POLE if fixed else base
-        if not fixed:
-            self.segment(VELOCITY, "relative", base, name, moving.velocity - start.velocity)
-        self.segment(ACCELERATION, "normal", begin, name, normal)
-        self.segment(ACCELERATION, "tangential", begin, name, relative - normal)
-        if not fixed:
-            self.segment(ACCELERATION, "relative", base, name, relative)
-
-    def over(self, bar: Bar, base: str, rider: str) -> str:
-        """Draw the point of a link under one that slides on it, and the way of that one from it; return its name."""
-        marks = [segment.end for segment in self.segments.values() if segment.end.startswith(f"{rider}'")]
-        under = rider + "'" * (1 + len(max(marks, default=rider, key=len)) - len(rider))
-        moving = self.kinematics.points[rider]
-        below = self.kinematics.carried(bar, base, moving.at)
-        omega, _ = self.kinematics.turning(bar)
-        if np.any(omega) or base in self.outline.hinges:
-            self.about(bar, base, under, below)
-        self.segment(VELOCITY, "absolute", POLE, under, below.velocity)
-        self.segment(ACCELERATION, "absolute", POLE, under, below.acceleration)
-        sliding = moving.velocity - below.velocity
-        coriolis = 2j * omega * sliding
-        self.segment(VELOCITY, "sliding", under, rider, sliding)
-        self.segment(ACCELERATION, "coriolis", under, rider, coriolis)
-        self.segment(ACCELERATION, "sliding", under, rider, moving.acceleration - below.acceleration - coriolis)
-        return under
-
-    def segment(self, plan: str, kind: str, start: str, end: str, vector: Complex) -> None:
-        """Write a vector down, once."""
-        self.segments.setdefault((plan, kind, start, end), Segment(plan, kind, start, end, vector))
+            return Line("slot", self.paper.over(bar, self.base(bar), name), line.link)
+        return line

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,12 +22,22 @@ class Body:
 
 
 @dataclass(frozen=True, slots=True)
+class Slide:
+    """A point `rider` slides on a link in a unit direction; the `block` there, "" for a bare pin, turns with the link."""
+
+    rider: str
+    link: str
+    along: complex
+    block: str = ""
+
+
+@dataclass(frozen=True, slots=True)
 class Pose:
     """One position (m).
 
     `fixed` points are at rest (hinges of the frame, contacts that roll on it); `guided` points move along a unit
-    direction; `velocities` (m/s) of driven points and `rates` (rad/s) of driven links are known.  `sleeves` bar -> (pivot,
-    unit direction, sleeve): the bar slides along itself in a sleeve that turns with it about the pivot.
+    direction; `velocities` (m/s) of driven points and `rates` (rad/s) of driven links are known.  `slides` are the guides
+    that move: in a slotted lever, or of a bar in a sleeve.
     """
 
     positions: Mapping[str, complex]
@@ -36,7 +46,7 @@ class Pose:
     guided: Mapping[str, complex]
     velocities: Mapping[str, complex]
     rates: Mapping[str, float]
-    sleeves: Mapping[str, tuple[str, complex, str]] = field(default_factory=dict)
+    slides: tuple[Slide, ...] = ()
 
     @property
     def size(self) -> float:

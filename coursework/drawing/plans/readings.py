@@ -1,22 +1,27 @@
 """What a student reads off the drawing: lengths to half a millimetre, and what follows from them by one relation each.
 
-Enters: a `Sketch`, the `Findings`, the scale of the drawing, the values of the table.  Leaves: `Reading`s, in order of working.
-Used by `graph_check.py`.  Source: Ponomarev, coursework guide, graph-analytical check.
+Enters: a `Sketch`, the `Findings`, the layout of the sheet, the plan of velocities, the values of the table.
+Leaves: `Reading`s, in order of working.
+Used by `graph_check.py` and `construction.py`.  Source: Ponomarev, coursework guide, graph-analytical check.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
+from coursework.drawing.paper.symbols import decimal
+from coursework.drawing.plans.check_plan import CheckPlan
 from coursework.drawing.plans.graph_words import centre_letter, lowered, omega_name
 from coursework.drawing.plans.instant_centres import Centre, Findings
+from coursework.drawing.plans.layout import Layout
+from coursework.drawing.plans.plan_scale import READ, read_length
 from coursework.drawing.plans.pose import Body
 from coursework.drawing.plans.sketch import Sketch
+from coursework.drawing.plans.steps import image
+from coursework.drawing.plans.vectors import Found
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
-
-READ = 0.5  # mm: what a ruler is read to; the error is half of it
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,8 +29,10 @@ class Reading:
     """One quantity of the check.
 
     `name` is ω₃ or V_C, a magnitude in `unit`; `length` the distance it needs, `read` that distance in mm of paper, None where
-    it is given or not needed; `relation` how it follows; `found` its value from what was read, `table` that of the table (nan
-    where it has none); `explained` is the part of the value that half the last digit of the ruler can change.
+    it is given, not needed or off the sheet: then it is `computed` (mm), to as much as is read; `relation` how it follows;
+    `found` its value from what was read, `table` that of the table (nan where it has none); `explained` is the part of the
+    value that half the last digit of every length that leads to it can change, at the worst: the parts of all added up.
+    `rests` says whether any of them was read; `images` are the small letters in a length of the plan.
     """
 
     name: str
@@ -36,6 +43,9 @@ class Reading:
     table: float
     unit: str
     explained: float
+    computed: float | None = None
+    images: str = ""
+    rests: bool = False
 
     @property
     def difference(self) -> float:
@@ -43,41 +53,87 @@ class Reading:
         return (self.found - self.table) / self.table if self.table else float("nan")
 
 
-def read_off(sketch: Sketch, findings: Findings, scale: float, table: Mapping[str, float]) -> tuple[Reading, ...]:
-    """Return the readings of a drawing 1:`scale`; `table` name -> value, signs aside."""
-    ruler = _Ruler(sketch, findings, scale, table)
+def read_off(
+    sketch: Sketch, findings: Findings, layout: Layout, table: Mapping[str, float], plan: CheckPlan | None
+) -> tuple[Reading, ...]:  # fmt: skip
+    """Return the readings of a sheet and of its plan; `table` name -> value, signs aside."""
+    ruler = _Ruler(sketch, findings, layout, {**table}, plan)
     ruler.work()
     return tuple(ruler.readings)
 
 
-class _Ruler:
-    """The working: speeds and angular velocities known so far, as read."""
+@dataclass(frozen=True, slots=True)
+class _Length:
+    """A length (m) as it enters a relation: `read` mm of paper, `computed` mm, or neither where it is given."""
 
-    def __init__(self, sketch: Sketch, findings: Findings, scale: float, table: Mapping[str, float]) -> None:
-        self.sketch, self.findings, self.scale, self.table = sketch, findings, scale, table
-        self.letter = centre_letter(sketch)
-        pose = sketch.pose
-        self.speeds = {name: abs(velocity) for name, velocity in pose.velocities.items()}
-        self.omegas = {body.name: abs(pose.rates[body.rate]) for body in pose.bodies if body.rate and body.rate in pose.rates}
-        self.named: set[str] = set()
-        self.readings: list[Reading] = []
+    name: str
+    metres: float
+    read: float | None = None
+    computed: float | None = None
+    images: str = ""
+
+    @property
+    def part(self) -> float:
+        """Return the part of the length that half the last digit is."""
+        paper = self.computed if self.read is None else self.read
+        return 0.0 if paper is None else unsure(paper)
+
+
+NO_LENGTH = _Length("", 0.0)
+
+
+def unsure(length: float) -> float:
+    """Return the part of a length read (mm) that half the last digit is; all of it, where nothing can be told from nought.
+
+    >>> unsure(5.0), unsure(0.0)
+    (0.05, 1.0)
+    """
+    return min(1.0, READ / 2 / length) if length else 1.0
+
+
+@dataclass(slots=True)
+class _Ruler:
+    """The working: speeds and angular velocities known so far, as read, and the `parts` of them that are unsure."""
+
+    sketch: Sketch
+    findings: Findings
+    layout: Layout
+    table: dict[str, float]
+    plan: CheckPlan | None
+    speeds: dict[str, float] = field(default_factory=dict)
+    omegas: dict[str, float] = field(default_factory=dict)
+    parts: dict[str, float] = field(default_factory=dict)
+    resting: set[str] = field(default_factory=set)  # names of what rests on a reading
+    images: dict[str, list[str]] = field(default_factory=dict)
+    readings: list[Reading] = field(default_factory=list)
 
     def work(self) -> None:
-        """Go from link to link; what no length gives is taken from the plan of all links together."""
-        bodies = [body for body in self.sketch.pose.bodies if body.name in self.findings.omegas]
-        done: set[str] = set()
-        while len(done) < len(bodies):
-            ready = next((body for body in bodies if body.name not in done and self.ready(body)), None)
+        """Go from link to link by centres, and from image to image where the plan is needed."""
+        pose = self.sketch.pose
+        self.speeds.update((name, abs(velocity)) for name, velocity in pose.velocities.items())
+        self.omegas.update((b.name, abs(pose.rates[b.rate])) for b in pose.bodies if b.rate and b.rate in pose.rates)
+        waiting = [body for body in pose.bodies if body.name in self.findings.omegas]
+        steps = [*self.plan.steps] if self.plan else []
+        while waiting or steps:
+            ready = next((body for body in waiting if self.ready(body)), None)
             if ready is not None:
+                waiting.remove(ready)
                 self.body(ready)
+            elif steps:
+                self.step(steps.pop(0))
             else:
-                ready = next(body for body in bodies if body.name not in done)
-                self.planned(ready)
-            done.add(ready.name)
+                self.planned(waiting.pop(0))
+
+    @property
+    def by_plan(self) -> tuple[str, ...]:
+        """Return the links that are worked by the plan."""
+        return (*self.findings.planned, *self.findings.beyond)
+
+    # by instantaneous centres
 
     def ready(self, body: Body) -> bool:
         """Return whether a link can be worked: its centre is there and it or a point of it has a known velocity."""
-        if body.name in self.findings.planned or body.name not in self.findings.centres:
+        if body.name in self.by_plan or body.name not in self.findings.centres:
             return False
         return body.name in self.omegas or bool(self.carrier(body)) or not self.asked(body)
 
@@ -90,62 +146,151 @@ class _Ruler:
         centre = self.findings.centres[body.name]
         apart = {name: self.arm(centre, name) for name in body.points if name in self.speeds}
         farthest = max(apart, key=lambda name: apart[name], default="")
-        return farthest if farthest and (centre.at is None or self.length(centre, farthest) > 0) else ""
+        return farthest if farthest and (centre.at is None or self.to_centre(body, farthest).metres > 0) else ""
 
     def arm(self, centre: Centre, name: str) -> float:
         return 0.0 if centre.at is None else abs(self.sketch.pose.positions[name] - centre.at)
 
-    def length(self, centre: Centre, name: str) -> float:
-        """Return a distance from a centre (m): as given where the centre is a point of the file, else as read."""
-        arm = self.arm(centre, name)
-        return arm if centre.point else self.read(centre, name) * self.scale / 1000
+    def to_centre(self, body: Body, name: str) -> _Length:
+        """Return a distance from a centre: given where that is a point of the file, computed where it lies off the sheet."""
+        centre = self.findings.centres[body.name]
+        called = f"{centre.point or centre_letter(self.sketch) + lowered(body.name)}{name}"
+        if centre.point:
+            return _Length(called, self.arm(centre, name))
+        return self.measured(called, self.arm(centre, name), body.name in self.layout.near)
 
-    def read(self, centre: Centre, name: str) -> float:
-        return round(self.arm(centre, name) * 1000 / self.scale / READ) * READ
+    def measured(self, called: str, metres: float, on_sheet: bool = True) -> _Length:
+        """Return a length as the ruler gives it on the sheet, computed to as much where it runs off the sheet."""
+        paper = read_length(metres * 1000 / self.layout.scale)
+        metres = paper * self.layout.scale / 1000
+        return _Length(called, metres, paper) if on_sheet else _Length(called, metres, computed=paper)
 
     def body(self, body: Body) -> None:
         """Work one link: its angular velocity from a known speed, then the speeds of its other points."""
         centre = self.findings.centres[body.name]
-        called = f"{self.letter}{lowered(body.name)}" if not centre.point else centre.point
         if body.name not in self.omegas and self.asked(body):
             known = self.carrier(body)
             if centre.at is None:
-                self.note(omega_name(body), "", None, say("drawing.read.translation"), 0.0, "rad/s", 0.0)
-                self.omegas[body.name] = 0.0
+                self.omega(body, NO_LENGTH, say("drawing.read.translation"), 0.0, 0.0)
             else:
-                length = self.length(centre, known)
-                read = None if centre.point else self.read(centre, known)
-                self.omegas[body.name] = self.speeds[known] / length
-                relation = say("drawing.read.omega", point=known, length=f"{called}{known}")
-                self.note(omega_name(body), f"{called}{known}", read, relation, self.omegas[body.name], "rad/s", read or 0.0)
+                self.turn(body, self.to_centre(body, known), known)
         for name in body.points:
             if name in self.speeds or name in self.sketch.pose.fixed:
                 continue
-            if centre.at is None:
-                known = self.carrier(body)
-                if known:
-                    self.speeds[name] = self.speeds[known]
-                    self.note(f"V_{name}", "", None, say("drawing.read.same", point=known), self.speeds[name], "m/s", 0.0)
-            elif body.name in self.omegas:
-                read = None if centre.point else self.read(centre, name)
-                self.speeds[name] = self.omegas[body.name] * self.length(centre, name)
-                relation = say("drawing.read.speed", omega=omega_name(body), length=f"{called}{name}")
-                self.note(f"V_{name}", f"{called}{name}", read, relation, self.speeds[name], "m/s", read or 0.0)
+            known = self.carrier(body) if centre.at is None else ""
+            if known:
+                relation = say("drawing.read.same", point=known)
+                part = self.parts.get(f"V_{known}", 0.0)
+                self.speed(name, NO_LENGTH, relation, self.speeds[known], part, f"V_{known}")
+            elif centre.at is not None and body.name in self.omegas:
+                self.carry(body, self.to_centre(body, name), name)
+
+    def turn(self, body: Body, length: _Length, known: str) -> None:
+        """Write down the angular velocity of a link from the speed of a point and its distance from what is at rest."""
+        relation = say("drawing.read.omega", point=known.replace("'", "′"), length=length.name)
+        found = self.speeds[known] / length.metres
+        self.omega(body, length, relation, found, self.parts.get(f"V_{known}", 0.0) + length.part, f"V_{known}")
+
+    def carry(self, body: Body, length: _Length, name: str) -> None:
+        """Write down the speed of a point from the angular velocity of its link and its distance from what is at rest."""
+        relation = say("drawing.read.speed", omega=omega_name(body), length=length.name)
+        part = self.parts.get(omega_name(body), 0.0) + length.part
+        self.speed(name, length, relation, self.omegas[body.name] * length.metres, part, omega_name(body))
+
+    # by the plan of velocities
+
+    def step(self, one: Found) -> None:
+        """Read what one step of the plan gives: a velocity, the sliding beside it, and the links that now turn as known."""
+        point, fixed = one.point, self.sketch.pose.fixed
+        if one.rule == "rolls":
+            return
+        self.image(one)
+        if one.rule == "slide" and one.rider not in fixed:
+            self.vector(point, one.rider)
+        for line in one.lines if one.rule == "lines" else ():
+            if line.kind == "slot":
+                self.vector(line.base, point)
+        under = one.lines[-1].link if one.rule == "slide" else ""
+        for body in self.sketch.pose.bodies:
+            if point in body.points or body.name == under:
+                there = self.images.setdefault(body.name, [name for name in body.points if name in fixed])
+                there.append(point)
+                if len(there) > 1 and body.name in self.by_plan and body.name not in self.omegas and self.asked(body):
+                    self.rotation(body, there[0], point)
+
+    def image(self, one: Found) -> None:
+        """Read the velocity of a point from the pole to its image."""
+        name, pose = one.point, self.sketch.pose
+        if name in self.speeds or name in pose.fixed:
+            return
+        if one.rule == "solved":
+            self.speed(name, NO_LENGTH, say("drawing.read.plan"), abs(self.findings.velocities[name]), 0.0)
+        else:
+            self.vector("", name)
+
+    def vector(self, start: str, end: str) -> str:
+        """Read the velocity between two images, "" for the pole; return its name."""
+        assert self.plan is not None
+        called, drawn = f"{end}{start}", self.plan.drawn
+        if called not in self.speeds:
+            size = abs(drawn[end] - drawn.get(start, 0j))
+            length, scale = self.plan.scale.length(size, self.plan.has(start, end))
+            read = read_length(length)
+            images = f"{image(start)}{image(end)}"
+            name = images if start else f"p_v\u00a0{images}"
+            relation = say("drawing.read.scaled", length=name, scale=decimal(scale))
+            tabled = self.plan.tabled
+            if end in tabled:
+                self.table.setdefault(f"V_{called}", abs(tabled[end] - tabled.get(start, 0j)))
+            self.speed(called, _Length(name, size, read, images=images), relation, read * scale, unsure(read) if size else 0.0)
+        return called
+
+    def rotation(self, body: Body, start: str, end: str) -> None:
+        """Find how a link turns from the velocity of one of its points, about a pivot or about another point."""
+        length = self.between(body, start, end)
+        if length.metres:
+            self.turn(body, length, end if start in self.sketch.pose.fixed else self.vector(start, end))
+
+    def between(self, body: Body, start: str, end: str) -> _Length:
+        """Return the distance of two points of a link, given or, to the point under what slides, read."""
+        at = self.sketch.pose.positions
+        apart = abs(at[end.rstrip("'")] - at[start.rstrip("'")])
+        given = start in body.points and end in body.points
+        called = f"{start}{end}".replace("'", "")
+        return _Length(called, apart) if given else self.measured(called, apart)
 
     def planned(self, body: Body) -> None:
-        """Take a link from the plan of all links together."""
-        self.omegas[body.name] = abs(self.findings.omegas[body.name])
-        if self.asked(body):
-            self.note(omega_name(body), "", None, say("drawing.read.plan"), self.omegas[body.name], "rad/s", 0.0)
+        """Take a link as it follows from all links together."""
+        if self.asked(body) and body.name not in self.omegas:
+            self.omega(body, NO_LENGTH, say("drawing.read.plan"), abs(self.findings.omegas[body.name]), 0.0)
         for name in body.points:
             if name in self.findings.velocities and name not in self.speeds and name in self.sketch.moving:
-                self.speeds[name] = abs(self.findings.velocities[name])
-                self.note(f"V_{name}", "", None, say("drawing.read.plan"), self.speeds[name], "m/s", 0.0)
+                self.speed(name, NO_LENGTH, say("drawing.read.plan"), abs(self.findings.velocities[name]), 0.0)
 
-    def note(self, name: str, length: str, read: float | None, relation: Sentence, found: float, unit: str, ruled: float) -> None:
-        """Write a quantity down, once."""
-        if name in self.named or (name.startswith("V_") and name.removeprefix("V_") not in self.sketch.moving):
-            return
-        self.named.add(name)
-        explained = min(1.0, READ / 2 / ruled) if ruled else float(read == 0)
-        self.readings.append(Reading(name, length, read, relation, found, self.table.get(name, float("nan")), unit, explained))
+    # what is written down
+
+    def omega(self, body: Body, length: _Length, relation: Sentence, found: float, part: float, known: str = "") -> None:
+        """Write an angular velocity down, from what is `known`."""
+        name = omega_name(body)
+        self.omegas[body.name] = found
+        if all(one.name != name for one in self.readings):
+            self.note(name, length, relation, found, "rad/s", part, known)
+
+    def speed(self, point: str, length: _Length, relation: Sentence, found: float, part: float, known: str = "") -> None:
+        """Write a speed down; that of a contact is none of the check's."""
+        self.speeds[point] = found
+        shown = point in self.sketch.moving or all(point not in body.points for body in self.sketch.pose.bodies)
+        self.note(f"V_{point}", length, relation, found, "m/s", part, known, shown=shown)
+
+    def note(
+        self, name: str, length: _Length, relation: Sentence, found: float, unit: str, part: float, known: str, *,
+        shown: bool = True,
+    ) -> None:  # fmt: skip
+        self.parts[name] = part
+        if length.read is not None or known in self.resting:
+            self.resting.add(name)
+        if shown:
+            primed = name.replace("'", "′")
+            more = (part, length.computed, length.images, name in self.resting)
+            tabled = self.table.get(name, float("nan"))
+            self.readings.append(Reading(primed, length.name, length.read, relation, found, tabled, unit, *more))

@@ -10,15 +10,20 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from coursework.drawing.outline.ground import racks
 from coursework.drawing.outline.outline import Bar, Outline
 from coursework.drawing.outline.poses import Poses, read_poses
 from coursework.drawing.outline.tracing import read_outline
+from coursework.drawing.plans.given import given_points
 from coursework.drawing.plans.instant_centres import cross
-from coursework.drawing.plans.pose import Body, Pose
+from coursework.drawing.plans.pose import Body, Pose, Slide
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.mechanism import Mechanism
+from coursework.motion.geometry.time_derivatives import jets
 from coursework.motion.integration.motion import Motion
+from coursework.system.arrays import Array
 from coursework.variant.record.variant import Variant
 from coursework.words.sentences import say
 
@@ -26,6 +31,7 @@ from coursework.words.sentences import say
 INCIDENT = 1e-6
 # Below this cosine one component of a driven velocity says nothing about the speed along a rail.
 STEEP = 1e-6
+ROUND_OFF = 1e-12  # of the largest value of a law
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,14 +62,20 @@ def read_sketch(mechanism: Mechanism, equations: VelocityEquations) -> Callable[
     outline = read_outline(mechanism)
     assert outline is not None
     posed = read_poses(outline, equations)
+    pushed = [name for name in given_points(outline, mechanism.variant) if name not in outline.driven]
+    components = [part for name in pushed for part in equations.symbols.vectors[name]]
+    rates = jets(equations, components, 1)[1] if pushed else None
 
     def read(motion: Motion, row: int) -> Sketch:
-        return _sketch(outline, posed(motion.t, motion.coordinates), row, mechanism.variant)
+        only = slice(row, row + 1)
+        flat = rates(motion.t[only], motion.coordinates[only], motion.velocities[only])[0].tolist() if rates else []
+        given = {name: complex(x, y) for name, x, y in zip(pushed, flat[::2], flat[1::2], strict=True)}
+        return _sketch(outline, posed(motion.t, motion.coordinates), row, mechanism.variant, given)
 
     return read
 
 
-def _sketch(outline: Outline, poses: Poses, row: int, variant: Variant) -> Sketch:
+def _sketch(outline: Outline, poses: Poses, row: int, variant: Variant, given: Mapping[str, complex]) -> Sketch:
     start, here = ({name: at for name, at in poses.pose(k).items() if not name.startswith("~")} for k in (0, row))
     wheels = {wheel.link: (wheel.centre, wheel.contact) for wheel in outline.wheels}
     contacts = {contact for _, contact in wheels.values()}
@@ -85,25 +97,24 @@ def _sketch(outline: Outline, poses: Poses, row: int, variant: Variant) -> Sketc
     fixed = frozenset({*hinges, *resting})
     driven_racks = {rack.link: rack.contact for rack in racks(outline, poses.pose(0)) if rack.contact not in resting}
     moving = dict.fromkeys(name for body in bodies for name in body.points if name not in fixed | contacts)
-    bodies = [replace(body, guide=guided[body.points[0]]) if _is_slider(body, guided) else body for body in bodies]
+    carried = {block.link for block in outline.blocks if block.open}  # on links that move: these turn with them
+    bodies = [
+        replace(body, guide=guided[body.points[0]]) if _is_slider(body, guided) and body.name not in carried else body
+        for body in bodies
+    ]
     bodies = [
         replace(body, points=(*body.points, driven_racks[body.name])) if body.name in driven_racks else body for body in bodies
     ]
-    drive = {name: float(values[row]) for name, values in poses.drive.items()}
+    drive = {name: _seen(values, row) for name, values in poses.drive.items()}
     driven = {name: v for name in here if (v := _driven(name, drive, guided)) is not None and name not in fixed}
-    sliding = {block.at: block.link for block in outline.blocks if block.open}
-    sleeves = {
-        slot.link: (rider, complex(poses.along(slot.base, slot.toward)[row]), sliding[rider])
-        for slot in outline.slots
-        for rider in slot.riders
-        if rider in sliding
-    }
+    driven.update(given)
+    slides = tuple(_slides(outline, poses, row))
     gears = {contact: link for link, (_, contact) in wheels.items()}
     notes = (
         *(say("drawing.empty_rail", rail=k) for k, rail in enumerate(outline.rails, start=1) if variant.links and not rail.rider),
         *(say("drawing.drives", link=link, wheel=gears[at], contact=at) for link, at in driven_racks.items()),
     )
-    pose = Pose(here, tuple(bodies), fixed, guided, driven, {rate: drive[rate] for rate in variant.known_rates}, sleeves)
+    pose = Pose(here, tuple(bodies), fixed, guided, driven, {rate: drive[rate] for rate in variant.known_rates}, slides)
     return Sketch(pose, off_rails, off_tracks, hinges, start, wheels, driven_racks, tuple(moving), notes, outline, poses, row)
 
 
@@ -111,6 +122,15 @@ def _body(bar: Bar, wheels: Mapping[str, tuple[str, str]]) -> Body:
     """Return a bar as a rigid link with its named points, of a wheel its contact as well."""
     points = dict.fromkeys(name for name in (*bar.corners, *wheels.get(bar.link, ())) if not name.startswith("~"))
     return Body(bar.link, tuple(points), bar.rate or None)
+
+
+def _slides(outline: Outline, poses: Poses, row: int) -> Iterator[Slide]:
+    """Yield what slides on a link that moves, with the block that turns as the link does."""
+    blocks = {(block.at, block.base, block.toward): block.link for block in outline.blocks if block.open}
+    for slot in outline.slots:
+        for rider in slot.riders:
+            along = complex(poses.along(slot.base, slot.toward)[row])
+            yield Slide(rider, slot.link, along, blocks.get((rider, slot.base, slot.toward), ""))
 
 
 def _off_tracks(outline: Outline, poses: Poses, row: int, near: float) -> Iterator[tuple[str, float]]:
@@ -124,6 +144,12 @@ def _off_tracks(outline: Outline, poses: Poses, row: int, near: float) -> Iterat
             )
             if abs(first) <= near:
                 yield wheel.contact, off
+
+
+def _seen(values: Array, row: int) -> float:
+    """Return what a law says in a row, nought where that is round-off: a drive that turns round stands still."""
+    value = float(values[row])
+    return value if abs(value) > ROUND_OFF * float(np.max(np.abs(values))) else 0.0
 
 
 def _is_slider(body: Body, guided: Mapping[str, complex]) -> bool:

@@ -1,15 +1,18 @@
 """How a plan is drawn, step by step, as one writes it beside the drawing: lines, lengths in mm, what is read.
 
 Enters: `Polygons`, a plan, a row and its scale.  Leaves: sentences.
-Used by `polygon_sheet.py`.
+Used by `polygon_sheet.py` and `readings.py`.
 """
 
 from __future__ import annotations
 
 from coursework.drawing.paper.symbols import lowered_name
-from coursework.drawing.plans.polygons import ACCELERATION, POLE, Found, Line, Polygons
+from coursework.drawing.plans.plan_scale import PlanScale, read_length
+from coursework.drawing.plans.vectors import ACCELERATION, POLE, VELOCITY, Found, Line, Polygons
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
+
+READ_OFF = {"lines", "slide", "similar", "translates"}  # the rules that end with a ruler on the plan
 
 
 def image(name: str) -> str:
@@ -17,35 +20,55 @@ def image(name: str) -> str:
     return lowered_name(name).lower()
 
 
-def steps(found: Polygons, plan: str, row: int, unit: float) -> tuple[Sentence, ...]:
-    """Return the steps of one plan of a row (from 0); `unit` m/s or m/s² a mm."""
+def steps(found: Polygons, plan: str, row: int, scale: PlanScale) -> tuple[Sentence, ...]:
+    """Return the steps of one plan of a row (from 0), its vectors drawn to a scale."""
     size = {(s.kind, s.start, s.end): abs(complex(s.vector[row])) for s in found.segments if s.plan == plan}
-    return tuple(_step(one, plan, size, unit) for one in found.found)
+    return tuple(_step(one, plan, size, scale) for one in found.found)
 
 
-def _step(one: Found, plan: str, size: dict[tuple[str, str, str], float], unit: float) -> Sentence:
+def _step(one: Found, plan: str, size: dict[tuple[str, str, str], float], scale: PlanScale) -> Sentence:
     point, amount = one.point, size[("absolute", POLE, one.point)]
-    values = {"point": lowered_name(point), "image": image(point), "size": amount, "mm": amount / unit}
+    values: dict[str, object] = {"point": lowered_name(point), "image": image(point)}
+    if one.rule in READ_OFF:
+        values |= _read(amount, scale, "size", "mm")
+    else:
+        values |= {"size": amount, "mm": amount / scale.unit}
     if one.rule in {"given", "rolls", "solved"}:
         return say(f"plans.{plan}.{one.rule}", **values)
-    under = f"{point}'" if one.rule == "stretches" else point
+    under, rider = (point, one.rider) if one.rule == "slide" else (f"{point}'", point)
     if one.rule in {"slide", "stretches"}:
-        rider = under.rstrip("'")
         sliding = size[("sliding", under, rider)]
-        values |= {"rider": lowered_name(rider), "small": image(rider), "sliding": sliding, "sliding_mm": sliding / unit}
+        values |= {"rider": lowered_name(rider), "small": image(rider)}
+        if one.rule == "slide":
+            values |= _read(sliding, scale, "sliding", "sliding_mm")
+        else:
+            values |= {"sliding": sliding, "sliding_mm": sliding / scale.unit}
         if plan == ACCELERATION:
             coriolis = size[("coriolis", under, rider)]
-            values |= {"coriolis": coriolis, "coriolis_mm": coriolis / unit}
-    parts = tuple(_line(line, under, plan, size, unit) for line in one.lines)
+            values |= {"coriolis": coriolis, "coriolis_mm": coriolis / scale.unit}
+    drawn_to = under if one.rule == "stretches" else point
+    parts = tuple(_line(line, drawn_to, plan, size, scale.unit) for line in one.lines)
     return say(f"plans.{plan}.{one.rule}", lines=parts, **values)
 
 
+def _read(size: float, scale: PlanScale, amount: str, length: str) -> dict[str, object]:
+    """Return a vector as it is read: its length to half a millimetre, and what that comes to."""
+    mm, unit = scale.length(size)
+    key = "plans.long" if unit == scale.unit else "plans.long_inset"
+    return {amount: read_length(mm) * unit, length: say(key, length=read_length(mm))}
+
+
 def _line(line: Line, point: str, plan: str, size: dict[tuple[str, str, str], float], unit: float) -> Sentence:
-    """Return from where and in which direction a line is drawn, with the normal part where one comes first."""
+    """Return from where and in which direction a line is drawn, with the part that comes first where one does."""
     if line.kind == "rail":
         return say("plans.line.rail")
+    if line.kind == "slot" and ("sliding", line.base, point) not in size:  # what slides is known, the point under it sought
+        return say("plans.line.slot", link=line.link, base=image(line.base))
     if line.kind == "slot":
-        return say("plans.line.slot", link=line.link, base=image(f"{line.base}'" if line.base == point else line.base))
+        values = {"link": line.link, "base": image(line.base), "point": lowered_name(point)}
+        if plan == VELOCITY:
+            return say("plans.line.under", **values)
+        return say("plans.line.coriolis", mm=size["coriolis", line.base, point] / unit, **values)
     if line.kind == "wheel":
         return say("plans.line.wheel", contact=lowered_name(line.base), point=lowered_name(point))
     start = line.base if ("relative", line.base, point) in size else POLE

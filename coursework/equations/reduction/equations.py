@@ -14,6 +14,7 @@ from typing import TypeVar, cast
 import sympy as sp
 
 from coursework.equations.codegen.tabulated import TableLaw
+from coursework.equations.reduction.bound import Geometry
 from coursework.equations.reduction.symbolic import TIME, Symbols, placed, symbol
 from coursework.equations.reduction.tidy import Order, as_sum
 from coursework.mechanism.mechanism import Mechanism
@@ -67,6 +68,8 @@ class Position:
 class VelocityEquations:
     """All velocity equations of a mechanism, those of its [closure] beside them, its symbols and tabulated laws.
 
+    `bound`: beside written equations, what the geometry says of velocities that no coordinate has.
+
     All but the `variant` is the same for variants that differ in their data only; so are the `facts` found `once`.
     """
 
@@ -78,6 +81,7 @@ class VelocityEquations:
     from_closure: tuple[VelocityEquation, ...]
     positions: tuple[Position, ...]
     tables: Mapping[str, TableLaw]
+    bound: tuple[VelocityEquation, ...] = ()
     facts: dict[Hashable, object] = field(default_factory=dict, repr=False)
 
     def once(self, key: Hashable, find: Callable[[], Fact]) -> Fact:
@@ -113,12 +117,31 @@ def differentiate(mechanism: Mechanism) -> VelocityEquations:
         raise InputError(faults)
     kept = _closure_positions(variant, symbols)
     from_closure = tuple(_derived(position, _reason(position), variant, symbols) for position in kept)
+    bound = _bound(mechanism, symbols, (*equations, *from_closure))
     if not equations:
         equations = list(from_closure)
         from_closure = ()
+    if all(equation.written is None for equation in equations):
+        equations += bound
+        bound = ()
     positions += kept
     tables = {law.name: TableLaw(law.name, law.table, law.method) for law in (*variant.drive, *variant.functions) if law.table}
-    return VelocityEquations(variant, symbols, order, variant.sought, tuple(equations), from_closure, tuple(positions), tables)
+    return VelocityEquations(
+        variant, symbols, order, variant.sought, tuple(equations), from_closure, tuple(positions), tables, bound
+    )
+
+
+def _bound(mechanism: Mechanism, symbols: Symbols, equations: tuple[VelocityEquation, ...]) -> tuple[VelocityEquation, ...]:
+    """Return what the geometry says of velocities of [unknowns] and of links that no position has."""
+    geometry = Geometry(mechanism, symbols)
+    said = geometry.bound()
+    known = {name for equation in equations if equation.written is None for name in equation.coefficients}
+    found = []
+    for one in (*said, *geometry.rates_of_links(known | {one.name for one in said})):
+        because = say("equation.rate_of_link", name=one.name, link=one.link) if one.link else say("equation.bound", name=one.name)
+        line = mechanism.variant.nearest_line("unknowns", one.name)
+        found.append(VelocityEquation(one.name, because, dict(one.is_zero.coefficients), -one.is_zero.rest, line=line))
+    return tuple(found)
 
 
 def _components(constraint: Constraint, symbols: Symbols, variant: Variant) -> list[Position]:

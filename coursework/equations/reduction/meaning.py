@@ -5,16 +5,19 @@ Enters: the determinant as shown.  Leaves: words.  Used by `blocks.py`.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Iterator, Mapping, Sequence
 
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.joints import link_names, linkage
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, factors, product_of, spelled
+from coursework.variant.formula.tree import Formula, FormulaFault, constant, evaluate, factors, product_of, spelled, terms
 from coursework.variant.record.variant import Variant
 from coursework.words.sentences import joined, say
 
 # At a singular position a factor this small beside the largest one is the factor that vanishes.
 _SMALL = 1e-3
+# Stands for an angle counted from x as the file counts it.
+_FROM_X = "·"
 # The sine of an angle given with all digits of pi is still this much beside zero.
 _ROUNDING = 1e-12
 
@@ -69,8 +72,10 @@ def _is_nothing(factor: Formula, variant: Variant) -> bool:
 def _factor(tree: Formula, variant: Variant) -> str:
     units = {c.name: c.unit for c in variant.coordinates}
     if tree.op == "name" and units.get(tree.name) == "m":
-        return say("determinant.distance", name=tree.name)
+        return _distance(tree.name, variant)
     angles = [name for name in tree.names() if units.get(name) == "rad"]
+    if tree.op == "call" and tree.name in {"sin", "cos"} and not _counted_alike(angles, tree.args[0], variant):
+        return say("determinant.zero", formula=spelled(tree))
     if tree.op == "call" and tree.name in {"sin", "cos"} and len(angles) == 2 and _is_difference(tree.args[0]):
         first, second = (_link(name, variant) for name in angles)
         if tree.name == "cos":
@@ -88,6 +93,43 @@ def _factor(tree: Formula, variant: Variant) -> str:
         return say("determinant.arms", links=_listed(angles, variant))
     key = "determinant.zero" if set(tree.names()) - set(variant.values) else "determinant.always_zero"
     return say(key, formula=spelled(tree)) if tree.names() else ""
+
+
+def _counted_alike(angles: list[str], argument: Formula, variant: Variant) -> bool:
+    """Return whether the angles are those of links as drawn, two of them from one axis, one alone or with a direction from x."""
+    if argument.op != "name" and not _is_difference(argument):
+        return True
+    axes = [_axes(angle, variant) for angle in angles]
+    return bool(set.intersection(*axes)) if len(axes) == 2 else all(_FROM_X in found for found in axes)
+
+
+def _axes(angle: str, variant: Variant) -> set[str]:
+    """Return how the points of a file count an angle: L @ phi from x, L @ (phi - pi/2) from the vertical."""
+    found = {
+        re.sub(rf"\b{angle}\b", _FROM_X, spelled(part.args[1]))
+        for _, formula in variant.points
+        for part in _parts(formula)
+        if part.op == "@" and angle in part.args[1].names()
+    }
+    return found or {_FROM_X}
+
+
+def _parts(formula: Formula) -> Iterator[Formula]:
+    yield formula
+    for part in formula.args:
+        yield from _parts(part)
+
+
+def _distance(name: str, variant: Variant) -> str:
+    """Return what it means that a length is zero: that two points meet, where the file shows it to be the way between them."""
+    for group in variant.groups:
+        if group_kind(group.kind).name == "RPR" and name in group.coordinates:
+            return say("determinant.distance" if constant(group.offset) == 0 else "determinant.level", name=name)
+    for point, formula in variant.points:
+        parts = [*terms(formula)]
+        if [part.op for part in parts] == ["name", "@"] and parts[1].args[0].op == "name" and parts[1].args[0].name == name:
+            return say("determinant.meet", name=name, point=point, other=parts[0].name)
+    return say("determinant.nothing", name=name)
 
 
 def _is_difference(tree: Formula) -> bool:

@@ -13,7 +13,7 @@ from coursework.equations.reduction.equations import VelocityEquations, differen
 from coursework.mechanism.mechanism import Mechanism, build
 from coursework.variant.record.variant import Coordinate, Given, Law, Time, Variant
 
-MOST_KEPT = 32  # structures kept at once; a class has one or a few
+MOST_KEPT = 64  # structures kept at once: a class has one or a few, and the catalogue, run again and again, fits whole
 
 
 @dataclass(slots=True)

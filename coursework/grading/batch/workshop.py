@@ -15,7 +15,7 @@ import numpy as np
 from coursework.grading.batch.decisions import overridden
 from coursework.grading.batch.work import Outcome, Setup, Task, VariantSource, failed
 from coursework.grading.marking.grade import Grade, Marker
-from coursework.grading.marking.reference import key_of
+from coursework.grading.marking.key import key_of
 from coursework.grading.marking.rubric import Rubric, read_rubric
 from coursework.grading.pages.feedback import feedback_page
 from coursework.grading.reading.expected import Expected, grid_of

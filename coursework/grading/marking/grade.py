@@ -17,11 +17,11 @@ from coursework.grading.marking.answers import AnswerMarks, mark_answers
 from coursework.grading.marking.equations.equations import EquationMarks, Judge
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.rubric import Rubric
-from coursework.grading.marking.table.cells import Cells, StudentTable, mark_cells
+from coursework.grading.marking.table.cells import HALF, Cells, StudentTable, mark_cells
 from coursework.grading.marking.table.first_wrong import FirstWrong, first_wrong
 from coursework.grading.marking.table.misconceptions import Misconception, find_misconception, indistinct, looked_for
 from coursework.grading.marking.table.own_equations import own_share
-from coursework.grading.marking.table.points import TablePoints, table_points
+from coursework.grading.marking.table.points import TablePoints, stands_still, table_points
 from coursework.grading.marking.verdicts import Verdicts, verdicts
 from coursework.grading.reading.student_work import StudentWork, Table
 from coursework.grading.reading.submission import Note, note
@@ -29,6 +29,8 @@ from coursework.system.arrays import Array
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
+# Decimals beyond these differ between two programs that compute the same table in another order.
+_COPIED = 1e-13
 GRADED = ("graded", "graded-with-notes")
 
 
@@ -160,6 +162,8 @@ class Marker:
             table.misconception if table else None,
         )
         status, reason, notes = self._status(work, shares)
+        if status == "graded" and equations is not None and self.rubric.weights["equations"] and (unread := equations.unread):
+            status, reason = "needs-review", say("reading.review.unread_line", line=unread.line.line, text=unread.line.text[:80])
         notes = (*work.notes, *self._notes(table), *notes)
         if status == "graded" and notes:
             status = "graded-with-notes"
@@ -174,7 +178,12 @@ class Marker:
             named = find_misconception(self.key, cells, self.confusions, self.others, hidden)
         fit = named.share if named and not named.code.startswith("variant_") else 0.0
         own = own_share(self.key, cells, equations) if equations else 0.0
-        share = max(earned.share, self.rubric.misconception_floor * fit, self.rubric.own_equations_floor * own)
+        floor = (
+            0.0
+            if stands_still(self.key, cells)
+            else max(self.rubric.misconception_floor * fit, self.rubric.own_equations_floor * own)
+        )
+        share = max(earned.share, floor)
         return TableMarks(table, cells, earned, first_wrong(self.key, cells), named, share, hidden)
 
     def _hidden(self, student: StudentTable) -> tuple[str, ...]:
@@ -210,7 +219,7 @@ class Marker:
                 found.append(note("too_coarse", count=count, least=self.key.least_decimals))
             if cells.computed_to is not None:
                 found.append(note("coarse_work", decimals=cells.computed_to))
-            if np.array_equal(cells.student.values, self.key.table):
+            if _is_the_key(cells.student, self.key):
                 found.append(note("bit_identical"))
         if self.key.stopped:
             found.append(note("dead_point", reason=self.key.stopped))
@@ -243,6 +252,15 @@ def student_of(key: Key, table: Table) -> StudentTable:
         if column := table.column(name):
             values[:, place], units[:, place] = column.values[: len(values)], column.last_place[: len(values)]
     return StudentTable(values, units)
+
+
+def _is_the_key(student: StudentTable, key: Key) -> bool:
+    """Return whether a table is the key to the last digit, of which it shows more than two programs have in common."""
+    if np.array_equal(student.values, key.table):
+        return True
+    if np.isnan(student.units).any() or np.max(student.units) > _COPIED:
+        return False
+    return bool(np.all(np.abs(student.values - key.table) <= HALF * student.units + np.spacing(np.abs(key.table))))
 
 
 def rounded_points(value: float) -> float:

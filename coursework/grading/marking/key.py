@@ -1,24 +1,33 @@
 """The key of one variant: its Euler table, and its velocities at any time, position and data.
 
 Enters: a `Variant`.  Leaves: `Key`.  Used by every part of this room; made once a variant and kept.
+Variants that differ in their data only share one compiled model.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
+from coursework.api import solve
+from coursework.equations.reduction.structure import without_data
+from coursework.grading.marking.branches import other_assemblies
+from coursework.grading.marking.misread import misread
+from coursework.many import Solutions, solve_many
+from coursework.motion.geometry.drive import breaks
+from coursework.motion.schemes import DEFAULT_SCHEME
+from coursework.scene.model.data import Data
+from coursework.scene.model.model import Model, model_of
 from coursework.system.arrays import Array
 from coursework.variant.record.variant import Variant
+from coursework.words.errors import CourseworkError
 
-# (t (n,), q (n, m), data by name) -> every velocity (n, r) in the order of the table; NaN where there is none.
-Velocities = Callable[[Array, Array, Mapping[str, float]], Array]
-# (block, t (n,), q (n, m), velocities (n, r) of which those of earlier blocks are read) -> those of the block (n, size).
-BlockVelocities = Callable[[int, Array, Array, Array], Array]
 # A table that Euler makes without error shows no gap; its digits are then judged by this part of its largest range.
 _SMALLEST_GAP = 1e-3
 _NO_GAP = 1e-9
@@ -27,37 +36,69 @@ SHOWN, ASKED = 0.6, 5.0
 _DIFFERENCE = 1e-6
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Key:
     """What a right table is.
 
-    `table` (n, m + r) by `names`: m coordinates, then r velocities (rates first), SI; `blocks` the unknown velocities in order
-    of solution; `sets_at` the velocities (sets, n, r) of several sets of data at once; `rewritten` those with the signs of the
-    drive turned ("sign_drive") or degrees taken for radians ("degree_mode"); `stopped` why the table is shorter than assigned,
-    "" where it is not.  What few submissions need is found when it is asked for.
+    `table` (n, m + r) by `names`: m coordinates, then r velocities (rates first), SI; `stopped` why it is shorter than
+    assigned, "" where it is not.  What few submissions need is found when it is asked for.  Where a velocity has no value,
+    functions give NaN.
     """
 
     variant: Variant
-    step: float
+    model: Model
     table: Array
-    find_exact: Callable[[], Array]
-    blocks: tuple[tuple[str, ...], ...]
-    velocities_at: Velocities
-    sets_at: Callable[[Array, Array, Sequence[Mapping[str, float]]], Array]
-    block_at: BlockVelocities
-    rewritten: Callable[[str], Callable[[Array, Array], Array] | None]
     stopped: str = ""
-    find_branches: Callable[[], Sequence[Array]] = tuple
+
+    def velocities_at(self, t: Array, q: Array, data: Mapping[str, float] | None = None) -> Array:
+        """Return every velocity (n, r) in the order of the table at times (n,) and positions (n, m); some data may be other."""
+        return self.model.rates(t, q, {**self.variant.values, **data} if data else self._assigned)
+
+    def sets_at(self, t: Array, q: Array, sets: Sequence[Mapping[str, float]]) -> Array:
+        """Return the velocities (sets, n, r) of several sets of data at once."""
+        if not sets:
+            return np.empty((0, len(t), len(self.velocities)))
+        given = self.variant.values
+        return self.model.rates(t[None], q[None], {n: np.array([data.get(n, v) for data in sets]) for n, v in given.items()})
+
+    def block_at(self, block: int, t: Array, q: Array, velocities: Array) -> Array:
+        """Return the velocities (n, size) of a block, those of earlier blocks read from `velocities` (n, r)."""
+        return self.model.block_velocities(block, t, q, velocities, self._assigned)
+
+    def misread(self, code: str) -> Callable[[Array, Array], Array] | None:
+        """Return the velocities of the variant with one misconception in its formulas, None where that cannot be."""
+        changed = misread(self.variant, code)
+        if changed is None:
+            return None
+        try:
+            model = model_of(changed)
+        except CourseworkError:
+            return None
+        return lambda t, q: model.rates(t, q, self._assigned)
+
+    @cached_property
+    def _assigned(self) -> Data:
+        return self.model.data(self.variant.values)
 
     @cached_property
     def exact(self) -> Array:
         """Return the rows (n, m + r) without the scheme's error; fewer where the motion stops."""
-        return self.find_exact()
+        return np.asarray(solve(self.variant, DEFAULT_SCHEME.name, quantities=["table"]).exact.rows)
 
     @cached_property
     def branches(self) -> Sequence[Array]:
         """Return Euler's tables of the mechanism assembled otherwise."""
-        return self.find_branches()
+        return other_assemblies(self.variant, self.table)
+
+    @property
+    def step(self) -> float:
+        """Return the assigned step, s."""
+        return self.variant.time.step
+
+    @cached_property
+    def blocks(self) -> tuple[tuple[str, ...], ...]:
+        """Return the unknown velocities in the order of solution."""
+        return tuple(block.unknowns for block in self.model.blocks)
 
     @cached_property
     def coordinates(self) -> tuple[str, ...]:
@@ -89,8 +130,8 @@ class Key:
         """Return the one-step gap G: the most by which a step of Heun leaves a step of Euler, over rows and coordinates."""
         m = len(self.coordinates)
         here, q = self.t[:-1], self.table[:-1, :m]
-        slopes = self.velocities_at(here, q, {})[:, :m]
-        ahead = self.velocities_at(here + self.step, q + self.step * slopes, {})[:, :m]
+        slopes = self.velocities_at(here, q)[:, :m]
+        ahead = self.velocities_at(here + self.step, q + self.step * slopes)[:, :m]
         return float(gap_of(slopes, ahead, self.step, self.ranges[:m]))
 
     @property
@@ -108,6 +149,44 @@ class Key:
         placed = [place for block in solved for place in block]
         driven = [place for place in range(m, m + len(self.velocities)) if place not in placed]
         return (*range(m), *placed, *driven)
+
+
+def key_of(variant: Variant) -> Key:
+    """Return the key of a variant.  Raises `InputError` where it cannot be solved at all."""
+    model = model_of(variant)
+    solved = _solved(model, [variant])
+    stop = solved.stops[0]
+    return Key(variant, model, _complete(solved.values[0]), stop.sentence if stop else "")
+
+
+def euler_tables(variants: Mapping[str, Variant]) -> dict[str, Array]:
+    """Return Euler's tables of variants by name, those of one template together; without any that cannot be computed."""
+    alike: dict[tuple[object, ...], dict[str, Variant]] = {}
+    for name, variant in variants.items():
+        key = (without_data(variant), breaks(variant), variant.time.step, variant.time.end)
+        alike.setdefault(key, {})[name] = variant
+    found: dict[str, Array] = {}
+    for group in alike.values():
+        with suppress(CourseworkError):
+            tables = _solved(model_of(next(iter(group.values()))), list(group.values())).values
+            found |= {name: _complete(rows) for name, rows in zip(group, tables, strict=True)}
+    return {name: found[name] for name in variants if name in found}
+
+
+def _solved(model: Model, variants: Sequence[Variant]) -> Solutions:
+    """Return Euler's tables of variants of one template with one step and end."""
+    columns: dict[str, Any] = {name: [variant.values[name] for variant in variants] for name in model.variant.values}
+    for place, coordinate in enumerate(model.variant.coordinates):
+        starts = [variant.coordinates[place].start for variant in variants]
+        if None not in starts:
+            columns[coordinate.name] = starts
+    time = variants[0].time
+    return solve_many(model, columns, DEFAULT_SCHEME.name, time.step, time.end)
+
+
+def _complete(rows: Array) -> Array:
+    """Return the rows before a motion stopped."""
+    return np.asarray(rows[~np.isnan(rows).any(axis=1)])
 
 
 def gap_of(slopes: Array, ahead: Array, step: float, ranges: Array) -> Array:

@@ -7,16 +7,19 @@ Used by the children of a batch.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from coursework.grading.marking.grade import Grade, TableMarks
+from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import CARRIED, GIVEN, KEY, MISSING, WRONG
 from coursework.grading.pages.curves import panel
+from coursework.report.text.symbols import symbol
+from coursework.report.text.text_runs import spelt
 from coursework.words.sentence import Sentence
-from coursework.words.sentences import Phrases, joined, load_phrases, say
+from coursework.words.sentences import Phrases, joined, load_phrases, say, say_count
 from coursework.words.templates import clean, filled
 
 # Longer tables show their first rows and those with wrong cells: the page stays one that a person reads.
@@ -53,11 +56,11 @@ def feedback_page(grade: Grade, student: str, name: str | None, final: Mapping[s
         variant=grade.key.variant.in_language(words.language).title,
         parts=parts,
         verdict=grade.verdicts.sentence if grade.table or grade.equations else "",
-        notes=[clean(words.written(entry.text), LONGEST_TEXT) for entry in grade.notes],
+        notes=[_lettered(grade.key, clean(words.written(entry.text), LONGEST_TEXT)) for entry in grade.notes],
         table=_table(grade, grade.table, words) if grade.table else None,
         equations=_equations(grade, words),
         answers=_answers(grade, words),
-        misconception=_misconception(grade),
+        misconception=_misconception(grade, words),
     )
 
 
@@ -107,16 +110,29 @@ def misconception_sentence(code: str) -> Sentence | str:
     return say(key) if load_phrases().has(key) else code
 
 
-def _misconception(grade: Grade) -> dict[str, Any] | None:
+def _symbol(name: str) -> str:
+    return symbol(name).text
+
+
+def _lettered(key: Key, text: str) -> str:
+    """Return a sentence with the names of columns and data as the pages of the report print them."""
+    return spelt(text, (*key.names, *(given.name for given in key.variant.given)))
+
+
+def _misconception(grade: Grade, words: Phrases) -> dict[str, Any] | None:
     """Return what was looked for and found, None where a table gave no reason to look."""
     if grade.table is None or grade.table.hidden is None:
         return None
     named = grade.table.misconception
+
+    def told(code: str) -> str:
+        return _lettered(grade.key, words.written(misconception_sentence(code)))
+
     return {
-        "told": misconception_sentence(named.code) if named else "",
+        "told": told(named.code) if named else "",
         "share": str(int(100 * named.share + 1e-9)) if named else "",  # 100 only where it is all of the table
-        "ties": [misconception_sentence(code) for code in named.ties] if named else [],
-        "hidden": [misconception_sentence(code) for code in grade.table.hidden],
+        "ties": [told(code) for code in named.ties] if named else [],
+        "hidden": [told(code) for code in grade.table.hidden],
     }
 
 
@@ -140,14 +156,15 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
     m = len(key.coordinates)
     panels = [
         panel(
-            name, words.unit(key.variant.unit_of(name)), key.t, key.table[:, m + place], cells.student.values[:, m + place],
+            _symbol(name), words.unit(key.variant.unit_of(name)), key.t,
+            key.table[:, m + place], cells.student.values[:, m + place],
             cells.wrong[:, m + place], words,
         )
         for place, name in enumerate(key.velocities)
     ]  # fmt: skip
     read = [
         {
-            "name": name,
+            "name": _symbol(name),
             "at": entry["at"],
             "by": say(f"feedback.by.{entry['by']}"),
             "unit": words.unit(_RATES.get(entry["unit"], entry["unit"])),
@@ -155,12 +172,13 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
         for name, entry in reading.columns.items()
     ]
     return {
-        "first": typeset(words.written(marked.first.sentence)) if marked.first else "",
+        "first": _lettered(key, typeset(words.written(marked.first.sentence))) if marked.first else "",
         "counts": {
             "wrong": int(cells.wrong.sum()), "missing": int(cells.missing.sum()), "carried": int(cells.carried.sum()),
             "cells": marked.points.cells,
         },
-        "file": clean(reading.file, LONGEST_TEXT), "reading": reading, "read": read, "names": key.names,
+        "file": clean(reading.file, LONGEST_TEXT), "reading": reading, "read": read,
+        "names": [_symbol(name) for name in key.names],
         "second": words.unit("s"),
         "units": [words.unit(key.variant.unit_of(name)) for name in key.names], "rows": rows,
         "left_out": len(key.table) - len(chosen), "end": words.number(key.t[-1], ".6g"),
@@ -193,9 +211,13 @@ def _equations(grade: Grade, words: Phrases) -> dict[str, Any] | None:
             }
         )  # fmt: skip
     marks = grade.equations
-    dependent = say("feedback.dependent", lines=joined(map(str, marks.dependent), "join.comma")) if marks.dependent else ""
+    dependent = _dependent(marks.dependent)
     count = say("feedback.independent", independent=marks.independent, needed=marks.needed)
     return {"items": items, "count": count, "dependent": dependent}
+
+
+def _dependent(lines: Sequence[int]) -> str:
+    return say_count("feedback.dependent", len(lines), lines=joined(map(str, lines), "join.comma")) if lines else ""
 
 
 def _answers(grade: Grade, words: Phrases) -> list[dict[str, Any]] | None:

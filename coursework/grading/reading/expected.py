@@ -39,15 +39,11 @@ class Grid:
 
 @dataclass(frozen=True, slots=True)
 class Expected:
-    """The grid, the variant whose names equations are written with, the names that answers may have.
-
-    `others` are variants of the same class: a file with their data was meant for somebody else.
-    """
+    """The grid, the variant whose names equations are written with, the names that answers may have."""
 
     grid: Grid
     variant: Variant
     answers: tuple[str, ...] = ()
-    others: tuple[Variant, ...] = ()
 
 
 def grid_of(variant: Variant, columns: dict[str, tuple[float, ...]]) -> Grid:

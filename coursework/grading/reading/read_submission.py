@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
-from coursework.grading.reading.equations.equations import most_lines, spellings_for
+from coursework.grading.reading.equations.equations import most_lines
 from coursework.grading.reading.equations.lines import Lines, read_lines
 from coursework.grading.reading.equations.variant_files import is_variant_file, read_variant_file
 from coursework.grading.reading.expected import Expected
@@ -164,7 +164,7 @@ def _read_text(file: SubmittedFile, could_be_table: bool, expected: Expected, fo
 
 
 def _read_variant(file: SubmittedFile, expected: Expected, found: _Found) -> None:
-    read = read_variant_file(file.content, file.name, expected, spellings_for(expected))
+    read = read_variant_file(file.content, file.name, expected)
     found.equations += read.lines
     found.review = found.review or read.review
     if read.differing:

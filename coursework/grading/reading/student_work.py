@@ -79,10 +79,21 @@ class Table:
 
 
 @dataclass(frozen=True, slots=True)
+class EquationReading:
+    """One way to read a line: `left = right`, and the text that was read in its place, "" where nothing needed mending."""
+
+    left: Formula
+    right: Formula
+    text: str = ""
+
+
+@dataclass(frozen=True, slots=True)
 class EquationLine:
     """One line of equations: `text` as handed in; `left = right` once read, else the fault and its column.
 
-    `repaired` is the text that was read in its place, "" where nothing needed mending.
+    `repaired` is the text that was read in its place, "" where nothing needed mending; `others` are further ways to read the
+    line, of which one that is right is what was meant; `relates` says of a line nobody could read that it names two symbols of
+    the variant: it is an equation, and no prose.
     """
 
     file: str
@@ -92,6 +103,8 @@ class EquationLine:
     right: Formula | None
     repaired: str = ""
     fault: Fault | None = None
+    others: tuple[EquationReading, ...] = ()
+    relates: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -223,8 +223,8 @@ def _known(variant: Variant, points: Mapping[str, Formula], fixed: set[str]) -> 
     held = [(hold.args[0].name, hold.name) for hold in variant.holds if hold.op == "part" and hold.args[0].op == "name"]
     across = []
     for name, angle in guides:
-        if (speed := _speed_along(name, [guided for guided, _ in guides], variant)) is not None:
-            found[name] = Known(name, *_along(speed, angle))
+        if (speed := _speed_along(name, angle, [guided for guided, _ in guides], variant)) is not None:
+            found[name] = Known(name, *_along(*speed))
         elif (place := _angle(angle)).base is None and place.offset % 1 in _AXES:
             across.append((name, "y" if place.offset % 1 == 0 else "x"))
     for name, axis in (*held, *across):
@@ -238,20 +238,30 @@ def _known(variant: Variant, points: Mapping[str, Formula], fixed: set[str]) -> 
 _AXES = (Fraction(0), Fraction(1, 2))
 
 
-def _speed_along(point: str, guided: list[str], variant: Variant) -> Formula | None:
-    """Return the unknown that is the speed of a point along its guide: named after it, or the only one of one guided point."""
-    speeds = [name for name, unit in variant.unknowns if unit == "m/s"]
+def _speed_along(point: str, guide: Formula, guided: list[str], variant: Variant) -> tuple[Formula, Formula] | None:
+    """Return the unknown that is the speed of a point along its guide, and its direction: the one that the file says it is, else
+    the one named after the point, or the only one of one guided point.
+    """
+    line = _angle(guide)
+    for binding in variant.bindings:
+        if binding.point == point and not binding.relative and binding.along is not None:
+            along = _angle(binding.along)
+            if along.base == line.base and (along.offset - line.offset) % 1 == 0:
+                return named(binding.name), binding.along
+    bound = {binding.name for binding in variant.bindings}
+    speeds = [name for name, unit in variant.unknowns if unit == "m/s" and name not in bound]
     after_it = [name for name in speeds if len(name) > 1 and name.endswith(point)]
     if not after_it and len(guided) == len(speeds) == 1:
         after_it = speeds
-    return named(after_it[0]) if len(after_it) == 1 else None
+    return (named(after_it[0]), guide) if len(after_it) == 1 else None
 
 
 def _along(speed: Formula, angle: Formula) -> tuple[Formula, Formula]:
     """Return the components of a speed along a guide; along an axis one of them is nought."""
     place = _angle(angle)
-    if place.base is None and place.offset in _AXES:
-        return (speed, ZERO) if place.offset == 0 else (ZERO, speed)
+    if place.base is None and place.offset % 1 in _AXES:
+        signed = speed if place.offset < 1 else Formula("neg", (speed,))
+        return (signed, ZERO) if place.offset % 1 == 0 else (ZERO, signed)
     return tuple(Formula("*", (speed, Formula("call", (angle,), name))) for name in ("cos", "sin"))  # type: ignore[return-value]
 
 

@@ -93,7 +93,7 @@ def draft_of(names: Sequence[str]) -> Draft:
 
     >>> draft = draft_of(["crank", "RRR"])
     >>> [(str(group.kind), group.points, group.meets) for group in draft.groups]
-    [(crank, ('A',), 'B'), (RRR, ('B', 'C'), 'D')]
+    [('crank', ('A',), 'B'), ('RRR', ('B', 'C'), 'D')]
     """
     swinging: set[int] = set()
     while True:

@@ -20,22 +20,32 @@ class JointKind:
     `takes` says how many of the three freedoms that one body has beside another it takes: 2 a lower pair, 1 a higher;
     `holders` how many of the two bodies hold its point all the time, the first before the second: 2 a pin, that is drawn as
     a hinge on the frame, 1 a pin or a block in a guide, 0 a contact that wanders on both; `slides` whether the first moves
-    along a straight guide of the second, which is drawn as a block.
+    along a straight guide of the second, which is drawn as a block.  `key` finds its word in the words files, `letter` stands
+    for it in the name of a group, "" where no such name is made of it.
     """
 
     name: str
     takes: int
     holders: int
     slides: bool = False
+    key: str = ""
+    letter: str = ""
 
     def __repr__(self) -> str:
         return self.name
 
+    @property
+    def pins(self) -> bool:
+        """Return whether both bodies hold its point, so that one only turns about it on the other."""
+        return self.holders == 2
 
-REVOLUTE = JointKind("revolute", takes=2, holders=2)
-PRISMATIC = JointKind("prismatic", takes=2, holders=1, slides=True)
+
+REVOLUTE = JointKind("revolute", takes=2, holders=2, key="turning", letter="R")
+PRISMATIC = JointKind("prismatic", takes=2, holders=1, slides=True, key="sliding", letter="P")
 PIN_IN_GUIDE = JointKind("pin in guide", takes=1, holders=1, slides=True)
-ROLLING = JointKind("rolling without slip", takes=2, holders=0)
+ROLLING = JointKind("rolling without slip", takes=2, holders=0, key="rolling")
+# Of a wheel whose centre other joints hold: gear and rack, two gears.
+MESHING = JointKind("wheels without slip", takes=1, holders=0, key="meshing")
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,5 +67,5 @@ class Joint:
 
     @property
     def pins(self) -> bool:
-        """Return whether both bodies hold its point, so that one only turns about it on the other."""
-        return len(self.holders) == len(self.bodies)
+        """Return whether one body only turns about the point on the other."""
+        return self.kind.pins

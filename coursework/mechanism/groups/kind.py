@@ -41,8 +41,8 @@ class GroupKind:
     """A kind of group.
 
     `shape` is what a file says of it; `closure` writes it as formulas; `solve` puts it together in a mode, None where a drive
-    gives its coordinate; `usual_mode` holds where nothing tells; `meaning` is the key of the sentence about a dead point that
-    its determinant alone does not show; `joints` joins its bodies, of which `carries` says which one each coordinate moves.
+    gives its coordinate; `meaning` is the key of the sentence about a dead point that its determinant alone does not show;
+    `joints` joins its bodies, of which `carries` says which one each coordinate moves.
 
     >>> from coursework.mechanism.groups import group_kind
     >>> group_kind("PRP").shape.guides, group_kind("PRP").driven, group_kind("crank").driven
@@ -54,7 +54,6 @@ class GroupKind:
     closure: Callable[[Group], Closed]
     solve: Callable[[Known, int], GroupMotion] | None
     joints: Joints
-    usual_mode: int = 0
     meaning: str = ""
     carries: tuple[int, ...] = (0, 1)
 

@@ -115,5 +115,4 @@ def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Seq
     )
 
 
-# Without a word about the mode the slide is counted from D towards the block.
-RPR = GroupKind("RPR", GROUP_SHAPES["RPR"], _closure, _solve, _joints, usual_mode=1)
+RPR = GroupKind("RPR", GROUP_SHAPES["RPR"], _closure, _solve, _joints)

@@ -1,23 +1,25 @@
 """Whether the written velocity equations say what the geometry of the file says.
 
-Enters: written equations, those differentiated from [closure], positions on the closure.  Leaves: the names of the
-equations that agree.  Raises `InputError` naming the one that does not.  Used by `way_to_motion.py`.
+Enters: written equations, those the geometry gives, positions on the closure.  Leaves: `Agreement`, which equations agree and
+which are not judged.  Raises `InputError` naming each that does not.  Used by `way_to_motion.py`.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.equations.reduction.system import compile_system
 from coursework.motion.geometry.closure import Closure, compile_closure
 from coursework.system.arrays import Array, Flags
 from coursework.words.errors import Fault, InputError
+from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 # Compared after scaling each row to its length: far above round-off, far below a wrong coefficient or sign.
@@ -28,20 +30,30 @@ _SPREAD, _GOLDEN = 0.02, 0.6180339887498949
 _SMOOTH = (sp.sin, sp.cos, sp.tan, sp.exp)
 
 
-def require_agreement(equations: VelocityEquations, closure: Closure | None) -> tuple[str, ...]:
-    """Return the written equations that the geometry confirms; raises `InputError` naming the one that disagrees.
-
-    Confirmed is an equation that follows from all the others: one that alone brings in an unknown velocity could have any
-    coefficient.  What is confirmed whatever the data is found once for all variants of a template.
+@dataclass(frozen=True, slots=True)
+class Agreement:
+    """The names of written equations that the geometry confirms, `agreed`, and of those that it does not judge, `unjudged`,
+    each with the velocities in it that nothing in the geometry gives.
     """
-    if closure is None or not equations.from_closure:
-        return ()
+
+    agreed: tuple[str, ...] = ()
+    unjudged: tuple[tuple[str, tuple[str, ...]], ...] = ()
+
+
+def require_agreement(equations: VelocityEquations, closure: Closure | None) -> Agreement:
+    """Return which written equations the geometry confirms; raises `InputError` naming each that it contradicts.
+
+    Judged is an equation whose velocities the geometry knows: an unknown that it does not know could have any coefficient.
+    What is confirmed whatever the data is found once for all variants of a template.
+    """
+    if closure is None or not any(equation.written for equation in equations.equations):
+        return Agreement()
     zeros = tuple(given.name for given in equations.variant.given if not given.value)
     always = equations.once(("agreed", zeros), lambda: _whatever_the_data(equations, closure))
-    return _confirmed(equations, closure, *_configurations(closure)) if always is None else always
+    return _judged(equations, *_configurations(closure)) if always is None else always
 
 
-def _whatever_the_data(equations: VelocityEquations, closure: Closure) -> tuple[str, ...] | None:
+def _whatever_the_data(equations: VelocityEquations, closure: Closure) -> Agreement | None:
     """Return what the geometry confirms for all data but zeros, None where that is not certain.
 
     Sums, products, sines and whole powers of the data that are equal for data taken at random are equal for all data.
@@ -57,54 +69,88 @@ def _whatever_the_data(equations: VelocityEquations, closure: Closure) -> tuple[
         others = replace(equations, variant=replace(variant, given=given))
         near = compile_closure(others, closure.start.tolist())
         if near is not None and len((found := _configurations(near))[0]) == _CONFIGURATIONS:
-            return _confirmed(others, near, *found)
+            return _judged(others, *found)
     return None
 
 
 def _is_smooth(equations: VelocityEquations) -> bool:
     """Return whether values at some data tell those at all others: not so with roots, sizes and the like."""
-    both = (*equations.from_closure, *equations.equations)
+    both = (*equations.from_closure, *equations.equations, *equations.bound)
     written = [position.expression for position in equations.positions]
     written += [part for equation in both for part in (*equation.coefficients.values(), equation.right_side)]
     parts = {part for expression in written for part in expression.atoms(sp.Function, sp.Pow)}
     return all(isinstance(part, _SMOOTH) or (isinstance(part, sp.Pow) and part.exp.is_Integer) for part in parts)
 
 
-def _confirmed(equations: VelocityEquations, closure: Closure, times: Array, positions: Array) -> tuple[str, ...]:
+def _judged(equations: VelocityEquations, times: Array, positions: Array) -> Agreement:
     """Return what the geometry confirms, comparing values and Jacobian at several closed positions (c, m).
 
-    Both are rows (A | b); the written ones must lie in the space the derived ones span together with the unknown
-    velocities that only the written ones know.
+    All are rows (A | b); a written one whose A lies in the space of the derived ones must have their b as well, and what the
+    others leave open must not contradict itself.
     """
     _require_free(equations, times, positions)
-    both = (*equations.from_closure, *equations.equations)
-    first = len(equations.from_closure)
-    matrix, right, _ = compile_system(equations, both).matrices(times, positions)
+    written = [equation for equation in equations.equations if equation.written]
+    derived = [*equations.from_closure, *(one for one in equations.equations if not one.written), *equations.bound]
+    first = len(derived)
+    matrix, right, _ = compile_system(equations, [*derived, *written]).matrices(times, positions)
     every = np.concatenate([matrix, right[:, :, None]], axis=2)
     scale = np.max(np.abs(every), axis=1, keepdims=True, initial=0.0)
     every = every / np.where(scale > 0, scale, 1.0)
     lengths = np.linalg.norm(every, axis=2, keepdims=True)
     every = every / np.where(lengths > 0, lengths, 1.0)
     # Where the geometry alone cannot follow its drive there is a dead point, told as such.
-    disagree = _contradictory(every) & ~_contradictory(every[:, :first])
-    if not disagree.any():
-        left = every[:, :, :-1]
-        follow = _ranks(_each_left_out(left, first)) == _ranks(left)[:, None]
-        return tuple(
-            both[first + place].name for place in np.flatnonzero(follow.any(axis=0)).tolist() if both[first + place].written
-        )
-    suspects = set(range(first, len(both)))
-    for culprits in _contradictory(_each_left_out(every[disagree], first)):
-        suspects -= {first + place for place in np.flatnonzero(culprits).tolist()}
-    file = equations.variant.file
-    if not suspects:
-        raise InputError([Fault(say("fault.V301"), file, equations.equations[0].line)])
-    found = [both[index] for index in sorted(suspects)]
-    if len(found) == 1:
-        told = say("fault.V302", name=found[0].name)
-    else:
-        told = say("fault.V303", names="; ".join(f"{each.name} (:{each.line})" for each in found))
-    raise InputError([Fault(told, file, found[0].line)])
+    sound = every[~_contradictory(every[:, :first])]
+    if _contradictory(sound).any():
+        raise InputError(_faults(equations, derived, written, sound))
+    known = sound[:, :first, :-1]
+    regular = _ranks(known) == np.max(_ranks(known), initial=0)
+    known, axes = known[regular], np.eye(known.shape[2])
+    follows = [_gives(known, sound[regular, place, :-1]) for place in range(first, sound.shape[1])]
+    unknown = [name for name, axis in zip(equations.unknowns, axes, strict=True) if not _gives(known, axis)]
+    agreed = tuple(one.name for one, does in zip(written, follows, strict=True) if does)
+    rest = [one for one, does in zip(written, follows, strict=True) if not does]
+    return Agreement(agreed, tuple((one.name, tuple(name for name in unknown if name in one.coefficients)) for one in rest))
+
+
+def _gives(rows: Array, one: Array) -> bool:
+    """Return whether rows (c, k, n) have another one, (n,) or (c, n), in their space at every configuration."""
+    with_it = np.concatenate([rows, np.broadcast_to(one, (len(rows), rows.shape[2]))[:, None]], axis=1)
+    return bool(len(rows)) and bool(np.all(_ranks(with_it) == _ranks(rows)))
+
+
+def _faults(
+    equations: VelocityEquations, derived: Sequence[VelocityEquation], written: Sequence[VelocityEquation], every: Array
+) -> list[Fault]:
+    """Return a fault for each written equation that the derived ones contradict, else one for those that do it together."""
+    file, first = equations.variant.file, len(derived)
+    alone = [place for place in range(first, every.shape[1]) if _contradictory(every[:, [*range(first), place]]).any()]
+    if not alone:
+        suspects = set(range(first, every.shape[1]))
+        for culprits in _contradictory(_each_left_out(every[_contradictory(every)], first)):
+            suspects -= {first + place for place in np.flatnonzero(culprits).tolist()}
+        found = [written[place - first] for place in sorted(suspects)]
+        if not found:
+            return [Fault(say("fault.V301"), file, written[0].line)]
+        if len(found) > 1:
+            names = "; ".join(f"{each.name} (:{each.line})" for each in found)
+            return [Fault(say("fault.V303", names=names), file, found[0].line)]
+        alone = sorted(suspects)
+    faults = []
+    for place in alone:
+        one = written[place - first]
+        rows = every[:, [*range(first), place]]
+        bound = next((bound.name for bound in equations.bound if bound.name in one.coefficients), "")
+        about = _of_bound(bound, equations, rows) if bound else ""
+        faults.append(Fault(say("fault.V302", name=one.name, about=about), file, one.line))
+    return faults
+
+
+def _of_bound(name: str, equations: VelocityEquations, rows: Array) -> Sentence:
+    """Return what is told of an unknown that the last of the rows holds: whether it agrees where that counts the other way."""
+    turned = rows.copy()
+    turned[:, -1, equations.unknowns.index(name)] *= -1
+    key = "fault.bound.is_right" if _contradictory(turned).any() else "fault.bound.other_way"
+    return say(key, name=name, line=equations.variant.nearest_line("unknowns", name))
 
 
 def _require_free(equations: VelocityEquations, times: Array, positions: Array) -> None:

@@ -99,7 +99,7 @@ def _continued(angles: Array, start: float | None) -> Array:
 
 
 def _mode(equations: VelocityEquations, group: Group, q: Array) -> int | None:
-    """Return the assembly mode: the one written, else the one nearest to the start values, else the kind's usual one, if any."""
+    """Return the assembly mode: the one written, else the one nearest to the start values, None where these are not written."""
     kind = group_kind(group.kind)
     if group.mode or not kind.modes:
         return group.mode
@@ -115,8 +115,6 @@ def _mode(equations: VelocityEquations, group: Group, q: Array) -> int | None:
             return max(abs(_nearest(value, start, unit) - start) for value, (start, unit) in zip(closed, starts, strict=True))
 
         return min((1, -1), key=distance)
-    if kind.usual_mode:
-        return kind.usual_mode
     return None
 
 

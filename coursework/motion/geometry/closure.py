@@ -42,7 +42,8 @@ class Closure:
     `drives` per equation the name of the drive it follows ("" for none); `origin` the value kept (m or rad).
     `function(t, *q)` gives the values and their derivatives by the free coordinates, `rows` the same over arrays (n,).
     `combination` (k, k) adds and subtracts equations so that they fall into `blocks` (rows, free columns), solved in turn.
-    `agreed` names the written velocity equations that these positions confirm; `asked` are targets that were worked out.
+    `agreed` names the written velocity equations that these positions confirm, `unjudged` those that they cannot, with the
+    velocities that nothing gives; `asked` are targets that were worked out.
     """
 
     names: tuple[str, ...]
@@ -57,6 +58,7 @@ class Closure:
     combination: Array
     blocks: tuple[tuple[list[int], list[int]], ...]
     agreed: tuple[str, ...] = ()
+    unjudged: tuple[tuple[str, tuple[str, ...]], ...] = ()
     asked: dict[bytes, tuple[Array, Array]] = field(default_factory=dict, repr=False, compare=False)
 
     @property

@@ -6,12 +6,17 @@ Used by `way_to_motion.py` and by models of many sets.
 
 from __future__ import annotations
 
+from contextlib import suppress
+from dataclasses import replace
+
 import numpy as np
 
-from coursework.equations.reduction.equations import VelocityEquations
+from coursework.equations.reduction.equations import VelocityEquations, differentiate
+from coursework.mechanism.mechanism import build
 from coursework.motion.geometry.chain import chain_positions
 from coursework.motion.geometry.closure import MAX_NEWTON, Closure, compile_closure
 from coursework.system.arrays import Array
+from coursework.variant.formula.tree import Formula, spelled
 from coursework.variant.formula.units import size_of
 from coursework.variant.record.variant import Coordinate, Variant
 from coursework.words.errors import Fault, InputError
@@ -22,6 +27,7 @@ from coursework.words.sentences import say
 START_TOLERANCE = 1e-6
 # A correction beyond this (rad or m) leads to another assembly; below the other it is settled.
 _WIDE, _SETTLED = 10.0, 1e-12
+_ROUNDED = 0.02  # what a start value (rad or m) of two digits may be off, and one in the other order is not
 
 
 def start_values(equations: VelocityEquations) -> list[float]:
@@ -53,8 +59,34 @@ def _by_groups(equations: VelocityEquations) -> list[float]:
             known = {"name": coordinate.name, "unit": typed, "start": coordinate.start / size, "closed": float(value) / size}
             faults.append(_fault(say("fault.V332", **known), coordinate, variant))
     if faults:
-        raise InputError(faults)
+        raise InputError(_swaps(equations) or faults)
     return [float(value) for value in closed]
+
+
+def _swaps(equations: VelocityEquations) -> list[Fault]:
+    """Return a fault for the group whose `from` or `coordinates`, in the other order, close where the start values are."""
+    variant = equations.variant
+    for index, group in enumerate(variant.groups):
+        for key, old in (("from", group.start_points), ("coordinates", group.coordinates)):
+            if len(old) < 2:
+                continue
+            name = "start_points" if key == "from" else key
+            turned = replace(group, **{name: old[::-1]})  # type: ignore[arg-type]
+            groups = (*variant.groups[:index], turned, *variant.groups[index + 1 :])
+            if _closes_near_start(replace(variant, groups=groups)):
+                listed = ", ".join(f'"{spelled(one) if isinstance(one, Formula) else one}"' for one in old[::-1])
+                told = say("fault.V334", number=index + 1, kind=group.kind, key=key, swapped=f"[{listed}]")
+                return [Fault(told, variant.file, variant.nearest_line("group", index, key))]
+    return []
+
+
+def _closes_near_start(variant: Variant) -> bool:
+    """Return whether the groups of a variant close where its start values are, as far as these have digits."""
+    with suppress(InputError, ArithmeticError):
+        closed = chain_positions(differentiate(build(variant)), np.zeros(1))[0].tolist()
+        starts = zip(variant.coordinates, closed, strict=True)
+        return all(coordinate.start is None or abs(coordinate.start - value) < _ROUNDED for coordinate, value in starts)
+    return False
 
 
 def _closed(closure: Closure, start: Array, moved: list[int]) -> Array:

@@ -89,12 +89,12 @@ def _between(positions: Array, moved: Array, places: Array) -> Array:
 
 
 def exact_at(exact: Motion, rates: Rates, time: float) -> Array | None:
-    """Return the exact row (m + k,) at any time (s) up to a step behind the last row, None where there is none."""
+    """Return the exact row (m + k,) at any time (s) up to a step off the first and the last row, None where there is none."""
     index = min(int(time / exact.step * (1 + 1e-12)), len(exact.t) - 1) if exact.step else 0
     with suppress(ArithmeticError, ValueError, OutsideTable):
         begin = float(exact.t[index])
         q = exact.coordinates[index]
-        if time > begin:
+        if time != begin:
             q = refine(rates, q.tolist(), np.array([begin, time]))[0][-1]
         row = np.array([*q, *rates.evaluate(time, *q.tolist())[: len(exact.velocity_names)]])
         return row if np.all(np.isfinite(row)) else None

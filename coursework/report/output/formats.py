@@ -37,9 +37,11 @@ def _html(results: Results) -> Files:
 
 
 def _pdf(results: Results) -> Files:
-    from coursework.report.pages.pdf import render_pdf
+    from coursework.report.pages.pdf import paper_of
 
-    yield f"{results.stem}.pdf", render_pdf(results.model)
+    paper = paper_of([results.model.plain()])
+    results.unprinted = paper.missing
+    yield f"{results.stem}.pdf", paper.content
 
 
 def _csv(results: Results) -> Files:

@@ -14,6 +14,7 @@ from coursework.report.output.record import record, stamp_of, study_record
 from coursework.report.output.tables import run_tables, study_csv
 from coursework.scene.scene_run import SceneRun
 from coursework.system.on_demand import under_way
+from coursework.words.sentences import say
 
 if TYPE_CHECKING:
     from coursework.report.pages.model import ReportModel
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 class Results:
     """A run ready to be written; `stem` names its pages, `record_name` the file that is written last.
 
-    With `live` the page of a screen has the part that moves.
+    With `live` the page of a screen has the part that moves.  `unprinted` are letters that no face had for the pages on paper.
     """
 
     stem = "report"
@@ -32,6 +33,7 @@ class Results:
         self.run = run
         self.language = language
         self.live = live
+        self.unprinted = ""
 
     def compute(self, pages: bool) -> None:
         """Compute what is asked for and look at every number, so that a fault comes before the first file."""
@@ -59,7 +61,12 @@ class Results:
 
     def record(self) -> dict[str, Any]:
         """Return what the record says beside stamp and files."""
-        return record(self.run)
+        return record(self.run) | self.letters()
+
+    def letters(self) -> dict[str, Any]:
+        """Return what is told of letters that stand as boxes on paper, nothing where there are none."""
+        told = say("screen.unprinted", letters=self.unprinted)
+        return {"unprinted": {"letters": self.unprinted, "sentence": told}} if self.unprinted else {}
 
 
 class StudyResults(Results):
@@ -75,4 +82,4 @@ class StudyResults(Results):
 
     def record(self) -> dict[str, Any]:
         """Return which variant was studied with what."""
-        return study_record(self.run)
+        return study_record(self.run) | self.letters()

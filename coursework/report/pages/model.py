@@ -14,7 +14,7 @@ from coursework.report.formulas.display import marked
 from coursework.report.live.page import LivePart, live_part
 from coursework.report.sections.sections import all_sections
 from coursework.report.text.page_context import PageContext
-from coursework.report.text.parts import Beside, Equations, Figure, Panels, Part, Section, Table
+from coursework.report.text.parts import Beside, Equations, Figure, Panels, Part, Runs, Section, Table
 from coursework.report.text.text_runs import LONGEST_NAME
 from coursework.report.text.words import Words, load_words
 from coursework.scene.scene_run import SceneRun
@@ -91,10 +91,17 @@ def build_model(run: SceneRun, language: str = "en", stamp: str = "", *, live: b
     )
 
 
+def _ended(caption: Runs, stop: str) -> Runs:
+    """Return a caption that ends as the language ends one: with a full stop or without."""
+    *first, last = caption
+    return [*first, {**last, "t": last["t"].rstrip(" .。") + stop}] if "t" in last else caption
+
+
 def heading_of(context: PageContext) -> str:
     """Return the heading of a page: name and title of the variant."""
     name, title = (clean(text, LONGEST_NAME) for text in (context.run.variant.name, context.variant.title))
-    return context.words("title.heading", name=name, title=title).rstrip(": ")
+    key = "title.heading" if name.isdigit() else "title.heading_named"  # a file's name is no number of a task
+    return context.words(key, name=name, title=title).rstrip(": ")
 
 
 def _numbered(sections: Iterable[Section], words: Words) -> Iterator[Section]:
@@ -111,7 +118,9 @@ def _numbered(sections: Iterable[Section], words: Words) -> Iterator[Section]:
         if isinstance(part, Table | Figure | Panels) and part.caption:
             kind = "table" if isinstance(part, Table) else "figure"
             counts[kind] += 1
-            return replace(part, label=words(f"label.{kind}", number=counts[kind]))
+            return replace(
+                part, label=words(f"label.{kind}", number=counts[kind]), caption=_ended(part.caption, words("table.stop"))
+            )
         return part
 
     for section in sections:

@@ -25,11 +25,11 @@ from coursework.words.templates import filled
 
 
 def drawing(context: PageContext) -> list[Part]:
-    """The drawing of the graph-analytical check, upright and as wide as the notebook."""
+    """The sheets of the graph-analytical check, upright and as wide as the notebook."""
     graph, words = context.run.graph_check, context.words
     if graph is None:
         return []
-    return [replace(part, exact=False) for part in [drawn(context, graph.drawing(words.written))]]
+    return [replace(drawn(context, sheet), exact=False) for sheet in graph.sheets(words.written)]
 
 
 def method_line(context: PageContext) -> str:

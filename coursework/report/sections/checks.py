@@ -5,8 +5,6 @@ Enters: a `PageContext`.  Leaves: the summary, and one part for each group of ch
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from coursework.report.text.numbers import ROUND_OFF, TIGHT
@@ -15,14 +13,14 @@ from coursework.report.text.parts import Cell, Checks, Judged, Paragraph, Part, 
 from coursework.report.text.tables import thinned
 from coursework.report.text.text_runs import numeral
 from coursework.results.checks.evidence import NO_ERROR
-from coursework.results.checks.result import DIGITS_LEFT, GROUPS, VERDICTS, Finding, never_more
+from coursework.results.checks.result import DIGITS_LEFT, GROUPS, OF_THE_SCALE, VERDICTS, Finding, never_more
 from coursework.words.sentence import Sentence
+from coursework.words.sentences import ENGLISH
 from coursework.words.templates import clean
 
 NOTHING_AT_ALL = 1e-18  # SI: smaller than any round-off of a mechanism
 BESIDE_A_LIMIT = 1e-9  # of its limit: what passes with so little is round-off of lengths that close
 NEARLY_WHOLE = 5e-5  # of an amount: less than four digits show
-OF_THE_SCALE = "unit.of_the_scale"
 MOST_LINES = 30  # further lines of one check; more are thinned
 SHORT_UNIT = 12  # letters of a unit that stands behind its number; a longer one stands below
 
@@ -62,9 +60,6 @@ def _judged(context: PageContext, check: Finding) -> Judged:
     heads, lines = _lines(context, check)
     if check.verdict == "PASS" and value == 0:
         heads, lines = [], []  # where nothing is off, noughts say nothing more
-    if check.verdict == "PASS" and check.is_least and (value or 0.0) < (check.limit or 0.0):
-        # AGREEMENT counts equations: those that nothing in the file can judge are no fault, so their whole is no limit.
-        check = replace(check, limit=None)
 
     def behind(value: float | None) -> str:
         return context.unit_beside(value, check.unit) if is_short and value is not None else ""
@@ -72,7 +67,7 @@ def _judged(context: PageContext, check: Finding) -> Judged:
     return Judged(
         mark=context.words(f"checks.mark.{check.verdict}"),
         verdict=context.words(f"checks.word.{check.verdict}"),
-        code=clean(check.code),
+        code=clean(check.code) if context.words.phrases.language == ENGLISH else "",  # a code is a word of English
         title=context.rich(check.title),
         sentence=context.rich(check.sentence),
         value=numeral(context.with_unit(numbers.limit(value) if is_count else numbers.scalar(value), behind(value))),

@@ -11,11 +11,10 @@ from coursework.drawing.plans.readings import Reading
 from coursework.report.graphs.figures import drawn_parts
 from coursework.report.text.numbers import NOTHING
 from coursework.report.text.page_context import PageContext
-from coursework.report.text.parts import Bullets, Cell, Column, Part, Table
-from coursework.report.text.text_runs import numeral
+from coursework.report.text.parts import Bullets, Cell, Column, Paragraph, Part, Runs, Table
+from coursework.report.text.text_runs import ITALIC, numeral, printed
 
 READ_DECIMALS = 1  # of a length in mm that is read to 0.5
-RULER = 300.0  # mm: longer than the sheet and the ruler; such a length nobody reads
 PERCENT_DECIMALS = 2  # of a difference in percent, in every row alike
 
 
@@ -24,40 +23,43 @@ def graph_check(context: PageContext) -> list[Part]:
     graph = context.run.graph_check
     if graph is None:
         return []
-    sheet: list[Part] = [*drawn_parts(context, graph.drawing(context.words.written, blank=context.run.blank))]
+    if graph.unread:
+        return [Paragraph(context.rich(graph.unread))]
+    sheets = graph.sheets(context.words.written, blank=context.run.blank)
+    drawings = [part for sheet in sheets for part in drawn_parts(context, sheet)]
     if context.run.blank:
-        return sheet
-    parts: list[Part] = []
+        return drawings
     keys = ("quantity", "read", "relation", "measured", "tabled", "difference")
     heads = [Column(context.say(f"graph.{key}"), words=key in {"quantity", "relation"}) for key in keys]
-    rows = [_row(context, one) for one in graph.readings]
-    if rows:
-        parts.append(Table(heads, rows, context.say("graph.table")))
+    table = Table(heads, [_row(context, one) for one in graph.readings], context.say("graph.table"))
     told = [context.rich(note) for note in graph.notes]
-    if far := [one.length for one in graph.readings if _is_far(one)]:
+    if far := [one.length for one in graph.readings if one.computed is not None]:
         told.append(context.rich(context.words("graph.beyond", lengths=context.words.listing(far))))
-    notes = [Bullets(told)] if told else []
-    return [*parts, *notes, *sheet]
-
-
-def _is_far(one: Reading) -> bool:
-    return one.read is not None and one.read > RULER
+    return [table, *([Bullets(told)] if told else []), *drawings]
 
 
 def _row(context: PageContext, one: Reading) -> list[Cell]:
     """Return one line of the table: the length, what was read, how the value follows, both values, how far they are apart."""
     numbers, words = context.numbers, context.words
-    if one.read is None:
-        read = words("graph.given", length=one.length) if one.length else ""
-    else:
-        length = numbers.fixed(one.read, READ_DECIMALS)
-        read = words("graph.computed", length=one.length, mm=length) if _is_far(one) else f"{one.length} = {length}"
-    apart = numbers.dressed(_percent(one.difference)) if math.isfinite(one.difference) else NOTHING
-    explained = f" (±{numbers.dressed(_percent(one.explained))})" if one.explained else ""
+    read = words("graph.given", length=one.length) if one.length else ""
+    if one.read is not None:
+        read = f"{one.length} = {numbers.fixed(one.read, READ_DECIMALS)}"
+    elif one.computed is not None:
+        read = words("graph.computed", length=one.length, mm=numbers.fixed(one.computed, READ_DECIMALS))
+    judged = math.isfinite(one.difference) and one.rests  # what rests on no reading is no check
+    apart = f"{numbers.dressed(_percent(one.difference))} (±{numbers.dressed(_percent(one.explained))})" if judged else NOTHING
     values = [numeral(context.with_unit(numbers.scalar(one.found), one.unit)), NOTHING]
     if math.isfinite(one.table):
         values[1] = numeral(context.with_unit(numbers.scalar(one.table), one.unit))
-    return [context.rich(one.name), context.rich(read), context.rich(one.relation), *values, f"{apart}{explained}"]
+    return [context.rich(one.name), _set(context, read, one), _set(context, one.relation, one), *values, apart]
+
+
+def _set(context: PageContext, text: str, one: Reading) -> Runs:
+    """Return a length or a relation, the images of points on a plan set as the letters of a formula."""
+    if not one.images:
+        return context.rich(text)
+    lengths = "".join(f"{ITALIC[0]}{letter}{ITALIC[1]}" if letter.isalpha() else letter for letter in one.images)
+    return context.lettered(printed(context.told(text)).replace(one.images, lengths), data=False)
 
 
 def _percent(share: float) -> str:

@@ -10,12 +10,12 @@ from coursework.report.text.numbers import ROUND_OFF
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Cell, Claims, Paragraph, Part
 from coursework.report.text.text_runs import numeral
-from coursework.results.checks.result import OF_POWER, Finding
+from coursework.results.checks.result import OF_POWER, OF_THE_SCALE, Finding
 from coursework.words.sentence import Sentence
 
 DIGITS = 3
 ROWS = "unit.rows"  # 24.02 of them are 24 rows
-SHARES = {"unit.of_the_scale", "unit.relative"}  # parts of a whole are told in percent
+SHARES = {OF_THE_SCALE, "unit.relative"}  # parts of a whole are told in percent
 
 
 def control(context: PageContext) -> list[Part]:
@@ -36,14 +36,28 @@ def control(context: PageContext) -> list[Part]:
 
 
 def _claim(context: PageContext, finding: Finding) -> str:
-    words = context.words
-    key = f"control.{finding.code}.{'right' if finding.verdict == 'PASS' else 'wrong'}"
-    if finding.verdict == "PASS" and finding.value == 0 and words.has(same := f"control.{finding.code}.same"):
-        key = same
-    if not words.has(key):
+    """Return what a check claims: in the words of the very sentence it found, where there are some, else of its verdict."""
+    words, columns = context.words, context.run.variant.columns
+    found = _first_sentence(finding.sentence)
+    is_right = finding.verdict == "PASS"
+    known = found.values if found else {}
+    said = [found.key.removeprefix("check.")] if found else []
+    said += [f"{finding.code}.same"] if is_right and finding.value == 0 else []
+    said += [f"{finding.code}.{finding.verdict.lower()}", f"{finding.code}.{'right' if is_right else 'wrong'}"]
+    key = next((f"control.{name}" for name in said if words.has(f"control.{name}")), None)
+    if key is None:
         return context.told(finding.title)
-    symbol = context.lettering(finding.column) if finding.column in context.run.variant.columns else ""
-    return words(key, symbol=symbol or words("control.column"), row=finding.row or 1)
+    values = {name: context.lettering(str(value)) if value in columns else value for name, value in known.items()}
+    symbol = context.lettering(finding.column) if finding.column in columns else ""
+    return words(key, **{**values, "symbol": symbol or words("control.column"), "row": finding.row or 1})
+
+
+def _first_sentence(sentence: str) -> Sentence | None:
+    """Return the first of the sentences that a finding consists of."""
+    if not isinstance(sentence, Sentence):
+        return None
+    parts = sentence.values.get("parts")
+    return _first_sentence(parts[0]) if isinstance(parts, tuple) and parts else sentence
 
 
 def _number(context: PageContext, finding: Finding) -> Cell:
@@ -53,8 +67,6 @@ def _number(context: PageContext, finding: Finding) -> Cell:
         return ""
     value = counted(value, finding.unit) if abs(value) > ROUND_OFF else 0.0
     key = finding.unit.key if isinstance(finding.unit, Sentence) else ""
-    if key == "unit.equations" and finding.limit is not None and value < finding.limit:
-        return context.words("control.of", part=numbers.whole(int(value)), whole=numbers.whole(int(finding.limit)))
     if key == OF_POWER:
         return context.with_unit(numbers.plain(100 * value), "%")
     if key in SHARES:

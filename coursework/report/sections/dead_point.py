@@ -31,7 +31,8 @@ def dead_point(context: PageContext) -> list[Part]:
     ]
     if context.run.phases:
         facts.append((words("stop.phases"), context.rich(context.run.phases)))
-    kept = words("stop.kept", row=len(context.run.motion.t))
+    own = context.run.scene.stop is None  # the scheme stops where the mechanism does not
+    kept = words("stop.kept_so_far" if own else "stop.kept", row=len(context.run.motion.t))
     kind = context.event(stop.kind)
     lead = words("stop.lead", kind=kind[:1].upper() + kind[1:], time=time) + words("join.sentences")
     drawing = context.run.at_stop()

@@ -136,9 +136,10 @@ def _panel(context: PageContext, rows: Rows) -> Panel:
         t, values = (sparse(one, MOST_POINTS) for one in (rows.t, rows.values))
         inside += f'<path {SCHEME_PEN} d="{field.path(t, values)}"/>'
         inside += f'<path class="dots" fill="{SCHEME_INK}" d="{dots(field, rows.t, rows.values)}"/>'
-    both = np.concatenate([rows.values, rows.curve])
-    low, high = (context.quantity(float(value), unit, 4) for value in (both.min(), both.max()))
-    alt = words("graphs.alt", symbol=symbol.text, low=low, high=high)
+    is_known = len(rows.curve) and rows.name in (extremes := run.scene.extremes)
+    ends = extremes[rows.name] if is_known else (float(rows.values.min()), float(rows.values.max()))
+    low, high = (context.quantity(value, unit, 4) for value in ends)
+    alt = words("graphs.alt" if is_known else "graphs.alt_rows", symbol=symbol.text, low=low, high=high)
     return Panel(rows.name, sheet(field, inside), alt)
 
 

@@ -15,12 +15,14 @@ from coursework.mechanism.derivation.contours import Contour, contours_of
 from coursework.mechanism.derivation.derive import Combination, Derivation, Numbered, derive
 from coursework.mechanism.derivation.paths import Path, Term
 from coursework.mechanism.derivation.segments import ZERO, Angle
+from coursework.mechanism.proposal import proposed
 from coursework.report.formulas import typst_math as setting
 from coursework.report.formulas.display import display
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Bullets, Display, Equations, Paragraph, Part
 from coursework.report.text.text_runs import runs, unbroken
 from coursework.variant.formula.tree import Formula, named, number, part_of_pi
+from coursework.words.sentence import Sentence
 from coursework.words.templates import clean
 
 
@@ -177,7 +179,16 @@ def _rank(context: PageContext, found: Derivation) -> list[Part]:
     confirmed, open_to_doubt = _confirmed(context, found.beyond)
     told += [words("constraints.beyond_compared", names=words.listing(confirmed))] if confirmed else []
     told += [words("constraints.beyond", names=words.listing(open_to_doubt))] if open_to_doubt else []
+    told += [context.told(sentence) for sentence in _proposed(context, found.beyond)]
     return [Paragraph(runs(words.sentences(told)))] if told else []
+
+
+def _proposed(context: PageContext, names: Sequence[str]) -> list[Sentence]:
+    """Return what to write in the file so that the geometry judges some equations that it does not."""
+    closure = context.run.scene.closure
+    unjudged = dict(closure.unjudged) if closure is not None else {}
+    lacking = dict.fromkeys(unknown for name in names for unknown in unjudged.get(name, ()))
+    return [proposed(context.run.variant, unknown) for unknown in lacking]
 
 
 def _unchecked(context: PageContext, written: Sequence[str]) -> str:

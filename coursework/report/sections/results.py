@@ -80,7 +80,8 @@ def _first_last(context: PageContext, found: list[Split], number: int, many: int
     turned = [say("first_last.turns", symbol=context.lettering(s.name), turns=numbers.signed(s.turns)) for s in found if s.turns]
     note = runs(say("first_last.taken_off", turned=say("join.semicolon").join(turned))) if turned else []
     which = say("table.part", part=number, parts=many) if many > 1 else ""
-    caption = runs(say.sentences([say("first_last.caption" if parts != ROWS else "first_last.caption_motion"), which]))
+    told = say("first_last.caption" if parts != ROWS else "first_last.caption_motion", row=row + 1)
+    caption = runs(say.sentences([told, which]))
     return Table(columns, rows, caption, strong=[2], note=note, id="first-last" if number == 1 else "")
 
 
@@ -118,7 +119,7 @@ def _period(context: PageContext, found: list[Split]) -> list[str]:
     row = context.run.results.evidence.period_row or 0
     end = float(context.run.motion.t[row])
     late = abs(end - round(end / period) * period)
-    told = {"end": context.quantity(end, "s"), "period": context.quantity(period, "s")}
+    told = {"row": row + 1, "end": context.quantity(end, "s"), "period": context.quantity(period, "s")}
     most = max(coordinates, key=lambda split: abs(split.period))
     if context.run.tableau is None:
         return [say("why.elsewhere" if unreturned(context) else "why.returns", **told)]

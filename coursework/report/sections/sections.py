@@ -13,6 +13,7 @@ from typing import Any
 from coursework.report.graphs.figures import drawn_parts
 from coursework.report.sections.accuracy import accuracy
 from coursework.report.sections.checks import checks
+from coursework.report.sections.conclusion import conclusion
 from coursework.report.sections.construction import graph_check
 from coursework.report.sections.control import control
 from coursework.report.sections.dead_point import dead_point
@@ -22,9 +23,10 @@ from coursework.report.sections.motion_equations import equations
 from coursework.report.sections.results import results
 from coursework.report.sections.solution import solution
 from coursework.report.sections.statement import statement
+from coursework.report.sections.structure import structure
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Part, Section
-from coursework.report.text.tables import extra_parts
+from coursework.report.text.tables import TABLE_FILE, extra_parts
 from coursework.report.text.text_runs import LONGEST_NAME
 from coursework.scene.quantities import ACCURACY, CHECKS, GRAPH_CHECK, PLOTS, TABLE, Quantity
 
@@ -32,10 +34,11 @@ Writer = Callable[[PageContext], list[Part]]
 Writers = tuple[tuple[Writer, Quantity[Any] | None], ...]
 
 # Each writer with the quantity that must be asked for; None: always there.
-NUMBERED: Writers = ((statement, None), (dead_point, None), (equations, None), (solution, None))
+NUMBERED: Writers = ((statement, None), (dead_point, None), (structure, None), (equations, None), (solution, None))
 PAPER: Writers = (
     (results, TABLE), (graphs, PLOTS), (control, CHECKS), (graph_check, GRAPH_CHECK),
 )  # fmt: skip
+LAST: Writers = ((conclusion, CHECKS),)
 APPENDIX: Writers = ((checks, CHECKS), (accuracy, ACCURACY), (method, None))
 WITHOUT_NUMBER = {"dead_point"}  # stands before all else that is computed, where it stands at all
 
@@ -48,14 +51,16 @@ def all_sections(context: PageContext) -> Iterator[Section]:
         yield section.labelled("" if section.name in WITHOUT_NUMBER else str(number))
     yield from _written_by(PAPER, context)
     for quantity, extra in context.run.extra_tables.items():
-        yield Section(quantity, _heading(context, quantity, extra.title), extra_parts(context, extra))
+        file = f"{quantity}.csv" if quantity in context.run.own_tables else TABLE_FILE
+        yield Section(quantity, _heading(context, quantity, extra.title), extra_parts(context, extra, file))
     for quantity, drawings in context.run.figures(context.words.written).items():
         if drawings:
             yield Section(
                 quantity, _heading(context, quantity, quantity), [part for one in drawings for part in drawn_parts(context, one)]
             )
+    yield from _written_by(LAST, context)
     for place, section in enumerate(_written_by(APPENDIX, context)):
-        yield section.labelled(context.words("section.appendix", letter="ABCDEFGH"[place]))
+        yield section.labelled(context.words("section.appendix", letter=context.words("section.letters")[place]))
 
 
 def _heading(context: PageContext, quantity: str, named: str) -> str:

@@ -80,13 +80,25 @@ def _task(context: PageContext) -> list[Part]:
     if variant.source:
         parts.append(Paragraph(_source(context), style="note"))
     if variant.drive:
-        key = "drive.point" if variant.driven else "drive.rates"
-        parts += [Paragraph(context.say(key, point=clean(variant.driven or ""))), *laws_shown(context, variant.drive)]
+        parts += _driven_laws(context)
     else:
         parts.append(Paragraph(context.say("drive.none")))
     if variant.functions:
         parts += [Paragraph(context.say("drive.functions")), *laws_shown(context, variant.functions)]
     return [*parts, Paragraph(context.lettered(say.sentences([*_held(context), *sought(context)])))]
+
+
+def _driven_laws(context: PageContext) -> list[Part]:
+    """Return the laws of the driven point, then those of what else is driven."""
+    variant = context.variant
+    of_point = tuple(law for law in variant.drive if law.name in {f"V{variant.driven}x", f"V{variant.driven}y"})
+    others = tuple(law for law in variant.drive if law not in of_point)
+    parts: list[Part] = []
+    if of_point:
+        parts += [Paragraph(context.say("drive.point", point=clean(variant.driven or ""))), *laws_shown(context, of_point)]
+    if others:
+        parts += [Paragraph(context.say("drive.besides" if of_point else "drive.rates")), *laws_shown(context, others)]
+    return parts
 
 
 def _source(context: PageContext) -> Runs:
@@ -250,18 +262,19 @@ def _checked(context: PageContext) -> str:
 
 
 def _misses(context: PageContext) -> list[Runs]:
-    """Return last minus first row of the coordinates, and of rows that are the motion itself the scheme's largest error."""
+    """Return the row a period later minus the first, of the coordinates; of exact rows also the scheme's error."""
     say, numbers, told = context.words, context.numbers, []
     coordinates, left = context.run.motion.coordinate_names, unreturned(context)
     moved = [split for split in left if split.name in coordinates]
+    row = (context.run.results.evidence.period_row or 0) + 1
     gaps = [
         f"{context.lettering(split.name)}{TIGHT}{context.with_unit(numbers.scalar(split.total, 3), split.unit)}"
         for split in [split for split in moved if split.name not in _driven(context)] or moved
     ]
     if gaps:
-        told.append(runs(say("result.misses", gaps=say("join.comma").join(gaps))))
+        told.append(runs(say("result.misses", row=row, gaps=say("join.comma").join(gaps))))
     elif any(split.name in coordinates for split in splits(context)):
-        told.append(runs(say("result.repeats_positions" if left else "result.repeats")))
+        told.append(runs(say("result.repeats_positions" if left else "result.repeats", row=row)))
     # Beside rows that are the motion itself there is no other word of how far the scheme's are off.
     if context.run.tableau is None and (sentence := largest_error_sentence(context)):
         told.append(runs(sentence))

@@ -8,18 +8,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cached_property
 
 from coursework.mechanism.derivation.constants import NamedAngles, named_angles
 from coursework.motion.integration.motion import Motion
-from coursework.report.text.numbers import Numbers, unit_text, with_unit
+from coursework.report.text.numbers import Numbers
 from coursework.report.text.parts import Runs
 from coursework.report.text.symbols import Symbol, symbol
 from coursework.report.text.text_runs import ITALIC, derivative, printed, runs, with_letters, with_pairs, with_points
 from coursework.report.text.words import Words
+from coursework.results.checks.result import beside
 from coursework.scene.quantities import PLOTS
 from coursework.scene.scene_run import SceneRun
 from coursework.variant.record.variant import Variant
-from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH
 from coursework.words.templates import LONGEST, clean
 
@@ -27,7 +28,7 @@ STOP_DIGITS = 8  # a dead point is located to 1e-8 s
 DATUM_DIGITS = 6  # digits of a converted datum or of a time: more than a task sheet ever gives
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class PageContext:
     """One run and one language."""
 
@@ -54,7 +55,7 @@ class PageContext:
         """Return the velocities whose derivative is written with a dot."""
         return frozenset(self.run.motion.velocity_names)
 
-    @property
+    @cached_property
     def angles(self) -> NamedAngles:
         """Return the constant angles of the equations, by the names that the page gives them."""
         run, variant = self.run, self.run.variant
@@ -137,14 +138,12 @@ class PageContext:
 
     def unit(self, unit: str) -> str:
         """Return a unit as the language of the page writes it."""
-        return unit_text(self.words.phrases.unit(unit))
+        return self.words.unit(unit)
 
     def unit_beside(self, value: float, unit: str) -> str:
         """Return a unit in the form that stands beside a number: "1 equation", "2 equations"."""
-        if isinstance(unit, Sentence) and "number" in unit.values and float(value).is_integer():
-            return self.words.phrases.composed(unit.key, {**unit.values, "number": int(value)})
-        return self.told(unit)
+        return self.told(beside(unit, value))
 
     def with_unit(self, number: str, unit: str) -> str:
         """Return a number with its unit behind it, as the language of the page writes it."""
-        return with_unit(number, self.words.phrases.unit(unit))
+        return self.words.amount(number, unit)

@@ -18,6 +18,7 @@ from coursework.report.text.words import with_own_letters
 from coursework.results.kinematics.extra import ExtraTable
 from coursework.scene.quantities import GRAPH_CHECK
 
+TABLE_FILE = "table.csv"  # has the table of results, and beside it the columns of what is asked for row by row
 MOST_ROWS = 400  # rows printed; a longer table is thinned, table.csv holds it whole
 MOST_BESIDE = 40  # the same of a table that stands beside the table of results: accelerations, points, analogs
 MOST_COLUMNS = 10  # columns beside row and time that fit 170 mm at a readable size
@@ -87,19 +88,19 @@ def motion_parts(context: PageContext) -> list[Part]:
         notes.append(words("table.check_row" if run.asks(GRAPH_CHECK) else "table.marked", mark=MARK, row=check_row))
     if run.stop is not None:
         time = context.quantity(run.stop.time, "s")
-        notes.append(words("table.stopped", row=len(run.motion.t), time=time))
+        notes.append(words("table.stopped", row=len(run.motion.t), kind=context.event(run.stop.kind), time=time))
     return _by_row(context, Grid(names, units, run.motion.rows), run.motion.t, caption, words.sentences(notes))
 
 
-def extra_parts(context: PageContext, extra: ExtraTable) -> list[Part]:
-    """Return the table of a further quantity; with row and time where it has a line for every row."""
+def extra_parts(context: PageContext, extra: ExtraTable, file: str) -> list[Part]:
+    """Return the table of a further quantity; with row and time where it has a line for every row.  `file` holds it whole."""
     caption, note = (with_own_letters(context.told(text)) for text in (extra.title, extra.note))
     caption = caption.rstrip(".。") + context.words("table.stop")
     whole = Grid(extra.names, extra.units, extra.rows, extra.sizes)
     if extra.names[0] == "t":
-        return _by_row(context, whole.part(1), whole.rows[:, 0], caption, note, MOST_BESIDE)
+        return _by_row(context, whole.part(1), whole.rows[:, 0], caption, note, MOST_BESIDE, file)
     if len(extra.rows) == len(context.run.motion.t):
-        return _by_row(context, whole, context.run.motion.t, caption, note, MOST_BESIDE)
+        return _by_row(context, whole, context.run.motion.t, caption, note, MOST_BESIDE, file)
     columns, texts = _columns(context, whole, thinned(len(extra.rows)))
     return [
         Table(
@@ -127,7 +128,9 @@ def _columns(context: PageContext, grid: Grid, kept: list[int]) -> tuple[list[Co
     return heads, [[numeral(text) for text in column] for column in texts]
 
 
-def _by_row(context: PageContext, grid: Grid, t: Any, caption: str, note: str, most: int = MOST_ROWS) -> list[Part]:
+def _by_row(
+    context: PageContext, grid: Grid, t: Any, caption: str, note: str, most: int = MOST_ROWS, file: str = TABLE_FILE
+) -> list[Part]:
     """Return one table, or as many as the columns need; each repeats row and time."""
     check_row = context.run.variant.time.check_row
     kept = thinned(len(t), keep=[check_row - 1] if check_row else [], most=most)
@@ -136,7 +139,7 @@ def _by_row(context: PageContext, grid: Grid, t: Any, caption: str, note: str, m
     strong = [kept.index(check_row - 1)] if check_row and check_row - 1 in kept else []
     parts: list[Part] = []
     if (pace := pace_of(len(t), most)) > 1:
-        rows_of = {"step": pace, "printed": len(kept), "rows": context.numbers.whole(len(t))}
+        rows_of = {"step": pace, "printed": len(kept), "rows": context.numbers.whole(len(t)), "file": file}
         parts.append(Paragraph(context.say("table.thinned", **rows_of)))
     parted = pieces(grid.names)
     for number, (first, last) in enumerate(parted, start=1):

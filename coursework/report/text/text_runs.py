@@ -21,7 +21,7 @@ Run = dict[str, str]
 _WORD = rf"[^\W{HAN}]"  # a letter, digit or _; words of other letters end where Chinese begins, without a space
 _LETTER = rf"[^\W\d_{HAN}]"
 _RUN = re.compile(
-    rf"(?<!{_WORD})(?P<letter>{_LETTER}\u0307?)(?:_(?P<low>[^\W_{HAN}]{{1,4}})(?!{_WORD})|(?P<digits>[₀-₉]+))"
+    rf"(?<!{_WORD})(?P<letter>{_LETTER}\u0307?)(?:_(?P<low>(?:[^\W_{HAN}]′*){{1,4}})(?!{_WORD})|(?P<digits>[₀-₉]+))"
     rf"|\ue000(?P<own>.)(?P<index>[^\ue001]*)\ue001"
     rf"|(?P<greek>(?<!{_LETTER})[α-ωϕ]\u0307?(?!{_LETTER}))"
     rf"|(?P<raised>(?<=[\d\w)])[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
@@ -61,7 +61,7 @@ def runs(text: str, names: Iterable[str] = ()) -> list[Run]:
     "10⁻⁷"; "--step h/18", the unit behind a number, what is `unbroken`; those of `names` that are symbols beyond doubt ("phi1",
     "w3", "phij") become runs; the rest stays text.
     """
-    text = _spelt(text, names)
+    text = spelt(text, names)
     found: list[Run] = []
     end = 0
     for match in _RUN.finditer(text):
@@ -155,7 +155,8 @@ def numeral(text: str) -> str | list[Run]:
     return runs(text) if _RAISED.search(text) else text
 
 
-def _spelt(text: str, names: Iterable[str]) -> str:
+def spelt(text: str, names: Iterable[str]) -> str:
+    """Return a sentence in which those of `names` that are symbols beyond doubt are written so: "w3" is ω₃."""
     sure = {name for name in names if len(name) > 1 and (name in GREEK or _NAMELIKE.search(name) or is_named_after(name))}
     if not sure:
         return text

@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from coursework.report.text.numbers import Numbers
+from coursework.report.text.numbers import Numbers, unit_text, with_unit
 from coursework.report.text.text_runs import ITALIC
 from coursework.words.sentences import ENGLISH, Phrases, load_phrases
 
@@ -47,6 +47,14 @@ class Words:
     def sentences(self, told: Iterable[str]) -> str:
         """Return sentences one behind the other; empty ones are left out."""
         return self("join.sentences").join(part for part in told if part)
+
+    def unit(self, unit: str) -> str:
+        """Return a unit such as "rad/s" as this language writes it, "рад/с"."""
+        return unit_text(self.phrases.unit(unit))
+
+    def amount(self, number: str, unit: str) -> str:
+        """Return a number with its unit behind it, as this language writes it."""
+        return self("amount.percent", value=number) if unit == "%" else with_unit(number, self.phrases.unit(unit))
 
     @property
     def numbers(self) -> Numbers:

@@ -108,7 +108,8 @@ def largest_error_sentence(context: PageContext) -> str:
     if not errors:
         return ""
     listed = say("join.semicolon").join(say("result.where", **error.told(context)) for error in errors)
-    return say("result.error", scheme=errors[0].scheme, errors=listed)
+    is_beside = context.run.tableau is None  # no scheme has made the rows of the table
+    return say("result.error_beside" if is_beside else "result.error", scheme=errors[0].scheme, errors=listed)
 
 
 def _title(context: PageContext, own: bool) -> str:

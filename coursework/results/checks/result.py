@@ -17,6 +17,7 @@ Group = Literal["computation", "motion"]
 GROUPS: tuple[Group, ...] = ("computation", "motion")
 Verdict = Literal["PASS", "COARSE", "FAIL", "SKIP", "ERROR"]
 # Units of what is never told as more than there is, a part of a whole and digits left of sixteen, and their decimals.
+OF_THE_SCALE = "unit.of_the_scale"
 OF_POWER, DIGITS_LEFT = "unit.of_power", "unit.digits"
 _DECIMALS = {OF_POWER: 4, DIGITS_LEFT: 1}
 # The status a command ends with is that of the worst verdict.
@@ -32,8 +33,8 @@ class Finding:
     `column` and `row` (from 1) are where the largest number stands; `first` and `last` the rows a period compares (SI);
     `step` (s) is one with which every claim about the motion holds, `option` how the command line is told.  `rows` are
     further lines, (label, value, unit) each.  `cured`: whether a finer step can turn COARSE into PASS.  `headline`: what the
-    summary says of it before all else.  `code`, `group` and `is_least` (the limit is the least that
-    passes, else the most) are those of the check.
+    summary says of it before all else, `unjudged` what it adds to "computed right".
+    `code`, `group` and `is_least` (the limit is the least that passes, else the most) are those of the check.
     """
 
     verdict: Verdict
@@ -50,6 +51,7 @@ class Finding:
     cured: bool = True
     option: str = ""
     headline: str = ""
+    unjudged: str = ""
     code: str = ""
     group: Group = "computation"
     is_least: bool = False
@@ -78,9 +80,16 @@ def never_more(value: float, unit: str, decimals: int = 4) -> float:
     return value if own is None else floored(value, min(own, decimals))
 
 
+def beside(unit: str, value: float) -> str:
+    """Return a unit in the form that stands beside a number as it is printed: "1 row", "24 rows"."""
+    if isinstance(unit, Sentence) and "number" in unit.values:
+        return say(unit.key, **{**unit.values, "number": int(value) if float(value).is_integer() else value})
+    return unit
+
+
 def percent(share: float) -> Sentence:
     """Return a share in percent: whole from 10 % on, two digits below."""
     value = 100 * share
     if 0 < value < 1e-4:
-        return say("amount.below", value=1e-4, unit="%")
-    return say("amount.whole" if value >= 9.95 or value == 0 else "amount.two", value=value, unit="%")
+        return say("amount.share_below", value=1e-4)
+    return say("amount.share" if value >= 9.95 or value == 0 else "amount.share_two", value=value)

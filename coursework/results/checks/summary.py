@@ -34,12 +34,29 @@ def summary(findings: Sequence[Finding], *, is_motion: bool = False, named: Call
 def _computed(findings: list[Finding], named: Callable[[Finding], str]) -> Sentence:
     judged = [finding for finding in findings if finding.verdict != "SKIP"]
     count = {"passed": sum(finding.verdict == "PASS" for finding in judged), "all": len(judged)}
+    unjudged = [finding.unjudged for finding in findings if finding.unjudged]
     failed = tuple(named(finding) for finding in judged if finding.verdict == "FAIL" and finding.code != "STOP")
     if failed:
         return say("summary.wrong", codes=failed, **count)
     if coarse := tuple(named(finding) for finding in judged if finding.verdict == "COARSE" and finding.code != "STOP"):
-        return say("summary.rounded", codes=coarse, **count)
+        rounded = say("summary.rounded", codes=coarse, **count)
+        return joined([rounded, *(say("summary.besides", unjudged=one) for one in unjudged)])
+    if unjudged:
+        return say("summary.right_but", unjudged=unjudged[0])
+    if any(finding.code == "STOP" and finding.verdict != "PASS" for finding in judged):
+        reached = {"passed": count["passed"], "all": count["all"] - 1}  # that it stops is said before
+        return say("summary.right_to_stop", **reached)
     return say("summary.right", **count)
+
+
+def _scale(sentence: object) -> dict[str, object]:
+    """Return the scale (SI) and its unit that a finding about the closeness tells its share of."""
+    if not isinstance(sentence, Sentence):
+        return {}
+    values = sentence.values
+    within = [values.get("found"), *(parts if isinstance(parts := values.get("parts"), tuple) else ())]
+    own = {key: values[key] for key in ("scale", "unit") if key in values}
+    return own if len(own) == 2 else next((found for part in within if (found := _scale(part))), {})
 
 
 def _close(accuracy: Finding | None, findings: list[Finding], named: Callable[[Finding], str], *, is_motion: bool) -> list[str]:
@@ -56,7 +73,9 @@ def _close(accuracy: Finding | None, findings: list[Finding], named: Callable[[F
     elif accuracy.value == 0:
         told.append(say("summary.no_error"))
     elif accuracy.value is not None:
-        found = {"share": percent(accuracy.value), "name": accuracy.column, "row": accuracy.row}
+        share, scale = percent(accuracy.value), _scale(accuracy.sentence)
+        told_share = say("summary.share", share=share, **scale) if scale else share
+        found = {"share": told_share, "name": accuracy.column, "row": accuracy.row}
         is_far = accuracy.verdict == "COARSE"
         told.append(say("summary.far", take=take, **found) if is_far else say("summary.close", **found))
     if failed := tuple(named(finding) for finding in findings if finding.verdict == "FAIL" and finding is not accuracy):

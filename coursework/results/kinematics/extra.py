@@ -6,14 +6,16 @@ Used by `scene_run.py`, `quantities.py`, `tables.py` and `scene_run.py`.
 
 from __future__ import annotations
 
-import itertools
 from dataclasses import dataclass
 
 import numpy as np
 
 from coursework.motion.integration.motion import Motion
+from coursework.motion.integration.rates import Rates
+from coursework.motion.integration.turning import stands
 from coursework.results.kinematics.analogs import acceleration_analog, velocity_analog
 from coursework.results.kinematics.invariants import from_true
+from coursework.results.kinematics.strokes import Way, longest_way, swings
 from coursework.system.arrays import Array
 from coursework.variant.record.variant import Coordinate, Variant
 from coursework.words.errors import Fault, InputError
@@ -56,35 +58,46 @@ def analog_table(variant: Variant, motion: Motion, second: Array) -> ExtraTable:
     return ExtraTable(say("extra.analogs"), tuple(names), tuple(units), np.array(columns).T, tuple(sizes))
 
 
-def invariant_table(variant: Variant, motion: Motion, second: Array) -> ExtraTable:
-    """Return k, a_k, b_k, c_k of the slider over its longest one-way stretch of rows.
+def stroke_way(variant: Variant, exact: Motion, rates: Rates) -> Way:
+    """Return the way of the slider, or of the rocker where nothing slides, over which invariants are taken.
 
-    The stroke S and the crank angle Φ are those of the stretch.  Raises `InputError` where there is no slider or crank.
+    Raises `InputError` where the mechanism has neither, or not exactly one driven coordinate.
     """
     crank = _crank(variant)
-    sliders = [c for c in variant.coordinates if c.unit == "m" and c.rate not in variant.known_rates]
-    if not sliders:
+    free = [coordinate for coordinate in variant.coordinates if coordinate.rate not in variant.known_rates]
+    sliders = [coordinate for coordinate in free if coordinate.unit == "m"]
+    moved = sliders or [coordinate for coordinate in free if swings(exact, coordinate)]
+    if not moved:
         raise _refused(variant, say("fault.V518"))
-    slider = sliders[-1]
-    rows = _longest_way(motion.column(slider.name))
-    s, phi = motion.column(slider.name)[rows], motion.column(crank.name)[rows]
-    omega, epsilon = (part[rows] for part in _crank_motion(variant, crank, motion, second))
-    place = motion.velocity_names.index(slider.rate)
-    way, turn = float(s[-1] - s[0]), float(phi[-1] - phi[0])
-    if not (abs(way) > 0 and abs(turn) > 0):
-        still = slider.name if abs(way) == 0 else crank.name
+    return longest_way(exact, rates, crank, moved[-1])
+
+
+def invariant_table(variant: Variant, way: Way, second: Array) -> ExtraTable:
+    """Return k, a_k, b_k, c_k over a way of `stroke_way`; `second` (n, k) are the accelerations of its rows.
+
+    At the dead positions of a stroke b_k is 0, and said so.  Raises `InputError` where crank or slider stand still.
+    """
+    crank, slider, motion = _crank(variant), way.slider, way.motion
+    s, phi = motion.column(slider.name), motion.column(crank.name)
+    length, turn = float(s[-1] - s[0]), float(phi[-1] - phi[0])
+    if not (abs(length) > 0 and abs(turn) > 0):
+        still = slider.name if abs(length) == 0 else crank.name
         raise _refused(variant, say("fault.V519", name=still))
-    sign = np.sign(way)
+    omega, epsilon = _crank_motion(variant, crank, motion, second)
+    velocity, place = motion.column(slider.rate).copy(), motion.velocity_names.index(slider.rate)
+    if way.is_stroke:
+        velocity[[0, -1]] = 0.0  # dead positions are where it is
+    sign, sense = np.sign(length), np.sign(turn)  # b_k and c_k are derivatives by k, which grows whichever way the crank turns
     found = from_true(
-        sign * (s - s[0]), sign * motion.velocities[rows, place], sign * second[rows, place],
-        stroke=abs(way), angle=abs(turn), omega_1=omega, epsilon_1=epsilon,
+        sign * (s - s[0]), sign * velocity, sign * second[:, place],
+        stroke=abs(length), angle=abs(turn), omega_1=sense * omega, epsilon_1=sense * epsilon,
     )  # fmt: skip
-    k = (phi - phi[0]) / turn
-    span = {"row": rows.start + 1, "last": rows.stop}
-    title = say("extra.invariants", name=slider.name, **span, stroke=abs(way), angle=abs(turn))
+    size = {"stroke": say("amount.exactly", value=abs(length), unit=slider.unit), "angle": abs(turn)}
+    span = {"row": way.first, "last": way.last, "begin": float(motion.t[0]), "end": float(motion.t[-1])}
+    title = say("extra.invariants" if way.is_stroke else "extra.invariants_rows", name=slider.name, **span, **size)
     note = say("extra.invariants_note", crank=crank.name, name=slider.name)
     sizes = (0.0, 0.0, 0.0, float(np.abs(found.b).max()))
-    columns = np.array([k, found.a, found.b, found.c]).T
+    columns = np.array([(phi - phi[0]) / turn, found.a, found.b, found.c]).T + 0.0  # no -0
     return ExtraTable(title, ("k", "a_k", "b_k", "c_k"), ("",) * 4, columns, sizes, note)
 
 
@@ -101,19 +114,10 @@ def _crank(variant: Variant) -> Coordinate:
 def _crank_motion(variant: Variant, crank: Coordinate, motion: Motion, second: Array) -> tuple[Array, Array]:
     place = motion.velocity_names.index(crank.rate)
     omega = motion.velocities[:, place]
-    if not np.all(omega):
-        row = int(np.argmin(np.abs(omega)))
-        raise _refused(variant, say("fault.V521", row=row + 1, time=float(motion.t[row])))
+    if np.any(resting := stands(omega)):
+        raise _refused(variant, say("fault.V521", time=float(motion.t[int(np.argmax(resting))])))
     return omega, second[:, place]
 
 
 def _refused(variant: Variant, message: Sentence) -> InputError:
     return InputError([Fault(message, variant.file, variant.nearest_line("ask", "quantities"))])
-
-
-def _longest_way(values: Array) -> slice:
-    """Return the longest stretch of rows over which the slider moves one way."""
-    signs = np.sign(np.diff(values))
-    edges = [0, *(np.flatnonzero(np.diff(signs)) + 1).tolist(), len(signs)]
-    begin, end = max(itertools.pairwise(edges), key=lambda pair: pair[1] - pair[0])
-    return slice(begin, end + 1)

@@ -31,6 +31,7 @@ from coursework.scene.model.data import Data, read_data
 from coursework.scene.scene import Scene
 from coursework.system.arrays import Array
 from coursework.variant.catalogue import load
+from coursework.variant.formula.tree import evaluate
 from coursework.variant.record.changes import follow_from
 from coursework.variant.record.variant import Variant
 
@@ -106,14 +107,15 @@ class Model:
 
     @cached_property
     def lengths(self) -> tuple[sp.Expr, ...]:
-        """Return the lengths of links that are data or follow from data alone."""
+        """Return what must stay above zero: lengths of links that follow from data alone, and the squares of the data."""
         variant, symbols = self.variant, self.equations.symbols
         found = [node.args[0] for _, formula in variant.formulas() for node in formula.walk() if node.op == "@"]
         found += [length for group in variant.groups for length in group.lengths]
         known = {*variant.values, "pi"}
-        scalars = [symbols.scalar(length) for length in found if {*length.names()} <= known]
-        # A velocity beside a datum of zero alone is lost; none of the data may vanish.
-        return tuple(dict.fromkeys([*scalars, *(symbol(given.name) for given in variant.given if given.value)]))
+        sizes = [(symbols.scalar(length), evaluate(length, variant.values)) for length in found if {*length.names()} <= known]
+        # A length that the file itself has below zero is meant so.  A velocity beside a datum of zero alone is lost.
+        scalars = [length if value > 0 else -length for length, value in sizes]
+        return tuple(dict.fromkeys([*scalars, *(symbol(given.name) ** 2 for given in variant.given if given.value)]))
 
     def data(self, columns: Any = None) -> Data:
         """Return sets of data from a mapping or a frame of given names and start coordinates; None for the file's own.

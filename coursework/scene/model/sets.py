@@ -61,7 +61,7 @@ def _sound(model: Model, numbers: Columns, q: Array, end: float) -> Flags:
     sound = np.ones(q.shape[1], dtype=bool)
     lengths = model.lengths
     if lengths:
-        sound &= (stacked(model.compiled(lengths)(0.0, *q, *numbers), q[:1]) != 0.0).all(axis=0)
+        sound &= (stacked(model.compiled(lengths)(0.0, *q, *numbers), q[:1]) > 0.0).all(axis=0)
     unused = [e for e in model.equations.equations if e.name in model.reduction.unused]
     held = [*unused, *model.equations.from_closure]
     if not held:

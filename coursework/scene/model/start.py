@@ -124,10 +124,8 @@ def _assembled(model: Model, group: Group, q: Array, numbers: Columns, guesses: 
     if group.mode or not group_kind(group.kind).modes:
         return _in_mode(model, group, group.mode, q, numbers, doubtful)
     if np.isnan(guesses).any():
-        if not group_kind(group.kind).usual_mode:
-            doubtful |= True
-            return np.full_like(guesses, np.nan)
-        return _in_mode(model, group, group_kind(group.kind).usual_mode, q, numbers, doubtful)
+        doubtful |= True
+        return np.full_like(guesses, np.nan)
     units = [c.unit for name in group.coordinates for c in model.variant.coordinates if c.name == name]
     ways = [_in_mode(model, group, mode, q, numbers, doubtful) for mode in (1, -1)]
     away = []

@@ -20,6 +20,9 @@ _GREEK = {
 _LETTERS = {word: letter for letter, word in reversed(_GREEK.items())}
 # Letters that a keyboard left in another alphabet types and no eye can tell from the Latin ones.
 LOOK_ALIKE = dict(zip("асеорхуіјѕАВЕКМНОРСТХІЅοιυΑΒΕΖΗΙΚΜΝΟΡΤΥΧ", "aceopxyijsABEKMHOPCTXISoiuABEZHIKMNOPTYX", strict=True))
+# What a hand on a Cyrillic keyboard writes for a function.
+CYRILLIC_FUNCTIONS = {"син": "sin", "сін": "sin", "кос": "cos", "тан": "tan", "тг": "tan", "корень": "sqrt", "корінь": "sqrt"}
+SCRIPTS = ("cyrillic", "greek")  # alphabets that the words files have a word for
 _SUBSCRIPTS = {ord("₀") + digit: str(digit) for digit in range(10)}
 
 
@@ -40,7 +43,9 @@ def foreign_letter(name: str) -> tuple[int, Sentence] | None:
     for position, letter in enumerate(name):
         if letter.isalpha() and not letter.isascii() and letter not in _GREEK:
             name = unicodedata.name(letter, "unknown letter").capitalize()
+            script = name.partition(" ")[0].lower()
+            called = say(f"fault.letter.{script}" if script in SCRIPTS else "fault.letter.other", name=name, letter=letter)
             if letter in LOOK_ALIKE:
-                return position, say("fault.letter.look_alike", name=name, letter=letter, latin=LOOK_ALIKE[letter])
-            return position, say("fault.letter.foreign", name=name, letter=letter)
+                return position, say("fault.letter.look_alike", letter=called, latin=LOOK_ALIKE[letter])
+            return position, called
     return None

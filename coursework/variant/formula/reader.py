@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from math import pi
 
-from coursework.variant.formula.alphabet import foreign_letter, spell
+from coursework.variant.formula.alphabet import CYRILLIC_FUNCTIONS, foreign_letter, spell
 from coursework.variant.formula.tree import FUNCTIONS, LARGEST, Formula, FormulaFault, bounded, constant
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say, say_count
@@ -94,6 +94,8 @@ def _tokens(text: str) -> list[_Token]:
         column = columns[match.start(kind)] + 1
         word = match.group(kind)
         if kind == "name":
+            if meant := CYRILLIC_FUNCTIONS.get(word.lower()):
+                raise FormulaFault(column, say("fault.V140", word=word, name=meant))
             if strange := foreign_letter(word):
                 raise FormulaFault(column + strange[0], say("fault.V127", word=word[:40], strange=strange[1]))
             word = spell(word)

@@ -12,6 +12,7 @@ from itertools import chain, islice
 from coursework.variant.dimensions.exponents import Dimension, is_known, si_unit, symbols
 from coursework.variant.dimensions.formulas import Clash, Measurer, Term
 from coursework.variant.formula.tree import Formula
+from coursework.variant.judging.coordinate_order import fault_of_order, is_angle_first
 from coursework.variant.judging.dimension_words import Blame, disagreement_of, fault_of_datum, fault_of_either, fault_of_terms
 from coursework.variant.record.places import Place, measures, places
 from coursework.variant.record.variant import Variant
@@ -110,6 +111,8 @@ def _judge(place: Place, measurer: Measurer) -> None:
 def _fault(
     clash: Clash, place: Place, outcome: _Outcome, variant: Variant, source: Source, times: Mapping[KeyPath, Formula]
 ) -> Fault:
+    if (swapped := _swapped(variant, source, times)) is not None:
+        return swapped
     at = source.path_of(place.path)
     names = outcome.measurer.names
     parts = sum(1 for one in places(variant, names, times) for formula in one.formulas for _ in formula.walk())
@@ -131,6 +134,17 @@ def _fault(
     if of_formula or blame.path[0] == "unknowns":
         return source.fault(at, fault_of_either(blame, line, place, clash, outcome.solved))
     return Fault(fault_of_datum(blame, place, clash, freed.solved), source.file, line)
+
+
+def _swapped(variant: Variant, source: Source, times: Mapping[KeyPath, Formula]) -> Fault | None:
+    """Return the fault of a group whose coordinates stand in the other order, None where no such one makes the file hold."""
+    for index, group in enumerate(variant.groups):
+        if is_angle_first(group):
+            turned = replace(group, coordinates=group.coordinates[::-1])
+            groups = (*variant.groups[:index], turned, *variant.groups[index + 1 :])
+            if _freed(replace(variant, groups=groups), times).clash is None:
+                return fault_of_order(index, group, source)
+    return None
 
 
 def _data(variant: Variant) -> Iterator[Blame]:

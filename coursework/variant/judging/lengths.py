@@ -1,4 +1,4 @@
-"""Links without length, whose angular velocities mean nothing, and of a negative one: refused before anything is computed.
+"""Links without length, whose angular velocities mean nothing, and with a negative one: refused before anything is computed.
 
 Enters: a `Variant` and its `Source`.  Leaves: faults.  Used by `whole_file.py`; the sentence about a length that becomes negative
 during the motion is told by `motion/geometry/chain.py`.  Source: hard case H16.
@@ -6,7 +6,10 @@ during the motion is told by `motion/geometry/chain.py`.  Source: hard case H16.
 
 from __future__ import annotations
 
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, spelled
+import math
+from collections.abc import Iterator
+
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, named, spelled
 from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
@@ -14,17 +17,43 @@ from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
+_RIGHT = 1e-9  # of a quarter turn: a right angle in degrees, read as radians
+
 
 def faults_of_lengths(variant: Variant, source: Source) -> list[Fault]:
-    """Return a fault for each length behind @ or of a group that is zero, for each of a dyad that is negative, and for each
-    velocity that only zeros multiply.
+    """Return a fault for each length behind @, of a group or a wheel that is zero, for each that a datum makes negative, and for
+    each velocity that only zeros multiply.
+
+    -r @ phi turns a length round, (a - b) @ phi may count from either side: what a formula says of data above zero is meant.
+    e @ (phi + pi/2), (x, y) and the offset of a guide are offsets with a sign.
     """
-    lengths: list[tuple[KeyPath, Formula]]
-    lengths = [(path, node.args[0]) for path, formula in variant.formulas() for node in formula.walk() if node.op == "@"]
-    lengths += [(("group", i, "lengths", j), f) for i, group in enumerate(variant.groups) for j, f in enumerate(group.lengths)]
-    found = dict.fromkeys((path, spelled(length)) for path, length in lengths if _value(length, variant) == 0)
-    faults = [source.fault(path, say("fault.V087", text=text)) for path, text in found]
+    found = dict.fromkeys((path, spelled(length)) for path, length in _lengths(variant) if _value(length, variant) == 0)
+    faults = [source.fault(source.path_of(path), say("fault.V087", text=text)) for path, text in found]
     return faults + _negative(variant, source) or _lost(variant, source)
+
+
+def _lengths(variant: Variant) -> Iterator[tuple[KeyPath, Formula]]:
+    """Yield every length of a link: before @, of a group, of a wheel from its centre to its contact, of a circle of the frame."""
+    for path, formula in variant.formulas():
+        yield from ((path, node.args[0]) for node in formula.walk() if node.op == "@")
+    for i, group in enumerate(variant.groups):
+        yield from ((("group", i, "lengths", j), length) for j, length in enumerate(group.lengths))
+    points = dict(variant.points)
+    for link in variant.links:
+        arm = points.get(link.contact or "")
+        if (
+            link.wheel
+            and arm is not None
+            and arm.op in {"+", "-"}
+            and arm.args[0] == named(link.wheel)
+            and arm.args[1].op == "pair"
+        ):
+            zeros = [_value(part, variant) == 0 for part in arm.args[1].args]
+            for part, other_is_zero in zip(arm.args[1].args, reversed(zeros), strict=True):
+                if other_is_zero:  # the wheel stands on a guide along an axis
+                    yield ("points", str(link.contact)), part
+    for i, (_, radius) in enumerate(variant.frame.circles):
+        yield ("frame", "circles", i, "radius"), radius
 
 
 def refused_length(reason: str) -> Sentence:
@@ -33,15 +62,35 @@ def refused_length(reason: str) -> Sentence:
 
 
 def _negative(variant: Variant, source: Source) -> list[Fault]:
-    """Return a fault for each rod of a dyad whose length is below zero; a crank that is given so only points the other way."""
+    """Return a fault for each datum that makes a length negative, at its plainest use, and for other such lengths of a group."""
+    below = {name for name, value in variant.values.items() if value < 0}
+    signed = {id(node.args[0]) for _, formula in variant.formulas() for node in formula.walk() if _is_across(node, variant)}
+    worst: dict[str, tuple[int, KeyPath, Formula, float]] = {}
+    for path, length in _lengths(variant):
+        value = _value(length, variant)
+        culprits = sorted(below & {*length.names()}) or [spelled(length)] * (path[0] in {"group", "frame"})
+        if value is not None and value < 0 and id(length) not in signed:
+            for name in culprits:
+                plainness = sum(1 for _ in length.walk())
+                if name not in worst or plainness < worst[name][0]:
+                    worst[name] = (plainness, path, length, value)
     faults = []
-    for i, group in enumerate(variant.groups):
-        for j, length in enumerate(group.lengths if len(group.coordinates) > 1 else ()):
-            value = _value(length, variant)
-            if value is not None and value < 0:
-                reason = say("group.positive.alone", what=spelled(length), found=value, row=0)
-                faults.append(source.fault(("group", i, "lengths", j), refused_length(reason)))
+    for _, path, length, value in worst.values():
+        reason = say("group.positive.alone", what=spelled(length), found=value, row=0)
+        faults.append(source.fault(source.path_of(path), refused_length(reason)))
     return faults
+
+
+def _is_across(node: Formula, variant: Variant) -> bool:
+    """Return whether a formula is an offset to one side, e @ (phi + pi/2), which may be negative as one along an axis may."""
+    if node.op != "@":
+        return False
+    angle = node.args[1]
+    turn = _value(angle.args[1] if angle.op in {"+", "-"} else angle, variant)
+    quarters = (turn or 0.0) / (math.pi / 2)
+    if turn is None or abs(quarters - round(quarters)) > _RIGHT:
+        return False
+    return angle.op not in {"+", "-"} or round(quarters) % 2 == 1
 
 
 def _lost(variant: Variant, source: Source) -> list[Fault]:

@@ -13,6 +13,7 @@ from coursework.variant.formula.tree import Formula, terms
 from coursework.variant.formula.units import UNITS
 from coursework.variant.judging.dimension_check import Dimensions
 from coursework.variant.judging.dimension_words import text_of
+from coursework.variant.judging.frequencies import frequencies_turned_twice
 from coursework.variant.record.places import Place
 from coursework.variant.record.variant import Given, Remark, Variant
 from coursework.variant.toml.positions import KeyPath
@@ -34,7 +35,7 @@ def remarks_on(
     phases = {term.name for _, term in angles if term.op == "name"}  # names that stand alone as a term of an angle
     found = [
         *_angles(variant, dimensions, angles, phases), *_lengths(variant, dimensions), *_bare(variant, dimensions, phases),
-        *_left_out(variant, dimensions),
+        *_left_out(variant, dimensions), *frequencies_turned_twice(variant),
         *(("GRAD", path, say("remark.grad", text=text, degrees=text.split("g")[0].strip())) for path, text in grads),
     ]  # fmt: skip
     lines = [(source.positions.find(source.path_of(path))[0], code, sentence) for code, path, sentence in found]
@@ -70,7 +71,14 @@ def _turned(name: str, value: float, text: str, path: KeyPath) -> Iterator[_Foun
 
 
 def _lengths(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
-    """Yield the lengths far from all others: of the two sides of a gap the smaller one."""
+    """Yield the lengths far from all others, of the two sides of a gap the smaller one, and a negative one of a link.
+
+    Where there is a geometry, it shows which lengths are links; a factor of a rate in an equation alone looks like one.
+    """
+    if not variant.points and not variant.groups:
+        for given in variant.given:
+            if given.value < 0 and dimensions.known.get(given.name) == {LENGTH: 1}:
+                yield "LENGTH", ("given", given.name), say("remark.negative", name=given.name, text=_written(given))
     lengths = sorted((g for g in variant.given if g.value and dimensions.known.get(g.name) == {LENGTH: 1}), key=_size)
     named: dict[str, tuple[Given, Sequence[Given]]] = {}
     for place in range(1, len(lengths)):

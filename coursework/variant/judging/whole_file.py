@@ -10,6 +10,7 @@ from collections.abc import Iterable
 
 from coursework.variant.judging.bounds import exceeded
 from coursework.variant.judging.broken import Broken
+from coursework.variant.judging.coordinate_order import faults_of_names
 from coursework.variant.judging.groups import faults_of_groups
 from coursework.variant.judging.lengths import faults_of_lengths
 from coursework.variant.record.variant import Variant
@@ -39,4 +40,5 @@ def faults_of_the_whole(variant: Variant, source: Source, times: Iterable[KeyPat
     if variant.driven and (missing := [law for law in (f"V{variant.driven}{part}" for part in "xy") if law not in laws]):
         message = say("fault.V048", point=variant.driven, missing=tuple(missing))
         faults.append(source.fault(("closure", "driven"), message))
-    return faults + faults_of_groups(variant, GROUP_SHAPES, broken) + faults_of_lengths(broken.sound(variant), source)
+    faults += faults_of_names(variant, source) + faults_of_groups(variant, GROUP_SHAPES, broken)
+    return faults + faults_of_lengths(broken.sound(variant), source)

@@ -29,6 +29,7 @@ from coursework.variant.reading.names import Names
 from coursework.variant.reading.parts import Parts
 from coursework.variant.reading.shape import read_shape
 from coursework.variant.reading.tables import read_table
+from coursework.variant.reading.unknowns import read_binding, read_unknown
 from coursework.variant.record.changes import with_changes
 from coursework.variant.record.texts import Texts
 from coursework.variant.record.variant import (
@@ -99,10 +100,9 @@ def _build(source: Source, name: str, path: Path | None) -> Variant:
         parts.faults.append(slip)
     if parts.faults:
         raise InputError(parts.faults)
+    variant = replace(variant, times=parts.times)
     remarks = remarks_on(variant, dimensions, source, parts.grads)
-    return replace(
-        variant, plausibility=remarks, times=parts.times, reread=partial(with_changes, partial(_read_again, source, name, path))
-    )
+    return replace(variant, plausibility=remarks, reread=partial(with_changes, partial(_read_again, source, name, path)))
 
 
 def _read_again(source: Source, name: str, path: Path | None, changes: Mapping[KeyPath, Any]) -> Variant:
@@ -124,7 +124,8 @@ def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | No
     used = [f for c in constraints for f in (c.left, c.right)] + [f for _, f in points] + list(holds)
     angles = _angle_names(used, groups)
     coordinates = tuple(_coordinate(key, entry, parts, angles) for key, entry in file.coordinates.items())
-    unknowns = tuple((parts.names.canonical(key), parts.unit(("unknowns", key), unit)) for key, unit in file.unknowns.items())
+    unknowns = tuple(read_unknown(key, entry, parts) for key, entry in file.unknowns.items())
+    bindings = tuple(b for key, entry in file.unknowns.items() if (b := read_binding(key, entry, dict(unknowns), file, parts)))
     time = _time(file.time, parts)
     columns = [name for c in coordinates for name in (c.name, c.rate)] + [name for name, _ in unknowns]
     return Variant(
@@ -134,7 +135,7 @@ def _assemble(file: schema.VariantFile, parts: Parts, name: str, path: Path | No
         _driven(file.closure.driven, parts), holds,
         tuple(file.ask.quantities), tuple(map(unfolded, file.remarks)),
         tuple(_quote(i, entry, columns, time, parts) for i, entry in enumerate(file.quote)), (), _lines(parts.source),
-        texts={language: _texts(said, parts) for language, said in file.text.items()},
+        texts={language: _texts(said, parts) for language, said in file.text.items()}, bindings=bindings,
     )  # fmt: skip
 
 

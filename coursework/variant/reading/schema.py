@@ -15,6 +15,8 @@ kinds crank, RRR, RRP, RPR, RPP, PRP; see `variants/example-1.toml` to `example-
     [time] scheme               "euler" … "rk4", or "exact": the motion without a scheme's error  variants/example-3.toml
     [[quote]]                   a number that the remarks quote; QUOTE holds the table to it  variants/example-3.toml
     [functions]                 a length as formula, pieces, or { table = …, of = "phi1" }  variants/variable-crank-table.toml
+    [unknowns] of, along        which velocity of the geometry an unknown is, so that its equations are judged  variants/v102.toml
+    [unknowns] relative         … against the material of another link  coursework/equations/reduction/bound.py
     [drive] table               { table = "v.csv", of = "t" }: measured over time  coursework/motion/geometry/drive.py
     [drive] pieces              [["0 s", "0"], ["0.1 s", "V"]]: a drive that changes its formula  variants/engine-start.toml
     [links] slides              the link along which this one slides (a sleeve on a bar)  variants/v107.toml
@@ -80,6 +82,19 @@ class Coordinate(_Section):
     start: Value | None = None
     rate: Name
     unit: Literal["rad", "m"] | None = None
+
+
+class Unknown(_Section):
+    """A velocity that the equations determine, and which of the geometry it is: { unit = "m/s", of = "B", along = "0 deg" }.
+
+    `of` is a point of [points], its velocity then taken `along` a direction, or "link 4", whose rate it is; `relative` is the
+    link against which it is measured.
+    """
+
+    unit: Annotated[Short, Field(description='such as "m/s" or "1/s"')]
+    of: Annotated[Name | None, Field(description='a point, or "link 4"')] = None
+    along: Annotated[Value | None, Field(description='the direction of a point\'s velocity: "0 deg", "phi3 + pi/2"')] = None
+    relative: Annotated[Name | int | None, Field(description="the link against which it is measured")] = None
 
 
 class Time(_Section):
@@ -201,7 +216,7 @@ class VariantFile(_Section):
     given: dict[Name, Value | Datum] = {}
     drive: dict[Name, Value | Pieces | Table] = {}
     coordinates: Annotated[dict[Name, Coordinate], Field(min_length=1, max_length=200)]
-    unknowns: dict[Name, Short] = {}
+    unknowns: dict[Name, Short | Unknown] = {}
     functions: dict[Name, Text | Pieces | Table] = {}
     time: Time
     constraint: Annotated[list[Constraint], Field(max_length=400)] = []

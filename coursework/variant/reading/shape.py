@@ -93,7 +93,7 @@ def _entries(errors: Iterable[Any], data: dict[str, Any]) -> dict[KeyPath, Entry
     for entry in errors:
         path, kind = _path_in(data, entry["loc"], entry["type"])
         grouped.setdefault(path, []).append((kind, entry))
-    tables = [path for path, entries in grouped.items() if {kind for kind, _ in entries} & {"Table", "Pieces"}]
+    tables = [path for path, entries in grouped.items() if {kind for kind, _ in entries} & _TABLES]
     result: dict[KeyPath, Entry] = {}
     for path, entries in grouped.items():
         if isinstance(_at(data, path), dict) and any(other[: len(path)] == path and other != path for other in tables):
@@ -114,9 +114,12 @@ def _path_in(data: Any, loc: KeyPath, problem: str) -> tuple[KeyPath, str]:
         if inside or (last and (problem == "missing" or part == "[key]")):
             path = (*path, part)
             data = None if last else data[part]
-        elif part in {"Table", "Pieces"}:
+        elif part in _TABLES:
             kind = str(part)
     return path, kind
+
+
+_TABLES = {"Table", "Pieces", "Unknown"}  # models of what may be a text as well
 
 
 def _at(data: Any, path: KeyPath) -> Any:
@@ -165,7 +168,7 @@ _EXAMPLES = {
     "step": 'step = "0.02 s"', "end": 'end = "0.48 s"',
     "pieces": 'pieces = [["0 s", "0"], ["0.1 s", "V"]]', "table": 'table = "r.csv"', "of": 'of = "phi1"',
     "kind": f'kind = "{[*GROUP_KINDS][-1]}"', "coordinates": 'coordinates = ["phi2", "phi3"]', "through": 'through = "P"',
-    "row": "row = 7", "column": 'column = "w5"', "value": 'value = "-3.18045"',
+    "unit": 'unit = "m/s"', "row": "row = 7", "column": 'column = "w5"', "value": 'value = "-3.18045"',
     "angle": 'angle = "0 rad"', "center": 'center = "O"', "radius": 'radius = "R"',
 }  # fmt: skip
 # pydantic's kind of a fault -> the last part of the key of what was expected.
@@ -236,6 +239,8 @@ def _repair(data: dict[str, Any], path: KeyPath, entry: Entry) -> None:
         owner, key = _at(data, path[:-1]), path[-1]
         if isinstance(owner, dict):
             owner.pop(key, None)
+    elif section == "unknowns" and len(inner) > 1 and inner[1] != "unit" and isinstance(owner, dict):
+        owner[inner[0]].pop(inner[1], None)
     elif section in _STAND_INS and depth == 2 and isinstance(owner, dict):
         owner[inner[0]] = _STAND_INS[section]
     elif section == "coordinates":
@@ -294,13 +299,14 @@ def _keys_of(path: KeyPath, data: dict[str, Any]) -> list[str]:
     else:
         model = schema.VariantFile
         for place, part in enumerate(path):
-            if not (isinstance(part, int) or (place == 1 and path[0] in {"coordinates", "links", "text"})):
+            if not (isinstance(part, int) or (place == 1 and path[0] in {"coordinates", "links", "text", "unknowns"})):
                 model = _MODELS.get(part, model)
     return [field.alias or name for name, field in model.model_fields.items()]
 
 
 _MODELS: dict[str | int, Any] = {
     "text": schema.Texts, "time": schema.Time, "constraint": schema.Constraint, "group": schema.Group, "links": schema.Link,
-    "frame": schema.Frame, "closure": schema.Closure, "ask": schema.Ask, "coordinates": schema.Coordinate,
-    "guide": schema.Guide, "guides": schema.Guide, "rails": schema.Rail, "circles": schema.Circle,
+    "unknowns": schema.Unknown, "frame": schema.Frame, "closure": schema.Closure, "ask": schema.Ask,
+    "coordinates": schema.Coordinate, "guide": schema.Guide, "guides": schema.Guide, "rails": schema.Rail,
+    "circles": schema.Circle,
 }  # fmt: skip

@@ -65,6 +65,20 @@ class Coordinate:
         return self.start_guess if self.start is None else self.start
 
 
+@dataclass(frozen=True, slots=True)
+class Binding:
+    """Which velocity of the geometry an unknown is: that of a `point` along a direction (rad), or the rate of a `link`.
+
+    `relative` is the link against whose material, or rate, it is measured, "" for the frame.
+    """
+
+    name: str
+    point: str = ""
+    link: str = ""
+    along: Formula | None = None
+    relative: str = ""
+
+
 # The guide of 1995 numbers the rows of the check so that t = (N + 1) h; row 1 of a table is t = 0.  Its task sheets have N = 2.
 ROWS_BEFORE_N = 2
 USUAL_ROW = 2 + ROWS_BEFORE_N
@@ -185,7 +199,7 @@ class Frame:
 class Remark:
     """Something that looks like a slip of the pen and changes no status: a stable code, the line, a sentence.
 
-    Codes: ANGLE, LENGTH, NO-UNIT, NUMBER, TIME-AS-ANGLE, GRAD.
+    Codes: ANGLE, LENGTH, NO-UNIT, NUMBER, TIME-AS-ANGLE, GRAD, RPM.
     """
 
     code: str

@@ -90,6 +90,9 @@ def _geometry(variant: Variant) -> Iterator[Place]:
         yield Place(("points", name), (formula,), _LENGTH, name)
     for index, formula in enumerate(variant.holds):
         yield Place(("closure", "holds", index), (formula,), None, "[closure]")
+    for binding in variant.bindings:
+        if binding.along is not None:
+            yield Place(("unknowns", binding.name, "along"), (binding.along,), NUMBER, say("place.along", name=binding.name))
     for index, group in enumerate(variant.groups):
         yield from _group(("group", index), group)
     for index, (through, angle) in enumerate(variant.frame.rails):

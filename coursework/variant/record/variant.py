@@ -12,6 +12,7 @@ from functools import cached_property
 
 from coursework.variant.formula.tree import Formula
 from coursework.variant.record.entries import (
+    Binding,
     Constraint,
     Coordinate,
     Frame,
@@ -31,8 +32,8 @@ from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
 __all__ = [
-    "MAX_NUMBERS", "MAX_ROWS", "MOST_PERIODS", "Constraint", "Coordinate", "Frame", "Given", "Group", "Guide", "Law", "Link",
-    "Quote", "Remark", "Time", "Variant", "whole_steps",
+    "MAX_NUMBERS", "MAX_ROWS", "MOST_PERIODS", "Binding", "Constraint", "Coordinate", "Frame", "Given", "Group", "Guide", "Law",
+    "Link", "Quote", "Remark", "Time", "Variant", "whole_steps",
 ]  # fmt: skip
 
 Values = Mapping[str, float | str]
@@ -90,6 +91,7 @@ class Variant:
     reread: Callable[[Variant, Changes], Variant] | None = field(default=None, repr=False, compare=False)
     changes: Mapping[KeyPath, float | str] = field(default_factory=dict, repr=False, compare=False)
     texts: Mapping[str, Texts] = field(default_factory=dict, repr=False, compare=False)
+    bindings: tuple[Binding, ...] = ()
 
     @property
     def values(self) -> dict[str, float]:
@@ -125,7 +127,7 @@ class Variant:
         return (*(c.name for c in self.coordinates), *self.rates, *(name for name, _ in self.unknowns))
 
     def formulas(self) -> Iterator[tuple[KeyPath, Formula]]:
-        """Yield points, both sides of each constraint and what is held, each with its place in the file; laws are apart."""
+        """Yield points, both sides of each constraint, what is held, directions, each with its place; laws are apart."""
         for name, formula in self.points:
             yield ("points", name), formula
         for index, constraint in enumerate(self.constraints):
@@ -133,6 +135,9 @@ class Variant:
                 yield ("constraint", index, constraint.key), side
         for index, formula in enumerate(self.holds):
             yield ("closure", "holds", index), formula
+        for binding in self.bindings:
+            if binding.along is not None:
+                yield ("unknowns", binding.name, "along"), binding.along
 
     @property
     def set_values(self) -> dict[str, str]:

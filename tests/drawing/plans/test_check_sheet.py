@@ -209,7 +209,7 @@ def test_a_file_may_call_its_points_like_centres() -> None:
     from coursework.drawing.plans.graph_words import centre_letter, how_found
 
     assert (centre_letter(sketch), centre_letter(taken)) == ("P", "I")
-    assert "I₃ is where the perpendiculars to the velocities of M and C meet." in how_found(taken, check_of("31").findings)
+    assert "I₃ is where the perpendiculars to the velocities of M and C meet." in how_found(taken, check_of("31").findings, None)
     assert variant.links[2] == Link("3", ("M", "B", "C"), "w3", None, None)
 
 
@@ -219,7 +219,7 @@ def test_a_mechanism_without_size_is_drawn_all_the_same() -> None:
     full = check_of("31").sketch
     drawn = replace(full.outline, bars=(), wheels=(), rails=(), hinges=(), driven=()), full.poses, full.row
     sketch = Sketch(still, (), (), ("A",), points, {}, {}, ("B",), (), *drawn)
-    nothing = Findings({}, {}, {}, {}, ("1",))
+    nothing = Findings({}, {}, {}, ("1",))
     from coursework.drawing.plans.drawing import draw
 
     assert lay_out(sketch, nothing).scale == 1

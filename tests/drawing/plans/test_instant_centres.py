@@ -67,7 +67,7 @@ def test_a_dyad_between_two_moving_points_takes_a_velocity_plan() -> None:
     found = construct(scene(points, [Body("1", ("A", "X")), Body("2", ("X", "B"))], velocities=velocities))
     assert found.velocities["X"] == pytest.approx(v_x)
     assert (found.omegas["1"], found.omegas["2"]) == pytest.approx(omega)
-    assert found.plans == {"X": ("A", "B")}
+    assert found.planned == ("1", "2")
 
 
 def test_a_dead_point_is_left_open() -> None:

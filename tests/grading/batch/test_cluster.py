@@ -6,7 +6,6 @@ import signal
 import threading
 import time
 
-import distributed
 import pytest
 from click.testing import CliRunner
 
@@ -16,6 +15,8 @@ from tests.grading.batch.classroom import hand_in, small_class
 
 @pytest.fixture(scope="module")
 def cluster():
+    import distributed  # half a second for every process that collects this file
+
     with distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as running:
         yield running
 

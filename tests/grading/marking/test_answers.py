@@ -4,7 +4,7 @@ import pytest
 
 import coursework
 from coursework.grading.marking.answers import mark_answers
-from coursework.grading.marking.reference import key_of
+from coursework.grading.marking.key import key_of
 from coursework.grading.marking.rubric import Answer
 from coursework.grading.reading.student_work import AnswerLine
 

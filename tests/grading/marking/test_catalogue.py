@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.grading.marking.reference import key_of
+from coursework.grading.marking.key import key_of
 from coursework.grading.marking.table.cells import StudentTable, mark_cells
 from coursework.variant.catalogue import names
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import coursework
-from coursework.grading.marking.reference import key_of
+from coursework.grading.marking.key import key_of
 from coursework.grading.marking.table.cells import mark_cells
 from coursework.grading.marking.table.misconceptions import euler_cells, find_misconception, indistinct, looked_for
 from tests.grading.marking import students

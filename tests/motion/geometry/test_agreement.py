@@ -28,13 +28,13 @@ def looked_at(monkeypatch):
     """Return a list of the data that the positions were looked at with."""
     forget_structures()
     seen = []
-    confirm = agreement._confirmed
+    judge = agreement._judged
 
     def counted(equations, *found):
         seen.append(equations.variant.values)
-        return confirm(equations, *found)
+        return judge(equations, *found)
 
-    monkeypatch.setattr(agreement, "_confirmed", counted)
+    monkeypatch.setattr(agreement, "_judged", counted)
     return seen
 
 

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import re
+import shutil
+import subprocess
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
+from pathlib import Path
 from types import ModuleType
 from typing import Any
 
@@ -198,3 +201,21 @@ def test_the_note_that_ends_a_section_has_the_words_before_it_beside_it() -> Non
         assert "words" in pages[at]
         moved.add(at)
     assert moved == {0, 1}
+
+
+def test_poppler_has_nothing_to_say_of_the_page(tmp_path: Path) -> None:
+    """Its tools read what a page says of itself; where they are installed they are asked themselves."""
+    made = paper("31")
+    assert b"/Suspects" not in made
+    with pymupdf.open(stream=made, filetype="pdf") as document:
+        marked = document.xref_get_key(document.pdf_catalog(), "MarkInfo")
+        assert marked[1].replace(" ", "") == "<</Markedtrue>>"
+        assert not document.is_repaired
+        assert len(document) == len(filled(made))
+    if (pdfinfo := shutil.which("pdfinfo")) is None:
+        return
+    target = tmp_path / "report.pdf"
+    target.write_bytes(made)
+    told = subprocess.run([pdfinfo, str(target)], capture_output=True, text=True, check=True)
+    assert told.stderr == ""
+    assert re.search(r"Tagged:\s+yes", told.stdout)

@@ -22,21 +22,21 @@ def names(run: Any) -> list[str]:
 
 
 def test_sections_in_order_and_only_those_asked_for(real: ModuleType) -> None:
-    always = ["statement", "equations", "solution"]
+    always = ["statement", "structure", "equations", "solution"]
     assert names(solved("31", quantities=("table",))) == [*always, "results", "method"]
-    assert names(solved("31", quantities=("checks", "plots"))) == [*always, "graphs", "control", "checks", "method"]
-    assert names(real.full()) == [*always, *PAPER, "checks", "accuracy", "method"]
+    assert names(solved("31", quantities=("checks", "plots"))) == [*always, "graphs", "control", "conclusion", "checks", "method"]
+    assert names(real.full()) == [*always, *PAPER, "conclusion", "checks", "accuracy", "method"]
     everything = solved("31", quantities=real.EVERYTHING)
-    assert names(everything) == [*always, *PAPER, "accelerations", "points", "checks", "accuracy", "method"]
-    stopped = ["statement", "dead_point", "equations", "solution", "results", "graphs", "control"]
+    assert names(everything) == [*always, *PAPER, "accelerations", "points", "conclusion", "checks", "accuracy", "method"]
+    stopped = ["statement", "dead_point", "structure", "equations", "solution", "results", "graphs", "control"]
     assert names(real.stopped())[: len(stopped)] == stopped
 
 
-def test_the_guide_numbers_three_sections_and_the_appendix_has_letters(real: ModuleType) -> None:
+def test_the_guide_numbers_four_sections_and_the_appendix_has_letters(real: ModuleType) -> None:
     numbers = {section.name: section.number for section in model_of(real.full()).sections}
     assert numbers == {
-        "statement": "1", "equations": "2", "solution": "3", **dict.fromkeys(PAPER, ""), "checks": "Appendix A.",
-        "accuracy": "Appendix B.", "method": "Appendix C.",
+        "statement": "1", "structure": "2", "equations": "3", "solution": "4", **dict.fromkeys([*PAPER, "conclusion"], ""),
+        "checks": "Appendix A.", "accuracy": "Appendix B.", "method": "Appendix C.",
     }  # fmt: skip
 
 
@@ -235,7 +235,7 @@ def test_a_check_that_finds_nothing_off_lists_no_noughts(real: ModuleType) -> No
     assert coarse["ACCURACY"] == 7
 
 
-@pytest.mark.parametrize(("name", "row", "column"), [("robot-arm", 0, "P2M = 780.0, computed"), ("31", 3, "P2B = 187.0")])
+@pytest.mark.parametrize(("name", "row", "column"), [("v112", 4, "P2E = 378.5, computed"), ("31", 3, "P2B = 187.0, computed")])
 def test_what_no_ruler_reaches_is_computed_and_every_difference_has_two_decimals(
     real: ModuleType, name: str, row: int, column: str
 ) -> None:

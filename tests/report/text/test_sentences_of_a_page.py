@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from string import Formatter
 from types import ModuleType
 from typing import Any
 
@@ -12,19 +13,38 @@ import coursework
 from coursework.report.pages import build_model, notebook_html
 from coursework.report.text.words import Words, load_words
 from coursework.results.checks.result import Finding
+from coursework.variant.reading.reader import parse_variant
 from coursework.words.errors import InputError
-from coursework.words.sentences import load_phrases
+from coursework.words.sentences import load_phrases, say
+from tests.hard.test_change_points import past_the_pivot
+from tests.results.kinematics.mechanisms import FIVE_BAR
 
 
-def keys(table: Mapping[str, Any], path: str = "") -> set[str]:
+def keys(table: Mapping[str, Any]) -> set[str]:
     """Return the keys of all sentences in a words file."""
-    inner = (keys(v, f"{path}{k}.") if isinstance(v, dict) else {f"{path}{k}"} for k, v in table.items())
-    return set().union(*inner)
+    return set(flat(table))
+
+
+def flat(table: Mapping[str, Any], path: str = "") -> dict[str, str]:
+    """Return the sentences of a words file by their keys."""
+    found: dict[str, str] = {}
+    for key, value in table.items():
+        found |= flat(value, f"{path}{key}.") if isinstance(value, dict) else {f"{path}{key}": value}
+    return found
 
 
 def judged(real: ModuleType, verdicts: tuple[str, ...], codes: tuple[str, ...] = ("UNKNOWN",)) -> Any:
     """Return variant 31 with a finding of each verdict for each code."""
     findings = tuple(Finding(verdict, "Told.", 1.5, code=code) for code in codes for verdict in verdicts)  # type: ignore[arg-type]
+    return Judged(real.full(), findings)
+
+
+def claimed(real: ModuleType) -> Any:
+    """Return variant 31 with a finding for each sentence of a check that the section of control has words of its own for."""
+    said = flat(load_phrases().entries)
+    chosen = [key for key in said if key.startswith("check.") and f"control.{key.removeprefix('check.')}" in said]
+    gaps = {key: [name for _, name, _, _ in Formatter().parse(said[key]) if name] for key in chosen}
+    findings = tuple(Finding("PASS", say(key, **dict.fromkeys(gaps[key], 1.5)), 1.5, code=key.split(".")[1]) for key in chosen)
     return Judged(real.full(), findings)
 
 
@@ -58,7 +78,8 @@ def unusual(real: ModuleType) -> list[Any]:
         solve("epicyclic", quantities=["table"]), solve("engine-start", quantities=["checks"]),
         solve("v110", quantities=["table"]),
         solve("31", quantities=["trajectories", "hodographs", "plans", "points"]),
-        real.timed(), *real.oddities(),
+        real.timed(), *real.oddities(), claimed(real), solve(parse_variant(FIVE_BAR)),
+        solve(parse_variant(past_the_pivot(0.001, 0.02)), quantities=["table", "checks"]),
     ]  # fmt: skip
 
 
@@ -83,8 +104,9 @@ def test_every_word_of_a_page_can_be_said(real: ModuleType, monkeypatch: pytest.
 
 # Said by the rooms that draw, or by their tests: a caption, a file without a frame, a formula too long to print.
 BELOW = {
-    "graph.alt", "graph.caption", "graph.blank", "graph.close", "graph.fastest", "graph.frame", "derivation.long.one",
-    "derivation.long.other",
+    "graph.alt", "graph.caption", "graph.blank", "graph.blank_plan", "graph.close", "graph.fastest", "graph.frame",
+    "graph.unread", "graph.unread_given", "graph.unread_left", "graph.unread_still", "graph.unread_together",
+    "derivation.long.one", "derivation.long.other",
 }  # fmt: skip
 # What the page itself says; all else is said by the rooms below it: test_language.py.
 PAGE = {

@@ -74,7 +74,9 @@ def test_the_page_shows_two_groups_and_the_summary_first():
     plain = build_model(run).plain()["sections"]
     answer = next(part["right"] for part in plain[0]["parts"] if part["kind"] == "beside")
     assert answer["title"] == "Result"
-    assert "".join(piece.get("t", "") for piece in answer["items"][0]).startswith("The table is computed right: 5 of 5.")
+    assert "".join(piece.get("t", "") for piece in answer["items"][0]).startswith(
+        "The table is computed right: 5 of 5 checks of the computation."
+    )
     checks = next(section for section in plain if section["name"] == "checks")
     groups = [part for part in checks["parts"] if part["kind"] == "checks"]
     assert [part["title"] for part in groups] == [
@@ -95,37 +97,41 @@ def judged(code, verdict, **more):
 SUMMARIES = {
     "all is well": (
         [judged("STOP", "PASS"), judged("ACCURACY", "PASS", value=0.003, column="w6", row=12)],
-        "The table is computed right: 1 of 1. It is close to the motion: largest error 0.3 % (w6, row 12).",
+        "The table is computed right: 1 of 1 checks of the computation. "
+        "It is close to the motion: largest error 0.3 % (w6, row 12).",
     ),
     "the step is too coarse for something else": (
         [judged("STOP", "PASS"), judged("ACCURACY", "PASS", value=0.0, column="w6", row=1),
          judged("STEP", "COARSE", option="--step h/2"), judged("PEAK", "COARSE", option="--step h/2")],
-        "The table is computed right: 1 of 1. It is close to the motion: no entry is off by more than round-off. "
+        "The table is computed right: 1 of 1 checks of the computation. "
+        "It is close to the motion: no entry is off by more than round-off. "
         "The step is too coarse for STEP and PEAK; take --step h/2.",
     ),
     "no step helps": (
         [judged("STOP", "PASS"), judged("ACCURACY", "COARSE", value=1.36, column="w7", row=21)],
-        "The table is computed right: 1 of 1. It is not close to the motion: largest error 136 % (w7, row 21).",
+        "The table is computed right: 1 of 1 checks of the computation. "
+        "It is not close to the motion: largest error 136 % (w7, row 21).",
     ),
     "no geometry": (
         [judged("STOP", "PASS"), judged("AGREEMENT", "SKIP", headline="Signs are not checked: the file has no geometry."),
          judged("ACCURACY", "SKIP")],
-        "Signs are not checked: the file has no geometry. The table is computed right: 1 of 1. "
+        "Signs are not checked: the file has no geometry. The table is computed right: 1 of 1 checks of the computation. "
         "How close it is to the motion is not known.",
     ),
     "wrong": (
         [judged("STOP", "PASS"), judged("RESIDUAL", "FAIL"), judged("ACCURACY", "FAIL"), judged("PERIOD-POSITION", "FAIL")],
-        "The table is not computed right: 1 of 2; see RESIDUAL. A sentence. Wrong: PERIOD-POSITION.",
+        "The table is not computed right: 1 of 2 checks of the computation; see RESIDUAL. A sentence. Wrong: PERIOD-POSITION.",
     ),
     "the tool itself": (
         [judged("STOP", "PASS"), judged("ACCURACY", "PASS", value=0.01, column="w1", row=2), judged("DRIFT", "ERROR")],
-        "The table is computed right: 1 of 1. It is close to the motion: largest error 1 % (w1, row 2). "
+        "The table is computed right: 1 of 1 checks of the computation. "
+        "It is close to the motion: largest error 1 % (w1, row 2). "
         "The tool could not judge DRIFT.",
     ),
     "rounded data": (
         [judged("STOP", "PASS"), judged("TABLE-DIGITS", "COARSE"),
          judged("ACCURACY", "PASS", value=1e-9, column="u", row=2)],
-        "The table is computed right: 1 of 2, as far as the digits of its data go; see TABLE-DIGITS. "
+        "The table is computed right, as far as the digits of its data go: 1 of 2 checks of the computation; see TABLE-DIGITS. "
         "It is close to the motion: largest error less than 0.0001 % (u, row 2).",
     ),
 }  # fmt: skip
@@ -136,13 +142,29 @@ def test_a_part_of_a_whole_is_never_told_larger_than_it_is(share, told):
     assert f"{floored(share):.4g}" == told
 
 
-@pytest.mark.parametrize(("names", "told"), [(("2",), "of equation 2 are"), (("2", "4"), "of equations 2 and 4 are")])
-def test_equations_that_nothing_confirms_are_called_so(names, told):
+ALL = ("1", "2", "3", "4")
+
+
+@pytest.mark.parametrize(
+    ("names", "told"),
+    [
+        (("2",), "3 of 4 equations agree; 2 is not judged: nothing in the geometry gives w4. Write in [unknowns] "),
+        (("2", "4"), "2 of 4 equations agree; 2 and 4 are not judged: nothing in the geometry gives w4. Write"),
+        (ALL, "Equations 1, 2, 3 and 4 are not judged: nothing in the geometry gives w4. Write"),
+    ],
+)
+def test_equations_that_nothing_judges_are_called_so(names, told):
     run = solve("v101")
-    closure = run.results.evidence.closure
-    left = tuple(name for name in ("1", "2", "3", "4") if name not in names)
-    found = finding("AGREEMENT", evidence_of(run, closure=replace(closure, agreed=left)))
-    assert told in found.sentence
+    agreed = tuple(name for name in ALL if name not in names)
+    unjudged = tuple((name, ("w4",)) for name in names)
+    closure = replace(run.results.evidence.closure, agreed=agreed, unjudged=unjudged)
+    found = finding("AGREEMENT", evidence_of(run, closure=closure))
+    assert (found.verdict, found.value, found.limit) == ("SKIP", None, None)
+    assert found.sentence.startswith(told)
+    right = replace(found, verdict="PASS", code="RESIDUAL", unjudged="")
+    first = "The table is computed right; equation"
+    assert summary([right, found]).startswith(first)
+    assert "of 1" not in summary([right, found]).split(".")[0]
 
 
 @pytest.mark.parametrize("name", SUMMARIES)

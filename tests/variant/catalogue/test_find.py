@@ -3,9 +3,11 @@
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 
 import coursework
-from coursework.variant.catalogue import find
+from coursework.commands.cli import main
+from coursework.variant.catalogue import find, own_file
 from coursework.words.data_folders import folder as data_folder
 
 
@@ -29,11 +31,38 @@ def test_a_folder_of_the_same_name_does_not_hide_the_file():
     assert find("mine") == Path("mine.toml")
 
 
-def test_the_catalogue_keeps_its_names_and_a_path_names_the_other_file():
+def test_a_file_of_the_current_folder_stands_before_the_catalogue_and_is_told():
     Path("31.toml").write_text("", encoding="utf-8")
-    assert find("31") == data_folder("variants") / "31.toml"
+    assert find("31") == Path("31.toml")
+    assert own_file("31") == Path("31.toml")
     assert find("V102") == data_folder("variants") / "v102.toml"
+    assert own_file("v102") is None
     assert find("31.toml") == Path("31.toml")
+
+
+def test_a_folder_of_a_name_of_the_catalogue_is_no_file():
+    Path("31.toml").mkdir()
+    Path("31").mkdir()
+    assert find("31") == data_folder("variants") / "31.toml"
+    assert own_file("31") is None
+
+
+def test_in_the_catalogue_itself_nothing_stands_before_it(monkeypatch):
+    monkeypatch.chdir(data_folder("variants"))
+    assert find("31") == data_folder("variants") / "31.toml"
+    assert own_file("31") is None
+
+
+def test_the_own_file_is_told_in_one_line():
+    text = (data_folder("variants") / "prp.toml").read_text(encoding="utf-8")
+    Path("prp.toml").write_text(
+        text.replace('title  = "', 'title  = "My own ', 1).replace('title = "', 'title = "My own ', 1), encoding="utf-8"
+    )
+    for command in (["run", "prp", "--format", "csv"], ["check", "prp"], ["run", "prp", "31", "--format", "csv", "--out", "all"]):
+        told = CliRunner().invoke(main, command)
+        assert told.exit_code == 0
+        assert told.stderr.splitlines()[0] == "prp.toml of this folder is taken, not the catalogue's variant prp."
+    assert CliRunner().invoke(main, ["check", "example-1"]).stderr == ""
 
 
 @pytest.mark.parametrize("typed", ["mine", "mine.toml", "sub/mine", "sub/mine.toml"])

@@ -83,7 +83,7 @@ def _multiplied(factor: Formula, node: Formula) -> Formula:
 
 
 def _column(node: Formula) -> int:
-    return next((part.column for part in node.walk() if part.column), 0)
+    return min((part.column for part in node.walk() if part.column), default=0)
 
 
 @dataclass

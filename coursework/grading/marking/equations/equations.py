@@ -8,28 +8,25 @@ order, sides and solved forms need no care.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Literal
 
 import numpy as np
 
+from coursework.grading.marking.equations.columns import column_as_handed_in
 from coursework.grading.marking.equations.edits import Edit, Values, applied, edits
-from coursework.grading.marking.equations.numbers import NoValue, real, size_of, value_of
+from coursework.grading.marking.equations.linear import Linear, linear, rank, says_more
+from coursework.grading.marking.equations.numbers import NoValue, real, size_of
 from coursework.grading.marking.equations.probe import Probe, exact_probe, kinds, random_probe
 from coursework.grading.marking.key import Key
 from coursework.grading.reading.student_work import EquationLine
-from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula, number, spelled
 from coursework.words.errors import Fault
 
 Verdict = Literal["right", "rounded", "closure", "wrong", "unreadable"]
 # Residual over the sum of its terms: round-off; data printed with three or four digits; the exact motion's own accuracy.
 RIGHT, ROUNDED, ON_CLOSURE = 1e-9, 2e-3, 1e-7
-RANK = 1e-8
-AFFINE = 1e-9
-# Other velocities than the right ones, at which an equation that is affine in them foretells its own residual.
-_STRETCHED, _MOVED = 1.7, 0.3
 COUNTED = ("right", "rounded", "closure")
 
 
@@ -78,6 +75,12 @@ class EquationMarks:
         return tuple(mark for mark in self.marks if mark.verdict == "wrong")
 
     @property
+    def unread(self) -> EquationMark | None:
+        """Return the first line that nobody could read and that may earn points: while equations are missing it is a question."""
+        missing = self.independent < self.needed
+        return next((mark for mark in self.marks if missing and mark.verdict == "unreadable" and mark.line.relates), None)
+
+    @property
     def share(self) -> float:
         """Return independent / max(needed, independent + wrong): guessing every combination of signs does not pay."""
         return self.independent / max(self.needed, self.independent + len(self.wrong), 1)
@@ -108,51 +111,38 @@ class Judge:
         """Return the marks of all lines."""
         marks = tuple(self._mark(line) for line in lines)
         counted = [mark for mark in marks if mark.verdict in COUNTED]
-        rows = [self.coefficients(difference(mark.line)) for mark in counted]
-        rank = self._rank(rows)
-        return EquationMarks(marks, rank, len(self.key.variant.sought), self._dependent(counted, rows, rank))
+        independent, dependent = self._independent(counted)
+        return EquationMarks(marks, independent, len(self.key.variant.sought), dependent)
 
-    def _dependent(self, counted: Sequence[EquationMark], rows: Sequence[Array], rank: int) -> tuple[int, ...]:
-        """Return the lines that follow from those before them."""
-        if rank == len(rows):
-            return ()
-        ranks = [self._rank(rows[:count]) for count in range(len(rows) + 1)]
-        return tuple(mark.line.line for place, mark in enumerate(counted) if ranks[place + 1] == ranks[place])
+    def _independent(self, counted: Sequence[EquationMark]) -> tuple[int, tuple[int, ...]]:
+        """Return how many lines are independent, and the numbers of those that follow from lines before them.
 
-    @cached_property
-    def _tried(self) -> dict[str, Any]:
-        """Return the names at the random points, once with each set of velocities that tells the coefficients apart."""
-        probe = self.off_closure
-        k = len(probe.sought)
-        sets = [np.zeros_like(probe.velocities), *(np.tile(row, (probe.count, 1)) for row in np.eye(k)), self._elsewhere]
-        copies = {name: np.tile(value, len(sets)) if np.ndim(value) else value for name, value in probe.names.items()}
-        return copies | dict(zip(probe.sought, np.vstack(sets).T, strict=True))
-
-    @cached_property
-    def _elsewhere(self) -> Array:
-        return _STRETCHED * self.off_closure.velocities + _MOVED
-
-    def coefficients(self, tree: Formula) -> Array:
-        """Return A (points, k) of `tree = A u + rest`; NaN where it is not affine in u.  Raises `NoValue`."""
-        count, k = self.off_closure.velocities.shape
-        with np.errstate(all="ignore"):
-            found = real(value_of(tree, self._tried), count * (k + 2)).reshape(k + 2, count)
-            rest, slopes = found[0], (found[1:-1] - found[0]).T
-            terms = slopes * self._elsewhere
-            size = np.abs(rest) + np.sum(np.abs(terms), axis=1)
-            affine = np.all(np.abs(found[-1] - rest - np.sum(terms, axis=1)) <= AFFINE * size)
-        return slopes if affine else np.full_like(slopes, np.nan)
-
-    def _rank(self, rows: Sequence[Array]) -> int:
-        """Return the least rank over the points of the coefficient rows, each scaled to one."""
-        if not rows:
-            return 0
-        stacked = np.stack(rows, axis=1)
-        sizes = np.max(np.abs(stacked), axis=2, keepdims=True)
-        scaled = stacked / np.where(sizes > 0, sizes, 1.0)
-        return int(np.min(np.linalg.matrix_rank(scaled, tol=RANK)))
+        Lines that are true on the closure only must differ there too; of rounded ones near-copies count once.
+        """
+        probes = [self.off_closure]
+        if any(mark.verdict == "closure" for mark in counted):
+            probes.append(self.on_closure)
+        taken: list[list[Linear]] = [[] for _ in probes]
+        dependent: list[int] = []
+        for mark in sorted(counted, key=lambda mark: mark.verdict == "rounded"):
+            lines = [linear(difference(mark.line), probe) for probe in probes]
+            more = all(rank([*before, line]) > len(before) for before, line in zip(taken, lines, strict=True))
+            if more and mark.verdict == "rounded":
+                more = says_more(lines[0], taken[0], ROUNDED)
+            if more:
+                for before, line in zip(taken, lines, strict=True):
+                    before.append(line)
+            else:
+                dependent.append(mark.line.line)
+        return len(taken[0]), tuple(sorted(dependent))
 
     def _mark(self, line: EquationLine) -> EquationMark:
+        """Return the mark of a line in the way of reading it in which it is right, in the first way where it is in none."""
+        for other in line.others:
+            if line.left is None or self._verdict(difference(line)) not in COUNTED:
+                meant = replace(line, left=other.left, right=other.right, repaired=other.text, others=())
+                if self._verdict(difference(meant)) in COUNTED:
+                    line = meant
         if line.left is None or line.right is None:
             column = line.fault.column if line.fault else 1
             message = line.fault.message if line.fault else ""
@@ -166,23 +156,16 @@ class Judge:
 
     def _verdict(self, tree: Formula) -> Verdict:
         try:
-            if np.isnan(self.coefficients(tree)).any():
+            off = linear(tree, self.off_closure)
+            if not off.is_affine:
                 return "wrong"
-            off = self._relative(tree, self.off_closure)
-            if off <= RIGHT:
+            if off.residual <= RIGHT:
                 return "right"
-            if off <= ROUNDED:
+            if off.is_near(ROUNDED) and any(node.op == "number" for node in tree.walk()):
                 return "rounded"
-            return "closure" if self._relative(tree, self.on_closure) <= ON_CLOSURE else "wrong"
+            return "closure" if linear(tree, self.on_closure).residual <= ON_CLOSURE else "wrong"
         except NoValue:
             return "wrong"
-
-    def _relative(self, tree: Formula, probe: Probe) -> float:
-        """Return the largest residual over the points, as a part of the sum of the sizes of its terms."""
-        value = np.abs(real(value_of(tree, probe.names), probe.count))
-        size = real(size_of(tree, probe.names), probe.count)
-        relative = np.where(size > 0, value / np.where(size > 0, size, 1.0), 0.0)
-        return float(np.max(np.where(np.isfinite(relative), relative, np.inf)))
 
     def _slip(self, tree: Formula, line: EquationLine) -> Hint | None:
         """Return the single edit that makes a line right, the first in the text, with how many others do as well."""
@@ -197,12 +180,13 @@ class Judge:
             if after is None or np.iscomplexobj(after) or not np.all(np.abs(after) <= ROUNDED * scale):
                 continue
             mended = applied(tree, edit)
-            if self._verdict(mended) in {"right", "rounded"} and np.any(np.abs(self.coefficients(mended)) > 0):
+            if self._verdict(mended) in {"right", "rounded"} and np.any(linear(mended, self.off_closure).directions):
                 found.append(edit)
         if not found:
             return None
         best = min(found, key=lambda edit: (_PREFERRED.index(edit.kind), edit.column))
-        return Hint(best.kind, best.column, _written(applied(tree, best)), len(found) - 1)
+        column = column_as_handed_in(line.text, line.repaired or line.text, best.column, is_sign=best.kind == "sign")
+        return Hint(best.kind, column, _written(applied(tree, best)), len(found) - 1)
 
 
 _PREFERRED = ("sign", "function", "name", "factor")

@@ -1,12 +1,13 @@
 """Positions at which equations are tried: random ones off the closure, and rows of the exact motion, with all names' values.
 
-Enters: a `Key`.  Leaves: `Probe`.  Used by `equations.py`; nothing here depends on a submission.
+Enters: a `Key`.  Leaves: `Probe`.  Used by `equations.py` and `linear.py`; nothing here depends on a submission.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -22,6 +23,7 @@ POINTS = 8
 # Half of an angle's range on either side is added: off the closure, and still the same mechanism.
 WIDER = 0.5
 _TRIES = 50
+_STRETCHED, _MOVED = 1.7, 0.3
 _SEED = 20_000
 
 
@@ -38,6 +40,25 @@ class Probe:
         """Return the number of points."""
         return len(self.velocities)
 
+    @cached_property
+    def scale(self) -> Array:
+        """Return the largest size of each velocity (k,) over the points, 1 for one that is always zero."""
+        largest = np.max(np.abs(self.velocities), axis=0, initial=0.0)
+        return np.asarray(np.where(largest > 0, largest, 1.0))
+
+    @cached_property
+    def elsewhere(self) -> Array:
+        """Return other velocities (n, k), at which an equation that is affine in them foretells its own value."""
+        return _STRETCHED * self.velocities + _MOVED
+
+    @cached_property
+    def tried(self) -> dict[str, Any]:
+        """Return the names at the points, once with each set of velocities that tells the coefficients apart."""
+        k = len(self.sought)
+        sets = [np.zeros_like(self.velocities), *(np.tile(row, (self.count, 1)) for row in np.eye(k)), self.elsewhere]
+        copies = {name: np.tile(value, len(sets)) if np.ndim(value) else value for name, value in self.names.items()}
+        return copies | dict(zip(self.sought, np.vstack(sets).T, strict=True))
+
 
 def random_probe(key: Key) -> Probe:
     """Return eight random points with the velocities that the equations give there; the same ones on every machine."""
@@ -51,7 +72,7 @@ def random_probe(key: Key) -> Probe:
     for _ in range(_TRIES):
         t = generator.uniform(0.0, float(key.t[-1]) or key.step, POINTS)
         q = generator.uniform(low - margin, high + margin, (POINTS, m))
-        u = key.velocities_at(t, q, {})
+        u = key.velocities_at(t, q)
         fine = np.all(np.isfinite(u), axis=1) & (np.max(np.abs(u), axis=1) < 1e6)
         kept_t, kept_q, kept_u = [*kept_t, *t[fine]], [*kept_q, *q[fine]], [*kept_u, *u[fine]]
         if len(kept_t) >= POINTS:

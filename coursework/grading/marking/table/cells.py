@@ -148,11 +148,11 @@ def _own_angles(key: Key, student: StudentTable, coarse: float) -> Way:
     """Return the velocities of the reference at the student's own angles."""
     m = len(key.coordinates)
     q, units = student.values[:, :m], np.maximum(student.units[:, :m], coarse)
-    found = key.velocities_at(key.t, q, {})
+    found = key.velocities_at(key.t, q)
     copies = 2 * m
 
     def at(shifted: Array) -> Array:
-        return key.velocities_at(np.tile(key.t, copies), shifted, {})
+        return key.velocities_at(np.tile(key.t, copies), shifted)
 
     spread = sensitivity(at, q, units)
     return _velocity_way(ANGLES, key, found, velocity_tolerance(key, student.units[:, m:], found, spread))

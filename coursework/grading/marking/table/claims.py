@@ -112,7 +112,7 @@ class TableUnderTest:
 
     def slopes(self, data: Mapping[str, float] | None = None, t: Array | None = None) -> Callable[[Array], Array]:
         """Return f(t, q) with other data; the rows' own times where `t` is None."""
-        return self.stacked(lambda times, q: self.key.velocities_at(times, q, data or {}), t)
+        return self.stacked(lambda times, q: self.key.velocities_at(times, q, data), t)
 
     def stacked(self, function: Callable[[Array, Array], Array], t: Array | None = None) -> Callable[[Array], Array]:
         """Return a function of stacked copies of the rows, as sensitivities need it."""

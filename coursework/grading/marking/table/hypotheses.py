@@ -42,7 +42,7 @@ def _schemes(printed: TableUnderTest) -> Iterator[Claim]:
 
     def increments(q: Array, scheme: Scheme) -> Array:
         times = np.tile(t, len(q) // len(t))
-        return np.asarray(scheme.step(lambda at, moved: velocities_at(at, q + moved, {})[:, :m], times, np.zeros_like(q), h))
+        return np.asarray(scheme.step(lambda at, moved: velocities_at(at, q + moved)[:, :m], times, np.zeros_like(q), h))
 
     for name in SCHEMES_TRIED:
         made = partial(increments, scheme=SCHEMES[name])
@@ -112,5 +112,5 @@ def _velocities(printed: TableUnderTest) -> Iterator[Claim]:
         turned[:, place] *= -1
         yield printed.claim(f"sign_{name}", None, (turned, tolerance))
     for code in ("sign_drive", "degree_mode"):
-        if rewritten := key.rewritten(code):
-            yield from printed.velocity_claim(code, printed.stacked(rewritten))
+        if velocities := key.misread(code):
+            yield from printed.velocity_claim(code, printed.stacked(velocities))

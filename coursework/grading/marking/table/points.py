@@ -10,11 +10,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.cells import GIVEN, KEY, STEP, STEP_TRUE, Cells
-from coursework.system.arrays import Flags
+from coursework.grading.marking.table.cells import GIVEN, KEY, SLACK, STEP, STEP_TRUE, Cells
+from coursework.system.arrays import Array, Flags
 
 # Rows whose velocities are all shown and right, below which steps made with them prove nothing.
 ENOUGH_ROWS = 0.6
+_CONSTANT = 1e-9
+_RUN = 5
+# Of a step: the part of the largest one-step gap to spare, the coordinates of a row that must be near, the rows that must follow.
+_SPARE, _MOST, _FOLLOWING = 0.25, 0.66, 0.75
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,14 +40,68 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
     start_right = bool(np.all(~cells.wrong[0])) if rows else False
     rows_enough = bool(np.mean(np.all(right[:, m:], axis=1)) >= ENOUGH_ROWS) if rows else False
     credit = np.where(marks == KEY, 1.0, 0.0)
+    follows = rows_that_follow(key, cells)
     if start_right:
         credit[cells.carried] = carried
         steps = np.isin(marks[:, :m], (STEP, STEP_TRUE))
         open_gate = np.zeros_like(steps)
-        open_gate[1:] = right[:-1, m : 2 * m]
+        open_gate[1:] = right[:-1, m : 2 * m] & (_moves(cells.student.values[:, :m]) | ~_moves(key.table[:, :m]))
         credit[:, :m][steps & ~(open_gate & rows_enough)] = 0.0
+        credit[:, m:][cells.carried[:, m:] & ~follows[:, None]] = 0.0
+    # What never changes is right in any row, whatever else stands there.
+    credit[:, key.ranges <= _CONSTANT * np.max(np.abs(key.table), axis=0)] *= follows[:, None]
+    if not follows[1:].any():
+        credit[~_in_a_run(marks == KEY)] = 0.0
     credit[marks == GIVEN] = 0.0
     return TablePoints(float(credit.sum()) / count if count else 0.0, count, start_right)
+
+
+def rows_that_follow(key: Key, cells: Cells) -> Flags:
+    """Return which rows (n,) belong to a motion: the way from or to a neighbour lies between what both velocities make of a step.
+
+    Any scheme passes, with a part of the one-step gap to spare, and a coordinate in three may be wrong.  Rows that are copied,
+    shuffled or invented follow nothing, and what is right in them from each other is no work; where few rows follow, none does.
+    """
+    m, h = len(key.coordinates), key.step
+    q, w = cells.student.values[:, :m], cells.student.values[:, m : 2 * m]
+    units = cells.student.units
+    with np.errstate(invalid="ignore"):
+        largest = np.max(h / 2 * np.abs(np.diff(key.table[:, m : 2 * m], axis=0)), axis=0, initial=0.0)
+        own = np.minimum(h / 2 * np.abs(np.diff(w, axis=0)), largest)
+        spare = _SPARE * largest + SLACK * key.ranges[:m] + np.fmax(units[1:, :m], h * units[1:, m : 2 * m])
+        near = np.abs(np.diff(q, axis=0) - h / 2 * (w[1:] + w[:-1])) <= own + spare
+    moves = _moves(q).any(axis=1) | ~_moves(key.table[:, :m]).any(axis=1)
+    joined = (np.mean(near, axis=1) >= _MOST) & moves
+    follows = np.zeros(len(q), dtype=bool)
+    follows[1:] |= joined
+    follows[:-1] |= joined
+    present = np.isfinite(q).any(axis=1)
+    if follows[present].sum() < _FOLLOWING * present.sum():
+        follows[:] = False
+    follows[:1] = True
+    return follows
+
+
+def _in_a_run(right: Flags) -> Flags:
+    """Return where a cell (n, k) is one of several right ones below each other; fewer are right by chance."""
+    if len(right) < _RUN:
+        return right
+    whole: Flags = np.asarray(np.lib.stride_tricks.sliding_window_view(right, _RUN, axis=0).all(axis=-1))
+    run = np.zeros_like(right)
+    for place in range(_RUN):
+        run[place : place + len(whole)] |= whole
+    return run
+
+
+def stands_still(key: Key, cells: Cells) -> bool:
+    """Return whether no coordinate of a table moves, although the key's do."""
+    m = len(key.coordinates)
+    return not _moves(cells.student.values[:, :m]).any() and bool(_moves(key.table[:, :m]).any())
+
+
+def _moves(angles: Array) -> Flags:
+    """Return where a coordinate (n, m) is another than in the row before (n - 1, m)."""
+    return np.asarray(np.abs(np.diff(angles, axis=0)) > _CONSTANT)
 
 
 def true_steps(key: Key, cells: Cells) -> Flags:

@@ -7,21 +7,35 @@ Used by `read_submission.py`.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import islice
 
 from coursework.grading.reading.equations.answers import read_answer
-from coursework.grading.reading.equations.equations import is_equation_without_sign, most_lines, read_line, spellings_for
+from coursework.grading.reading.equations.equations import (
+    definition,
+    is_equation_without_sign,
+    most_lines,
+    names_in,
+    read_line,
+    spellings_for,
+)
+from coursework.grading.reading.equations.latex import logical_lines
+from coursework.grading.reading.equations.meanings import key, parts_of
 from coursework.grading.reading.equations.names_in_text import Spellings
+from coursework.grading.reading.equations.plain_text import without_labels
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import AnswerLine, EquationLine, Reading
 from coursework.variant.formula.reader import MAX_CHARACTERS
+from coursework.variant.formula.tree import Formula
 
 _SIGNS = {";": ";", "tab": "\t"}  # a comma may stand in an equation, a blank always does
 _EDGES = " \t;,\"'"  # what a spreadsheet puts round a line that was typed into one cell
 _WORD = re.compile(r"[^\W\d]\w*")
 # So many lines of a text are tried for each equation that may be handed in, and so many characters: each costs its time.
 _TRIED, _CHARACTERS = 10, 60_000
+_MOST_LINES, _MOST_DEFINITIONS = 20_000, 100
 
 
 @dataclass(slots=True)
@@ -40,9 +54,9 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
     may hold "=" too (`h = 0.02 s`, `w1 = 13.08`): there an equation is what names a sought velocity and something it depends on,
     and lines that cannot be read are told only where others can.
     """
-    spellings = spellings_for(expected)
     most = most_lines(expected)
-    lines = _written(text) if beside is None else _beside(text, _SIGNS.get(beside.separator))
+    lines = list(islice(_written(text) if beside is None else _beside(text, _SIGNS.get(beside.separator)), _MOST_LINES))
+    own = _definitions(lines, expected) if beside is None else {}
     found, answers = Lines(), dict[str, AnswerLine]()
     tried = characters = 0
     for number, line in lines:
@@ -51,9 +65,11 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
             found.unread += "=" in line
         elif answer := _answer(line, name, number, expected):
             answers.setdefault(answer.name, answer)
-        elif beside is None and ("=" in line or is_equation_without_sign(line, spellings)):
-            found.equations.append(read_line(line, name, number, spellings))
-        elif beside is not None and _relates(read := read_line(line, name, number, spellings), spellings, expected):
+        elif beside is None and _defines(line, own):
+            continue
+        elif beside is None and ("=" in line or is_equation_without_sign(line, expected)):
+            found.equations += [read_line(part, name, number, expected, own) for part in parts_of(line)]
+        elif beside is not None and relates(read := read_line(line, name, number, expected), expected):
             found.equations.append(read)
     if beside is not None and all(line.left is None for line in found.equations):
         found.equations = []
@@ -63,7 +79,7 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
 
 def _written(text: str) -> Iterator[tuple[int, str]]:
     """Give the lines that are neither blank nor remarks with their numbers."""
-    for number, line in enumerate(text.split("\n"), start=1):
+    for number, line in logical_lines(text):
         bare = line.partition("#")[0].strip()
         if bare:
             yield number, bare
@@ -81,9 +97,29 @@ def _answer(line: str, name: str, number: int, expected: Expected) -> AnswerLine
     return read_answer(line[:500], name, number, expected.answers) if expected.answers else None
 
 
-def _relates(read: EquationLine, spellings: Spellings, expected: Expected) -> bool:
+def _definitions(lines: Sequence[tuple[int, str]], expected: Expected) -> dict[str, Formula]:
+    """Return the student's own names that other lines use, with their formulas; a later one may use those before it."""
+    own: dict[str, Formula] = {}
+    words = Counter(key(word) for _, line in lines for word in {*_WORD.findall(line)})
+    for _, line in lines[:_MOST_DEFINITIONS]:
+        if _own_name(line) and (found := definition(line, expected, own)) and words[found[0]] > 1:
+            own.setdefault(*found)
+    return own
+
+
+def _own_name(line: str) -> str:
+    """Return the one word on the left of a line, "" where more stands there."""
+    left = without_labels(line).partition("=")[0].strip(" :$")
+    return left if "=" in line and _WORD.fullmatch(left) else ""
+
+
+def _defines(line: str, own: Mapping[str, Formula]) -> bool:
+    return bool(own) and key(_own_name(line)) in own
+
+
+def relates(read: EquationLine, expected: Expected) -> bool:
     """Return whether a line names a sought velocity and something it depends on."""
-    named, sought = _names(read, spellings), {*expected.variant.sought}
+    named, sought = _names(read, spellings_for(expected)), {*expected.variant.sought}
     return bool(named & sought and named - sought - {"t"})
 
 
@@ -91,4 +127,4 @@ def _names(read: EquationLine, spellings: Spellings) -> set[str]:
     """Return the declared names in a line, of one that cannot be read those that stand by themselves."""
     if read.left is not None and read.right is not None:
         return {node.name for node in (*read.left.walk(), *read.right.walk()) if node.op == "name"}
-    return {known for word in _WORD.findall(read.text) if (known := spellings.canonical(word)) is not None}
+    return names_in(read.text, spellings)

@@ -12,6 +12,7 @@ from functools import cache
 from typing import NamedTuple
 
 from coursework.grading.reading.equations.names_in_text import Spellings
+from coursework.grading.reading.equations.plain_text import plain
 from coursework.variant.formula.alphabet import LOOK_ALIKE
 
 _SIGNS = str.maketrans({
@@ -19,13 +20,8 @@ _SIGNS = str.maketrans({
     "\u00a0": " ", "\u202f": " ", "\u2009": " ", "\u200b": None, "\ufeff": None, "‐": "-", "‑": "-", "—": "-", "`": None,
     "$": None,
 })  # fmt: skip
-_LABEL = re.compile(
-    r"\s*(?:[*•]\s+)?(?:\(?\d{1,3}[)]|\d{1,3}[.:](?=\s)"
-    r"|(?:equation|eq|gleichung|gl|уравнение|ур|рівняння|рівн|ф-ла|формула|方程)?[\s.№]*\(?\d{1,3}\)?\s*:(?!=))\s*",
-    re.IGNORECASE,
-)
-_NUMBER_AT_END = re.compile(r"\s\(\d{1,3}\)$")
 _TAIL = " \t\r.,;"
+_NAMED = re.compile(r"^(\s*[^\W\d]\w*)\s*(?:[:;\t]\s*=|=\s*=)\s*")  # the name beside a formula of a spreadsheet
 _DECIMAL_COMMA = re.compile(r"(?<![\w.,])(\d+),(\d+)(?![\d,])")
 _SUBSCRIPT = re.compile(r"(?<!\w)[^\W\d]\w*\[|[)\]]\[")  # a name before a bracket may be a product or a list: not guessed
 _WORDS = {"ф": "phi", "Ф": "phi", "щ": "w", "∅": "phi", "Ø": "phi", "ø": "phi"}
@@ -52,28 +48,15 @@ def repaired(text: str, spellings: Spellings) -> str:
     """
     if _SUBSCRIPT.search(text):
         return text
-    plain = re.sub(r"_\{(\w+)\}", r"_\1", text).translate(_SIGNS).rstrip(_TAIL)
-    if number := _NUMBER_AT_END.search(plain):
-        plain = plain[: number.start()].rstrip(_TAIL)
-    plain = _LABEL.sub("", plain, count=1) if _LABEL.match(plain) else plain
-    plain = plain.replace(":=", "=").replace("==", "=").replace("\\", " ").replace("²", "^2 ").replace("³", "^3 ").strip()
-    if "atan2" not in plain:
-        plain = _DECIMAL_COMMA.sub(r"\1.\2", plain)
-    plain = _dotted(plain, spellings)
-    sides = [_side(side, spellings) for side in plain.split("=")]
+    typed = re.sub(r"_\{(\w+)\}", r"_\1", plain(text.replace("$", " "), spellings)).translate(_SIGNS).rstrip(_TAIL)
+    typed = _NAMED.sub(r"\1 = ", typed.replace(":=", "=").replace("==", "="))
+    typed = typed.replace("\\", " ").replace("²", "^2 ").replace("³", "^3 ").strip()
+    if "atan2" not in typed:
+        typed = _DECIMAL_COMMA.sub(r"\1.\2", typed)
+    sides = [_side(side, spellings) for side in typed.split("=")]
     if len(sides) == 3:  # V_Cy = … = 0 says what the sum is before it says that it vanishes
         sides = sides[1:]
     return " = ".join(sides if len(sides) > 1 else [*sides, "0"])
-
-
-def _dotted(text: str, spellings: Spellings) -> str:
-    """Return a text in which a dot above a coordinate became the name of its rate."""
-
-    def rate(match: re.Match[str]) -> str:
-        name = spellings.canonical(match[1] + match[2])
-        return spellings.rates.get(name or "", match[0])
-
-    return re.sub("(\\w)\u0307(\\w*)", rate, text)
 
 
 def _side(text: str, spellings: Spellings) -> str:

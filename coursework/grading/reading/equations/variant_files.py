@@ -12,14 +12,12 @@ from functools import cache
 from typing import Any
 
 from coursework.grading.reading.equations.equations import faults_as_lines, read_constraints
-from coursework.grading.reading.equations.names_in_text import Spellings
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import EquationLine
 from coursework.variant import catalogue
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.units import UnitFault, read
 from coursework.variant.reading.schema import VariantFile as Schema
-from coursework.variant.record.variant import Variant
 from coursework.variant.toml.source import MAX_BYTES, read_source
 from coursework.words.errors import InputError
 from coursework.words.sentence import Sentence
@@ -44,7 +42,7 @@ def is_variant_file(text: str) -> bool:
     return _FORMAT.search(text[: 4 * MAX_BYTES]) is not None
 
 
-def read_variant_file(content: bytes, name: str, expected: Expected, spellings: Spellings) -> VariantFile:
+def read_variant_file(content: bytes, name: str, expected: Expected) -> VariantFile:
     """Return what a variant file holds; a file that is not TOML is one equation that cannot be read."""
     try:
         source = read_source(content, name, {})
@@ -53,7 +51,7 @@ def read_variant_file(content: bytes, name: str, expected: Expected, spellings: 
     known = set(Schema.model_fields) | {field.alias for field in Schema.model_fields.values() if field.alias}
     unknown = tuple(str(key)[:40] for key in source.data if key not in known)
     differing = _differing(source.data, expected)
-    lines = tuple(read_constraints(source, name, spellings))
+    lines = tuple(read_constraints(source, name, expected))
     return VariantFile(lines, differing, unknown, _other_variant(source.data, differing, expected))
 
 
@@ -86,10 +84,7 @@ def _differs(value: object, assigned: float) -> bool:
 
 
 def _other_variant(data: dict[str, Any], differing: tuple[str, ...], expected: Expected) -> Sentence | None:
-    """Return why a person must look where a file is another variant: of this class by its data, of the catalogue by its title."""
-    for other in expected.others if differing else ():
-        if other.name != expected.variant.name and _same_data(data, other):
-            return say("reading.review.other_variant", submitted=other.name, assigned=expected.variant.name)
+    """Return why a person must look where a file is another variant of the catalogue by its title."""
     title = data.get("title")
     if not differing and set(map(spell, _section(data, "coordinates"))) == {entry.name for entry in expected.variant.coordinates}:
         return None
@@ -97,12 +92,6 @@ def _other_variant(data: dict[str, Any], differing: tuple[str, ...], expected: E
         return None
     named = _catalogue().get(title)
     return say("reading.review.other_variant", submitted=named, assigned=expected.variant.name) if named else None
-
-
-def _same_data(data: dict[str, Any], other: Variant) -> bool:
-    """Return whether a file has exactly the data of another variant."""
-    given = {spell(str(key)): value for key, value in _section(data, "given").items()}
-    return {*given} == {*other.values} and not any(_differs(given[entry.name], entry.value) for entry in other.given)
 
 
 @cache

@@ -60,10 +60,18 @@ def stream(chunks: Iterable[bytes], handler: Handler) -> None:
     parser.StartDoctypeDeclHandler = doctype
     parser.EntityDeclHandler = doctype
     parser.buffer_text = True
+    waiting, fed, unread = bytearray(), 0, 0
     try:
         for chunk in chunks:
-            parser.Parse(chunk, False)
-        parser.Parse(b"", True)
+            waiting += chunk
+            if len(waiting) < unread:
+                continue
+            # What has no end yet, a comment or a tag, is read again from its beginning: not before there is twice as much of it.
+            parser.Parse(waiting, False)
+            fed += len(waiting)
+            unread = fed - parser.CurrentByteIndex
+            waiting.clear()
+        parser.Parse(waiting, True)
     except Enough:
         return
     except expat.ExpatError as error:

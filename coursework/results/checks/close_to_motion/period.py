@@ -220,7 +220,8 @@ def assembly(evidence: Evidence) -> Finding:
         return Finding("FAIL", evidence.say("check.PERIOD-ASSEMBLY.fail", row=true + 1), smallest, None, unit, None, true + 1)
     if row is not None:
         return Finding("COARSE", evidence.say("check.PERIOD-ASSEMBLY.coarse", row=row + 1), smallest, None, unit, None, row + 1)
-    return Finding("PASS", evidence.say("check.PERIOD-ASSEMBLY.pass"), smallest, None, unit)
+    how = "through" if evidence.passages else "pass"
+    return Finding("PASS", evidence.say(f"check.PERIOD-ASSEMBLY.{how}"), smallest, None, unit)
 
 
 def _changed(motion: Motion, evidence: Evidence) -> int | None:

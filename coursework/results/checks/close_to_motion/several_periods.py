@@ -71,11 +71,12 @@ def missed(evidence: Evidence, row: Array, name: str) -> float:
 def _later(evidence: Evidence) -> Later | None:
     exact, variant, period = evidence.exact, evidence.variant, evidence.period
     assert exact is not None
-    once, twice = after(evidence, period), after(evidence, 2 * period)
     driven = [coordinate.name for coordinate in variant.coordinates if coordinate.rate in variant.known_rates]
-    if once is None or twice is None or not driven:
+    once = after(evidence, period) if driven else None
+    if once is None or any(missed(evidence, once, name) > RETURNS for name in (*driven, *variant.known_rates)):
         return None
-    if any(missed(evidence, once, name) > RETURNS for name in (*driven, *variant.known_rates)):
+    twice = after(evidence, 2 * period)  # last: an arm without a crank may be led out of its reach behind its period
+    if twice is None:
         return None
     gains = np.diff([exact.rows[0], once, twice], axis=0)[:, : len(exact.coordinate_names)]
     late = _lateness(evidence, gains, driven)

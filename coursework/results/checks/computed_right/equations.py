@@ -1,6 +1,6 @@
 """INITIAL, RESIDUAL, AGREEMENT: the velocities satisfy every equation, and the equations say what the geometry says.
 
-Enters: `Evidence`.  Leaves: a `Finding` each.  Used by `check.py`.
+Enters: `Evidence`.  Leaves: a `Finding` each.  Used by `check.py` and `commands/check.py`.
 Velocities solved from an equation satisfy it whatever its signs: only the geometry can judge the equation itself.
 """
 
@@ -8,8 +8,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from coursework.mechanism.proposal import proposed
+from coursework.motion.geometry.closure import Closure
 from coursework.results.checks.evidence import Evidence, worst
 from coursework.results.checks.result import Finding, skipped
+from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say, say_count
 
 # Relative to the sum of the absolute terms of the equation: some hundred roundings, far below any slip of a hand.
@@ -64,13 +67,25 @@ def agreement(evidence: Evidence) -> Finding:
     written = _written(evidence)
     if not written:
         return skipped(say("check.AGREEMENT.derived"))
-    confirmed = _confirmed(evidence)
-    if not confirmed:
+    if evidence.closure is not None and (doubt := open_to_doubt(evidence.closure)):
+        return Finding("SKIP", doubt[0], unjudged=doubt[1])
+    if not _confirmed(evidence):
         return Finding("SKIP", say("check.AGREEMENT.no_geometry"), headline=say("summary.no_geometry"))
-    open_to_doubt = tuple(name for name in written if name not in confirmed)
-    count = {"count": len(confirmed), "all": len(written)}
-    if open_to_doubt:
-        sentence = say_count("check.AGREEMENT.some", len(open_to_doubt), names=open_to_doubt, **count)
-    else:
-        sentence = say("check.AGREEMENT.pass", **count)
-    return Finding("PASS", sentence, float(len(confirmed)), float(len(written)), say_count("unit.equations", len(written)))
+    whole = float(len(written))
+    return Finding("PASS", say("check.AGREEMENT.pass", all=len(written)), whole, whole, say_count("unit.equations", len(written)))
+
+
+def open_to_doubt(closure: Closure) -> tuple[Sentence, Sentence] | None:
+    """Return which written equations the geometry does not judge, with what to write in the file, and as part of a sentence.
+
+    None where it judges all of them.
+    """
+    if not closure.unjudged:
+        return None
+    names = tuple(name for name, _ in closure.unjudged)
+    lacking = tuple(dict.fromkeys(unknown for _, unknowns in closure.unjudged for unknown in unknowns))
+    count = {"count": len(closure.agreed), "all": len(closure.agreed) + len(names)}
+    key = f"check.AGREEMENT.{'some' if closure.agreed else 'none'}"
+    found = say_count(key, len(names), names=names, unknowns=lacking, **count)
+    advice = [proposed(closure.equations.variant, name) for name in lacking]
+    return joined([found, *advice]), say_count("summary.not_judged", len(names), names=names, unknowns=lacking)

@@ -1,6 +1,6 @@
 """Euler's tables of a mechanism put together in its other ways: the misconception "branch".
 
-Enters: a `Variant` and the key's table.  Leaves: tables (n, m + r).  Used by `reference.py`, once a variant, when a table asks
+Enters: a `Variant` and the key's table.  Leaves: tables (n, m + r).  Used by `key.py`, once a variant, when a table asks
 for it.  A chain of groups has a mode each; where position equations are written, their other solutions at t = 0 are looked for.
 """
 

@@ -1,0 +1,132 @@
+"""Coordinates that are angles: about which points of the drawing each turns, from which direction, in which sense.
+
+Enters: a `Mechanism`, and what its names stand for in one position.  Leaves: `Turn`.
+Used by `angles.py`.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from coursework.mechanism.mechanism import Mechanism
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, named
+
+Values = Mapping[str, complex]
+Sum = list[tuple[Formula, int]]  # terms with their signs
+SAME = 1e-9  # m: places that near to each other are one
+
+
+@dataclass(frozen=True, slots=True)
+class Turn:
+    """A `coordinate` (rad) that is measured at one of the places `at` (m, x + iy) from the direction `axis`.
+
+    It turns by `size`, from 0 to less than a whole turn, in its positive `sense`: +1 counter-clockwise, -1 clockwise.
+    """
+
+    coordinate: str
+    at: tuple[complex, ...]
+    axis: complex
+    size: float
+    sense: int
+
+
+@dataclass(frozen=True, slots=True)
+class _Arm:
+    """A term "L @ angle" that begins at a place; `part` is 1 or -1 for + or - coordinate in its angle, beside the `rest`."""
+
+    begin: complex
+    is_named: bool
+    part: int
+    rest: tuple[tuple[Formula, int], ...]
+
+
+def turns(mechanism: Mechanism, values: Values) -> Iterator[Turn]:
+    """Yield every coordinate that is an angle, where the file says what turns with it; `values` hold points as x + iy."""
+    variant = mechanism.variant
+    moving = {coordinate.name for coordinate in variant.coordinates}
+    for coordinate in variant.coordinates:
+        name = coordinate.name
+        if coordinate.unit != "rad" or name not in values:
+            continue
+        ranked = sorted((_rank(arm, moving), place, arm) for place, arm in enumerate(_arms(mechanism, values, name)))
+        value = values[name].real
+        if not ranked:
+            at = _centre(mechanism, coordinate.rate, values)
+            if at is not None:
+                yield Turn(name, (at,), 1 + 0j, value % math.tau, 1)
+            continue
+        least, _, arm = ranked[0]
+        alike = [one.begin for rank, _, one in ranked if rank == least and (one.part, one.rest) == (arm.part, arm.rest)]
+        # A constant beside it does not change from where the coordinate itself counts.
+        counts = arm.part < 0 or any(moving & {*part.names()} for part, _ in arm.rest)
+        axis = cmath.exp(1j * sum(sign * evaluate_any(part, values).real for part, sign in arm.rest)) if counts else 1 + 0j
+        yield Turn(name, tuple(dict.fromkeys(alike)), axis, value % math.tau, arm.part)
+
+
+def _rank(arm: _Arm, moving: set[str]) -> tuple[int, bool]:
+    """Return how well an arm shows its coordinate: by itself, beside a constant, beside another coordinate; at a named point."""
+    if not arm.rest and arm.part > 0:
+        return 0, not arm.is_named
+    return (2 if any(moving & {*part.names()} for part, _ in arm.rest) else 1), not arm.is_named
+
+
+def _arms(mechanism: Mechanism, values: Values, coordinate: str) -> Iterator[_Arm]:
+    """Yield the arms that turn with a coordinate, in the points, closures and what the motion keeps."""
+    corners = [values[name] for name, _ in mechanism.points if name in values]
+    for parts, is_gap in _sums(mechanism):
+        for place, (part, _) in enumerate(parts):
+            if part.op != "@" or coordinate not in part.args[1].names():
+                continue
+            angle = list(signed(part.args[1]))
+            own = [one for term, one in angle if term == named(coordinate)]
+            rest = tuple((term, one) for term, one in angle if term != named(coordinate))
+            if len(own) != 1 or any(coordinate in term.names() for term, _ in rest):
+                continue
+            try:
+                begin = _gap_begin(parts, place, values) if is_gap else _begin(parts, place, values)
+            except (KeyError, FormulaFault):  # a length that a law of time gives
+                continue
+            yield _Arm(begin, any(abs(begin - corner) < SAME for corner in corners), own[0], rest)
+
+
+def _begin(parts: Sum, place: int, values: Values) -> complex:
+    """Return where the arm at a place of a sum begins; with a minus it leads from its end to where the sum was before."""
+    ends = parts[: place + (parts[place][1] < 0)]
+    return sum((sign * evaluate_any(part, values) for part, sign in ends), 0j)
+
+
+def _gap_begin(parts: Sum, place: int, values: Values) -> complex:
+    """Return where an arm begins in a sum that stays zero: "C - B - r2 @ phi2" says that it leads from B to C."""
+    same = [(part, at) for at, (part, sign) in enumerate(parts) if sign == parts[place][1]]
+    return sum((evaluate_any(part, values) for part, at in same if at < place or part.op != "@"), 0j)
+
+
+def _sums(mechanism: Mechanism) -> Iterator[tuple[Sum, bool]]:
+    """Yield the sums in which vectors stand, and whether one is the gap between two points."""
+    sides = [formula for _, formula in mechanism.points]
+    sides += [side for one in mechanism.constraints if one.is_closure for side in (one.left, one.right)]
+    yield from ((list(signed(side)), False) for side in sides)
+    yield from ((list(signed(hold.args[0])), True) for hold in mechanism.variant.holds if hold.op == "part")
+
+
+def _centre(mechanism: Mechanism, rate: str, values: Values) -> complex | None:
+    """Return the middle of the wheel, or the first point of the link, that has a rate; None where no link has it."""
+    for link in mechanism.variant.links:
+        first = link.wheel or next(iter(link.points), "")
+        if link.rate == rate and first in values:
+            return complex(values[first])
+    return None
+
+
+def signed(formula: Formula, sign: int = 1) -> Iterator[tuple[Formula, int]]:
+    """Yield the terms of a sum with their signs."""
+    if formula.op in {"+", "-"}:
+        yield from signed(formula.args[0], sign)
+        yield from signed(formula.args[1], sign if formula.op == "+" else -sign)
+    elif formula.op == "neg":
+        yield from signed(formula.args[0], -sign)
+    else:
+        yield formula, sign

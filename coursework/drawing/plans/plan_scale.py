@@ -1,0 +1,80 @@
+"""The scale of a plan, which vectors are too short for it, and how long a ruler finds what is drawn.
+
+Enters: `Polygons`, a plan and a row.  Leaves: `PlanScale`, arrows, lengths in mm.
+Used by `polygon_sheet.py`, `steps.py`, `check_plan.py` and `readings.py`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from coursework.drawing.paper.board import SPEEDS
+from coursework.drawing.plans.vectors import ACCELERATION, Polygons
+
+LONGEST = 80.0  # mm of the longest vector
+SMALL = 4.0  # mm: a shorter vector is drawn again in the inset
+SEEN = 1e-7  # of the longest vector: below it a vector is nothing but round-off
+READ = 0.5  # mm: to so much a length is read
+
+Arrow = tuple[str, str, str, complex, complex]
+
+
+def read_length(length: float) -> float:
+    """Return a length (mm) as a ruler gives it."""
+    return round(length / READ) * READ
+
+
+@dataclass(frozen=True, slots=True)
+class PlanScale:
+    """The scale of a plan: `unit` m/s or m/s² a mm; short vectors stand `times` as long in the inset, 1: there is none."""
+
+    unit: float
+    times: int
+    longest: float
+
+    def length(self, size: float, drawn: bool = True) -> tuple[float, float]:
+        """Return how long a vector of this size is on paper (mm), and the scale there; one `drawn` by itself may be enlarged."""
+        if size <= SEEN * self.longest:
+            return 0.0, self.unit
+        length = size / self.unit
+        times = self.times if drawn and length < SMALL else 1
+        return length * times, self.unit / times
+
+
+def scale_of(found: Polygons, plan: str, index: int) -> PlanScale:
+    """Return the scale of a plan of a row (from 0): the smallest of 1, 2, 5 · 10^k a mm with no vector over 80 mm."""
+    arrows = arrows_of(found, plan, index)
+    longest = max((abs(vector) for *_, vector in arrows), default=0.0)
+    unit = next((s for s in SPEEDS if longest / s <= LONGEST * (1 + 1e-12)), SPEEDS[-1])
+    small = short_ones([(kind, start, end, at / unit, vector / unit) for kind, start, end, at, vector in arrows])
+    return PlanScale(unit, enlarged(small) if small else 1, longest)
+
+
+def arrows_of(found: Polygons, plan: str, row: int) -> list[Arrow]:
+    """Return kind, from, to, where it begins and the vector: parts of an acceleration follow each other."""
+    here = [(s.kind, s.start, s.end, complex(s.vector[row])) for s in found.segments if s.plan == plan]
+    tips = {end: vector for kind, _, end, vector in here if kind == "absolute"}
+    first = {(start, end): vector for kind, start, end, vector in here if kind in {"normal", "coriolis"}}
+    arrows = []
+    for kind, start, end, vector in here:
+        at = tips.get(start, 0j)
+        if kind == "tangential" or (kind == "sliding" and plan == ACCELERATION):
+            at += first[start, end]
+        arrows.append((kind, start, end, at, vector))
+    return arrows
+
+
+def short_ones(mm: list[Arrow]) -> list[tuple[str, str, str, complex]]:
+    """Return the vectors that would hide in a joint of the plan: image letters and vector (mm)."""
+    longest = max((abs(vector) for *_, vector in mm), default=0.0)
+    kept = {(start, end): (kind, start, end, vector) for kind, start, end, _, vector in mm
+            if kind in {"absolute", "relative", "sliding"} and SEEN * longest < abs(vector) < SMALL}  # fmt: skip
+    return list(kept.values())
+
+
+def enlarged(small: list[tuple[str, str, str, complex]]) -> int:
+    """Return how many times short vectors are enlarged: the least power of ten that shows them."""
+    times = 10
+    while max(abs(vector) for *_, vector in small) * times < SMALL:
+        times *= 10
+    return times

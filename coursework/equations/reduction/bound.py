@@ -1,0 +1,223 @@
+"""What the geometry says of velocities that no coordinate has: unknowns bound in [unknowns], and rates of links.
+
+Enters: a `Mechanism` and its symbols.  Leaves: for each such velocity a `Bound`, linear in the unknown velocities.
+Used by `equations.py`.  Written equations are judged by them, and where none is written they stand for those.
+
+A point B has by its position a velocity V_B; against link 3 it is V_B - (V_K + w3 x KB), K a point of that link.  A link with two
+points, a wheel that rolls and a sleeve on a bar have a rate that follows from the points: w AB^2 = AB x (V_B - V_A); the wheel's
+contact moves as what it touches; the sleeve turns with its bar.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import sympy as sp
+
+from coursework.equations.reduction.symbolic import TIME, Symbols, Vector, placed, symbol
+from coursework.mechanism.joints import chain_of_groups, link_names
+from coursework.mechanism.mechanism import Mechanism
+from coursework.variant.formula.tree import Formula, named
+from coursework.variant.record.variant import Binding, Link, Variant
+from coursework.words.errors import Fault, InputError
+from coursework.words.sentences import say
+
+
+@dataclass(frozen=True, slots=True)
+class Speed:
+    """A velocity as `sum coefficients[u] u + rest`, u the unknown velocities."""
+
+    coefficients: Mapping[str, sp.Expr]
+    rest: sp.Expr
+
+    def plus(self, other: Speed, factor: sp.Expr = sp.S.One) -> Speed:
+        """Return self + factor * other."""
+        total = dict(self.coefficients)
+        for name, slope in other.coefficients.items():
+            total[name] = total.get(name, sp.S.Zero) + factor * slope
+        return Speed({name: slope for name, slope in total.items() if slope != 0}, self.rest + factor * other.rest)
+
+
+_STILL = Speed({}, sp.S.Zero)
+
+
+@dataclass(frozen=True, slots=True)
+class Bound:
+    """`is_zero` = 0 gives the velocity `name`; `link` is the one whose rate it is, "" for a line of [unknowns]."""
+
+    name: str
+    is_zero: Speed
+    link: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class _Body:
+    """A link that a binding names: its rate, a point that is its own, and its entry in [links] if it has one."""
+
+    rate: str | None
+    point: Formula | None
+    link: Link | None = None
+
+
+class Geometry:
+    """Velocities of points and links of one mechanism."""
+
+    def __init__(self, mechanism: Mechanism, symbols: Symbols) -> None:
+        self.variant: Variant = mechanism.variant
+        self._symbols = symbols
+        self._bodies = _bodies(mechanism)
+
+    def bound(self) -> tuple[Bound, ...]:
+        """Return the unknowns that [unknowns] binds.  Raises `InputError` for a link whose rate nothing gives."""
+        found = []
+        for binding in self.variant.bindings:
+            with placed(self.variant, f"unknowns.{binding.name}", self._line(binding)):
+                found.append(Bound(binding.name, self._speed(binding).plus(_of(binding.name), sp.S.NegativeOne)))
+        return tuple(found)
+
+    def rates_of_links(self, known: set[str]) -> tuple[Bound, ...]:
+        """Return the rates of links that are not among the `known` velocities and follow from points."""
+        found: dict[str, Bound] = {}
+        for name, body in self._bodies.items():
+            if body.link is None or body.rate not in self.variant.sought or body.rate in known or body.rate in found:
+                continue
+            if (speed := self._from_points(body.link, _of(body.rate))) is not None:
+                found[body.rate] = Bound(body.rate, speed, name)
+        return tuple(found.values())
+
+    def _line(self, binding: Binding) -> int:
+        return self.variant.nearest_line("unknowns", binding.name)
+
+    def _speed(self, binding: Binding) -> Speed:
+        """Return the velocity that a binding names."""
+        if binding.link:
+            rate = self._rate(binding.link, binding)
+            return rate.plus(self._rate(binding.relative, binding), sp.S.NegativeOne) if binding.relative else rate
+        assert binding.along is not None
+        angle = self._symbols.scalar(binding.along)
+        point = self._symbols.vectors[binding.point]
+        moved = self._moved(point)
+        if binding.relative:
+            moved = _minus(moved, self._material(binding.relative, point, binding))
+        return _STILL.plus(moved[0], sp.cos(angle)).plus(moved[1], sp.sin(angle))
+
+    def _moved(self, point: Vector) -> tuple[Speed, Speed]:
+        """Return the velocity of a point by its position."""
+        sought, parts = set(self.variant.sought), []
+        for part in point:
+            speed = Speed({}, self._symbols.partial(part, TIME))
+            for coordinate in self.variant.coordinates:
+                slope = self._symbols.partial(part, symbol(coordinate.name))
+                if slope != 0:
+                    speed = speed.plus(_of(coordinate.rate) if coordinate.rate in sought else _known(coordinate.rate), slope)
+            parts.append(speed)
+        return parts[0], parts[1]
+
+    def _material(self, link: str, at: Vector, binding: Binding) -> tuple[Speed, Speed]:
+        """Return the velocity of that point of a link which stands where `at` is."""
+        body = self._body(link, binding)
+        if body.point is None:
+            raise self._nothing(link, binding)
+        own = self._symbols.vector(body.point)
+        return _turned(self._moved(own), self._rate(link, binding), (at[0] - own[0], at[1] - own[1]))
+
+    def _rate(self, link: str, binding: Binding) -> Speed:
+        body = self._body(link, binding)
+        if body.rate is not None and body.rate != binding.name:
+            return _of(body.rate) if body.rate in self.variant.sought else _known(body.rate)
+        # A link without a rate of its own: r AB^2 = ..., solved for r, which stands nowhere else.
+        found = self._from_points(body.link, _of(_HELD)) if body.link is not None else None
+        if found is None:
+            raise self._nothing(link, binding)
+        slope = found.coefficients[_HELD]
+        others = Speed({name: part for name, part in found.coefficients.items() if name != _HELD}, found.rest)
+        return _STILL.plus(others, -1 / slope)
+
+    def _from_points(self, link: Link, rate: Speed) -> Speed | None:
+        """Return what is zero for the `rate` of a link, None where its points do not tell."""
+        vectors = self._symbols.vectors
+        if link.wheel and link.contact:
+            touched = self._touched(link, vectors[link.contact])
+            centre = vectors[link.wheel]
+            arm = vectors[link.contact][0] - centre[0], vectors[link.contact][1] - centre[1]
+            if touched is not None and arm != (0, 0):
+                slip = _minus(_turned(self._moved(centre), rate, arm), touched)
+                return _STILL.plus(slip[0], -arm[1]).plus(slip[1], arm[0])
+        points = [*link.points, *([link.wheel] if link.wheel else [])]
+        for other in points[1:]:
+            arm = vectors[other][0] - vectors[points[0]][0], vectors[other][1] - vectors[points[0]][1]
+            if any(part.free_symbols for part in arm):
+                gap = _minus(self._moved(vectors[other]), self._moved(vectors[points[0]]))
+                return _STILL.plus(gap[1], arm[0]).plus(gap[0], -arm[1]).plus(rate, -(arm[0] ** 2 + arm[1] ** 2))
+        bar = self._bodies.get(link.slides or "")
+        if bar is not None and bar.rate is not None:
+            along = _of(bar.rate) if bar.rate in self.variant.sought else _known(bar.rate)
+            return rate.plus(along, sp.S.NegativeOne) if along != rate else None
+        return None
+
+    def _touched(self, wheel: Link, contact: Vector) -> tuple[Speed, Speed] | None:
+        """Return the velocity of what a wheel touches at its contact, None where the file does not say what that is."""
+        for body in self._bodies.values():
+            other = body.link
+            if other is None or other == wheel or wheel.contact not in {*other.points, other.contact}:
+                continue
+            if (
+                body.rate is None
+                or (own := next((p for p in (other.wheel, *other.points) if p and p != wheel.contact), None)) is None
+            ):
+                return None
+            at = self._symbols.vectors[own]
+            rate = _of(body.rate) if body.rate in self.variant.sought else _known(body.rate)
+            return _turned(self._moved(at), rate, (contact[0] - at[0], contact[1] - at[1]))
+        frame = self.variant.frame
+        on_rail = any(through == named(str(wheel.contact)) for through, _ in frame.rails)
+        return (_STILL, _STILL) if on_rail or frame.circles else None
+
+    def _body(self, name: str, binding: Binding) -> _Body:
+        if name not in self._bodies:
+            raise self._nothing(name, binding)
+        return self._bodies[name]
+
+    def _nothing(self, link: str, binding: Binding) -> InputError:
+        told = say("fault.V155", link=link, known=tuple(self._bodies))
+        return InputError([Fault(told, self.variant.file, self._line(binding), 0, f"unknowns.{binding.name}")])
+
+
+_HELD = "_rate"  # stands for a rate that has no name in the file
+
+
+def _bodies(mechanism: Mechanism) -> dict[str, _Body]:
+    """Return the links by name: of [links], else those of the chain of groups, numbered by their rates."""
+    variant = mechanism.variant
+    if variant.links:
+        own = {link.name: next((name for name in (*link.points, link.wheel) if name), None) for link in variant.links}
+        return {link.name: _Body(link.rate, named(point) if (point := own[link.name]) else None, link) for link in variant.links}
+    if not variant.groups:
+        return {}
+    chain = chain_of_groups(variant, dict(mechanism.points))
+    coordinates = {c.name: c for c in variant.coordinates}
+    found = {}
+    for body, name in link_names(chain, variant).items():
+        moves = coordinates[chain.coordinates[body]]
+        pins = (joint.where for joint in chain.joints if joint.pins and body in joint.bodies)
+        if moves.unit == "rad":  # a block turns with its guide, which is a link of its own
+            found[name] = _Body(moves.rate, next((pin for pin in pins if pin is not None), None))
+    return found
+
+
+def _of(name: str) -> Speed:
+    return Speed({name: sp.S.One}, sp.S.Zero)
+
+
+def _known(name: str) -> Speed:
+    return Speed({}, symbol(name))
+
+
+def _minus(one: tuple[Speed, Speed], other: tuple[Speed, Speed]) -> tuple[Speed, Speed]:
+    return one[0].plus(other[0], sp.S.NegativeOne), one[1].plus(other[1], sp.S.NegativeOne)
+
+
+def _turned(start: tuple[Speed, Speed], rate: Speed, arm: Vector) -> tuple[Speed, Speed]:
+    """Return the velocity of the end of an arm whose start is known and which turns."""
+    return start[0].plus(rate, -arm[1]), start[1].plus(rate, arm[0])

@@ -1,0 +1,68 @@
+"""A variant -> the same with one misconception written into its formulas.
+
+Enters: a `Variant`.  Leaves: a `Variant`, or None where the misconception cannot be written into it.  Used by `key.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from coursework.variant.formula.tree import Formula, mapped, named, number
+from coursework.variant.record.variant import Law, Variant
+
+_TURNING = ("sin", "cos", "tan")
+_DEGREE = Formula("/", (named("pi"), number(180)))
+
+
+def misread(variant: Variant, code: str) -> Variant | None:
+    """Return the variant with the signs of its drive turned ("sign_drive") or degrees taken for radians ("degree_mode")."""
+    if code == "sign_drive":
+        return _with_drive_turned(variant)
+    return None if variant.groups else _in_degrees(variant)  # a group's closed form has its sines inside
+
+
+def _with_drive_turned(variant: Variant) -> Variant:
+    return replace(
+        variant,
+        drive=tuple(
+            replace(
+                law,
+                formula=Formula("neg", (law.formula,)) if law.formula else None,
+                pieces=tuple((begin, Formula("neg", (piece,))) for begin, piece in law.pieces),
+                table=tuple((at, -value) for at, value in law.table),
+            )
+            for law in variant.drive
+        ),
+    )
+
+
+def _in_degrees(variant: Variant) -> Variant:
+    """Return the variant as a calculator set to degrees sees it: every argument of a sine is taken for degrees."""
+
+    def laws(found: Sequence[Law]) -> tuple[Law, ...]:
+        return tuple(
+            replace(
+                law,
+                formula=_degrees(law.formula) if law.formula else None,
+                pieces=tuple((begin, _degrees(piece)) for begin, piece in law.pieces),
+            )
+            for law in found
+        )
+
+    return replace(
+        variant,
+        drive=laws(variant.drive),
+        functions=laws(variant.functions),
+        constraints=tuple(replace(c, left=_degrees(c.left), right=_degrees(c.right)) for c in variant.constraints),
+        points=tuple((name, _degrees(point)) for name, point in variant.points),
+        holds=tuple(_degrees(hold) for hold in variant.holds),
+    )
+
+
+def _degrees(tree: Formula) -> Formula:
+    turned = mapped(tree, _degrees)
+    if tree.op == "@" or (tree.op == "call" and tree.name in _TURNING):
+        *length, angle = turned.args
+        return replace(turned, args=(*length, Formula("*", (angle, _DEGREE))))
+    return turned

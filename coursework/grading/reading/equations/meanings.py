@@ -1,0 +1,137 @@
+"""Names that a student writes and the variant does not have -> what they mean: a length by its end points, c3, own definitions.
+
+Enters: the variant, lines of text.  Leaves: checked formulas by name, to be put in the place of the names.
+Used by `equations.py` and `lines.py`.  Sizes are bounded: what is put in counts as if it had been typed.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from functools import lru_cache
+from itertools import pairwise
+
+from coursework.grading.reading.expected import Expected
+from coursework.mechanism.mechanism import build
+from coursework.variant.formula.alphabet import spell
+from coursework.variant.formula.reader import MAX_NODES
+from coursework.variant.formula.tree import Formula, evaluate_any, mapped, named, terms
+from coursework.variant.record.variant import Variant
+from coursework.words.errors import CourseworkError
+
+Meanings = Mapping[str, Formula]
+_SAME = 1e-9
+_SHORT = {"c": "cos", "s": "sin", "cos": "cos", "sin": "sin"}
+_END_POINTS = re.compile(r"[|\s]*([A-Z]\w?'?)\s*-?\s*([A-Z]\w?'?)[|\s]*")
+_LENGTH = re.compile(r"(?:[lLr]_?)?(.+)")
+
+
+def key(name: str) -> str:
+    """Return a name as meanings are looked up: Greek spelt out, without low lines; capitals count."""
+    return re.sub("[_{}]", "", spell(name))
+
+
+def meaning_of(name: str, expected: Expected, own: Meanings) -> Formula | None:
+    """Return what a name that the variant does not have means, None where nobody can tell."""
+    plain = key(name)
+    if plain in own:
+        return own[plain]
+    starts = tuple((column.name, column.values[0]) for column in expected.grid.columns if column.values)
+    lengths = _lengths(expected.variant, starts)
+    for spelling in (plain, _LENGTH.sub(r"\1", plain)):
+        if spelling in lengths:
+            return lengths[spelling]
+    return _of_angle(plain, expected.variant)
+
+
+def _of_angle(name: str, variant: Variant) -> Formula | None:
+    """Return cos φ₃ for c3 and sin φ₃ for s3, where one angle alone has this index."""
+    for short, function in sorted(_SHORT.items(), reverse=True):
+        index = name.removeprefix(short)
+        if index and index != name and index.isdigit():
+            angles = [one.name for one in variant.coordinates if one.unit == "rad" and re.sub(r"\D", "", one.name) == index]
+            return Formula("call", (named(angles[0]),), name=function) if len(angles) == 1 else None
+    return None
+
+
+@lru_cache(maxsize=16)
+def _lengths(variant: Variant, starts: tuple[tuple[str, float], ...]) -> Meanings:
+    """Return the lengths between named points, by both orders of their names: as the geometry says, as data mean, as measured."""
+    found: dict[str, Formula] = {}
+
+    def offer(first: str, second: str, length: Formula) -> None:
+        for pair in (first + second, second + first):
+            if pair not in variant.names:
+                found.setdefault(pair, length)
+
+    for given in variant.given:
+        if given.si == "m" and (ends := _END_POINTS.fullmatch(given.means)):
+            offer(ends[1], ends[2], named(given.name))
+    try:
+        points = dict(build(variant).points)
+    except CourseworkError:
+        return found
+    for name, formula in points.items():
+        parts = list(terms(formula))
+        other = [part.name for part in parts if part.op == "name" and part.name in points]
+        bars = [part for part in parts if part.op == "@"]
+        if len(parts) == 2 and len(other) == len(bars) == 1:
+            offer(other[0], name, bars[0].args[0])
+    for first, second, distance in _distances(variant, points, starts):
+        alike = [given.name for given in variant.given if given.si == "m" and abs(given.value - distance) <= _SAME * distance]
+        if len(alike) == 1:
+            offer(first, second, named(alike[0]))
+    return found
+
+
+def _distances(
+    variant: Variant, points: Mapping[str, Formula], starts: tuple[tuple[str, float], ...]
+) -> Iterator[tuple[str, str, float]]:
+    """Give the distances (m) between points in the first row of the table."""
+    values: dict[str, complex] = {"t": 0.0, **variant.values, **dict(starts)}
+    placed: dict[str, complex] = {}
+    for name, formula in points.items():
+        try:
+            placed[name] = values[name] = evaluate_any(formula, values)
+        except (ArithmeticError, ValueError, KeyError):
+            continue
+    names = list(placed)
+    for place, first in enumerate(names):
+        for second in names[place + 1 :]:
+            if distance := abs(placed[first] - placed[second]):
+                yield first, second, distance
+
+
+def put_in(tree: Formula, meanings: Mapping[str, Formula]) -> Formula | None:
+    """Return a tree with the meanings of names in their places, None where it grows beyond what may be typed."""
+
+    def changed(node: Formula) -> Formula:
+        if node.op == "name" and node.name in meanings:
+            return _at(meanings[node.name], node.column)
+        return mapped(node, changed)
+
+    grown = sum(sum(1 for _ in meanings[node.name].walk()) for node in tree.walk() if node.op == "name" and node.name in meanings)
+    return changed(tree) if grown <= MAX_NODES else None
+
+
+def _at(tree: Formula, column: int) -> Formula:
+    return replace(mapped(tree, lambda arg: _at(arg, column)), column=column)
+
+
+def parts_of(line: str) -> list[str]:
+    """Return the equations of one line, parted by semicolons, or by commas that stand between two of them.
+
+    >>> parts_of("w3 = 0,5*w1, w4 = atan2(1, w3)")
+    ['w3 = 0,5*w1', 'w4 = atan2(1, w3)']
+    """
+    if line.count("=") < 2:
+        return [line]
+    depth, cuts = 0, [-1]
+    for place, sign in enumerate(line):
+        depth += {"(": 1, "[": 1, "{": 1, ")": -1, "]": -1, "}": -1}.get(sign, 0)
+        is_decimal = sign == "," and line[place - 1 : place].isdigit() and line[place + 1 : place + 2].isdigit()
+        if sign in ",;" and depth == 0 and not is_decimal and "=" in line[cuts[-1] + 1 : place]:
+            cuts.append(place)
+    pieces = [line[start + 1 : end].strip() for start, end in pairwise([*cuts, len(line)])]
+    return pieces if all("=" in piece for piece in pieces) else [line]

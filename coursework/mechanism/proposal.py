@@ -1,0 +1,99 @@
+"""The line of [unknowns] that says which velocity an unknown is, with the names of the file: what a student may write.
+
+Enters: a `Variant` and the name of a velocity that nothing in its geometry gives.  Leaves: a sentence.
+Used by `results/checks/computed_right/equations.py` and `report/sections/motion_equations.py`.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+
+from coursework.variant.formula.tree import Formula, evaluate, spelled
+from coursework.variant.record.variant import Link, Variant
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
+
+_ALONG = {"y": "0 deg", "x": "90 deg"}  # a point that keeps its height moves along x
+
+
+def proposed(variant: Variant, name: str) -> Sentence:
+    """Return what to write so that the geometry knows a velocity.
+
+    >>> import coursework
+    >>> text = coursework.load("v102").path.read_text(encoding="utf-8")
+    >>> bare = coursework.parse_variant(text.replace('u = { unit = "m/s", of = "C", along = "90 deg" }', 'u = "m/s"'))
+    >>> print(proposed(bare, "u"))
+    Write in [unknowns] u = { unit = "m/s", of = "C", along = "90 deg" }, if u is the velocity of C along its guide.
+    """
+    unit = dict(variant.unknowns).get(name)
+    if unit is None:
+        coordinate = next((c.name for c in variant.coordinates if c.rate == name), name)
+        return say("proposal.coordinate", name=name, coordinate=coordinate)
+    if unit != "m/s":
+        return _of_link(variant, name)
+    guided = [*_guided(variant)]
+    taken = {binding.point for binding in variant.bindings}
+    named_after = [one for one in guided if len(name) > 1 and name.endswith(one[0])]
+    free = [one for one in guided if one[0] not in taken]
+    if not named_after and not free:
+        point = next((point for point, _ in reversed(variant.points)), "B")
+        return say("proposal.point", name=name, line=_line(name, "m/s", point, "0 deg"))
+    point, along, relative = [*named_after, *free][0]
+    key = "proposal.sliding" if relative else "proposal.guided"
+    return say(key, name=name, point=point, relative=relative, line=_line(name, "m/s", point, along, relative))
+
+
+def _of_link(variant: Variant, name: str) -> Sentence:
+    """Return what to write for the rate of a link, the one with the number of its name where there is one."""
+    found = re.search(r"\d+$", name)
+    digits = found[0] if found else ""
+    known = {link.name for link in variant.links if link.rate != name}  # a chain numbers its links by their rates
+    known |= {end[0] for c in variant.coordinates if c.unit == "rad" and (end := re.search(r"\d+$", c.rate))}
+    if digits not in known and set(digits) <= known and len(digits) == 2:
+        line = _line(name, "1/s", f"link {digits[0]}", relative=digits[1])
+        return say("proposal.relative", name=name, link=digits[0], other=digits[1], line=line)
+    link = digits or next((link.name for link in variant.links if link.rate is None), "4")
+    line = _line(name, "1/s", f"link {link}")
+    return say("proposal.link" if link in known else "proposal.link_missing", name=name, link=link, line=line)
+
+
+def _line(name: str, unit: str, of: str, along: str = "", relative: str = "") -> str:
+    keys = {"unit": unit, "of": of, "along": along, "relative": relative}
+    listed = ", ".join(f'{key} = "{value}"' for key, value in keys.items() if value)
+    return f"{name} = {{ {listed} }}"
+
+
+def _guided(variant: Variant) -> Iterator[tuple[str, str, str]]:
+    """Yield (point, direction, link or "") of what slides: on a rail, along an axis, in a guide of a group, on another link."""
+    contacts = {link.contact for link in variant.links}
+    points = dict(variant.points)
+    for through, angle in variant.frame.rails:
+        if through.op == "name" and through.name in points and through.name not in contacts:
+            yield through.name, _written(angle), ""
+    for hold in variant.holds:
+        if hold.op == "part" and hold.args[0].op == "name" and hold.args[0].name not in contacts:
+            yield hold.args[0].name, _ALONG[hold.name], ""
+    yield from ((group.meets, _written(group.guides[0].angle), "") for group in variant.groups if group.meets and group.guides)
+    links = {link.name: link for link in variant.links}
+    for link in variant.links:
+        bar = links.get(link.slides or "")
+        if bar is not None and link.points and (along := _direction(bar, variant)):
+            yield link.points[0], along, bar.name
+
+
+def _direction(bar: Link, variant: Variant) -> str:
+    """Return the angle at which one point of a bar is placed from another, "" where the file does not write it so."""
+    for name, formula in variant.points:
+        start, *vector = formula.args if formula.op in {"+", "-"} else (formula,)
+        if name in bar.points and start.op == "name" and start.name in bar.points and vector and vector[0].op == "@":
+            return _written(vector[0].args[1])
+    return ""
+
+
+def _written(angle: Formula) -> str:
+    """Return an angle as a file would have it: a number in degrees."""
+    if set(angle.names()) <= {"pi"}:
+        return f"{math.degrees(evaluate(angle, {})):.10g} deg"
+    return spelled(angle)

@@ -1,0 +1,50 @@
+"""The least and the largest value of every column of the exact motion over a run, also where it lies between two rows.
+
+Enters: the exact motion, its rates, the accelerations of any rows.  Leaves: (low, high) by column.
+Used by `way_to_motion.py`.
+
+Close samples show where a column is largest; the slopes at the three samples about it tell when its slope is zero, to the cube
+of their distance; the column itself, flat there, is that of the exact motion at this time, and so right to the sixth power.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from coursework.motion.integration.finer import exact_at
+from coursework.motion.integration.motion import Motion
+from coursework.motion.integration.rates import Rates
+from coursework.motion.integration.turning import closer
+from coursework.system.arrays import Array
+
+Range = tuple[float, float]
+
+
+def extremes(exact: Motion, rates: Rates, accelerations: Callable[[Motion], Array]) -> dict[str, Range]:
+    """Return (low, high) of every column over the run; `accelerations` gives the derivatives (n, k) of a motion's velocities."""
+    if not len(exact.t):
+        return {}
+    samples = closer(exact, rates)
+    slopes = np.concatenate([samples.velocities[:, : len(exact.coordinate_names)], accelerations(samples)], axis=1)
+    found: dict[str, Range] = {}
+    for column, name in enumerate(exact.names):
+        values, slope = samples.rows[:, column], slopes[:, column]
+        ends = [float(values[0]), float(values[-1])]
+        for seen in (int(np.argmin(values)), int(np.argmax(values))):
+            ends.append(float(values[seen]))
+            if 0 < seen < len(values) - 1:
+                row = exact_at(exact, rates, _flat(samples.t[seen - 1 : seen + 2], slope[seen - 1 : seen + 2]))
+                ends += [float(row[column])] if row is not None else []
+        found[name] = (min(ends), max(ends))
+    return found
+
+
+def _flat(t: Array, slopes: Array) -> float:
+    """Return the time (s) among three samples at which the parabola through their slopes is zero; the middle one without any."""
+    x = (t - t[1]) / (t[2] - t[1])
+    square, linear, middle = np.polyfit(x, slopes, 2).tolist()
+    roots = np.roots([square, linear, middle]) if np.any([square, linear]) else np.zeros(0)
+    near = [float(one.real) for one in roots if abs(one.imag) < 1e-9 and abs(one.real) <= 1]
+    return float(t[1] + (t[2] - t[1]) * min(near, key=abs, default=0.0))

@@ -1,0 +1,89 @@
+"""When a column of the exact motion turns back: sought in continuous time, not read at the rows.
+
+Enters: the exact motion, its rates, the slope of a column.  Leaves: times (s), and the exact motion at any of them.
+Used by `strokes.py` and `extremes.py`.
+
+Samples of a closer exact motion bracket each change of sign; the slope at a time between them is that of the exact motion
+followed from the row before, so that a root is right to the accuracy of the exact rows and not to that of the step.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coursework.motion.integration.finer import exact_at, finer
+from coursework.motion.integration.motion import Motion
+from coursework.motion.integration.rates import Rates
+from coursework.system.arrays import Array
+
+Slope = Callable[[Motion], Array]
+# Samples of a run that bracket the roots, and the most parts that a step is cut into for them.
+_SAMPLES, _MOST_PARTS = 2000, 16
+# A slope of this part of its largest size is none: what round-off leaves of a position that is dead, or of a drive that rests.
+STANDS = 1e-11
+# A root is sought to this part of the time between two samples, in at most so many trials.
+_SETTLED, _TRIALS = 1e-13, 80
+
+
+def closer(exact: Motion, rates: Rates) -> Motion:
+    """Return the exact motion with rows close enough to bracket what lies between those of `exact`."""
+    parts = min(_MOST_PARTS, -(-_SAMPLES // max(len(exact.t), 1)))
+    rows = (len(exact.t) - 1) * parts + 1
+    return (finer(exact, rates, parts, rows) if parts > 1 else None) or exact
+
+
+def at_times(exact: Motion, rates: Rates, times: Sequence[float]) -> Motion | None:
+    """Return the exact motion at growing `times` (s), rows and any moments between; None where it cannot be followed there."""
+    found = [exact_at(exact, rates, time) for time in times]
+    rows = [row for row in found if row is not None]
+    if len(rows) < len(found):
+        return None
+    positions = np.array(rows).reshape(len(rows), -1)[:, : len(exact.coordinate_names)]
+    return rates.motion(np.array(times), positions.copy(), exact.scheme, exact.step)
+
+
+def stands(slopes: Array) -> NDArray[np.bool_]:
+    """Return at which samples (n,) a slope is none."""
+    return np.asarray(np.abs(slopes) <= STANDS * np.max(np.abs(slopes), initial=0.0))
+
+
+def turns(slopes: Array) -> list[tuple[int, int]]:
+    """Return between which two samples a slope (n,) changes its sign; where it is none it has no sign."""
+    signed = np.flatnonzero(~stands(slopes))
+    changes = np.flatnonzero(np.diff(np.sign(slopes[signed])))
+    return [(int(signed[place]), int(signed[place + 1])) for place in changes]
+
+
+def root(exact: Motion, rates: Rates, slope: Slope, bracket: tuple[float, float]) -> float | None:
+    """Return the time (s) in a bracket at which a slope of the exact motion is zero; None where it cannot be followed there."""
+
+    def value(time: float) -> float:
+        motion = at_times(exact, rates, [time])
+        return math.nan if motion is None else float(slope(motion)[0])
+
+    (low, high), width = bracket, bracket[1] - bracket[0]
+    at_low, at_high = value(low), value(high)
+    if not at_low * at_high <= 0:
+        return None
+    time, side = (low, 0) if abs(at_low) < abs(at_high) else (high, 0)
+    for _ in range(_TRIALS):
+        # The straight line through both ends; one that stays twice counts half (Illinois), so that both close in.
+        between = (low * at_high - high * at_low) / (at_high - at_low) if at_high != at_low else time
+        if not low < between < high or high - low <= _SETTLED * width:
+            break
+        time, found = between, value(between)
+        if not math.isfinite(found):
+            return None
+        if found == 0:
+            break
+        if found * at_high > 0:
+            at_low = at_low / 2 if side == 1 else at_low
+            high, at_high, side = time, found, 1
+        else:
+            at_high = at_high / 2 if side == -1 else at_high
+            low, at_low, side = time, found, -1
+    return time

@@ -1,0 +1,180 @@
+"""The conclusion: the numbers that this mechanism teaches, each computed, none where it is not known.
+
+Enters: a `PageContext`.  Leaves: parts.  Used by `sections.py`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from coursework.mechanism.joints import FRAME, chain_of_groups
+from coursework.motion.schemes import SCHEMES, title_of
+from coursework.report.text.page_context import STOP_DIGITS, PageContext
+from coursework.report.text.parts import Bullets, Cell, Column, Part, Table
+from coursework.report.text.text_runs import numeral, runs
+from coursework.report.wording.closeness import evidence, largest_error_sentence, splits, unreturned
+from coursework.results.checks.close_to_motion.period import Split
+from coursework.results.kinematics.turning_points import TurningPoint, stroke, turning_points
+from coursework.variant.record.variant import Coordinate
+
+DIGITS = 6  # of a stroke or an extreme: beyond those of the table, since no row stands there
+ANGLE_DIGITS = 5
+RATIO_DIGITS = 4
+EVEN = 1e-6  # of one: two ways that take as long
+
+
+def conclusion(context: PageContext) -> list[Part]:
+    """Ratio of stroke times, extremes and where, largest error and the step that would do, first row and last."""
+    run, say = context.run, context.words
+    if not len(run.motion.t):
+        return []
+    told = []
+    if run.stop is not None:
+        time, rows = context.quantity(run.stop.time, "s", STOP_DIGITS), say.count("count.rows", len(run.motion.t))
+        told.append(say("result.stopped", time=time, kind=context.event(run.stop.kind), rows=rows))
+    else:
+        told += _stroke(context)
+    told += [*_error(context), *_return(context)]
+    extremes = _extremes(context) if run.stop is None else []
+    return [*([Bullets([context.lettered(one) for one in told])] if told else []), *extremes]
+
+
+def _driven(context: PageContext) -> list[Coordinate]:
+    variant = context.run.variant
+    return [c for c in variant.coordinates if c.rate in variant.known_rates]
+
+
+def _outputs(context: PageContext) -> Iterator[Coordinate]:
+    """Yield what may have a stroke: sliders in guides of the frame, then links that turn about it, the last of each first."""
+    variant, mechanism = context.run.variant, context.run.scene.mechanism
+    coordinates = {c.name: c for c in variant.coordinates if c.rate not in variant.known_rates}
+    found: list[Coordinate] = []
+    if variant.groups:
+        chain = chain_of_groups(variant, dict(mechanism.points))
+        for slides in (False, True):
+            bodies = [body for joint in chain.joints if FRAME in joint.bodies and joint.kind.slides is slides
+                      for body in joint.bodies if body != FRAME]  # fmt: skip
+            names = dict.fromkeys(chain.coordinates[body] for body in bodies)
+            unit = "m" if slides else "rad"
+            found += [coordinates[name] for name in names if name in coordinates and coordinates[name].unit == unit]
+    else:
+        rates = [link.rate for link in variant.links if {*link.points, link.wheel} & {*variant.frame.hinges}]
+        found += [c for c in coordinates.values() if c.rate in rates and c.unit == "rad"]
+    yield from reversed(found)
+
+
+def _stroke(context: PageContext) -> list[str]:
+    say, driven = context.words, _driven(context)
+    if len(driven) != 1 or len(context.run.variant.drive) != 1 or driven[0].unit != "rad":
+        return []
+    crank = driven[0].name
+    for output in _outputs(context):
+        found = stroke(evidence(context), output.name, output.rate, crank)
+        if found is None:
+            continue
+        place = context.run.motion.coordinate_names.index(crank)
+        values = {
+            "symbol": context.lettering(output.name), "crank": context.lettering(crank),
+            "length": _amount(context, found.length, output.unit),
+            "slow": context.quantity(found.slow, "s"), "fast": context.quantity(found.fast, "s"),
+            "slow_angle": _degrees(context, found.slow_angle), "fast_angle": _degrees(context, found.fast_angle),
+            "ratio": context.numbers.scalar(found.ratio, RATIO_DIGITS),
+        }  # fmt: skip
+        for key, point in (("begin", found.begin), ("end", found.end)):
+            values[key] = _amount(context, point.value, output.unit)
+            values[f"{key}_angle"] = _degrees(context, point.row[place] % (2 * math.pi))
+        key = "slider" if output.unit == "m" else "rocker"
+        how = "even" if abs(found.ratio - 1) < EVEN else "ratio"
+        return [say.sentences([say(f"conclusion.{key}", **values), say(f"conclusion.{how}", **values)])]
+    return []
+
+
+def _amount(context: PageContext, value: float, unit: str) -> str:
+    return context.with_unit(context.numbers.scalar(context.numbers.without_noise(value, 0.0), DIGITS), unit)
+
+
+def _degrees(context: PageContext, angle: float) -> str:
+    return context.with_unit(context.numbers.scalar(math.degrees(angle), ANGLE_DIGITS), "°")
+
+
+def _error(context: PageContext) -> list[str]:
+    """Return the scheme's largest error and what would do instead."""
+    say, sentence = context.words, largest_error_sentence(context)
+    if not sentence:
+        return []
+    told = [sentence]
+    coarse = [finding for finding in context.run.checks if finding.verdict == "COARSE" and finding.option]
+    if coarse and (step := coarse[0].step) is not None:
+        values = {"step": context.quantity(step, "s"), "times": context.numbers.plain(round(context.run.step / step, 3))}
+        told.append(say("conclusion.step", **values))
+    elif coarse and (named := coarse[0].option.rpartition(" ")[2]) in SCHEMES:
+        told.append(say("conclusion.scheme", scheme=context.told(title_of(SCHEMES[named]))))
+    elif context.run.tableau is not None and all(one.verdict in {"PASS", "SKIP"} for one in context.run.checks):
+        told.append(say("conclusion.fine", step=context.quantity(context.run.step, "s")))
+    return [say.sentences(told)]
+
+
+def _return(context: PageContext) -> list[str]:
+    """Return what the row a period later says beside the first."""
+    say, variant = context.words, context.run.variant
+    coordinates, left = context.run.motion.coordinate_names, unreturned(context)
+    found = [split for split in splits(context) if split.name in coordinates]
+    if not found:
+        return []
+    row = context.run.results.evidence.period_row or 0
+    time = context.quantity(float(context.run.motion.t[row]), "s")
+    own = [split for split in left if split.name in coordinates and split.name not in {c.name for c in _driven(context)}]
+    if not own:
+        key = "conclusion.positions" if left else "conclusion.repeats"
+        return [say(key, row=row + 1, time=time)]
+    most = max(own, key=lambda split: abs(split.total) / _size(context, split))
+    values = {"row": row + 1, "symbol": context.lettering(most.name), "gap": _gap(context, most, most.total)}
+    if context.run.tableau is None:
+        return [say("conclusion.misses", **values)]
+    parts = {"scheme": _gap(context, most, most.scheme + most.roundoff), "period": _gap(context, most, most.period)}
+    key = (
+        "conclusion.parted" if variant.time.period is not None and abs(most.period) > EVEN * abs(most.total) else "conclusion.own"
+    )
+    return [say(key, **values, **parts, time=time, whole=context.quantity(variant.time.period or 0.0, "s"))]
+
+
+def _size(context: PageContext, split: Split) -> float:
+    return evidence(context).scale.get(split.name, 1.0)
+
+
+def _gap(context: PageContext, split: Split, value: float) -> str:
+    return context.with_unit(context.numbers.scalar(context.numbers.without_noise(value, split.first), 3), split.unit)
+
+
+def _extremes(context: PageContext) -> list[Part]:
+    """Return least and greatest of every coordinate that turns back, with the moments and the angle of the crank there."""
+    say, variant, judged = context.words, context.run.variant, evidence(context)
+    exact, driven = judged.exact, _driven(context)
+    if exact is None or judged.restricted:
+        return []
+    crank = driven[0].name if len(driven) == 1 and driven[0].unit == "rad" else ""
+    rows: list[list[Cell]] = []
+    for coordinate in variant.coordinates:
+        points = turning_points(judged, coordinate.name, coordinate.rate)
+        if not points or coordinate.name == crank:
+            continue
+        place = exact.coordinate_names.index(coordinate.name)
+        ends = [TurningPoint(float(exact.t[row]), float(exact.coordinates[row, place]), tuple(exact.coordinates[row].tolist()))
+                for row in (0, -1)]  # fmt: skip
+        line: list[Cell] = [context.symbol_runs([coordinate.name], f", {context.unit(coordinate.unit)}")]
+        for extreme in (min, max):
+            point = extreme([*points, *ends], key=lambda one: one.value)
+            line.append(numeral(context.numbers.scalar(point.value, DIGITS)))
+            line.append(numeral(context.numbers.scalar(point.time, ANGLE_DIGITS)))
+            if crank:
+                line.append(_degrees(context, point.row[exact.coordinate_names.index(crank)] % (2 * math.pi)))
+        rows.append(line)
+    if not rows:
+        return []
+    heads = [Column([], words=True)]
+    for key in ("least", "greatest"):
+        heads.append(Column(context.say(f"conclusion.{key}")))
+        heads.append(Column(runs(say("conclusion.when")), context.unit("s")))
+        heads += [Column(context.symbol_runs([crank]))] if crank else []
+    return [Table(heads, rows, context.say("conclusion.extremes"), id="extremes")]

@@ -1,0 +1,112 @@
+"""One stroke of a slider, or one swing of a rocker, from dead position to dead position.
+
+Enters: the exact motion and its rates.  Leaves: `Way`, its ends solved for in continuous time.
+Used by `extra.py`.
+"""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from coursework.motion.integration.motion import Motion
+from coursework.motion.integration.rates import Rates
+from coursework.motion.integration.turning import at_times, closer, root, stands, turns
+from coursework.variant.record.variant import Coordinate
+
+# A dead position counts also where it lies this part of a step before the first row or behind the last: a start is rounded.
+_OFF = 0.1
+# A row this part of a step off a dead position is that position.
+_SAME = 1e-6
+# One that is off a row by this part of a step is so by round-off.
+_ROUND_OFF = 1e-9
+# Of two strokes whose crank angles differ by less than this part the first is taken: they are those of two turns.
+_ALIKE = 1e-2
+
+Bracket = tuple[int, int]
+
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """A way back or forth of a `slider`, or rocker: `motion` has its rows, `first` and `last` of the table lie in it (from 1).
+
+    `is_stroke`: it begins and ends at dead positions; where the run has no two of them it is the longest stretch of rows.
+    """
+
+    slider: Coordinate
+    motion: Motion
+    first: int
+    last: int
+    is_stroke: bool
+
+
+def longest_way(exact: Motion, rates: Rates, crank: Coordinate, slider: Coordinate) -> Way:
+    """Return the stroke of a run over which the crank turns furthest; without one the longest stretch of rows one way."""
+    samples, brackets = _bracketed(exact, rates, slider.rate)
+    omega, angle = samples.column(crank.rate), samples.column(crank.name)
+    strokes = [
+        (abs(float(np.mean(angle[list(end)]) - np.mean(angle[list(begin)]))), begin, end)
+        for begin, end in itertools.pairwise(brackets)
+        if np.all(omega[begin[0] : end[1] + 1] * omega[begin[0]] > 0)
+    ]
+    longest = max((turned for turned, *_ in strokes), default=0.0)
+    chosen = next((ends for turned, *ends in strokes if turned >= (1 - _ALIKE) * longest), [])
+    times = [_dead(exact, rates, slider.rate, samples.t[list(end)].tolist()) for end in chosen]
+    dead = [at_times(exact, rates, [time]) for time in times if time is not None]
+    ends = [end for end in dead if end is not None]
+    return _stroke(exact, rates, slider, *ends) if len(ends) == 2 else _stretch(exact, rates, slider)
+
+
+def swings(exact: Motion, coordinate: Coordinate) -> bool:
+    """Return whether a coordinate turns back in the rows."""
+    return bool(turns(exact.column(coordinate.rate)))
+
+
+def _bracketed(exact: Motion, rates: Rates, rate: str) -> tuple[Motion, list[Bracket]]:
+    """Return close samples of a run, and between which of them (both the same: at which) the coordinate is at a dead position."""
+    samples = closer(exact, rates)
+    before, behind = (
+        at_times(exact, rates, [float(exact.t[place]) + part * exact.step]) for place, part in ((0, -_OFF), (-1, _OFF))
+    )
+    whole = _together(exact, rates, [part for part in (before, samples, behind) if part is not None])
+    found, at_rest = turns(whole.column(rate)), stands(whole.column(rate))
+    last = len(at_rest) - 1
+    begins = [(0, 0)] if before is None and at_rest[0] else []
+    return whole, [*begins, *found, *([(last, last)] if behind is None and at_rest[last] else [])]
+
+
+def _dead(exact: Motion, rates: Rates, rate: str, bracket: list[float]) -> float | None:
+    """Return the time (s) of the dead position between two samples, that of a row where it is one but for round-off."""
+    begin, end = bracket
+    time = begin if begin == end else root(exact, rates, lambda motion: motion.column(rate), (begin, end))
+    row = float(exact.t[np.argmin(np.abs(exact.t - time))]) if time is not None else 0.0
+    return row if time is not None and abs(time - row) < _ROUND_OFF * exact.step else time
+
+
+def _stroke(exact: Motion, rates: Rates, slider: Coordinate, begin: Motion, end: Motion) -> Way:
+    """Return the rows between two dead positions with these for its first and last."""
+    edge = _SAME * exact.step
+    inside = np.flatnonzero((exact.t > begin.t[0] + edge) & (exact.t < end.t[0] - edge))
+    between = replace(exact, t=exact.t[inside], coordinates=exact.coordinates[inside])
+    motion = _together(exact, rates, [begin, between, end])
+    first = int(np.searchsorted(exact.t, begin.t[0] - edge))
+    last = int(np.searchsorted(exact.t, end.t[0] + edge))
+    return Way(slider, motion, first + 1, last, is_stroke=True)
+
+
+def _stretch(exact: Motion, rates: Rates, slider: Coordinate) -> Way:
+    """Return the longest stretch of rows over which a coordinate moves one way."""
+    signs = np.sign(np.diff(exact.column(slider.name)))
+    edges = [0, *(np.flatnonzero(np.diff(signs)) + 1).tolist(), len(signs)]
+    first, last = max(itertools.pairwise(edges), key=lambda pair: pair[1] - pair[0])
+    rows = slice(first, last + 1)
+    motion = rates.motion(exact.t[rows], exact.coordinates[rows], exact.scheme, exact.step)
+    return Way(slider, motion, first + 1, last + 1, is_stroke=False)
+
+
+def _together(exact: Motion, rates: Rates, parts: list[Motion]) -> Motion:
+    """Return the rows of several parts of the exact motion in one."""
+    t, positions = (np.concatenate(rows) for rows in ([part.t for part in parts], [part.coordinates for part in parts]))
+    return rates.motion(t, positions, exact.scheme, exact.step)

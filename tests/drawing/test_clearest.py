@@ -1,0 +1,188 @@
+"""Figure 1 shows links apart: in the start position, or in the row in which least coincides; guides pass joints by."""
+
+from __future__ import annotations
+
+import cmath
+import itertools
+import math
+import re
+from xml.etree import ElementTree
+
+import pytest
+
+from coursework import load, parse_variant, solve
+from coursework.drawing.figures import draw_start
+from coursework.run import Run
+from tests.drawing import measured
+from tests.drawing.test_mechanism import drawing_of, run_of
+
+ARMS = """format = 1
+title = "Two arms"
+[given]
+r1 = "0.3 m"
+r2 = "0.25 m"
+[drive]
+w1 = "1 rad/s"
+w2 = "2 rad/s"
+[coordinates]
+phi1 = { start = "20 deg", rate = "w1" }
+phi2 = { start = "PHI deg", rate = "w2" }
+[time]
+step = "0.1 s"
+end = "1 s"
+[points]
+O = "(0, 0)"
+A = "O + r1 @ phi1"
+B = "A + r2 @ phi2"
+[links]
+1 = { points = ["O", "A"], rate = "w1" }
+2 = { points = ["A", "B"], rate = "w2" }
+[frame]
+hinges = ["O"]
+"""
+# The shaper of a task sheet: at 90 degrees crank and lever lie on one line, and the end of the lever beside the guide of the ram.
+SHAPER = """format = 1
+title = "Shaper with slotted lever"
+[given]
+n1 = "120 rpm"
+r1 = "0.10 m"
+d = "0.25 m"
+L = "0.50 m"
+b = "0.30 m"
+h = "0.48 m"
+[drive]
+w1 = "n1"
+[coordinates]
+phi1 = { start = "90 deg", rate = "w1" }
+phi3 = { rate = "w3", unit = "rad" }
+s2 = { rate = "u2", unit = "m" }
+phi4 = { rate = "w4", unit = "rad" }
+s5 = { rate = "u5", unit = "m" }
+[time]
+step = "0.02 s"
+end = "0.5 s"
+period = "2*pi/n1"
+[points]
+O = "(0, 0)"
+D = "(0, -d)"
+G = "D + (0, h)"
+[[group]]
+kind = "crank"
+from = ["O"]
+meets = "A"
+lengths = ["r1"]
+coordinates = ["phi1"]
+[[group]]
+kind = "RPR"
+from = ["A", "D"]
+meets = "B"
+lengths = ["L"]
+coordinates = ["phi3", "s2"]
+mode = "+1"
+[[group]]
+kind = "RRP"
+from = ["B"]
+guide = { through = "G", angle = "0" }
+meets = "C"
+lengths = ["b"]
+coordinates = ["phi4", "s5"]
+mode = "+1"
+[frame]
+hinges = ["O", "D"]
+"""
+
+
+def solved(text: str) -> Run:
+    return solve(parse_variant(text), quantities=["table"])
+
+
+def caption_of(text: str) -> str:
+    drawing = solved(text).mechanism()
+    assert drawing is not None
+    return drawing.caption
+
+
+@pytest.mark.parametrize(
+    ("degrees", "starts"),
+    [
+        ("22.4", False), ("22.6", True), ("17.6", False), ("17.4", True), ("207.3", False), ("207.6", True), ("192.7", False),
+        ("192.4", True), ("110", True),
+    ],
+)  # fmt: skip
+def test_the_start_is_shown_where_its_links_are_seen_apart(degrees: str, starts: bool) -> None:
+    """Stretched by less than 2.5 degrees, or folded by less than 7.5, two links are one line."""
+    angle = (float(degrees) - 20) % 360
+    assert starts == (min(angle, 360 - angle) > 2.5 and abs(angle - 180) > 7.45)
+    caption = caption_of(ARMS.replace("PHI", degrees))
+    assert ("in row 1, t = 0," in caption) == starts
+    assert ("in row 1 links lie almost on one line" in caption) != starts
+
+
+def test_a_shaper_is_shown_where_crank_and_lever_are_apart() -> None:
+    run = solved(SHAPER)
+    drawing = run.mechanism()
+    assert drawing is not None
+    row = int(re.search(r"row (\d+), t = ([\d.]+) s", drawing.caption)[1])  # type: ignore[index]
+    assert f"t = {(row - 1) * 0.02:.6g} s" in drawing.caption
+    between = (run.exact.column("phi1") - run.exact.column("phi3"))[row - 1] % math.pi
+    assert math.radians(60) < between < math.radians(120)
+    sides = {line.says["data-link"]: line for line in measured.lines(drawing.svg, "data-link") if "data-from" in line.says}
+    drawn = cmath.phase((sides["1"].b - sides["1"].a) / (sides["3"].b - sides["3"].a)) % math.pi
+    assert drawn == pytest.approx(-between % math.pi, abs=1e-3)
+    assert measured.overlaps(drawing.svg) == []
+
+
+def test_rows_that_coincide_less_are_not_looked_for_where_the_start_is_fine() -> None:
+    assert "in row 1, t = 0," in drawing_of("31").caption
+    assert "row 1, t = 0" not in drawing_of("example-2").caption  # crank and rod along the guide
+
+
+def joints_of(svg: str) -> dict[tuple[float, float], float]:
+    rings = [node for node in ElementTree.fromstring(svg).iter() if node.get("r") in {"1.25", "1"}]
+    return {(float(ring.get("cx", "")), float(ring.get("cy", ""))): float(ring.get("r", "")) for ring in rings}
+
+
+@pytest.mark.parametrize("degrees", [*range(0, 360, 30), 83, 97])
+def test_no_guide_runs_through_a_joint_that_does_not_slide_on_it(degrees: int) -> None:
+    run = solved(SHAPER.replace("90 deg", f"{degrees} deg"))
+    drawing = draw_start(run.scene.mechanism, run.scene.equations, run.motion, run.scene.start)
+    assert drawing is not None
+    rails = measured.lines(drawing.svg, "data-rail")
+    assert rails
+    blocks = [
+        complex(*at) for at in joints_of(drawing.svg) if any(abs(min_gap(complex(*at), rail) - 2.4) < 1e-3 for rail in rails)
+    ]
+    assert len(blocks) >= 1
+    for at, rail in itertools.product(joints_of(drawing.svg), rails):
+        assert min_gap(complex(*at), rail) > 2.4 - 1e-3
+
+
+def min_gap(at: complex, line: measured.Line) -> float:
+    way = line.b - line.a
+    along = min(1.0, max(0.0, ((at - line.a) * way.conjugate()).real / abs(way) ** 2))
+    return abs(at - line.a - along * way)
+
+
+def test_a_driven_arrow_ends_beside_joints_and_hinges() -> None:
+    """Where an arrow of 13 mm would end on A it has another length."""
+    text = load("robot-arm").path.read_text(encoding="utf-8").replace("0.2 rad", "3.14 rad")  # type: ignore[union-attr]
+    lengths = set()
+    for reach in range(60, 200, 5):
+        run = solved(text.replace('r2 = "0.4 m"', f'r2 = "{reach} mm"'))
+        drawing = draw_start(run.scene.mechanism, run.scene.equations, run.motion, run.scene.start)
+        assert drawing is not None
+        [shaft] = measured.lines(drawing.svg, "data-driven")
+        tip = shaft.b + 2.6 * (shaft.b - shaft.a) / abs(shaft.b - shaft.a)
+        lengths.add(round(abs(tip - shaft.a), 1))
+        assert all(abs(tip - complex(*at)) > 1.74 for at in joints_of(drawing.svg))
+    assert 13.0 in lengths and len(lengths) > 1
+
+
+def test_the_row_is_of_the_motion_itself() -> None:
+    """The table of a driven point drifts; what is drawn closes."""
+    run, drawing = run_of("v102"), drawing_of("v102")
+    row = int(re.search(r"row (\d+)", drawing.caption)[1])  # type: ignore[index]
+    assert row > 1
+    [crank] = [line for line in measured.lines(drawing.svg, "data-link") if line.says.get("data-from") == "D"]
+    way = (crank.b - crank.a).conjugate()
+    assert cmath.phase(way) == pytest.approx(math.remainder(float(run.exact.column("phi1")[row - 1]), math.tau), abs=1e-3)

@@ -1,0 +1,185 @@
+"""Every coordinate that is an angle has one arc on Figure 1: from its axis, about its origin, in its positive sense."""
+
+from __future__ import annotations
+
+import cmath
+import math
+import re
+from xml.etree import ElementTree
+
+import pytest
+
+from coursework import load, parse_variant, solve
+from coursework.drawing.figures import draw_start
+from coursework.drawing.lettering.turns import turns
+from coursework.mechanism.mechanism import build
+from coursework.variant.catalogue import names
+from tests.drawing import measured
+from tests.drawing.test_angles import arc_of, turned
+from tests.drawing.test_mechanism import drawing_of, run_of
+from tests.hard.scenes import scene
+
+RELATIVE = """format = 1
+title = "Two arms, the second measured from the first, a third clockwise from the vertical"
+[given]
+r1 = "0.3 m"
+r2 = "0.25 m"
+r3 = "0.2 m"
+[drive]
+w1 = "1 rad/s"
+w2 = "0.5 rad/s"
+w3 = "0.2 rad/s"
+[coordinates]
+q1 = { start = "50 deg", rate = "w1" }
+q2 = { start = "Q2 deg", rate = "w2" }
+psi = { start = "70 deg", rate = "w3" }
+[time]
+step = "0.1 s"
+end = "1 s"
+[points]
+O = "(0, 0)"
+A = "O + r1 @ q1"
+B = "A + r2 @ (q1 + q2)"
+C = "B + r3 @ (pi/2 - psi)"
+[links]
+1 = { points = ["O", "A"], rate = "w1" }
+2 = { points = ["A", "B"] }
+3 = { points = ["B", "C"] }
+[frame]
+hinges = ["O"]
+"""
+
+
+def svg_of(text: str) -> str:
+    """Return the drawing of the start of a file, links on one line or not."""
+    run = solve(parse_variant(text), quantities=["table"])
+    drawing = draw_start(run.scene.mechanism, run.scene.equations, run.motion, run.scene.start)
+    assert drawing is not None
+    return drawing.svg
+
+
+def centre_of(arc: list[complex]) -> complex:
+    """Return the middle of the circle through the ends and the middle of an arc."""
+    a, b, c = arc[0], arc[len(arc) // 3], arc[-1]
+    w = (c - a) / (b - a)
+    return a + (b - a) * (w - abs(w) ** 2) / (w - w.conjugate())
+
+
+def direction(arc: list[complex], end: int) -> float:
+    """Return the direction (degrees, counter-clockwise as seen) in which an end of an arc lies from its origin."""
+    return math.degrees(cmath.phase((arc[end] - centre_of(arc)).conjugate()))
+
+
+@pytest.mark.parametrize("name", names())
+def test_every_angle_has_one_arc_as_large_as_it_is_drawn(name: str) -> None:
+    run, drawing = run_of(name), drawing_of(name)
+    row = int(re.search(r"row (\d+)", drawing.caption)[1])  # type: ignore[index]
+    motion = run.exact if row > 1 else run.motion
+    counted = [c.name for c in run.variant.coordinates if c.unit == "rad"]
+    assert set(counted) <= measured.names(drawing.svg, "data-angle")
+    for angle in counted:
+        arc = arc_of(drawing.svg, angle)
+        value = run.scene.start[motion.coordinate_names.index(angle)] if row == 1 else float(motion.column(angle)[row - 1])
+        size = math.degrees(value % math.tau)
+        if math.degrees(0.03) < size < 360 - 1e-6:
+            assert turned(arc) > 0 or angle == "theta"
+            assert abs(math.degrees(turned(arc))) == pytest.approx(size, abs=1.0)
+        else:
+            assert math.degrees(turned(arc)) == pytest.approx(math.degrees(0.6), abs=1.0)
+
+
+def test_names_stand_beside_their_arcs() -> None:
+    svg = drawing_of("31").svg
+    for place in "123":
+        [word] = [one for one in measured.words(svg) if one.text == f"φ{place}"]
+        others = [at for other in "123" if other != place for at in arc_of(svg, f"phi{other}")]
+        near = min(measured.apart(word, at) for at in arc_of(svg, f"phi{place}"))
+        assert near < min(measured.apart(word, at) for at in others)
+
+
+def test_arcs_begin_on_their_axis_and_end_on_their_link() -> None:
+    svg = svg_of(RELATIVE.replace("Q2", "30"))
+    ends = {name: (direction(arc, 0), direction(arc, -1)) for name in ("q1", "q2", "psi") if (arc := arc_of(svg, name))}
+    assert ends["q1"] == pytest.approx((0, 50), abs=0.1)
+    assert ends["q2"] == pytest.approx((50, 80), abs=0.1)  # from the line of the first arm
+    assert ends["psi"] == pytest.approx((90, 20), abs=0.1)  # clockwise, as the file counts it
+    assert turned(arc_of(svg, "psi")) < 0
+    sides = {line.says["data-from"]: line.a for line in measured.lines(svg, "data-link")}
+    for name, origin in (("q1", "O"), ("q2", "A"), ("psi", "B")):
+        assert abs(centre_of(arc_of(svg, name)) - sides[origin]) < 0.01
+
+
+@pytest.mark.parametrize(
+    ("degrees", "size", "said"),
+    [
+        ("-40", 320.0, "q2"), ("400", 40.0, "q2"), ("1.8", 1.8, "q2"), ("1.6", 34.4, "q2\u00a0≈ 0"), ("0", 34.4, "q2\u00a0= 0"),
+        ("360", 34.4, "q2\u00a0= 0"), ("-1.6", 358.4, "q2"),
+    ],
+)  # fmt: skip
+def test_an_angle_is_drawn_in_its_positive_sense_and_one_of_nought_is_told(degrees: str, size: float, said: str) -> None:
+    svg = svg_of(RELATIVE.replace("Q2", degrees))
+    assert math.degrees(turned(arc_of(svg, "q2"))) == pytest.approx(size, abs=0.2)
+    assert said in {word.text for word in measured.words(svg)}
+
+
+def test_an_arrow_ends_each_arc() -> None:
+    svg = drawing_of("31").svg
+    heads = [node.get("d", "") for node in ElementTree.fromstring(svg).iter() if node.get("fill") == "black" and node.get("d")]
+    tips = [complex(*map(float, head[1:].split("L")[0].split())) for head in heads]
+    for name in ("phi1", "phi2", "phi3"):
+        assert min(abs(tip - arc_of(svg, name)[-1]) for tip in tips) < 1e-3
+
+
+FIVE_BAR = scene(
+    'phi1 = { start = "60 deg", rate = "w1" }\nphi4 = { start = "120 deg", rate = "w4" }\n'
+    'phi2 = { rate = "w2", unit = "rad" }\nphi3 = { rate = "w3", unit = "rad" }',
+    given='r1 = "0.12 m"\nr2 = "0.30 m"\nr3 = "0.32 m"\nr4 = "0.10 m"\nd = "0.35 m"',
+    drive='w1 = "60 rpm"\nw4 = "-90 rpm"',
+    more="""[points]
+A = "(0, 0)"
+E = "(d, 0)"
+[[group]]
+kind = "crank"
+from = ["A"]
+meets = "B"
+lengths = ["r1"]
+coordinates = ["phi1"]
+[[group]]
+kind = "crank"
+from = ["E"]
+meets = "D"
+lengths = ["r4"]
+coordinates = ["phi4"]
+[[group]]
+kind = "RRR"
+from = ["B", "D"]
+meets = "C"
+lengths = ["r2", "r3"]
+coordinates = ["phi2", "phi3"]
+mode = "+1"
+[frame]
+hinges = ["A", "E"]
+""",
+)
+
+
+def test_both_drives_of_a_five_bar_and_its_dyad_are_counted_where_they_begin() -> None:
+    svg = svg_of(FIVE_BAR)
+    sides = {line.says["data-from"] + line.says["data-to"]: line for line in measured.lines(svg, "data-link")}
+    for name, side in (("phi1", "AB"), ("phi2", "BC"), ("phi3", "DC"), ("phi4", "ED")):
+        arc = arc_of(svg, name)
+        assert abs(centre_of(arc) - sides[side].a) < 0.01
+        way = cmath.phase((arc[-1] - sides[side].a) / (sides[side].b - sides[side].a))
+        assert abs(way) < 1e-3
+        assert math.radians(direction(arc, 0)) == pytest.approx(0.0, abs=1e-3)
+    assert measured.overlaps(svg) == []
+
+
+def test_an_arm_is_found_in_what_the_motion_keeps() -> None:
+    """E of variant V105 hangs on two chains; its last arm stands in [closure] only."""
+    variant = load("v105")
+    run = run_of("v105")
+    mechanism = build(variant)
+    values = {**variant.values, "pi": math.pi, **dict(zip(run.motion.coordinate_names, run.scene.start, strict=True))}
+    found = {turn.coordinate for turn in turns(mechanism, {**values, **dict.fromkeys(dict(mechanism.points), 0j)})}
+    assert found == {c.name for c in variant.coordinates if c.unit == "rad"}

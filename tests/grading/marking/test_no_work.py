@@ -1,0 +1,106 @@
+"""Tables without work earn next to nothing, whatever of them follows from each other; slips cost what they cost."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+import coursework
+from coursework.grading.marking.grade import Marker
+from coursework.grading.marking.key import key_of
+from coursework.grading.marking.rubric import Rubric
+from coursework.grading.marking.table.cells import StudentTable, mark_cells
+from coursework.grading.marking.table.points import stands_still, table_points
+
+MOST = 5 / 60
+NAMES = ("31", "v102", "v108", "example-1", "watt", "jansen")
+
+
+@cache
+def marker(name):
+    return Marker(key_of(coursework.load(name)), Rubric())
+
+
+def cells_of(name, table, decimals=4):
+    key = marker(name).key
+    return mark_cells(key, StudentTable(np.round(table, decimals), np.full(table.shape, 10.0**-decimals)))
+
+
+def share(name, table):
+    return table_points(marker(name).key, cells_of(name, table)).share
+
+
+def without_work(key, chance):
+    """Give tables that nobody computed: copied, still, shuffled, invented, another's."""
+    table, m = key.table, len(key.coordinates)
+    copied = np.tile(table[0], (len(table), 1))
+    yield "row 1 copied", copied
+    still = copied.copy()
+    still[:, m:] = 0.0
+    yield "row 1 without velocities", still
+    yield "zeros", np.zeros_like(table)
+    yield "constants", np.tile(chance.uniform(-3, 3, table.shape[1]), (len(table), 1))
+    yield "shuffled", table[chance.permutation(len(table))]
+    kept = table.copy()
+    kept[1:] = kept[1:][chance.permutation(len(table) - 1)]
+    yield "shuffled but for row 1", kept
+    columns = table.copy()
+    for place in range(table.shape[1]):
+        columns[:, place] = columns[chance.permutation(len(table)), place]
+    yield "columns shuffled", columns
+    noise = chance.uniform(table.min(axis=0), table.max(axis=0), table.shape)
+    yield "noise", noise
+    noise = noise.copy()
+    noise[0] = table[0]
+    yield "noise below a right row 1", noise
+    followed = copied.copy()
+    followed[:, m:] = key.velocities_at(key.t, followed[:, :m])
+    yield "right velocities of angles that stand still", followed
+    creeping = still.copy()
+    creeping[:, :m] += 1e-4 * np.arange(len(table))[:, None]
+    creeping[:, m : 2 * m] = 1e-4 / key.step
+    yield "a creep with its own velocity", creeping
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_tables_without_work_earn_at_most_five_of_sixty(name):
+    key, chance = marker(name).key, np.random.default_rng(7)
+    tried = 0
+    for _ in range(34):
+        for label, table in without_work(key, chance):
+            assert share(name, table) <= MOST, label
+            tried += 1
+    assert tried >= 370
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_right_tables_and_one_slip_are_worth_what_they_were(name):
+    key, m = marker(name).key, len(marker(name).key.coordinates)
+    assert share(name, key.table) == 1.0
+    chance = np.random.default_rng(3)
+    for _ in range(10):
+        row, place = int(chance.integers(2, len(key.table) - 1)), int(chance.integers(key.table.shape[1]))
+        table = key.table.copy()
+        table[row, place] += 10 * key.gap / (1.0 if place < m else key.step)
+        assert share(name, table) >= 0.94, (row, place)
+
+
+def test_the_floor_of_own_equations_is_not_paid_to_a_table_that_stands_still():
+    key = marker("31").key
+    still = np.tile(key.table[0], (len(key.table), 1))
+    assert stands_still(key, cells_of("31", still))
+    moving = still.copy()
+    moving[5, 0] += 1e-3
+    assert not stands_still(key, cells_of("31", moving))
+
+
+def test_a_table_of_the_key_s_own_digits_is_noted_as_a_copy_and_one_of_a_program_is_not():
+    from coursework.grading.marking.grade import _is_the_key
+
+    key = marker("31").key
+    copied = StudentTable(np.round(key.table, 14), np.full(key.table.shape, 1e-14))
+    assert _is_the_key(copied, key)
+    own = key.table.copy()
+    own[3, 2] += 5e-13
+    assert not _is_the_key(StudentTable(own, np.full(own.shape, 1e-14)), key)
+    assert not _is_the_key(StudentTable(np.round(key.table, 4), np.full(key.table.shape, 1e-4)), key)

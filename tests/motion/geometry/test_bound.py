@@ -1,0 +1,271 @@
+"""An equation is judged only if the geometry knows every velocity in it; [unknowns] says which velocity an unknown is.
+
+The mechanisms are none of the catalogue; each sign of each written equation is turned, and none of them passes.
+"""
+
+import math
+import re
+
+import numpy as np
+import pytest
+
+import coursework
+from coursework.equations.reduction.structure import forget_structures
+from coursework.words.data_folders import folder
+
+TEMPLATE = (folder("reports") / "new-variant.toml").read_text(encoding="utf-8").replace("NAME", "mine")
+BOUND = 'u = { unit = "m/s", of = "B", along = "0 deg" }'
+TIMES = '[time]\nstep = "0.01 s"\nend = "0.5 s"\n'
+
+
+def equation(name, text):
+    return f'[[constraint]]\nname = "{name}"\nequation = "{text}"\n'
+
+
+SLIDER_CRANK = f"""
+[given]
+r = "0.1 m"
+l = "0.35 m"
+n = "120 rpm"
+[drive]
+w1 = "n"
+[coordinates]
+phi1 = {{ start = "40 deg", rate = "w1" }}
+phi2 = {{ start = "-7.2 deg", rate = "w2" }}
+[unknowns]
+vC = {{ unit = "m/s", of = "C", along = "180 deg" }}
+{TIMES}
+{equation("a", "r*w1*cos(phi1) + l*w2*cos(phi2) = 0")}
+{equation("b", "vC = r*w1*sin(phi1) + l*w2*sin(phi2)")}
+[points]
+O = "(0, 0)"
+A = "O + r @ phi1"
+C = "A + l @ phi2"
+[closure]
+holds = ["C.y"]
+"""
+# Crank OA with a block at A in the slotted lever DB, whose end drives a slider C; u: the block along the lever.
+LEVER = math.atan2(0.25 + 0.1 * math.sin(math.radians(10)), 0.1 * math.cos(math.radians(10)))
+SHAPER = f"""
+[given]
+r = "0.1 m"
+d = "0.25 m"
+L = "0.5 m"
+b = "0.3 m"
+n = "120 rpm"
+[drive]
+w1 = "n"
+[coordinates]
+phi1 = {{ start = "10 deg", rate = "w1" }}
+phi3 = {{ start = "{LEVER!r} rad", rate = "w3" }}
+phi4 = {{ start = "0 deg", rate = "w4" }}
+[functions]
+s = "sqrt((r*cos(phi1))^2 + (d + r*sin(phi1))^2)"
+[unknowns]
+u = {{ unit = "m/s", of = "A", along = "phi3", relative = "3" }}
+v = {{ unit = "m/s", of = "C", along = "0" }}
+{TIMES}
+{equation("1", "-r*w1*sin(phi1) = -s*w3*sin(phi3) + u*cos(phi3)")}
+{equation("2", "r*w1*cos(phi1) = s*w3*cos(phi3) + u*sin(phi3)")}
+{equation("3", "L*w3*cos(phi3) + b*w4*cos(phi4) = 0")}
+{equation("4", "v = -L*w3*sin(phi3) - b*w4*sin(phi4)")}
+[points]
+D = "(0, 0)"
+O = "D + (0, d)"
+A = "O + r @ phi1"
+B = "D + L @ phi3"
+C = "B + b @ phi4"
+[links]
+1 = {{ points = ["O", "A"], rate = "w1" }}
+2 = {{ points = ["A"], slides = "3", rate = "w3" }}
+3 = {{ points = ["D", "B"], rate = "w3" }}
+4 = {{ points = ["B", "C"], rate = "w4" }}
+[closure]
+holds = ["C.y", "(A - D).x*sin(phi3) - (A - D).y*cos(phi3)"]
+"""
+# The same as a chain of groups, three velocities by hand beside it.
+SIX_BAR = f"""
+[given]
+r = "0.1 m"
+d = "0.25 m"
+L = "0.5 m"
+b = "0.3 m"
+h = "0.48 m"
+n = "60 rpm"
+[drive]
+w1 = "n"
+[coordinates]
+phi1 = {{ start = "10 deg", rate = "w1" }}
+phi3 = {{ rate = "w3" }}
+s3 = {{ rate = "u3" }}
+phi4 = {{ rate = "w4" }}
+s5 = {{ rate = "u5" }}
+[unknowns]
+vE = {{ unit = "m/s", of = "E", along = "phi3 + pi/2" }}
+vr = {{ unit = "m/s", of = "A", along = "phi3 + pi", relative = "3" }}
+w43 = {{ unit = "1/s", of = "link 4", relative = "3" }}
+{TIMES}
+{equation("e", "vE = 0.5*L*w3")}
+{equation("r", "vr + u3 = 0")}
+{equation("w", "w43 + w3 - w4 = 0")}
+[[group]]
+kind = "crank"
+from = ["O"]
+meets = "A"
+lengths = ["r"]
+coordinates = ["phi1"]
+[[group]]
+kind = "RPR"
+from = ["A", "D"]
+coordinates = ["phi3", "s3"]
+mode = "+1"
+[[group]]
+kind = "RRP"
+from = ["B"]
+meets = "C"
+lengths = ["b"]
+coordinates = ["phi4", "s5"]
+mode = "+1"
+guide = {{ through = "K", angle = "0 deg" }}
+[points]
+D = "(0, 0)"
+O = "D + (0, d)"
+K = "(0, h)"
+B = "D + L @ phi3"
+E = "D + 0.5*L @ phi3"
+"""
+# Two gears that meet in P and a sleeve on the second; a wheel rolls on the frame with a rod on its rim.
+GEARS = f"""
+[given]
+R1 = "0.1 m"
+R2 = "0.16 m"
+e = "0.06 m"
+[drive]
+w1 = "2"
+[coordinates]
+phi1 = {{ start = "0 deg", rate = "w1" }}
+[unknowns]
+w2 = "1/s"
+w5 = {{ unit = "1/s", of = "link 5" }}
+w25 = {{ unit = "1/s", of = "link 2", relative = "1" }}
+{TIMES}
+{equation("g", "R1*w1 + R2*w2 = 0")}
+{equation("k", "R2*w2 - R2*w5 = 0")}
+{equation("rel", "w25 = w2 - w1")}
+[points]
+O = "(0, 0)"
+Q = "O + (R1 + R2, 0)"
+P = "O + (R1, 0)"
+A = "O + e @ phi1"
+[links]
+1 = {{ wheel = "O", contact = "P", points = ["A"], rate = "w1" }}
+2 = {{ wheel = "Q", contact = "P", rate = "w2" }}
+5 = {{ points = ["Q"], slides = "2" }}
+[closure]
+holds = ["(Q - O).x"]
+"""
+FILES = {"template": TEMPLATE, "slider-crank": SLIDER_CRANK, "shaper": SHAPER, "six-bar": SIX_BAR, "gears": GEARS}
+WRITTEN = re.compile(r'name *= "([^"]+)"\n(?:because *= "[^"]*"\n)?equation *= "([^"]+)"')
+
+
+def closure_of(text):
+    forget_structures()
+    return coursework.solve(coursework.parse_variant(text, "v.toml"), quantities=["table"]).scene.closure
+
+
+def agreement_of(text, scheme=None):
+    run = coursework.solve(coursework.parse_variant(text, "v.toml"), scheme=scheme, quantities=["table", "checks"])
+    return run, next(check for check in run.checks if check.code == "AGREEMENT")
+
+
+def turned(text):
+    """Yield (name, file) with one sign of one equation turned."""
+    for found in WRITTEN.finditer(text):
+        body, begin = found[2], found.start(2)
+        for place in [place for place, letter in enumerate(body) if letter in "+-"]:
+            other = f"{body[:place]}{'-' if body[place] == '+' else '+'}{body[place + 1 :]}"
+            yield found[1], f"{text[:begin]}{other}{text[begin + len(body) :]}"
+        left, right = body.split(" = ")
+        if right != "0":
+            yield found[1], f"{text[:begin]}-({left}) = {right}{text[begin + len(body) :]}"
+
+
+CASES = [(file, place) for file, text in FILES.items() for place, _ in enumerate(turned(text))]
+
+
+@pytest.mark.parametrize("file", FILES)
+def test_every_equation_of_a_right_file_is_judged(file):
+    closure = closure_of(FILES[file])
+    assert closure.agreed == tuple(found[1] for found in WRITTEN.finditer(FILES[file]))
+    assert closure.unjudged == ()
+
+
+@pytest.mark.parametrize(("file", "place"), CASES)
+def test_no_turned_sign_passes(file, place):
+    name, text = [*turned(FILES[file])][place]
+    with pytest.raises(coursework.InputError, match=rf"V302 v\.toml:\d+  equation {name} contradicts the geometry"):
+        closure_of(text)
+
+
+def test_the_sign_of_the_template_that_passed():
+    wrong = TEMPLATE.replace("VMx - r3*w3*sin(phi3) = u", "VMx + r3*w3*sin(phi3) = u")
+    with pytest.raises(coursework.InputError, match="equation 4 contradicts") as caught:
+        closure_of(wrong)
+    assert len(caught.value.faults) == 1
+
+
+def test_two_wrong_equations_are_both_named():
+    wrong = TEMPLATE.replace("VMx - r3*w3*sin(phi3) = u", "VMx + r3*w3*sin(phi3) = u").replace("VMy + r3*w3", "VMy - r3*w3")
+    with pytest.raises(coursework.InputError) as caught:
+        closure_of(wrong)
+    assert [str(fault.message)[:10] for fault in caught.value.faults] == ["equation 3", "equation 4"]
+
+
+@pytest.mark.parametrize("entry", ['u = "m/s"', 'u = { unit = "m/s" }'])
+@pytest.mark.parametrize("sign", "+-")
+def test_what_stays_unbound_is_said_first_and_never_praised(entry, sign):
+    text = TEMPLATE.replace(BOUND, entry).replace("VMx - r3*w3", f"VMx {sign} r3*w3")
+    run, found = agreement_of(text)
+    assert (found.verdict, found.value) == ("SKIP", None)
+    assert found.sentence.startswith("3 of 4 equations agree; 4 is not judged: nothing in the geometry gives u.")
+    assert 'u = { unit = "m/s", of = "B", along = "0 deg" }, if u is the velocity of B along its guide' in found.sentence
+    first = "The table is computed right; equation 4 is not judged: nothing in the geometry gives u."
+    assert run.summary.startswith(first)
+
+
+def test_a_proposal_taken_over_binds():
+    _, found = agreement_of(TEMPLATE.replace(BOUND, 'u = "m/s"'))
+    line = re.search(r"u = \{[^}]*\}", found.sentence)[0]
+    assert closure_of(TEMPLATE.replace(BOUND, line)).unjudged == ()
+
+
+def test_a_direction_the_other_way_is_told_as_such():
+    with pytest.raises(coursework.InputError, match=r"Or is u \(line \d+\) meant the other way round\?"):
+        closure_of(TEMPLATE.replace('along = "0 deg"', 'along = "180 deg"'))
+    other = TEMPLATE.replace('along = "0 deg"', 'along = "180 deg"').replace("r3*w3*sin(phi3) = u", "r3*w3*sin(phi3) = -u")
+    assert closure_of(other).unjudged == ()
+
+
+def test_what_the_geometry_says_stands_for_an_equation_where_none_is_written():
+    bare = re.sub(r"\[\[constraint\]\][^\[]*\n\n", "", TEMPLATE[: TEMPLATE.index("# --- geometry")])
+    bare = re.sub(r"\[\[constraint\]\](?:.*\n)*", "", bare) + TEMPLATE[TEMPLATE.index("[points]") :]
+    assert "equation" not in bare.split("[points]")[0].split("[time]")[1]
+    derived, written = (agreement_of(text, "rk4")[0].table["u"].to_numpy() for text in (bare, TEMPLATE))
+    np.testing.assert_allclose(derived, written, atol=1e-6 * np.ptp(written))
+
+
+def test_a_wheel_on_a_rail_has_its_rate_from_the_geometry():
+    """Both equations of 31 that hold w4 turned: no contradiction among themselves, and yet wrong."""
+    wrong = coursework.load("31").path.read_text(encoding="utf-8")
+    wrong = wrong.replace("+ 0.5*r3*w4 = 0", "- 0.5*r3*w4 = 0").replace('"-0.5*r3*w4 + ', '"0.5*r3*w4 + ')
+    with pytest.raises(coursework.InputError) as caught:
+        closure_of(wrong)
+    assert [str(fault.message)[:11] for fault in caught.value.faults] == ["equation 12", "equation 16"]
+
+
+def test_the_relative_velocity_of_a_block_is_the_rate_of_its_distance():
+    run = coursework.solve(coursework.parse_variant(SHAPER, "v.toml"), scheme="exact", quantities=["table"])
+    phi1 = run.table["phi1"].to_numpy()
+    w1 = 4 * np.pi
+    distance = np.hypot(0.1 * np.cos(phi1), 0.25 + 0.1 * np.sin(phi1))
+    np.testing.assert_allclose(run.table["u"], 0.25 * 0.1 * np.cos(phi1) * w1 / distance, atol=1e-9)

@@ -1,0 +1,80 @@
+"""The conclusion says what was computed: stroke times, extremes, the step that would do, what the last row says."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import pytest
+
+import coursework
+from coursework.scene.scene_run import SceneRun
+from tests.report.made import model_of
+from tests.report.own import FIVE_BAR, SHAPER
+
+
+def plain(runs: Any) -> str:
+    if isinstance(runs, str):
+        return runs.replace("\u00a0", " ")
+    return "".join(
+        run.get("t", run.get("v", "") + run.get("s", "") + run.get("c", "") + run.get("p", "")) for run in runs
+    ).replace("\u00a0", " ")
+
+
+def conclusion(run: SceneRun, language: str = "en") -> tuple[list[str], list[list[str]]]:
+    """Return the sentences and the rows of the table; nothing where the section is not there."""
+    found = [section for section in model_of(run, language).sections if section.name == "conclusion"]
+    parts = [part for section in found for part in section.parts]
+    told = [plain(item) for part in parts if part.kind == "bullets" for item in part.items]
+    return told, [[plain(cell) for cell in row] for part in parts if part.kind == "table" for row in part.rows]
+
+
+def solved(text: str, **options: Any) -> SceneRun:
+    return coursework.solve(coursework.parse_variant(text), **{"quantities": ("table", "checks"), **options})
+
+
+def test_the_shaper_teaches_the_ratio_of_its_stroke_times() -> None:
+    told, rows = conclusion(solved(SHAPER))
+    beyond = math.degrees(2 * math.asin(0.4))
+    assert "S = 0.400000 m" in told[0]
+    assert f"{180 + beyond:.2f}°" in told[0] and f"{180 - beyond:.2f}°" in told[0]
+    assert f"is {(180 + beyond) / (180 - beyond):.3f}." in told[0]
+    assert told[-1].startswith("Row 49, t = 0.5 s, repeats row 1 in positions and velocities")
+    (lever,) = (row for row in rows if row[0].startswith("φ3"))
+    assert lever[1] == f"{math.pi / 2 - math.asin(0.4):.5f}" and lever[4] == f"{math.pi / 2 + math.asin(0.4):.5f}"
+    assert [row[0] for row in rows] == ["φ3, rad", "s, m", "φ4, rad", "x, m"], "the crank turns round and has no extremes"
+
+
+def test_two_drives_have_extremes_and_no_stroke() -> None:
+    told, rows = conclusion(solved(FIVE_BAR))
+    assert not any("stroke" in one for one in told)
+    assert [row[0] for row in rows] == ["φ2, rad", "φ3, rad"]
+    assert len(rows[0]) == 5, "no angle of one crank stands beside the moments"
+
+
+def test_the_step_that_would_do_is_told_in_seconds() -> None:
+    run = solved(SHAPER, scheme="euler")
+    told, _ = conclusion(run)
+    step = next(finding.step for finding in run.checks if finding.step)
+    (sentence,) = (one for one in told if "Largest error" in one)
+    assert f"With h = {step:.6g} s" in sentence and "--" not in sentence
+    finer = solved(SHAPER, scheme="euler", step=step)
+    assert {finding.verdict for finding in finer.checks} <= {"PASS", "SKIP"}
+    assert "is small enough" in " ".join(conclusion(finer)[0])
+
+
+def test_the_last_row_of_31_is_off_by_scheme_and_period() -> None:
+    told, _ = conclusion(coursework.solve(coursework.load("31")))
+    assert "is the scheme's error" in told[-1] and "0.48 s not being the period 0.480366 s" in told[-1]
+
+
+@pytest.mark.parametrize("language", ["en", "ru", "uk", "zh"])
+def test_nothing_is_concluded_that_was_not_asked_for(language: str) -> None:
+    assert conclusion(solved(SHAPER, quantities=("table",)), language) == ([], [])
+    assert len(conclusion(solved(SHAPER), language)[0]) == 3
+
+
+def test_of_a_motion_that_stops_no_extremes_are_told() -> None:
+    stops = SHAPER.replace('r1 = "0.10 m"', 'r1 = "0.25 m"')
+    told, rows = conclusion(solved(stops))
+    assert told[0].startswith("The motion stops at t = ") and rows == []

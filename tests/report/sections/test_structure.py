@@ -1,0 +1,83 @@
+"""The section about the structure says what a hand counts, in words and formulas that can be found; or is not there."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+import coursework
+from coursework.scene.scene_run import SceneRun
+from tests.report.made import model_of, page_of, paper_of
+from tests.report.own import FIVE_BAR, SHAPER
+from tests.report.reading import html_text, pdf_text
+from tests.report.real import V31
+
+WITHOUT_LINKS = re.sub(r"\[links\].*(?=\[closure\])", "", V31, flags=re.DOTALL)
+
+
+def told(run: SceneRun, language: str = "en") -> dict[str, str]:
+    """Return the items of the section as plain text, "" for none."""
+    sections = [section for section in model_of(run, language).sections if section.name == "structure"]
+    parts = sections[0].parts if sections else []
+    items = [item for part in parts for item in getattr(part, "items", [])]
+    return {
+        head: "".join(run.get("t", run.get("v", "") + run.get("s", "") + run.get("c", "")) for run in runs)
+        for head, runs in items
+    }
+
+
+def solved(text: str, quantities: tuple[str, ...] = ("table", "checks")) -> SceneRun:
+    return coursework.solve(coursework.parse_variant(text), quantities=quantities)
+
+
+def test_the_shaper_on_the_page() -> None:
+    found = told(solved(SHAPER))
+    assert found["Links"] == "0 frame (A, D); 1 crank AB; 2 slider B; 3 slotted lever DE; 4 coupler EF; 5 slider F"
+    assert found["Pairs"] == "turning, R: A (0,1), B (1,2), D (0,3), E (3,4), F (4,5); sliding, P: B (2,3), F (0,5)"
+    assert "W = 3n − 2p5 − p4 = 3·5 − 2·7 − 0 = 1" in found["Mobility"]
+    assert "5 moving links, each slider one of them, the frame not" in found["Mobility"]
+    assert "one is driven (ω1)" in found["Mobility"]
+    assert found["Groups"].startswith("Formula of structure I(0,1) → II(2,3) → II(4,5); ")
+    assert "links 2 and 3: class II, order 2 (RPR)" in found["Groups"]
+
+
+def test_two_drives_are_two_links_of_class_one() -> None:
+    found = told(solved(FIVE_BAR))
+    assert "= 3·4 − 2·5 − 0 = 2" in found["Mobility"]
+    assert "I(0,1), I(0,4) → II(2,3)" in found["Groups"]
+    assert "1 crank AB" in found["Links"] and "4 crank ED" in found["Links"]
+
+
+def test_what_swings_is_a_rocker_and_what_turns_round_a_crank() -> None:
+    """Four-bar 0.2, 0.5, 0.4, 0.45 m by Grashof: 0.2 + 0.5 < 0.4 + 0.45, so the shortest link turns and the other swings."""
+    links = told(coursework.solve(coursework.load("example-1"), quantities=("table", "checks")))["Links"]
+    assert "1 crank AB" in links and "3 rocker DC" in links
+    assert "1 rocker DA" in told(coursework.solve(coursework.load("31")))["Links"]
+
+
+def test_a_driven_point_stands_where_a_driven_link_would() -> None:
+    found = told(coursework.solve(coursework.load("31")))
+    assert found["Links"] == "0 frame (D); 1 rocker DA; 2 coupler AB; 3 coupler MBC; 4 wheel CP"
+    assert "3·4 − 2·5 − 0 = 2" in found["Mobility"] and "4 R and 1 of rolling without slip" in found["Mobility"]
+    assert "I(M) → II(3,4) → II(1,2)" in found["Groups"]
+
+
+def test_a_slider_that_is_no_link_of_the_list_is_counted_both_ways() -> None:
+    text = told(coursework.solve(coursework.load("example-2"), quantities=("table",)))["Mobility"]
+    assert "3·3 − 2·4 − 0 = 1" in text and "3·2 − 2·2 − 1 = 1" in text
+
+
+def test_without_links_there_is_no_such_section() -> None:
+    assert told(solved(WITHOUT_LINKS)) == {}
+    assert told(solved(V31))
+
+
+@pytest.mark.parametrize(("language", "formula"), [("en", "W = 3n"), ("ru", "W = 3n"), ("uk", "W = 3n"), ("zh", "F = 3n")])
+def test_page_and_paper_have_the_formula(language: str, formula: str) -> None:
+    model = model_of(solved(SHAPER), language)
+    page = page_of(model)
+    section = page[page.index('<section id="structure">') :].partition("</section>")[0]
+    assert f"{formula} − 2" in html_text(section)
+    assert formula.replace(" ", "") in pdf_text(paper_of(model)).replace(" ", "")
+    assert "I(0,1) → II(2,3) → II(4,5)" in html_text(section)

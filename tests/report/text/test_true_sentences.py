@@ -1,0 +1,178 @@
+"""What a page says of mechanisms that are in no file: a shaper with exact rows, a five-bar with two drives, and others."""
+
+from __future__ import annotations
+
+from types import ModuleType
+from typing import Any
+
+import pytest
+
+import coursework
+from coursework.equations.reduction.meaning import meaning
+from coursework.variant.formula.reader import parse as parse_formula
+from coursework.variant.reading.reader import parse_variant
+from tests.hard.test_change_points import past_the_pivot
+from tests.results.kinematics.mechanisms import FIVE_BAR, SHAPER, SLIDER
+
+EVERYTHING = ["table", "plots", "checks", "analogs", "invariants"]
+
+
+def solved(text: str, *quantities: str, **named: Any) -> Any:
+    return coursework.solve(parse_variant(text), quantities=quantities or ("table", "plots", "checks"), **named)
+
+
+def told(real: ModuleType, run: Any, section: str) -> str:
+    return str(real.text_of(real.parts(run, section))).replace("\u00a0", " ").replace("\u202f", " ")
+
+
+def finding(run: Any, code: str) -> Any:
+    return next(one for one in run.checks if one.code == code)
+
+
+@pytest.fixture(scope="module")
+def shaper() -> Any:
+    return solved(SHAPER, *EVERYTHING)
+
+
+@pytest.fixture(scope="module")
+def five_bar() -> Any:
+    return solved(FIVE_BAR)
+
+
+def test_a_page_of_exact_rows_does_not_begin_with_the_error_of_a_scheme(real: ModuleType, shaper: Any) -> None:
+    page = told(real, shaper, "statement")
+    assert "Largest error" not in page
+    assert "Its rows are the motion itself." in page
+    assert "For comparison: explicit Euler with the same step would be off by up to 0.0400 rad" in page
+
+
+def test_a_crank_at_constant_speed_does_not_oscillate(real: ModuleType, shaper: Any) -> None:
+    claims = told(real, shaper, "control")
+    assert "The step is small against a turn of φ1" in claims
+    assert "oscillation" not in claims
+    assert "sinusoidal" not in claims
+    assert "not judged by rows" not in finding(shaper, "STEP").sentence
+
+
+def test_each_table_names_the_file_that_holds_it_whole(real: ModuleType, shaper: Any) -> None:
+    assert "(21 of 101); analogs.csv holds them all." in told(real, shaper, "analogs")
+    points = solved(SHAPER, "table", "points")
+    assert "table.csv holds them all." in told(real, points, "points")
+
+
+@pytest.mark.parametrize(("turns", "row"), [("2", 101), ("3", 101), ("4", 201)])
+def test_the_row_that_repeats_is_named_and_need_not_be_the_last(real: ModuleType, turns: str, row: int) -> None:
+    run = solved(SHAPER.replace('end = "2*pi/n"', f'end = "{turns}*pi/n"'), "table", "checks")
+    assert f"Row {row} repeats row 1." in told(real, run, "statement")
+    assert f"Row {row} repeats row 1 in its positions." in told(real, run, "control")
+    assert f"The first row beside row {row}." in told(real, run, "results")
+    assert "last row" not in told(real, run, "statement") + told(real, run, "control") + told(real, run, "results")
+
+
+def test_only_the_driven_point_is_said_to_be_driven_as_one(real: ModuleType, five_bar: Any) -> None:
+    page = told(real, five_bar, "statement")
+    point, _, besides = page.partition("Known at every moment besides:")
+    assert "Point M is driven." in point
+    assert "ω1 = n" not in point
+    assert besides
+
+
+def test_of_one_step_half_the_step_leaves_a_quarter(real: ModuleType, five_bar: Any) -> None:
+    page = told(real, five_bar, "results")
+    assert "Half the step leaves a quarter of that a step" in page
+    assert "the error of the table is about halved, once the step is small" in page
+    assert "begun on the exact curve at the time of row" in page
+    steps = [solved(FIVE_BAR, "table", "checks", step=0.02 / parts) for parts in (1, 2, 4)]
+    off = [
+        max(abs(run.motion.column("phi2")[:: 2**k][:20] - run.exact.column("phi2")[:: 2**k][:20])) for k, run in enumerate(steps)
+    ]
+    assert off[0] / off[1] == pytest.approx(2, abs=0.2)
+
+
+def test_one_drive_of_two_may_be_a_sine(five_bar: Any) -> None:
+    assert finding(five_bar, "SINUSOID").sentence == "Not every drive consists of sines of time, so the velocities need not."
+
+
+def test_harmonics_are_told_where_the_motion_is_no_single_sine(real: ModuleType) -> None:
+    run = coursework.solve("31")
+    assert (
+        "harmonics 1, 2, 3 carry 16, 82, 2 % of w1 in the table (31, 65, 4 % in the exact motion)"
+        in finding(run, "SINUSOID").sentence
+    )
+    claims = told(real, run, "control")
+    assert "not of one sine: 1, 2, 3 carry 16, 82, 2 % of ω1 in the table" in claims
+    assert "as the drive is" not in claims
+
+
+def test_where_one_sine_carries_all_the_motion_is_as_the_drive(real: ModuleType) -> None:
+    """A crank that swings a little moves its slider as a sine, whatever the guide."""
+    run = solved(SLIDER.format(e=0.0, start=1.2, drive="0.2*w0*cos(w0*t)"), "table", "checks")
+    assert finding(run, "SINUSOID").sentence.startswith(
+        "The velocities are sinusoidal, as the drive is: its own frequency alone carries 9"
+    )
+    assert "The velocities are sinusoidal, as the drive is" in told(real, run, "control")
+    wide = solved(SLIDER.format(e=0.0, start=0.0, drive="0.9*w0*cos(w0*t)"), "table", "checks")
+    assert "but not the drive's own frequency alone" in finding(wide, "SINUSOID").sentence
+
+
+@pytest.mark.parametrize(
+    ("offset", "words"),
+    [
+        ("", "(the slider stands on the pivot of its guide)"),
+        ('offset = "0.02 m"\n', "(the slider stands level with the pivot of its guide)"),
+    ],
+)
+def test_a_slider_stands_on_its_pivot_only_without_an_offset(offset: str, words: str) -> None:
+    variant = parse_variant(SHAPER.replace('coordinates = ["phi3", "s3"]\n', f'coordinates = ["phi3", "s3"]\n{offset}'))
+    assert meaning(parse_formula("s3"), variant, ()) == f"the distance s3 is zero {words}"
+
+
+def test_a_distance_that_no_point_shows_is_no_more_than_zero() -> None:
+    variant = parse_variant(past_the_pivot(0.1, 0.02))
+    assert meaning(parse_formula("s"), variant, ()) == "the distance s is zero"
+    placed = parse_variant(past_the_pivot(0.1, 0.02) + '[points]\nO = "(0, 0)"\nQ = "O + s @ phi"\n')
+    assert meaning(parse_formula("s"), placed, ()) == "the distance s is zero (Q lies on O)"
+
+
+def test_an_angle_counted_from_the_vertical_makes_no_link_vertical() -> None:
+    upright = FIVE_BAR.replace("r2 @ phi2", "r2 @ (phi2 - pi/2)")
+    assert meaning(parse_formula("cos(phi2)"), parse_variant(FIVE_BAR), ()) == "link 2 is vertical"
+    told = [meaning(parse_formula(text), _parsed(upright), ()) for text in ("cos(phi2)", "sin(phi2 - phi3)", "sin(phi1 - phi3)")]
+    assert told == ["cos(phi2) is zero", "sin(phi2 - phi3) is zero", "link 1 and link 3 lie on one line (stretched or folded)"]
+
+
+def _parsed(text: str) -> Any:
+    return parse_variant(
+        text.replace("r2*w2*sin(phi2)", "r2*w2*sin(phi2 - pi/2)").replace("r2*w2*cos(phi2)", "r2*w2*cos(phi2 - pi/2)")
+    )
+
+
+def test_the_caption_names_every_drive(real: ModuleType, five_bar: Any) -> None:
+    page = told(real, five_bar, "statement")
+    assert "The arrow shows how M is driven. The bent arrow is the given ω1." in page
+    pushed = solved(past_the_pivot(0.1, 0.02) + '[points]\nO = "(0, 0)"\nQ = "O + s @ phi"\n[frame]\nhinges = ["O"]\n')
+    assert "Nothing drives it" not in told(real, pushed, "statement")
+
+
+def test_a_drive_that_jumps_makes_the_graphs_jump(real: ModuleType) -> None:
+    law = '{ pieces = [["0 s", "n"], ["0.25 s", "2*n"]] }'
+    run = solved(SHAPER.replace('w1 = "n"', f"w1 = {law}").replace('period = "2*pi/n"\n', ""), "table", "checks")
+    assert "no jump but where the drive changes its formula" in told(real, run, "control")
+    assert finding(run, "CONTINUITY").sentence.startswith(
+        "Jumps of the exact motion stand only where the drive changes its formula"
+    )
+
+
+def test_rows_that_a_scheme_ends_are_not_the_end_of_the_motion(real: ModuleType) -> None:
+    run = solved(past_the_pivot(0.001, 0.02), "table", "checks")
+    page = " ".join(told(real, run, section) for section in ("statement", "dead_point", "control", "results"))
+    assert "the mechanism itself goes on" in page
+    assert "The rows end before the motion does: the step is too large." in page
+    assert "The motion stops" not in page
+    assert "nothing beyond it would be a motion" not in page
+
+
+def test_what_the_numbers_are_parts_of_is_said_where_they_first_stand(real: ModuleType, five_bar: Any) -> None:
+    assert "5 of 5 checks of the computation" in five_bar.summary
+    assert "% of its scale of 0.49 rad (phi2, row" in five_bar.summary
+    assert "a column's scale: its range in the exact motion" in told(real, five_bar, "control")
