@@ -11,7 +11,9 @@ from coursework.commands.screen import tell, tell_own_file, title_of
 from coursework.results.checks.computed_right.equations import open_to_doubt
 from coursework.run import Run
 from coursework.variant.catalogue import load
-from coursework.variant.formula.tree import spelled
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, named, spelled
+from coursework.variant.record.variant import Variant
+from coursework.words.sentence import Sentence
 from coursework.words.sentences import say, say_count
 
 
@@ -71,7 +73,32 @@ def _tell_mobility(run: Run) -> None:
     drives = (2 if run.variant.driven else 0) + len(run.variant.known_rates)
     verdict = say("screen.driven", number=drives)
     if drives and mobility.degrees != drives:
-        verdict = say("screen.driven_otherwise", drives=drives)
+        way = _along_its_guide(run.variant) if drives == mobility.degrees + 1 else None
+        verdict = way or say("screen.driven_otherwise", drives=drives)
     if not drives:
         verdict = say("screen.as_listed")
     tell(say("screen.mobility", sum_of=sum_of, degrees=mobility.degrees, verdict=verdict))
+
+
+def _along_its_guide(variant: Variant) -> Sentence | None:
+    """Return what to write where the driven point runs on a guide of the frame, which leaves it one velocity; else None."""
+    point = variant.driven
+    angle = next((angle for through, angle in variant.frame.rails if through == named(point or "")), None)
+    if not point or angle is None:
+        return None
+    cosine, sine = (_multiple(function, angle) for function in ("cos", "sin"))
+    law = " + ".join(f"V{point}{axis}{part}" for axis, part in zip("xy", (cosine, sine), strict=True) if part is not None)
+    x, y = (
+        f"{point}.{axis}{'' if part is None else f' - s{point}{part}'}" for axis, part in zip("xy", (cosine, sine), strict=True)
+    )
+    drives = 2 + len(variant.known_rates)
+    return say("screen.driven_along", drives=drives, point=point, law=law, x=x, y=y)
+
+
+def _multiple(function: str, angle: Formula) -> str | None:
+    """Return how a factor cos or sin of an angle is written behind another, "" for 1, None where it is zero."""
+    try:
+        value = evaluate(Formula("call", (angle,), function), {})
+    except (FormulaFault, KeyError):
+        return f"*{function}({spelled(angle)})"
+    return None if abs(value) < 1e-12 else "" if value > 1 - 1e-12 else f"*{function}({spelled(angle)})"

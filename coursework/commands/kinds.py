@@ -10,8 +10,8 @@ import textwrap
 import unicodedata
 
 from coursework.commands.screen import WIDE, in_language, speak
-from coursework.mechanism.drafts.roles import roles, title
 from coursework.mechanism.groups import GROUPS
+from coursework.variant.record.roles import roles, title
 from coursework.words.sentences import say
 
 _KIND, _KEY = 8, 13  # columns of the name of a kind, and of a key
@@ -22,9 +22,9 @@ def kinds_table(language: str) -> str:
     speak(language)
     lines = [in_language(say("new.table"))]
     for kind in GROUPS:
-        letters = kind.named()
-        lines += ["", f"  {kind.name:<{_KIND}}{in_language(title(kind, letters))}"]
-        for key, meant in roles(kind, letters).items():
+        letters = kind.shape.named()
+        lines += ["", f"  {kind.name:<{_KIND}}{in_language(title(kind.shape, letters))}"]
+        for key, meant in roles(kind.shape, letters).items():
             lines += _wrapped(" " * (_KIND + 2) + f"{key:<{_KEY}}", in_language(meant))
     return "\n".join(lines)
 

@@ -8,12 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from graphlib import CycleError, TopologicalSorter
+from graphlib import TopologicalSorter
 
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.joints import Linkage, Mobility, linkage
 from coursework.variant.formula.tree import Formula
+from coursework.variant.judging.broken import Broken
+from coursework.variant.judging.groups import faults_of_groups
 from coursework.variant.record.variant import Constraint, Group, Variant
+from coursework.variant.record.vocabulary import GROUP_SHAPES
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
@@ -44,16 +47,11 @@ def build(variant: Variant) -> Mechanism:
     """Return the mechanism of a variant.  Raises `InputError` where points or groups cannot be put in order."""
     written = dict(variant.points)
     constraints = list(variant.constraints)
-    known: set[str] = {c.name for c in variant.coordinates} - {n for g in variant.groups for n in g.coordinates}
+    unknown = {group.kind: group_kind(group.kind).shape for group in variant.groups if group.kind not in GROUP_SHAPES}
+    if unknown and (faults := faults_of_groups(variant, unknown, Broken())):
+        raise InputError(faults)
     for index, group in enumerate(variant.groups, start=1):
-        constraint, met = _as_closure(group, index, variant)
-        if late := _later(group, written, known | set(group.coordinates), variant):
-            raise _fault(
-                variant,
-                say("fault.V341", number=index, kind=group.kind, late=late),
-                group.line,
-            )
-        known.update(group.coordinates)
+        constraint, met = _as_closure(group, index)
         if constraint:
             constraints.append(constraint)
         if group.meets and met:
@@ -71,51 +69,13 @@ def _fault(variant: Variant, message: Sentence, line: int = 0) -> InputError:
     return InputError([Fault(message, variant.file, line)])
 
 
-def _as_closure(group: Group, index: int, variant: Variant) -> tuple[Constraint | None, Formula | None]:
+def _as_closure(group: Group, index: int) -> tuple[Constraint | None, Formula | None]:
     """Return the vector closure of a group and the formula of the point it meets in."""
-    _check_shape(group, index, variant)
     sides, met = group_kind(group.kind).closure(group)
     if not sides:
         return None, met
     because = say("equation.closes", kind=group.kind, number=index)
     return Constraint(f"G{index}", because, sides[0], sides[1], True, group.line), met
-
-
-def _check_shape(group: Group, index: int, variant: Variant) -> None:
-    shape = group_kind(group.kind).shape
-    wrong = [
-        say(f"fault.shape.{what}", wanted=wanted, found=found)
-        for wanted, what, found, right in (
-            (shape.points, "points", len(group.start_points), len(group.start_points) == shape.points),
-            (shape.lengths[-1], "lengths", len(group.lengths), len(group.lengths) in shape.lengths),
-            (shape.guides, "guides", len(group.guides), len(group.guides) == shape.guides),
-            (shape.coordinates, "coordinates", len(group.coordinates), len(group.coordinates) == shape.coordinates),
-        )
-        if not right
-    ]
-    if wrong:
-        raise _fault(variant, say("fault.V343", number=index, kind=group.kind, wanted=tuple(wrong)), group.line)
-    rate = next(c.rate for c in variant.coordinates if c.name == group.coordinates[0])
-    if group_kind(group.kind).driven and rate not in variant.known_rates:
-        raise _fault(variant, say("fault.V344", number=index, kind=group.kind, rate=rate), group.line)
-
-
-def _later(group: Group, written: dict[str, Formula], known: set[str], variant: Variant) -> str:
-    """Return the point or coordinate a group needs before the chain has it, or an empty string."""
-    coordinates = {c.name for c in variant.coordinates}
-    formulas = [*group.start_points, *group.lengths, *(f for g in group.guides for f in (g.through, g.angle, g.offset))]
-    todo = [name for formula in formulas for name in formula.names()]
-    seen: set[str] = set()
-    while todo:
-        name = todo.pop()
-        if name in seen:
-            continue
-        seen.add(name)
-        if name in written:
-            todo.extend(written[name].names())
-        elif (name in coordinates and name not in known) or any(name == other.meets for other in variant.groups):
-            return name
-    return ""
 
 
 def _expanded(formula: Formula, sizes: Mapping[str, int]) -> int:
@@ -126,12 +86,7 @@ def _expanded(formula: Formula, sizes: Mapping[str, int]) -> int:
 def _in_order(written: dict[str, Formula], variant: Variant) -> tuple[tuple[tuple[str, Formula], ...], dict[str, int]]:
     """Return the points in the order of the file, but each after those it needs, and how many parts each has written out."""
     sorter = TopologicalSorter({name: [n for n in formula.names() if n in written] for name, formula in written.items()})
-    try:
-        sorter.prepare()
-    except CycleError as error:
-        circle = error.args[1][::-1]
-        told = say("fault.V345" if len(circle) > 2 else "fault.V346", circle=" → ".join(circle))
-        raise _fault(variant, told, variant.line_of("points", circle[0])) from None
+    sorter.prepare()
     places = {name: place for place, name in enumerate(written)}
     order: list[str] = []
     sizes: dict[str, int] = {}

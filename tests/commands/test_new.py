@@ -1,5 +1,7 @@
 """`coursework new`: what it writes runs as it is, and nothing that exists is touched."""
 
+import re
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -80,3 +82,28 @@ def test_a_faulty_file_is_not_copied():
     assert result.exit_code == 2
     assert "r9" in result.stderr
     assert not Path("mine.toml").exists()
+
+
+@pytest.mark.parametrize("language", ["ru", "uk", "zh"])
+def test_the_template_speaks_the_language_asked(language):
+    english = (data_folder("reports") / "new-variant.toml").read_text(encoding="utf-8").replace("NAME", "mine")
+    assert call("new", "mine", "--language", language).exit_code == 0
+    text = Path("mine.toml").read_text(encoding="utf-8")
+    data, original = tomllib.loads(text), tomllib.loads(english)
+    for part in ("source", "teaches"):
+        assert data.pop(part) != original.pop(part)
+    for ours, theirs in zip(data.pop("constraint"), original.pop("constraint"), strict=True):
+        assert ours.pop("because") != theirs.pop("because")
+        assert ours == theirs
+    assert data == original
+    # A remark that names nothing but letters is the same in every language.
+    remarks = [line.partition("# ")[2] for line in english.splitlines() if "# " in line]
+    assert [remark for remark in remarks if re.search("[a-z]{3}", remark) and f"# {remark}\n" in f"{text}\n"] == []
+    ran = call("run", "mine", *QUICK)
+    assert ran.exit_code == 0, ran.output
+
+
+def test_the_language_of_the_environment_is_that_of_the_template(monkeypatch):
+    monkeypatch.setenv("COURSEWORK_LANGUAGE", "uk")
+    call("new", "mine")
+    assert "# найбільша швидкість M\n" in Path("mine.toml").read_text(encoding="utf-8")

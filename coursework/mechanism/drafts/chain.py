@@ -62,7 +62,7 @@ class GroupDraft:
     @property
     def letters(self) -> dict[str, str]:
         """Return what stands in the gaps of the sentences about its kind."""
-        return self.kind.named((*self.points, *(guide.through for guide in self.guides), self.meets))
+        return self.kind.shape.named((*self.points, *(guide.through for guide in self.guides), self.meets))
 
 
 @dataclass(slots=True)
@@ -93,7 +93,7 @@ def draft_of(names: Sequence[str]) -> Draft:
 
     >>> draft = draft_of(["crank", "RRR"])
     >>> [(str(group.kind), group.points, group.meets) for group in draft.groups]
-    [(crank, ('A',), 'B'), (RRR, ('B', 'C'), 'D')]
+    [('crank', ('A',), 'B'), ('RRR', ('B', 'C'), 'D')]
     """
     swinging: set[int] = set()
     while True:

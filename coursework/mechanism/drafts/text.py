@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from unicodedata import east_asian_width
 
 from coursework.mechanism.drafts.chain import SWING, TURNED, Draft, GroupDraft, GuideOf
-from coursework.mechanism.drafts.roles import role, roles, title
+from coursework.variant.record.roles import role, roles, title
 from coursework.variant.record.vocabulary import EXACT, SCHEME_NAMES
 from coursework.words.sentences import say
 
@@ -76,7 +76,7 @@ def _given(draft: Draft) -> Iterator[Line]:
             yield f'swing{crank.crank} = "{SWING} rad"', say("new.swing", angle=crank.coordinates[0].name)
     for group in draft.groups:
         for number, length in enumerate(group.lengths, start=1):
-            yield f'{length} = "{draft.lengths[length]:g} m"', role(group.kind, "lengths", group.letters, number)
+            yield f'{length} = "{draft.lengths[length]:g} m"', role(group.kind.shape, "lengths", group.letters, number)
         for guide in group.guides:
             key = "new.angle_on" if guide.turns else "new.angle_of"
             yield f'{guide.angle} = "{draft.angles[guide.angle]} deg"', say(key, point=guide.through, turns=guide.turns)
@@ -102,7 +102,10 @@ def _coordinates(draft: Draft) -> Iterator[Line]:
         for place, own in enumerate(group.coordinates, start=1):
             start = f'start = "{TURNED[(group.crank - 1) % len(TURNED)]} deg", ' if group.kind.driven else ""
             unit = f', unit = "{own.unit}"'
-            yield f'{own.name} = {{ {start}rate = "{own.rate}"{unit} }}', role(group.kind, "coordinates", group.letters, place)
+            yield (
+                f'{own.name} = {{ {start}rate = "{own.rate}"{unit} }}',
+                role(group.kind.shape, "coordinates", group.letters, place),
+            )
     yield "", ""
 
 
@@ -117,7 +120,7 @@ def _time(draft: Draft) -> Iterator[Line]:
 
 
 def _group(group: GroupDraft, number: int) -> Iterator[Line]:
-    meaning = roles(group.kind, group.letters)
+    meaning = roles(group.kind.shape, group.letters)
     written = {
         "from": f"[{_quoted(group.points)}]",
         "guide": ", ".join(map(_guide, group.guides)),
@@ -130,12 +133,12 @@ def _group(group: GroupDraft, number: int) -> Iterator[Line]:
     }
     yield "", ""
     yield "[[group]]", say("new.group", number=number)
-    yield f'kind        = "{group.kind}"', title(group.kind, group.letters)
+    yield f'kind        = "{group.kind}"', title(group.kind.shape, group.letters)
     for key, meant in meaning.items():
         if key == "guides":
             yield "guides      = [", ""
             for place, guide in enumerate(group.guides, start=1):
-                yield f"    {_guide(guide)},", role(group.kind, key, group.letters, place)
+                yield f"    {_guide(guide)},", role(group.kind.shape, key, group.letters, place)
             yield "]", ""
         else:
             yield f"{key:<11} = {written[key]}", meant

@@ -9,8 +9,8 @@ Sources: B. B. Ponomarev, coursework guide, Irkutsk 1995 (variant 31); [deck] sl
 groups; [library] a library of Assur-group procedures; V. R. Pasika, slider-crank with variable crank length.  Their misprints are
 shown by tests in `tests/mechanism/groups/test_printed_faults.py`; reference numbers are in `tests/reference/`.
 
-To add a group: write one file with its function and its `GroupKind`, add that to `GROUPS`, and
-its name to `variant/record/vocabulary.py`.
+To add a group: write one file with its function and its `GroupKind`, add that to `GROUPS`, its shape to
+`variant/record/vocabulary.py`, and what its keys mean to the words files.
 """
 
 from __future__ import annotations

@@ -15,10 +15,11 @@ from numpy.typing import ArrayLike
 from coursework.mechanism.groups import assembly
 from coursework.mechanism.groups.assembly import Length, numbers
 from coursework.mechanism.groups.joint import REVOLUTE, Joint
-from coursework.mechanism.groups.kind import Closed, GroupKind, Shape, along, plus, unknowns
+from coursework.mechanism.groups.kind import Closed, GroupKind, along, plus, unknowns
 from coursework.mechanism.groups.pairs import GroupMotion, Pair, count_rows, group_motion
 from coursework.mechanism.groups.plane import direction, vectors
 from coursework.variant.record.variant import Group
+from coursework.variant.record.vocabulary import GROUP_SHAPES
 
 
 def crank(a: Pair, *, length: Length, angle: ArrayLike, rate: ArrayLike, acceleration: ArrayLike = 0.0) -> GroupMotion:
@@ -70,4 +71,4 @@ def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Seq
     return (Joint(REVOLUTE, (points[0], own[0]), group.start_points[0]),)
 
 
-CRANK = GroupKind("crank", Shape(1, (1,), 0, 1), _closure, None, _joints, carries=(0,), letters=("A", "B"))
+CRANK = GroupKind("crank", GROUP_SHAPES["crank"], _closure, None, _joints, carries=(0,))

@@ -7,33 +7,18 @@ Used by the files of the kinds and `motion/geometry/chain.py`; others meet it as
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from coursework.mechanism.groups.joint import Joint
 from coursework.mechanism.groups.pairs import GroupMotion, Guide, Pair
 from coursework.system.arrays import Array
-from coursework.variant.formula.tree import Formula, named, number, spelled
+from coursework.variant.formula.tree import Formula, named, number
 from coursework.variant.record.variant import Group
-from coursework.words.sentence import Sentence
-from coursework.words.sentences import say
+from coursework.variant.record.vocabulary import Shape
 
 # The two ways round a loop as vectors, none where nothing closes, and the point the next group may hang on.
 Closed = tuple[tuple[Formula, ...], Formula]
 QUARTER = Formula("/", (named("pi"), number(2)))
-
-
-@dataclass(frozen=True, slots=True)
-class Shape:
-    """How many external points, lengths (any of these counts), guides and coordinates a group of the kind has.
-
-    `also` names the keys that this kind reads beside these: offset, angle.
-    """
-
-    points: int
-    lengths: tuple[int, ...]
-    guides: int
-    coordinates: int
-    also: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,11 +40,9 @@ Joints = Callable[["Group", Sequence[str], Sequence[str], Sequence[str]], tuple[
 class GroupKind:
     """A kind of group.
 
-    `closure` writes it as formulas; `solve` puts it together in a mode, None where a drive gives its coordinate; `modes` says
-    what +1 and -1 mean, empty where there is one way; `meaning` is the key of the sentence about a dead point that its
-    determinant alone does not show; `joints` joins its bodies, of which `carries` says which one each coordinate moves;
-    `letters` are the textbook's, which sentences about the kind have gaps for: of the points in `from`, of a point on each
-    guide, of the one where it meets.
+    `shape` is what a file says of it; `closure` writes it as formulas; `solve` puts it together in a mode, None where a drive
+    gives its coordinate; `meaning` is the key of the sentence about a dead point that its determinant alone does not show;
+    `joints` joins its bodies, of which `carries` says which one each coordinate moves.
 
     >>> from coursework.mechanism.groups import group_kind
     >>> group_kind("PRP").shape.guides, group_kind("PRP").driven, group_kind("crank").driven
@@ -71,10 +54,8 @@ class GroupKind:
     closure: Callable[[Group], Closed]
     solve: Callable[[Known, int], GroupMotion] | None
     joints: Joints
-    modes: Mapping[int, str] = field(default_factory=dict)
     meaning: str = ""
     carries: tuple[int, ...] = (0, 1)
-    letters: tuple[str, ...] = ()
 
     def __repr__(self) -> str:
         return self.name
@@ -84,23 +65,15 @@ class GroupKind:
 
         return group_kind, (self.name,)
 
-    def named(self, names: Sequence[str] = ()) -> dict[str, str]:
-        """Return what stands in the gaps of its sentences: the names of a file's points, or the textbook's letters."""
-        return dict(zip(self.letters, names or self.letters, strict=True))
-
-    def letters_in(self, group: Group) -> dict[str, str]:
-        """Return what stands in the gaps of its sentences about one group of a file."""
-        placed = [*group.start_points, *(guide.through for guide in group.guides)]
-        return self.named([*map(spelled, placed), group.meets or say("group.nameless")])
-
-    def mode_meaning(self, mode: int, letters: Mapping[str, str]) -> Sentence:
-        """Return what a mode means, with the `letters` of `named`."""
-        return say(self.modes[mode], **letters)
+    @property
+    def modes(self) -> Mapping[int, str]:
+        """Return the assembly modes, and the key of what each means."""
+        return self.shape.modes
 
     @property
     def driven(self) -> bool:
         """Return whether a drive turns it: a crank."""
-        return self.solve is None
+        return self.shape.driven
 
 
 def unknowns(group: Group) -> list[Formula]:

@@ -15,11 +15,12 @@ import numpy as np
 
 from coursework.mechanism.groups.assembly import require_crossing
 from coursework.mechanism.groups.joint import PRISMATIC, REVOLUTE, Joint
-from coursework.mechanism.groups.kind import Closed, GroupKind, Known, Shape, across, along, plus, unknowns
+from coursework.mechanism.groups.kind import Closed, GroupKind, Known, across, along, plus, unknowns
 from coursework.mechanism.groups.line import Line
 from coursework.mechanism.groups.pairs import GroupMotion, Guide, count_rows, group_motion
 from coursework.mechanism.groups.plane import cross
 from coursework.variant.record.variant import Group
+from coursework.variant.record.vocabulary import GROUP_SHAPES
 
 
 def prp(guide_i: Guide, guide_j: Guide, *, positions_only: bool = False) -> GroupMotion:
@@ -80,4 +81,4 @@ def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Seq
     return (*slides, Joint(REVOLUTE, (own[0], own[1]), hinge))
 
 
-PRP = GroupKind("PRP", Shape(0, (0,), 2, 2), _closure, _solve, _joints, meaning="determinant.parallel", letters=("Ki", "Kj", "C"))
+PRP = GroupKind("PRP", GROUP_SHAPES["PRP"], _closure, _solve, _joints, meaning="determinant.parallel")

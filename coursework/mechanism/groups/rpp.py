@@ -16,12 +16,13 @@ from numpy.typing import ArrayLike
 
 from coursework.mechanism.groups.assembly import numbers, require_crossing
 from coursework.mechanism.groups.joint import PRISMATIC, REVOLUTE, Joint
-from coursework.mechanism.groups.kind import QUARTER, Closed, GroupKind, Known, Shape, across, along, plus, unknowns
+from coursework.mechanism.groups.kind import QUARTER, Closed, GroupKind, Known, across, along, plus, unknowns
 from coursework.mechanism.groups.line import Line
 from coursework.mechanism.groups.pairs import GroupMotion, Guide, Pair, count_rows, group_motion
 from coursework.mechanism.groups.plane import cross, direction, vectors
 from coursework.variant.formula.tree import Formula
 from coursework.variant.record.variant import Group
+from coursework.variant.record.vocabulary import GROUP_SHAPES
 
 
 def rpp(b: Pair, guide: Guide, *, slide_angle: ArrayLike, positions_only: bool = False) -> GroupMotion:
@@ -91,7 +92,4 @@ def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Seq
     )
 
 
-RPP = GroupKind(
-    "RPP", Shape(1, (0,), 1, 2, ("angle",)), _closure, _solve, _joints,
-    meaning="determinant.parallel", letters=("B", "K", "D"),
-)  # fmt: skip
+RPP = GroupKind("RPP", GROUP_SHAPES["RPP"], _closure, _solve, _joints, meaning="determinant.parallel")

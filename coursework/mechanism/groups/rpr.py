@@ -16,13 +16,14 @@ from numpy.typing import ArrayLike
 from coursework.mechanism.groups import assembly
 from coursework.mechanism.groups.assembly import TEXTBOOK, at, dead, metres, numbers, refuse, rows_where
 from coursework.mechanism.groups.joint import PRISMATIC, REVOLUTE, Joint
-from coursework.mechanism.groups.kind import Closed, GroupKind, Known, Shape, across, along, plus, unknowns
+from coursework.mechanism.groups.kind import Closed, GroupKind, Known, across, along, plus, unknowns
 from coursework.mechanism.groups.pairs import GroupMotion, Pair, count_rows, group_motion
 from coursework.mechanism.groups.plane import angle_of, cross, dot, vectors
 from coursework.variant.record.variant import Group
+from coursework.variant.record.vocabulary import GROUP_SHAPES
 from coursework.words.sentences import say
 
-MODES = {1: "group.mode.towards", -1: "group.mode.away"}
+MODES = GROUP_SHAPES["RPR"].modes
 
 
 def rpr(
@@ -114,4 +115,4 @@ def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Seq
     )
 
 
-RPR = GroupKind("RPR", Shape(2, (0, 1), 0, 2, ("offset",)), _closure, _solve, _joints, modes=MODES, letters=("B", "D", "E"))
+RPR = GroupKind("RPR", GROUP_SHAPES["RPR"], _closure, _solve, _joints)

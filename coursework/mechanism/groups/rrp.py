@@ -15,14 +15,15 @@ import numpy as np
 from coursework.mechanism.groups import assembly
 from coursework.mechanism.groups.assembly import TEXTBOOK, Length, at, dead, metres, refuse, rows_where
 from coursework.mechanism.groups.joint import PRISMATIC, REVOLUTE, Joint
-from coursework.mechanism.groups.kind import Closed, GroupKind, Known, Shape, across, along, plus, unknowns
+from coursework.mechanism.groups.kind import Closed, GroupKind, Known, across, along, plus, unknowns
 from coursework.mechanism.groups.line import Line
 from coursework.mechanism.groups.pairs import GroupMotion, Guide, Pair, count_rows, group_motion
 from coursework.mechanism.groups.plane import angle_of, cross, dot, vectors
 from coursework.variant.record.variant import Group
+from coursework.variant.record.vocabulary import GROUP_SHAPES
 from coursework.words.sentences import say
 
-MODES = {1: "group.mode.larger", -1: "group.mode.smaller"}
+MODES = GROUP_SHAPES["RRP"].modes
 
 
 def rrp(b: Pair, guide: Guide, *, length: Length, mode: int, positions_only: bool = False) -> GroupMotion:
@@ -103,7 +104,4 @@ def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Seq
     )
 
 
-RRP = GroupKind(
-    "RRP", Shape(1, (1,), 1, 2), _closure, _solve, _joints,
-    modes=MODES, meaning="determinant.right_angle", letters=("B", "K", "C"),
-)  # fmt: skip
+RRP = GroupKind("RRP", GROUP_SHAPES["RRP"], _closure, _solve, _joints, meaning="determinant.right_angle")

@@ -15,14 +15,15 @@ import numpy as np
 from coursework.mechanism.groups import assembly
 from coursework.mechanism.groups.assembly import TEXTBOOK, CannotAssemble, Length, at, dead, metres, refuse, rows_where
 from coursework.mechanism.groups.joint import REVOLUTE, Joint
-from coursework.mechanism.groups.kind import Closed, GroupKind, Known, Shape, along, plus, unknowns
+from coursework.mechanism.groups.kind import Closed, GroupKind, Known, along, plus, unknowns
 from coursework.mechanism.groups.pairs import GroupMotion, Pair, count_rows, group_motion
 from coursework.mechanism.groups.plane import Vectors, angle_of, dot, vectors
 from coursework.system.arrays import Array
 from coursework.variant.record.variant import Group
+from coursework.variant.record.vocabulary import GROUP_SHAPES
 from coursework.words.sentences import say
 
-MODES = {1: "group.mode.left", -1: "group.mode.right"}
+MODES = GROUP_SHAPES["RRR"].modes
 
 
 def rrr(b: Pair, d: Pair, *, lengths: tuple[Length, Length], mode: int, positions_only: bool = False) -> GroupMotion:
@@ -130,4 +131,4 @@ def _joints(group: Group, points: Sequence[str], guides: Sequence[str], own: Seq
     return (*ends, Joint(REVOLUTE, (own[0], own[1]), _closure(group)[1]))
 
 
-RRR = GroupKind("RRR", Shape(2, (2,), 0, 2), _closure, _solve, _joints, modes=MODES, letters=("B", "D", "C"))
+RRR = GroupKind("RRR", GROUP_SHAPES["RRR"], _closure, _solve, _joints)

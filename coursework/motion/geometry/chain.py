@@ -22,6 +22,7 @@ from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula, constant, spelled
 from coursework.variant.judging.lengths import refused_length
+from coursework.variant.record.roles import letters_of
 from coursework.variant.record.variant import Group, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
@@ -61,10 +62,7 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
             continue
         try:
             mode = _mode(equations, group, q[:1])
-            if mode is None:
-                kind = group_kind(group.kind)
-                plus, minus = (kind.mode_meaning(sign, kind.letters_in(group)) for sign in (1, -1))
-                raise _fault(say("fault.V307", kind=group.kind, plus=plus, minus=minus), number, group, variant)
+            assert mode is not None  # else the file has been refused
             found = dyad(equations.symbols, group, mode, values).coordinates
         except groups.CannotAssemble as error:
             named = ", ".join(map(spelled, group.start_points))
@@ -89,7 +87,7 @@ def _in_letters_of(group: Group, reason: str) -> str:
     """Return why a group does not close with the points of the file in the place of the textbook's letters."""
     if not isinstance(reason, Sentence):
         return reason
-    return say(reason.key, **{**reason.values, **group_kind(group.kind).letters_in(group)})
+    return say(reason.key, **{**reason.values, **letters_of(group_kind(group.kind).shape, group)})
 
 
 def _continued(angles: Array, start: float | None) -> Array:

@@ -20,6 +20,8 @@ from coursework.equations.reduction.symbolic import expanded, symbol
 from coursework.equations.reduction.system import compile_values
 from coursework.motion.geometry.drive import integrals
 from coursework.system.arrays import Array, Flags
+from coursework.variant.formula.units import size_of
+from coursework.variant.record.variant import Coordinate
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
@@ -257,9 +259,15 @@ def require_start(closure: Closure | None) -> None:
     listed = ", ".join(f"{name} {value:.6g}" for name, value in zip(closure.names, residual, strict=True))
     told = say("fault.V312", residuals=listed)
     if closed is not None:
-        values = ", ".join(f"{c.name} = {q:.15g}" for c, q in zip(variant.coordinates, closed, strict=True))
+        values = ", ".join(f"{c.name} = {_typed(c, q)}" for c, q in zip(variant.coordinates, closed.tolist(), strict=True))
         told = say("fault.V313", residuals=listed, nearest=values)
     raise InputError([Fault(told, variant.file, variant.line_of("coordinates"))])
+
+
+def _typed(coordinate: Coordinate, value: float) -> str:
+    """Return a value (rad, m) in the unit that the file has for it; a bare number stays one."""
+    size = 0.0 if coordinate.start_has_no_unit else size_of(coordinate.written)
+    return f"{value / size:.15g} {coordinate.written}" if size else f"{value:.15g}"
 
 
 def closed_start(closure: Closure) -> tuple[Array, Array | None]:

@@ -17,6 +17,7 @@ from coursework.motion.geometry.chain import chain_positions
 from coursework.motion.geometry.closure import MAX_NEWTON, Closure, compile_closure
 from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula, spelled
+from coursework.variant.formula.units import size_of
 from coursework.variant.record.variant import Coordinate, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
@@ -53,7 +54,9 @@ def _by_groups(equations: VelocityEquations) -> list[float]:
     faults = []
     for coordinate, value in zip(variant.coordinates, closed, strict=True):
         if coordinate.start is not None and abs(coordinate.start - value) > START_TOLERANCE:
-            known = {"name": coordinate.name, "unit": coordinate.unit, "start": coordinate.start, "closed": float(value)}
+            size = size_of(coordinate.written) or 1.0  # said in the unit that was typed
+            typed = coordinate.written if size_of(coordinate.written) else coordinate.unit
+            known = {"name": coordinate.name, "unit": typed, "start": coordinate.start / size, "closed": float(value) / size}
             faults.append(_fault(say("fault.V332", **known), coordinate, variant))
     if faults:
         raise InputError(_swaps(equations) or faults)

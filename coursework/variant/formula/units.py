@@ -148,6 +148,11 @@ def is_quantity(text: str) -> bool:
     return not unit or unit in UNITS or _WORDED.match(unit) is not None
 
 
+def size_of(unit: str) -> float:
+    """Return a unit in SI, 0 where it is none."""
+    return float(UNITS[unit][0]) if unit in UNITS else 0.0
+
+
 def measured(si: str) -> Sentence:
     """Return what has an SI unit: a length, an angle."""
     return say(f"quantity.{si}")

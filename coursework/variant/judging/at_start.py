@@ -9,6 +9,7 @@ from collections.abc import Mapping
 
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate
+from coursework.variant.judging.broken import Broken
 from coursework.variant.record.no_value import in_order
 from coursework.variant.record.variant import Law, Variant
 from coursework.variant.toml.positions import KeyPath
@@ -17,8 +18,10 @@ from coursework.words.errors import Fault
 from coursework.words.sentences import say
 
 
-def faults_at_start(variant: Variant, source: Source) -> list[Fault]:
+def faults_at_start(variant: Variant, source: Source, broken: Broken) -> list[Fault]:
     """Return a fault for each law that needs itself, and for each law or velocity equation without a value at t = 0.
+
+    What is `broken` has no value, nor has what needs it.
 
     Formulas with points, tables or coordinates that a chain will give are left to the computation itself.
     """
@@ -28,7 +31,8 @@ def faults_at_start(variant: Variant, source: Source) -> list[Fault]:
     circles = {name: circle for name in laws if (circle := _circle(name, laws))}
     if circles:
         return [source.fault(places[name], say("fault.V057", circle=" → ".join(circle))) for name, circle in circles.items()]
-    values = {"t": 0.0, **variant.values, **{c.name: c.start for c in variant.coordinates if c.start is not None}}
+    placed = [c for c in variant.coordinates if c.start is not None and not broken.has("coordinates", c.name)]
+    values = {"t": 0.0, **broken.sound(variant).values, **{c.name: c.start for c in placed if c.start is not None}}
     # Any velocities do: an equation is linear in them, and says so itself where it is not.
     values |= {name: 1.0 + 0.1 * place for place, name in enumerate(variant.sought)}
     faults: list[Fault] = []
@@ -36,11 +40,12 @@ def faults_at_start(variant: Variant, source: Source) -> list[Fault]:
         pieces = laws[name].pieces
         formula = laws[name].formula or (pieces[0][1] if pieces else None)
         path = (*places[name], "pieces", 0, 1) if pieces else places[name]
-        value = None if formula is None else _value(formula, values, path, source, faults)
+        unknown = formula is None or broken.has(places[name][0], name)
+        value = None if unknown or formula is None else _value(formula, values, path, source, faults)
         if value is not None:
             values[name] = value
     for index, constraint in enumerate(variant.constraints):
-        for side in () if constraint.is_closure else (constraint.left, constraint.right):
+        for side in () if constraint.is_closure or broken.has("constraint", index) else (constraint.left, constraint.right):
             _value(side, values, ("constraint", index, "equation"), source, faults)
     return faults
 

@@ -5,33 +5,40 @@ Enters: a `Variant`, its `Source`, and which times follow from data.  Leaves: fa
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 
 from coursework.variant.judging.bounds import exceeded
+from coursework.variant.judging.broken import Broken
 from coursework.variant.judging.coordinate_order import faults_of_names
+from coursework.variant.judging.groups import faults_of_groups
 from coursework.variant.judging.lengths import faults_of_lengths
 from coursework.variant.record.variant import Variant
+from coursework.variant.record.vocabulary import GROUP_SHAPES
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
 from coursework.words.errors import Fault
 from coursework.words.sentences import say
 
 
-def faults_of_the_whole(variant: Variant, source: Source, times: Iterable[KeyPath]) -> list[Fault]:
-    """Return the faults that no single key shows, those of lengths last."""
+def faults_of_the_whole(variant: Variant, source: Source, times: Iterable[KeyPath], broken: Broken) -> list[Fault]:
+    """Return the faults that no single key shows, those of lengths last; of what is `broken` nothing more is said."""
     faults = []
-    if variant.sought and not (variant.constraints or variant.groups or variant.driven or variant.holds):
+    written = broken.has("constraint") or broken.has("group") or broken.has("closure")
+    if variant.sought and not (written or variant.constraints or variant.groups or variant.driven or variant.holds):
         faults.append(source.fault((), say("fault.V072")))
     # A period that follows from the drive is judged where the drive is: how fast that turns says more.
     derived = {"period"} & {str(path[-1]) for path in times}
-    faults += [source.fault(("time", key), text) for key, text in exceeded(variant) if key not in derived]
+    if not broken.has("time") and math.isfinite(variant.time.step + variant.time.end):
+        faults += [source.fault(("time", key), text) for key, text in exceeded(variant) if key not in derived]
     in_groups = {name for group in variant.groups for name in group.coordinates}
-    for coordinate in variant.coordinates:
-        if coordinate.start is None and coordinate.name not in in_groups:
+    for coordinate in () if broken.has("group") else variant.coordinates:
+        if coordinate.start is None and not (coordinate.name in in_groups or broken.has("coordinates", coordinate.name)):
             message = say("fault.V073", unit=coordinate.unit)
             faults.append(source.fault(("coordinates", coordinate.name), message))
     laws = {law.name for law in variant.drive}
     if variant.driven and (missing := [law for law in (f"V{variant.driven}{part}" for part in "xy") if law not in laws]):
         message = say("fault.V048", point=variant.driven, missing=tuple(missing))
         faults.append(source.fault(("closure", "driven"), message))
-    return faults + faults_of_names(variant, source) + faults_of_lengths(variant, source)
+    faults += faults_of_names(variant, source) + faults_of_groups(variant, GROUP_SHAPES, broken)
+    return faults + faults_of_lengths(broken.sound(variant), source)

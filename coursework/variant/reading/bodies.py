@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from coursework.variant.reading import schema
 from coursework.variant.reading.parts import Parts
+from coursework.variant.reading.shape import NAMELESS
 from coursework.variant.record.variant import Frame, Group, Guide, Link
 from coursework.variant.toml.positions import KeyPath
 from coursework.words.sentences import closest, say
@@ -27,10 +28,10 @@ def read_group(index: int, entry: schema.Group, parts: Parts) -> Group:
         for at, g in listed
     )
     for place, coordinate in enumerate(entry.coordinates):
-        if parts.names.kinds.get(parts.names.canonical(coordinate)) != "coordinate":
+        if coordinate != NAMELESS and parts.names.kinds.get(parts.names.canonical(coordinate)) != "coordinate":
             known = [name for name, kind in parts.names.kinds.items() if kind == "coordinate"]
             text = say("fault.V080", coordinate=coordinate, hint=closest(coordinate, known))
-            parts.undeclared((*path, "coordinates", place), text)
+            parts.undeclared((*path, "coordinates", place), {"coordinate"}, text)
     return Group(
         entry.kind,
         tuple(parts.formula((*path, "from", i), text, "vector") for i, text in enumerate(entry.start_points)),
@@ -54,7 +55,7 @@ def read_link(key: str, entry: schema.Link, links: list[str], parts: Parts) -> L
             parts.known_point(("links", key, role), name)
     if entry.rate and parts.names.canonical(entry.rate) not in parts.names.velocities:
         text = say("fault.V078", rate=entry.rate, hint=closest(entry.rate, parts.names.velocities))
-        parts.undeclared(("links", key, "rate"), text)
+        parts.undeclared(("links", key, "rate"), {"rate", "unknown", "drive"}, text)
     slides = None if entry.slides is None else str(entry.slides)
     if slides is not None and (slides == key or slides not in links):
         others = [link for link in links if link != key]

@@ -7,11 +7,12 @@ Used by `reader.py`.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Collection
 from typing import Literal
 
 from coursework.variant.formula import reader, units
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, mapped, part_of_pi
+from coursework.variant.formula.tree import Formula, FormulaFault, constant, evaluate, mapped, part_of_pi
 from coursework.variant.reading.names import Names
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
@@ -29,29 +30,33 @@ _SCOPES = {
     "velocity": {"given", "drive", "coordinate", "function", "rate", "unknown"},
 }
 _ADVISED = 100
+_FORMULA_AND_UNIT = re.compile(r"\s*(.*[*/+)(].*?)\s+((?:[^\W\d_]|°)[^\s*()]*)\s*")
 Kind = Literal["scalar", "vector", "any"]
 
 
 class Parts:
     """Reads the parts of one file and keeps every fault."""
 
-    def __init__(self, source: Source, names: Names, *, sure: bool = True) -> None:
+    def __init__(self, source: Source, names: Names, hidden: Collection[str] = ()) -> None:
         self.source = source
         self.names = names
-        self.sure = sure
+        self.hidden = frozenset(hidden)
         self.faults: list[Fault] = []
         self.values: dict[str, float] = {}
         self.times: dict[KeyPath, Formula] = {}
         self.grads: list[tuple[KeyPath, str]] = []
+        self.broken: set[KeyPath] = set()  # paths with a fault
         self._unread: list[tuple[KeyPath, str, str]] = []
 
     def say(self, path: KeyPath, message: Sentence, column: int = 0) -> None:
         """Keep a fault."""
+        self.broken.add(path)
         self.faults.append(self.source.fault(path, message, column))
 
-    def undeclared(self, path: KeyPath, message: Sentence, column: int = 0) -> None:
-        """Keep a fault about a name that is not declared, unless another fault has hidden its declaration."""
-        if self.sure:
+    def undeclared(self, path: KeyPath, kinds: Collection[str], message: Sentence, column: int = 0) -> None:
+        """Keep a fault about a name of some kinds that is not declared, unless another fault may have hidden its declaration."""
+        self.broken.add(path)
+        if self.hidden.isdisjoint(kinds):
             self.say(path, message, column)
 
     def quantity(self, path: KeyPath, value: str | int | float, wanted: str = "") -> units.Quantity:
@@ -66,8 +71,11 @@ class Parts:
                 self.grads.append((path, f"{read.text} {read.unit}"))
             return read
         except units.UnitFault as fault:
-            if fault.unit and not wanted:
+            if advice := _without_unit(str(value)):
+                self.say(path, advice)
+            elif fault.unit and not wanted:
                 self._unread.append((path, str(value), fault.unit))
+                self.broken.add(path)
             else:
                 self.say(path, fault.message)
             return _NOTHING
@@ -90,6 +98,7 @@ class Parts:
         unit = units.plain_unit(text)
         if unit not in units.UNITS:
             self._unread.append((path, text, ""))
+            self.broken.add(path)
             return ""
         return units.UNITS[unit][1]
 
@@ -141,7 +150,8 @@ class Parts:
         try:
             tree = reader.parse(text, vectors=scope == "geometry")
         except FormulaFault as fault:
-            self.say(path, fault.message, fault.column)
+            advice = _without_unit(text)
+            self.say(path, advice or fault.message, 0 if advice else fault.column)
             return _ZERO
         tree = self._resolve(path, tree, scope)
         found = self._kind(path, tree)
@@ -154,7 +164,7 @@ class Parts:
         """Keep a fault where `name` is no point."""
         points = [point for point, kind in self.names.kinds.items() if kind == "point"]
         if self.names.canonical(name) not in points:
-            self.undeclared(path, say("fault.V059", name=name, hint=closest(name, points)))
+            self.undeclared(path, {"point"}, say("fault.V059", name=name, hint=closest(name, points)))
 
     def _resolve(self, path: KeyPath, tree: Formula, scope: str) -> Formula:
         if tree.op != "name":
@@ -170,7 +180,7 @@ class Parts:
                 few = len(self.faults) < _ADVISED
                 allowed = [known for known, its in self.names.kinds.items() if its in _SCOPES[scope]] if few else []
                 advice = closest(name, [*allowed, "t", "pi"]) or say("fault.part.declare")
-                self.undeclared(path, say("fault.V053", name=tree.name[:40], hint=advice), tree.column)
+                self.undeclared(path, _SCOPES[scope], say("fault.V053", name=tree.name[:40], hint=advice), tree.column)
         return tree if name == tree.name else Formula("name", (), name, tree.column)
 
     def _kind(self, path: KeyPath, tree: Formula) -> str:
@@ -198,3 +208,18 @@ class Parts:
             self.say(path, say("fault.V054", name=tree.name or tree.op), tree.column)
             return "?"
         return result.get(tree.op, "vector" if "vector" in kinds else "scalar")
+
+
+def _without_unit(text: str) -> Sentence | None:
+    """Return what is said of a formula with a unit behind it, such as "1/90 s"; None for any other text."""
+    found = _FORMULA_AND_UNIT.fullmatch(text)
+    unit = units.plain_unit(found[2]) if found else ""
+    if found is None or unit not in units.UNITS:
+        return None
+    try:
+        tree = reader.parse(found[1], vectors=False)
+    except FormulaFault:
+        return None
+    value = constant(tree)
+    advised = found[1] if value is None else f"{float(value):.9g} {found[2]}"
+    return say("fault.V160", found=text[:60], advised=advised)

@@ -19,6 +19,7 @@ from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.tree import Formula
 from coursework.variant.formula.units import is_quantity, measured
 from coursework.variant.judging.at_start import faults_at_start
+from coursework.variant.judging.broken import Broken
 from coursework.variant.judging.dimension_check import check_dimensions
 from coursework.variant.judging.plausibility import remarks_on
 from coursework.variant.judging.whole_file import faults_of_the_whole
@@ -81,17 +82,20 @@ def parse_variant(content: str | bytes, file: str = "variant", tables: Mapping[s
 def _build(source: Source, name: str, path: Path | None) -> Variant:
     shape = read_shape(source)
     file = shape.file
-    parts = Parts(source, Names.declared(file), sure=shape.sure)
+    parts = Parts(source, Names.declared(file), shape.hidden)
+    parts.broken |= shape.broken
     variant = _assemble(file, parts, name, path)
-    dimensions = check_dimensions(variant, source, parts.times)
+    dimensions = check_dimensions(Broken(parts.broken).without_groups(variant), source, parts.times)
     parts.tell_unread(dimensions.si_of)
     doubtful = parts.names.faults(source)
     parts.faults += shape.faults + doubtful
     slip = None if doubtful else dimensions.fault  # a name with two meanings has two dimensions
-    if not parts.faults:
-        parts.faults += faults_of_the_whole(variant, source, parts.times)
+    if not doubtful:
+        told, broken = {fault.line for fault in parts.faults}, Broken(parts.broken)
+        found = faults_of_the_whole(variant, source, parts.times, broken)
         # A datum with a wrong unit spoils values at t = 0; what is wrong in the line of the slip itself says more than it.
-        parts.faults += [f for f in faults_at_start(variant, source) if slip is None or f.line == slip.line]
+        found += [f for f in faults_at_start(variant, source, broken) if slip is None or f.line == slip.line]
+        parts.faults += [fault for fault in found if fault.line not in told]
     if slip and slip.line not in {fault.line for fault in parts.faults}:
         parts.faults.append(slip)
     if parts.faults:
@@ -182,7 +186,7 @@ def _law(section: str, key: str, value: Any, parts: Parts) -> Law:
         if section == "drive" and of != "t":
             parts.say((*path, "of"), say("fault.V069", of=value.of))
         elif of not in {"t", *known}:
-            parts.undeclared((*path, "of"), say("fault.V075", of=value.of, hint=closest(of, known)))
+            parts.undeclared((*path, "of"), {"coordinate"}, say("fault.V075", of=value.of, hint=closest(of, known)))
         return Law(name, table=table, of=of, method=value.method, file=value.table)
     return Law(name, _formula(path, value, parts, scope))
 
@@ -268,7 +272,11 @@ def _quote(place: int, entry: schema.Quote, columns: list[str], time: Time, part
         parts.say(("quote", place, "row"), say("fault.V066", row=entry.row, number=time.steps + 1))
     column = parts.names.canonical(entry.column)
     if column not in columns:
-        parts.undeclared(("quote", place, "column"), say("fault.V067", column=column, hint=closest(column, columns)))
+        parts.undeclared(
+            ("quote", place, "column"),
+            {"coordinate", "rate", "unknown"},
+            say("fault.V067", column=column, hint=closest(column, columns)),
+        )
     return Quote(entry.row, column, entry.value.replace("−", "-"), _scheme(entry.scheme, ("quote", place, "scheme"), parts))
 
 

@@ -25,15 +25,20 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, either, load_phrases, say
 
 Entry = dict[str, Any]
+NAMELESS = "?"  # stands for a coordinate of a group that nobody can read
 
 
 @dataclass(frozen=True, slots=True)
 class Shape:
-    """`sure` is False where a fault may have taken declarations with it: names not declared are then no further fault."""
+    """`broken` are the paths with a fault.
+
+    `hidden` are the kinds of names that a fault may have taken with it: that one of these is not declared is no further fault.
+    """
 
     file: schema.VariantFile
     faults: list[Fault]
-    sure: bool
+    hidden: frozenset[str]
+    broken: frozenset[KeyPath]
 
 
 def read_shape(source: Source) -> Shape:
@@ -41,30 +46,40 @@ def read_shape(source: Source) -> Shape:
     data = source.data
     faults: list[Fault] = []
     repaired: set[KeyPath] = set()
+    hidden: set[str] = set()
     while True:
         try:
-            return Shape(schema.VariantFile.model_validate(data), faults, not any(map(_takes_names, repaired)))
+            file = schema.VariantFile.model_validate(data)
+            return Shape(file, faults, frozenset(hidden), frozenset(repaired))
         except ValidationError as error:
             found = _entries(error.errors(include_url=False), data)
             faults += [_fault(path, entry, source) for path, entry in found.items() if path not in repaired]
             if found.keys() <= repaired:
                 raise InputError(faults) from error
             data = data if repaired else copy.deepcopy(data)
+            hidden = hidden.union(*(_hides(path, entry) for path, entry in found.items()))
             repaired |= found.keys()
             for path, entry in found.items():
                 _repair(data, path, entry)
 
 
-def _takes_names(path: KeyPath) -> bool:
+def _hides(path: KeyPath, entry: Entry) -> set[str]:
+    """Return the kinds of names that may have been declared where a fault is."""
+    section = str(path[0])
     if len(path) == 1:
-        meant = difflib.get_close_matches(str(path[0]), schema.VariantFile.model_fields, n=1)
-        return not meant or meant[0] not in _WITHOUT_NAMES
-    coordinate = path[0] == "coordinates" and path[-1] not in {"start", "unit"}
-    return coordinate or path[0] == "group" or path[-1] == "[key]"
+        meant = difflib.get_close_matches(section, schema.VariantFile.model_fields, n=1)
+        return _DECLARED.get(meant[0], set()) if meant else set().union(*_DECLARED.values())
+    if path[-1] == "[key]":
+        return _DECLARED.get(section, set())
+    if section == "coordinates" and entry["type"] != "extra_forbidden" and path[-1] not in {"start", "unit"}:
+        return {"rate"}
+    return {"point"} if section == "group" and (len(path) == 2 or path[2] == "meets") else set()
 
 
-_WITHOUT_NAMES = {
-    "format", "title", "source", "teaches", "remarks", "quote", "time", "constraint", "links", "frame", "closure", "ask", "text",
+# Section -> the kinds of names that stand in it.
+_DECLARED: dict[str, set[str]] = {
+    "given": {"given"}, "drive": {"drive"}, "coordinates": {"coordinate", "rate"}, "unknowns": {"unknown"},
+    "functions": {"function"}, "points": {"point"}, "group": {"point"},
 }  # fmt: skip
 
 
@@ -127,7 +142,7 @@ def _fault(path: KeyPath, entry: Entry, source: Source) -> Fault:
     key = str(path[-1]) if path else ""
     problem = entry["type"]
     if problem == "extra_forbidden":
-        known = sorted(_known_keys(path[:-1], source.data))
+        known = sorted(_keys_of(path[:-1], source.data))
         advice = closest(key, known) or say("hint.known", known=", ".join(known))
         return source.fault(path, say("fault.V011", name=key, hint=advice), at_key=True)
     if problem == "missing":
@@ -187,6 +202,8 @@ def _expected(path: KeyPath, entry: Entry) -> str:
         return _wanted("quantity")
     if len(path) == 1 and problem == "model_type":
         return _wanted("section")
+    if problem == "model_type":
+        return _wanted("table_of", keys=", ".join(f"{key} = …" for key in _keys_of(path, {})))
     return _wanted(_KINDS.get(problem, "other"))
 
 
@@ -230,6 +247,8 @@ def _repair(data: dict[str, Any], path: KeyPath, entry: Entry) -> None:
         _repair_coordinates(data, inner)
     elif section == "time":
         _repair_time(data, inner)
+    elif section == "group" and len(inner) > 1 and isinstance(group := _at(data, path[:2]), dict):
+        _repair_group(group, str(inner[1]), entry)
     elif section == "constraint" and depth == 2 and isinstance(owner, list):
         owner[int(inner[0])] = {"equation": "0 = 0"}
     elif section in {"frame", "closure", "ask", "links"} and isinstance(owner, dict):
@@ -252,6 +271,16 @@ def _repair_coordinates(data: dict[str, Any], inner: list[str | int]) -> None:
         data["coordinates"][inner[0]] = {"rate": f"rate_of_{inner[0]}"[:40]}
 
 
+def _repair_group(group: dict[str, Any], key: str, entry: Entry) -> None:
+    if key == "kind":
+        alike = difflib.get_close_matches(str(entry.get("input")), GROUP_KINDS, n=1)
+        group[key] = alike[0] if alike else next(iter(GROUP_KINDS))
+    elif key == "coordinates":
+        group[key] = [NAMELESS]
+    else:
+        group.pop(key, None)
+
+
 def _repair_time(data: dict[str, Any], inner: list[str | int]) -> None:
     time = data.get("time")
     if not inner or not isinstance(time, dict):
@@ -263,8 +292,8 @@ def _repair_time(data: dict[str, Any], inner: list[str | int]) -> None:
         time.pop(inner[0], None)
 
 
-def _known_keys(path: KeyPath, data: dict[str, Any]) -> set[str]:
-    """Return the keys that may stand in the table at `path`."""
+def _keys_of(path: KeyPath, data: dict[str, Any]) -> list[str]:
+    """Return the keys that may stand in the table at `path`, in the order of the schema."""
     if len(path) == 2 and path[0] in {"drive", "functions"}:
         model: Any = {"Table": schema.Table, "Pieces": schema.Pieces}[_meant(data, path)]
     else:
@@ -272,7 +301,7 @@ def _known_keys(path: KeyPath, data: dict[str, Any]) -> set[str]:
         for place, part in enumerate(path):
             if not (isinstance(part, int) or (place == 1 and path[0] in {"coordinates", "links", "text", "unknowns"})):
                 model = _MODELS.get(part, model)
-    return {field.alias or name for name, field in model.model_fields.items()}
+    return [field.alias or name for name, field in model.model_fields.items()]
 
 
 _MODELS: dict[str | int, Any] = {

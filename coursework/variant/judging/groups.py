@@ -1,0 +1,116 @@
+"""What is wrong with the groups of a chain, each by itself and as a chain: all of it, before anything is put together.
+
+Enters: a `Variant`, the shapes of the kinds, which sections have faults already.  Leaves: faults.
+Used by `whole_file.py`, and by `mechanism/mechanism.py` for kinds that only the mechanism knows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from graphlib import CycleError, TopologicalSorter
+
+from coursework.variant.judging.broken import Broken
+from coursework.variant.record.entries import Group
+from coursework.variant.record.roles import entries, letters_of, mode_meaning
+from coursework.variant.record.variant import Variant
+from coursework.variant.record.vocabulary import Shape
+from coursework.words.errors import Fault
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say, say_count
+
+_KEYS = {"from": "points", "lengths": "lengths", "guides": "guides", "coordinates": "coordinates"}
+
+
+def faults_of_groups(variant: Variant, shapes: Mapping[str, Shape], broken: Broken) -> list[Fault]:
+    """Return every fault of the groups: what one lacks, a mode that is missing, an order that cannot be, points in a circle.
+
+    Of a group, or a coordinate, that is `broken` nothing more is said.
+    """
+    own = [
+        fault
+        for number, group in enumerate(variant.groups, start=1)
+        if group.kind in shapes and not broken.has("group", number - 1, "kind")
+        for fault in _own(number, group, shapes[group.kind], variant, broken)
+    ]
+    return own + ([*_order(variant)] or [*_circles(variant)])
+
+
+def _own(number: int, group: Group, shape: Shape, variant: Variant, broken: Broken) -> Iterator[Fault]:
+    found = {
+        "from": (len(group.start_points), (shape.points,)),
+        "guides": (len(group.guides), (shape.guides,)),
+        "lengths": (len(group.lengths), shape.lengths),
+        "coordinates": (len(group.coordinates), (shape.coordinates,)),
+    }
+    for key, (count, right) in found.items():
+        faulty = any(broken.has("group", number - 1, name) for name in ((key, "guide") if key == "guides" else (key,)))
+        if count not in right and not faulty:
+            wanted = say_count(f"fault.shape.{_KEYS[key]}", right[-1])
+            roles = _roles(key, group, shape, count)
+            told = say("fault.V343", number=number, kind=group.kind, wanted=wanted, found=count, roles=roles)
+            yield Fault(told, variant.file, variant.line_of("group", number - 1, key) or group.line)
+    own = [c for c in variant.coordinates if c.name in group.coordinates]
+    if broken.has("group", number - 1, "coordinates") or not own:
+        return
+    if shape.driven and own[0].rate not in variant.known_rates and not broken.has("coordinates", own[0].name, "rate"):
+        yield Fault(say("fault.V344", number=number, kind=group.kind, rate=own[0].rate), variant.file, group.line)
+    open_start = any(c.start_or_guess is None and not broken.has("coordinates", c.name, "start") for c in own)
+    if shape.modes and not group.mode and open_start and not broken.has("group", number - 1, "mode"):
+        plus, minus = (mode_meaning(shape, mode, letters_of(shape, group)) for mode in (1, -1))
+        place = say("place.group_of", number=number, names=", ".join(group.coordinates))
+        yield Fault(say("fault.V307", kind=group.kind, plus=plus, minus=minus), variant.file, group.line, 0, place)
+
+
+def _roles(key: str, group: Group, shape: Shape, count: int) -> Sentence | str:
+    """Return what the entries of a list stand for, those that are missing, or all of them where there are too many."""
+    most = {"from": shape.points, "guides": shape.guides, "lengths": shape.lengths[-1], "coordinates": shape.coordinates}[key]
+    if not most:
+        return say("fault.shape.take_out", key=key)
+    told = entries(shape, key, letters_of(shape, group), count + 1 if count < most else 1)
+    return say("fault.shape.missing" if count < most else "fault.shape.all", roles=told)
+
+
+def _order(variant: Variant) -> Iterator[Fault]:
+    """Yield a fault for each group that uses what only a later one gives."""
+    coordinates = {c.name for c in variant.coordinates}
+    known = coordinates - {name for group in variant.groups for name in group.coordinates}
+    met: set[str] = set()
+    for number, group in enumerate(variant.groups, start=1):
+        if late := _later(group, met, known | {*group.coordinates}, variant):
+            told = say("fault.V341", number=number, kind=group.kind, late=late)
+            yield Fault(told, variant.file, group.line)
+        known.update(group.coordinates)
+        if group.meets:
+            met.add(group.meets)
+
+
+def _later(group: Group, met: set[str], known: set[str], variant: Variant) -> str:
+    """Return the point or coordinate a group needs before the chain has it, or an empty string."""
+    coordinates, points = {c.name for c in variant.coordinates}, dict(variant.points)
+    later = {other.meets for other in variant.groups}
+    todo, seen = [name for formula in group.formulas for name in formula.names()], set[str]()
+    while todo:
+        name = todo.pop()
+        if name in seen:
+            continue
+        seen.add(name)
+        if name in points:
+            todo.extend(points[name].names())
+        elif name not in met and ((name in coordinates and name not in known) or name in later):
+            return name
+    return ""
+
+
+def _circles(variant: Variant) -> Iterator[Fault]:
+    """Yield a fault for the points that are defined in a circle, if some are."""
+    needs = {name: {*formula.names()} for name, formula in variant.points}
+    for group in variant.groups:
+        if group.meets:
+            needs[group.meets] = {name for formula in group.formulas for name in formula.names()}
+    sorter = TopologicalSorter({name: [other for other in needed if other in needs] for name, needed in needs.items()})
+    try:
+        sorter.prepare()
+    except CycleError as error:
+        circle = error.args[1][::-1]
+        told = say("fault.V345" if len(circle) > 2 else "fault.V346", circle=" → ".join(circle))
+        yield Fault(told, variant.file, variant.nearest_line("points", circle[0]))

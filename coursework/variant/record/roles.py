@@ -1,0 +1,70 @@
+"""What each key of a group means: the one table of kinds, comments of a file made from it, and what is said of a missing entry.
+
+Enters: the shape of a kind, and the letters or names of its points.  Leaves: sentences, in the order of the keys in a file.
+Used by `groups.py` of `judging/`, `mechanism/drafts/text.py`, `motion/geometry/chain.py` and `commands/kinds.py`.
+
+A kind needs no line here: its keys follow from its shape, and their meaning stands in the words files.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from coursework.variant.formula.tree import spelled
+from coursework.variant.record.entries import Group
+from coursework.variant.record.vocabulary import Shape
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say
+
+
+def letters_of(shape: Shape, group: Group) -> dict[str, str]:
+    """Return what stands in the gaps of sentences about a group of a file: the names of its points, as far as it has them."""
+    points = [*map(spelled, group.start_points[: shape.points])] + [""] * (shape.points - len(group.start_points))
+    guides = [spelled(guide.through) for guide in group.guides[: shape.guides]]
+    return shape.named([*points, *guides, *[""] * (shape.guides - len(guides)), group.meets or say("group.nameless")])
+
+
+def title(shape: Shape, letters: Mapping[str, str]) -> Sentence:
+    """Return what a group of the kind is."""
+    return say(f"{shape.words}.title", **letters)
+
+
+def role(shape: Shape, key: str, letters: Mapping[str, str], place: int = 0) -> Sentence:
+    """Return what stands behind a key, of a list behind its entry of this `place` (from 1)."""
+    return say(f"{shape.words}.{key}{place or ''}", **letters)
+
+
+def entries(shape: Shape, key: str, letters: Mapping[str, str], first: int = 1) -> Sentence:
+    """Return what stands behind the entries of a list, from the `first` one on."""
+    count = {"from": shape.points, "lengths": shape.lengths[-1], "guides": shape.guides, "coordinates": shape.coordinates}[key]
+    if key == "guides" and count == 1:
+        return role(shape, "guide", letters)
+    return joined((role(shape, key, letters, place) for place in range(first, count + 1)), "group.entries")
+
+
+def roles(shape: Shape, letters: Mapping[str, str]) -> dict[str, Sentence]:
+    """Return what stands behind every key of a kind.
+
+    >>> from coursework.variant.record.vocabulary import GROUP_SHAPES
+    >>> [*roles(GROUP_SHAPES["RRP"], GROUP_SHAPES["RRP"].named())]
+    ['from', 'guide', 'lengths', 'meets', 'coordinates', 'mode']
+    """
+    found = {}
+    if shape.points:
+        found["from"] = entries(shape, "from", letters)
+    if shape.guides:
+        found["guide" if shape.guides == 1 else "guides"] = entries(shape, "guides", letters)
+    found |= {key: role(shape, key, letters) for key in shape.also}
+    if shape.lengths[-1]:
+        found["lengths"] = entries(shape, "lengths", letters)
+    found["meets"] = role(shape, "meets", letters)
+    found["coordinates"] = entries(shape, "coordinates", letters)
+    if shape.modes:
+        plus, minus = (mode_meaning(shape, mode, letters) for mode in (1, -1))
+        found["mode"] = say("group.modes", plus=plus, minus=minus)
+    return found
+
+
+def mode_meaning(shape: Shape, mode: int, letters: Mapping[str, str]) -> Sentence:
+    """Return what an assembly mode means."""
+    return say(shape.modes[mode], **letters)

@@ -1,0 +1,232 @@
+"""All faults of a file at once, each in the words of the file, and none that only follows from another."""
+
+import re
+
+import pytest
+
+import coursework
+from coursework.variant.reading.reader import parse_variant
+from tests.command import call
+
+# A shaper with slotted lever and a rod to its ram, which is in no file of the catalogue.
+SHAPER = """
+title = "shaper"
+
+[given]
+r1 = "0.10 m"
+d  = "0.25 m"
+L  = "0.50 m"
+b  = "0.30 m"
+h  = "0.23 m"
+n  = "120 rpm"
+
+[drive]
+w1 = "n"
+
+[coordinates]
+phi1 = { start = "70 deg", rate = "w1" }
+phi3 = { rate = "w3" }
+s3   = { rate = "u3" }
+phi4 = { rate = "w4" }
+s5   = { rate = "u5", unit = "m" }
+
+[time]
+step = "1/90"
+end  = "0.5 s"
+
+[points]
+O = "(0, 0)"
+Q = "(0, -d)"
+K = "(0, h)"
+
+[[group]]
+kind        = "crank"
+from        = ["O"]
+meets       = "P"
+lengths     = ["r1"]
+coordinates = ["phi1"]
+
+[[group]]
+kind        = "RPR"
+from        = ["P", "Q"]
+meets       = "R"
+lengths     = ["L"]
+coordinates = ["phi3", "s3"]
+mode        = "+1"
+
+[[group]]
+kind        = "RRP"
+from        = ["R"]
+guide       = { through = "K", angle = "0" }
+meets       = "S"
+lengths     = ["b"]
+coordinates = ["phi4", "s5"]
+mode        = "-1"
+
+[ask]
+quantities = ["table"]
+"""
+# The code that a slip must be told with, whatever else is wrong: what stands there, and what is put in its place.
+SLIPS = {
+    "V106": ('b  = "0.30 m"', 'b  = "0,30 m"'),
+    "V053": ('w1 = "n"', 'w1 = "n1"'),
+    "V011": ('rate = "u5", unit', 'rate = "u5", unitt'),
+    "V015": ('s3   = { rate = "u3" }', 's3   = "0.3 m"'),
+    "V160": ('step = "1/90"', 'step = "1/90 s"'),
+    "V050": ('K = "(0, h)"', 'K = "h"'),
+    "V343": ('from        = ["P", "Q"]', 'from        = ["P"]'),
+    "V307": ('mode        = "-1"', ""),
+}
+GUIDE = 'guide       = { through = "K", angle = "0" }'
+
+
+def told(text):
+    """Return what is said of a file, a line each."""
+    with pytest.raises(coursework.InputError) as caught:
+        parse_variant(text, "shaper.toml")
+    return str(caught.value).splitlines()
+
+
+def codes(text):
+    return sorted(line[:4] for line in told(text))
+
+
+def spoilt(*slips):
+    text = SHAPER
+    for slip in slips:
+        assert SLIPS[slip][0] in text
+        text = text.replace(*SLIPS[slip])
+    return text
+
+
+def test_the_file_itself_has_no_fault_and_runs():
+    assert coursework.solve(parse_variant(SHAPER, "shaper")).stop is None
+
+
+@pytest.mark.parametrize("slip", SLIPS)
+def test_one_slip_is_one_fault(slip):
+    assert codes(spoilt(slip)) == [slip]
+
+
+@pytest.mark.parametrize("first", SLIPS)
+@pytest.mark.parametrize("second", SLIPS)
+def test_two_slips_are_two_faults(first, second):
+    if first < second:
+        assert codes(spoilt(first, second)) == [first, second]
+
+
+def test_slips_of_every_layer_are_told_at_once_in_the_order_of_the_file():
+    found = told(spoilt(*SLIPS))
+    assert sorted(line[:4] for line in found) == sorted(SLIPS)
+    lines = [int(re.search(r"shaper\.toml:(\d+)", line)[1]) for line in found]
+    assert lines == sorted(lines)
+
+
+def test_a_dimension_is_told_beside_the_faults_of_other_layers():
+    text = spoilt("V343", "V053").replace('r1 = "0.10 m"', 'r1 = "0.10 s"')
+    assert codes(text) == ["V053", "V205", "V343"]
+
+
+def test_a_mode_is_asked_for_with_the_points_of_the_file():
+    text = SHAPER.replace('kind        = "RRP"', 'kind        = "RRR"').replace('from        = ["R"]', 'from        = ["R", "K"]')
+    text = text.replace(GUIDE, "").replace('["b"]', '["b", "b"]').replace(', unit = "m"', "")
+    (line,) = told(text.replace('mode        = "-1"', ""))
+    assert 'mode = "+1" (S to the left of the ray from R to K) or mode = "-1" (S to its right)' in line
+
+
+def test_what_a_list_lacks_is_said_with_its_grammar():
+    (line,) = told(spoilt("V343"))
+    assert line.endswith("group 2: RPR takes 2 points in from (found 1). Missing: D: the pivot of the rod.")
+    (line,) = told(SHAPER.replace('from        = ["R"]', "from        = []"))
+    assert "RRP takes 1 point in from (found 0). Missing: B: the known point that the rod hangs on." in line
+    (line,) = told(SHAPER.replace('from        = ["R"]', 'from        = ["R", "K"]'))
+    assert "(found 2). In this order: R: the known point" in line
+
+
+def test_a_table_of_keys_says_which():
+    (line,) = told(SHAPER.replace(GUIDE, 'guide       = "K"'))
+    assert "a table { through = …, angle = …, offset = … } was expected" in line
+    (line,) = told(spoilt("V015"))
+    assert "a table { start = …, rate = …, unit = … } was expected" in line
+
+
+@pytest.mark.parametrize(
+    ("written", "advised"),
+    [("1/90 s", "0.0111111111 s"), ("1000/90 ms", "11.1111111 ms"), ("2*pi/(90*n) s", "2*pi/(90*n)")],
+)
+def test_a_formula_with_a_unit_behind_it(written, advised):
+    (line,) = told(SHAPER.replace('step = "1/90"', f'step = "{written}"'))
+    assert line.endswith(f'Write "{advised}".')
+    assert parse_variant(SHAPER.replace('step = "1/90"', f'step = "{advised}"'), "shaper").time.step > 0
+
+
+def test_a_start_is_told_in_the_unit_that_was_typed():
+    free, text = 'phi3 = { rate = "w3" }', 'phi3 = { start = "70 deg", rate = "w3" }'
+    with pytest.raises(coursework.InputError, match="phi3 starts at 70 deg, but the chain closes at 84") as caught:
+        coursework.solve(parse_variant(SHAPER.replace(free, text), "shaper")).motion  # noqa: B018
+    closed = re.search(r"closes at (\S+) deg", str(caught.value))[1]
+    mended = parse_variant(SHAPER.replace(free, text.replace("70", closed)), "shaper")
+    assert coursework.solve(mended).stop is None
+
+
+def test_a_group_that_cannot_close_names_the_points_of_the_file():
+    short = parse_variant(SHAPER.replace('b  = "0.30 m"', 'b  = "0.001 m"'), "s")
+    with pytest.raises(coursework.InputError, match=r"RRP \(R\) cannot be assembled at t = 0 s: R is 0\.\d+ m from the line"):
+        coursework.solve(short).motion  # noqa: B018
+
+
+DRIVEN = """
+[given]
+r1 = "0.30 m"
+r2 = "0.40 m"
+V  = "0.1 m/s"
+p  = "60 rpm"
+beta = "20 deg"
+
+[drive]
+VMx = "V*cos(beta)*sin(p*t)"
+VMy = "V*sin(beta)*sin(p*t)"
+
+[coordinates]
+phi1 = { start = "100 deg", rate = "w1" }
+phi2 = { start = "-15 deg", rate = "w2" }
+
+[time]
+step = "0.02 s"
+end  = "1 s"
+
+[points]
+O = "(0, 0)"
+A = "O + r1 @ phi1"
+M = "A + r2 @ phi2"
+
+[links]
+1 = { points = ["O", "A"], rate = "w1" }
+2 = { points = ["A", "M"], rate = "w2" }
+
+[frame]
+hinges = ["O"]
+rails  = [ { through = "M", angle = "beta" } ]
+
+[closure]
+driven = "M"
+"""
+
+
+@pytest.mark.parametrize("angle", ["20 deg", "0 deg", "90 deg"])
+def test_a_driven_point_on_a_guide_is_told_the_way_and_the_way_leads_there(angle, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    driven = (
+        DRIVEN.replace("20 deg", angle) if angle == "20 deg" else DRIVEN.replace("20 deg", angle).replace('"beta"', f'"{angle}"')
+    )
+    (tmp_path / "slider.toml").write_text(driven, encoding="utf-8")
+    told = call("check", "slider").stdout
+    assert "= 1, but 2 are driven: the guide through M leaves it one velocity" in told
+    coordinate = re.search(r"Write (.*?) in \[coordinates\]", told)[1]
+    drive = re.search(r', (uM = ".*?") in \[drive\]', told)[1]
+    holds = re.search(r"(holds = \[.*?\])", told)[1]
+    text = driven.replace("[coordinates]\n", f"[coordinates]\n{coordinate}\n").replace("[drive]\n", f"[drive]\n{drive}\n")
+    (tmp_path / "mended.toml").write_text(text.replace('driven = "M"', holds), encoding="utf-8")
+    assert "= 1, as many as the one freedom driven." in call("check", "mended").stdout
+    before, after = (coursework.solve(name, scheme="exact").table for name in ("slider", "mended"))
+    assert abs(before[["phi1", "phi2"]] - after[["phi1", "phi2"]]).to_numpy().max() < 1e-9
