@@ -42,10 +42,11 @@ FORMS = frozenset({"one", "few", "many", "other"})
 
 @dataclass(frozen=True, slots=True)
 class Phrases:
-    """The words file of one language."""
+    """The words file of one language; `on_paper`: for a reader who has no command line."""
 
     language: str
     entries: Mapping[str, Any]
+    on_paper: bool = False
     _templates: dict[str, str] = field(default_factory=dict, repr=False, compare=False)  # those read so far
 
     def has(self, key: str) -> bool:
@@ -88,7 +89,7 @@ class Phrases:
 
     def written(self, text: str) -> str:
         """Return a `Sentence` in this language; any other text as it is."""
-        if not isinstance(text, Sentence) or self.language == ENGLISH:
+        if not isinstance(text, Sentence) or (self.language == ENGLISH and not self.on_paper):
             return text
         if not (self.has(text.key) or load_phrases().has(text.key)):
             return str(text)  # the title of a record, which this language does not translate
@@ -131,12 +132,14 @@ class Phrases:
         return str(known[unit]) if unit in known else _UNIT.sub(lambda part: str(known.get(part[0], part[0])), unit)
 
     def _found(self, key: str) -> object:
-        entry: Any = self.entries
-        for part in key.split("."):
-            if not isinstance(entry, dict) or part not in entry:
-                return None
-            entry = entry[part]
-        return entry
+        places = [self.entries]
+        if self.on_paper and "paper" in self.entries:
+            places.insert(0, self.entries["paper"])
+        return next((entry for place in places if (entry := _entry(place, key)) is not None), None)
+
+    def for_paper(self) -> Phrases:
+        """Return the same words with those of [paper] in the place of what is typed on a command line."""
+        return Phrases(self.language, self.entries, on_paper=True)
 
     def _filling(self, name: str, value: object, marked: bool) -> object:
         if isinstance(value, float):
@@ -144,6 +147,15 @@ class Phrases:
         if isinstance(value, str):
             return self.unit(self.written(value)) if name == "unit" else self.written(value)
         return self.listing([self.written(part) for part in value]) if isinstance(value, tuple) else value
+
+
+def _entry(entries: Mapping[str, Any], key: str) -> object:
+    entry: Any = entries
+    for part in key.split("."):
+        if not isinstance(entry, dict) or part not in entry:
+            return None
+        entry = entry[part]
+    return entry
 
 
 class _Counting(Formatter):

@@ -70,7 +70,9 @@ def _shown(context: PageContext, equation: ShownEquation) -> Display:
     reason = context.rich(because)
     reason = reason if equation.derived else context.in_its_language(because, reason)
     angles = context.angles
-    one = display(angles.put_in(equation.left), angles.put_in(equation.right), context.rates, equation.name, reason)
+    one = display(
+        angles.put_in(equation.left), angles.put_in(equation.right), context.rates, context.equation(equation.name), reason
+    )
     return one if equation.used else replace(one, after=context.say("constraints.unused"))
 
 
@@ -233,9 +235,10 @@ def _contours(context: PageContext, first: bool) -> list[Part]:
         both = [rest.pop(f"{contour.name}{axis}") for axis in "xy" if f"{contour.name}{axis}" in rest]
         if not both:
             continue
+        label = context.contours.get(contour.name, clean(contour.name, 40))
         vector = display(_put_in(context, contour.left), _put_in(context, contour.right), context.rates)
         parts += [
-            Paragraph(context.lettered(context.words("constraints.contour", name=clean(contour.name, 40)))),
+            Paragraph(context.lettered(context.words("constraints.contour", name=label))),
             Equations([vector]), Paragraph(context.say("constraints.two")), Equations(_two(context, contour), flow=True),
             Paragraph(context.say("constraints.derivatives")),
             Equations([replace(_shown(context, one), before=[]) for one in both]),

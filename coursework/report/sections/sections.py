@@ -34,21 +34,24 @@ Writer = Callable[[PageContext], list[Part]]
 Writers = tuple[tuple[Writer, Quantity[Any] | None], ...]
 
 # Each writer with the quantity that must be asked for; None: always there.
-NUMBERED: Writers = ((statement, None), (dead_point, None), (structure, None), (equations, None), (solution, None))
+FIRST: Writers = ((statement, None), (dead_point, None), (structure, None), (equations, None), (solution, None))
 PAPER: Writers = (
     (results, TABLE), (graphs, PLOTS), (control, CHECKS), (graph_check, GRAPH_CHECK),
 )  # fmt: skip
 LAST: Writers = ((conclusion, CHECKS),)
 APPENDIX: Writers = ((checks, CHECKS), (accuracy, ACCURACY), (method, None))
-WITHOUT_NUMBER = {"dead_point"}  # stands before all else that is computed, where it stands at all
 
 
 def all_sections(context: PageContext) -> Iterator[Section]:
-    """Yield the sections in order: those the guide numbers, the rest, a table or figure for each further quantity, appendix."""
-    number = 0
-    for section in _written_by(NUMBERED, context):
-        number += section.name not in WITHOUT_NUMBER
-        yield section.labelled("" if section.name in WITHOUT_NUMBER else str(number))
+    """Yield the sections in order, numbered: the way to the table, a table or figure for each further quantity, appendix."""
+    for number, section in enumerate(_body(context), start=1):
+        yield section.labelled(str(number))
+    for place, section in enumerate(_written_by(APPENDIX, context)):
+        yield section.labelled(context.words("section.appendix", letter=context.words("section.letters")[place]))
+
+
+def _body(context: PageContext) -> Iterator[Section]:
+    yield from _written_by(FIRST, context)
     yield from _written_by(PAPER, context)
     for quantity, extra in context.run.extra_tables.items():
         file = f"{quantity}.csv" if quantity in context.run.own_tables else TABLE_FILE
@@ -59,8 +62,6 @@ def all_sections(context: PageContext) -> Iterator[Section]:
                 quantity, _heading(context, quantity, quantity), [part for one in drawings for part in drawn_parts(context, one)]
             )
     yield from _written_by(LAST, context)
-    for place, section in enumerate(_written_by(APPENDIX, context)):
-        yield section.labelled(context.words("section.appendix", letter=context.words("section.letters")[place]))
 
 
 def _heading(context: PageContext, quantity: str, named: str) -> str:

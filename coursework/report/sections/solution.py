@@ -16,7 +16,6 @@ from coursework.report.text.parts import Display, Equations, Paragraph, Part, Ru
 from coursework.report.text.text_runs import runs
 from coursework.variant.formula.tree import Formula, named, number
 from coursework.words.sentences import say
-from coursework.words.templates import clean
 
 
 def solution(context: PageContext) -> list[Part]:
@@ -142,4 +141,4 @@ def _numeric(context: PageContext, block: Block) -> Part:
 
 
 def _names(context: PageContext, block: Block) -> str:
-    return context.words.listing([f"({clean(name, 40)})" for name in block.equations])
+    return context.words.listing([f"({context.equation(name)})" for name in block.equations])

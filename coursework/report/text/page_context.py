@@ -6,6 +6,7 @@ Used by `report/`.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
@@ -25,7 +26,10 @@ from coursework.words.sentences import ENGLISH
 from coursework.words.templates import LONGEST, clean
 
 STOP_DIGITS = 8  # a dead point is located to 1e-8 s
+LONGEST_EQUATION = 40  # characters of the name of an equation
 DATUM_DIGITS = 6  # digits of a converted datum or of a time: more than a task sheet ever gives
+
+_OF_GROUP = re.compile(r"(?<![\w.])G\d+[xy](?!\w)")  # an equation of a group, as the tool names it
 
 
 @dataclass(frozen=True)
@@ -65,6 +69,28 @@ class PageContext:
         moving = {*variant.columns, *(law.name for law in (*variant.drive, *variant.functions)), "t"}
         return named_angles(shown, moving, variant.names, variant.values)
 
+    @property
+    def contours(self) -> dict[str, str]:
+        """Return the number of the contour of each group that closes one, by the name that the tool gives it."""
+        closing = [one.name for one in self.run.scene.mechanism.constraints if one.is_closure and one.name in self._of_groups]
+        return {name: str(number) for number, name in enumerate(closing, start=1)}
+
+    @property
+    def _of_groups(self) -> set[str]:
+        return {f"G{number}" for number, _ in enumerate(self.run.variant.groups, start=1)}
+
+    @property
+    def equation_numbers(self) -> dict[str, str]:
+        """Return the numbers of the equations that follow from groups, behind those that the file numbers itself."""
+        shown = [one.name for one in self.run.equations]
+        unnamed = [name for name in shown if name[:-1] in self.contours]
+        first = 1 + max((int(name) for name in shown if name.isdecimal()), default=0)
+        return {name: str(number) for number, name in enumerate(unnamed, start=first)}
+
+    def equation(self, name: str) -> str:
+        """Return what stands at the margin of an equation, without parentheses."""
+        return self.equation_numbers.get(name, clean(name, LONGEST_EQUATION))
+
     def symbol(self, name: str) -> Symbol:
         """Return the symbol of a name."""
         return symbol(name, self.rates)
@@ -96,7 +122,9 @@ class PageContext:
 
     def told(self, text: str, longest: int = LONGEST) -> str:
         """Return a sentence of the tool in the language of the page, cleaned."""
-        return clean(self.words.written(text), longest)
+        said = clean(self.words.written(text), longest)
+        numbers = self.equation_numbers if isinstance(text, Sentence) and _OF_GROUP.search(said) else {}
+        return _OF_GROUP.sub(lambda match: f"({numbers[match[0]]})" if match[0] in numbers else match[0], said)
 
     def event(self, kind: str) -> str:
         """Return what a stop is called."""
@@ -121,7 +149,7 @@ class PageContext:
         variant = self.run.variant
         laws = [law.name for law in (*variant.drive, *variant.functions)]
         points = {name for name, _ in self.run.scene.mechanism.points}
-        letters = {"t", *variant.columns, *(given.name for given in variant.given), *laws} - points
+        letters = {"t", "h", *variant.columns, *(given.name for given in variant.given), *laws} - points
         text = with_points(text, points)
         return runs(
             with_pairs(with_letters(text, letters), variant.columns) if data else text,

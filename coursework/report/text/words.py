@@ -69,4 +69,4 @@ def with_own_letters(text: str) -> str:
 
 def load_words(language: str = ENGLISH) -> Words:
     """Return the words of a language.  Raises `InputError` where there is no such file."""
-    return Words(load_phrases(language))
+    return Words(load_phrases(language).for_paper())

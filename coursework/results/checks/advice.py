@@ -14,7 +14,7 @@ import numpy as np
 
 from coursework.motion.integration.finer import finer
 from coursework.motion.integration.motion import Motion
-from coursework.motion.schemes import SCHEMES
+from coursework.motion.schemes import SCHEMES, title_of
 from coursework.results.checks.close_to_motion.rows import parts_at_breaks
 from coursework.results.checks.evidence import LIMIT, Evidence
 from coursework.results.checks.result import Finding, percent
@@ -44,10 +44,13 @@ class Advice:
     @property
     def sentence(self) -> Sentence:
         """Return what to take."""
-        better = say("advice.scheme", scheme=self.scheme, share=percent(self.share)) if self.scheme else ""
+        better = ""
+        if self.scheme:
+            title = title_of(SCHEMES[self.scheme])
+            better = say("advice.scheme", scheme=self.scheme, title=title, share=percent(self.share))
         if self.step is None:
             return say("advice.take", what=better)
-        finer = say("advice.step", option=self.option)
+        finer = say("advice.step", option=self.option, step=self.step)
         if not self.option[:1].isdigit():
             finer = say("advice.step_seconds", option=self.option, step=self.step)
         return say("advice.take", what=joined([finer, better], "advice.or"))

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from coursework.motion.schemes import SCHEMES, title_of
 from coursework.results.checks.result import Finding, percent
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
@@ -29,6 +30,15 @@ def summary(findings: Sequence[Finding], *, is_motion: bool = False, named: Call
     if errors := tuple(named(finding) for finding in findings if finding.verdict == "ERROR"):
         told.append(say("summary.error", codes=errors))
     return joined(told)
+
+
+def _instead(coarse: list[Finding]) -> str:
+    """Return a step that would do, or a scheme, in words of paper."""
+    advised = next(finding for finding in coarse if finding.option)
+    if advised.step is not None:
+        return say("advice.finer", step=advised.step)
+    named = advised.option.rpartition(" ")[2]
+    return title_of(SCHEMES[named]) if named in SCHEMES else named
 
 
 def _computed(findings: list[Finding], named: Callable[[Finding], str]) -> Sentence:
@@ -62,7 +72,7 @@ def _scale(sentence: object) -> dict[str, object]:
 def _close(accuracy: Finding | None, findings: list[Finding], named: Callable[[Finding], str], *, is_motion: bool) -> list[str]:
     coarse = [finding for finding in findings if finding.verdict == "COARSE"]
     option = next((finding.option for finding in coarse if finding.option), "")
-    take = say("summary.take", option=option) if option else ""
+    take = say("summary.take", option=option, what=_instead(coarse)) if option else ""
     told: list[str] = []
     if accuracy is None or accuracy.verdict == "SKIP":
         told.append(say("summary.unknown"))
