@@ -52,7 +52,7 @@ const laboratory = {
     watch.open();
     this.tellMoved();
     const { cost } = motion, left = Math.max(PIECE, MOMENT - cost), begun = this.turn;
-    if (cost > AT_ONCE) {
+    if (cost > AT_ONCE && !cells) {
       motion.sketch();
       for (const id of ["lab-error", "lab-evaluations"]) tell(id, "…", "");
       tell("lab-dead", "", "");
@@ -66,8 +66,13 @@ const laboratory = {
     changed();
     lines.open();
     const inSight = () => [...panels.seen, ...lines.seen];
-    this.draw(inSight(), left / PIECE);
+    if (!cells) this.draw(inSight(), left / PIECE);
     yield* lines.write(cells || left / 8);
+    // The first time all is drawn before the page is shown or printed, or a picture is taken of it.
+    if (cells) {
+      this.draw([...panels.all, ...lines.all], Infinity);
+      watch.draw();
+    }
     for (const pieces of [() => inSight(), () => [...panels.all, ...lines.all]]) {
       for (let late; (late = pieces().filter((one) => one.turn <= begun)).length; this.draw(late, NEXT)) yield FRAME;
     }
@@ -86,7 +91,8 @@ const laboratory = {
     byId("lab-step").setAttribute("aria-valuetext", byId("lab-h").textContent);
     const datum = data.sliders[tried.datum];
     if (!datum) return;
-    const text = `${plain(tried.value ?? data.given[tried.datum], 5)} ${datum.unit}`.trim();
+    const value = (tried.value ?? data.given[tried.datum]) / datum.size;
+    const text = (plain(value, 5) + (datum.unit === "°" ? "" : " ") + datum.unit).trim();
     tell("lab-value", text);
     byId("lab-datum").setAttribute("aria-valuetext", text);
   },

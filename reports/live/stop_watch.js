@@ -90,7 +90,9 @@ const watch = {
     // A scheme that has been tried with this step has the mark of the try.
     const again = (one) => this.tries.some((own) => own.scheme === one.scheme && own.h === one.h && own.error === one.error);
     const marks = [...this.schemes.filter((one) => one.time > 0 && !again(one)), ...this.tries], own = this.tries.at(-1);
-    const [t0, t1] = powers(marks.map((one) => one.time)), [e0, e1] = powers(marks.map((one) => one.error));
+    // Nothing is measured yet: the axes stand there all the same.
+    const [t0, t1] = marks.length ? powers(marks.map((one) => one.time)) : [0, -1];
+    const [e0, e1] = marks.length ? powers(marks.map((one) => one.error)) : [0, -1];
     const x = (time) => left + ((right - left) * (Math.log10(time) - t0)) / (t1 - t0);
     const y = (error) => bottom - ((bottom - top) * (Math.log10(error) - e0)) / (e1 - e0);
     field.replaceChildren();
@@ -99,7 +101,7 @@ const watch = {
       path += `M${f1(x(10 ** power))} ${bottom}v4`;
       svg("text", { x: f1(x(10 ** power)), y: bottom + 17, "text-anchor": "middle" }, field).textContent = this.duration(10 ** power);
     }
-    for (let power = e0; power <= e1; power += Math.ceil((e1 - e0) / 6)) {
+    for (let power = e0; power <= e1; power += Math.ceil((e1 - e0) / 6) || 1) {
       path += `M${left - 4} ${f1(y(10 ** power))}h4`;
       svg("text", { x: left - 7, y: f1(y(10 ** power) + 4), "text-anchor": "end" }, field).textContent = `10${raised(power)}`;
     }

@@ -1,6 +1,7 @@
 """The data of a task sheet that a reader may move, and how far.
 
-Enters: a `SceneRun`.  Leaves: for each such datum the ends of its slider (SI).  Used by `page.py`.
+Enters: a `SceneRun`.  Leaves: for each such datum the ends of its slider (SI), and the unit in which it was given.
+Used by `page.py`.
 """
 
 from __future__ import annotations
@@ -10,10 +11,13 @@ from collections.abc import Callable
 from typing import Any
 
 from coursework.scene.scene_run import SceneRun
+from coursework.variant.formula.units import UNITS
 
 
 def sliders_of(run: SceneRun, unit: Callable[[str], str]) -> dict[str, dict[str, Any]]:
     """Return the data that may be moved: an angle through its whole turn, anything else from half to one and a half of itself.
+
+    A value is told in the `unit` of the file, which is `size` times that of SI.
 
     A datum that is zero has no such range, and one that moves the times at which a law changes would need another law.
     """
@@ -28,5 +32,7 @@ def sliders_of(run: SceneRun, unit: Callable[[str], str]) -> dict[str, dict[str,
         if given.si == "rad":
             low = math.tau * math.floor(given.value / math.tau)
             high = low + math.tau
-        found[given.name] = {"low": low, "high": high, "unit": unit(given.si)}
+        size, si = UNITS.get(given.unit, (1, given.si))
+        written = given.unit if si == given.si else given.si
+        found[given.name] = {"low": low, "high": high, "unit": unit(written), "size": float(size) if si == given.si else 1.0}
     return found

@@ -81,7 +81,8 @@ def test_the_pdf_is_pdf_ua_without_a_warning(real: ModuleType, kind: str) -> Non
         pdf_standards=["ua-1"], sys_inputs={"data": json.dumps([model.plain()])},
     )  # fmt: skip
     assert warnings == []
-    assert made == render_pdf(model)
+    said = b"/Suspects false>>"  # so it holds unsaid, and poppler has nothing to complain of
+    assert made.replace(said, b">>".ljust(len(said))) == render_pdf(model)
     with pymupdf.open(stream=made, filetype="pdf") as document:
         assert "<pdfuaid:part>1</pdfuaid:part>" in document.get_xml_metadata()
         assert document.metadata["title"] == model.heading
