@@ -15,7 +15,7 @@ from coursework.words.sentence import Sentence
 
 DIGITS = 3
 ROWS = "unit.rows"  # 24.02 of them are 24 rows
-SHARES = {"unit.of_the_scale", "unit.relative"}  # parts of a whole are told in percent
+SHARES = {"unit.of_the_scale", "unit.of_the_shortest", "unit.relative"}  # parts of a whole are told in percent
 
 
 def control(context: PageContext) -> list[Part]:
