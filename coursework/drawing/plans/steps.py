@@ -37,7 +37,9 @@ def _step(one: Found, plan: str, size: dict[tuple[str, str, str], float], unit: 
             coriolis = size[("coriolis", under, rider)]
             values |= {"coriolis": coriolis, "coriolis_mm": coriolis / unit}
     parts = tuple(_line(line, under, plan, size, unit) for line in one.lines)
-    return say(f"plans.{plan}.{one.rule}", lines=parts, **values)
+    return say(
+        f"plans.{plan}.{one.rule}", lines=say("plans.two", first=parts[0], last=parts[1]) if len(parts) == 2 else parts, **values
+    )
 
 
 def _line(line: Line, point: str, plan: str, size: dict[tuple[str, str, str], float], unit: float) -> Sentence:
