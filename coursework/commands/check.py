@@ -69,7 +69,7 @@ def _tell_mobility(run: Run) -> None:
     mobility = run.scene.mechanism.mobility
     if mobility is None:
         return
-    sum_of = f"3·{mobility.links} − 2·{mobility.lower_pairs} − {mobility.higher_pairs}"
+    sum_of = say("screen.mobility_sum", links=mobility.links, lower=mobility.lower_pairs, higher=mobility.higher_pairs)
     drives = (2 if run.variant.driven else 0) + len(run.variant.known_rates)
     verdict = say("screen.driven", number=drives)
     if drives and mobility.degrees != drives:

@@ -48,7 +48,8 @@ def _step(one: Found, plan: str, size: dict[tuple[str, str, str], float], scale:
             values |= {"coriolis": coriolis, "coriolis_mm": coriolis / scale.unit}
     drawn_to = under if one.rule == "stretches" else point
     parts = tuple(_line(line, drawn_to, plan, size, scale.unit) for line in one.lines)
-    return say(f"plans.{plan}.{one.rule}", lines=parts, **values)
+    told = say("plans.two", first=parts[0], last=parts[1]) if len(parts) == 2 else parts
+    return say(f"plans.{plan}.{one.rule}", lines=told, **values)
 
 
 def _read(size: float, scale: PlanScale, amount: str, length: str) -> dict[str, object]:

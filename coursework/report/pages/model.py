@@ -119,7 +119,7 @@ def _numbered(sections: Iterable[Section], words: Words) -> Iterator[Section]:
             kind = "table" if isinstance(part, Table) else "figure"
             counts[kind] += 1
             return replace(
-                part, label=words(f"label.{kind}", number=counts[kind]), caption=_ended(part.caption, words("table.stop"))
+                part, label=words(f"label.{kind}", number=counts[kind]), caption=_ended(part.caption, words("label.stop"))
             )
         return part
 

@@ -21,6 +21,7 @@ from coursework.words.templates import clean
 NOTHING_AT_ALL = 1e-18  # SI: smaller than any round-off of a mechanism
 BESIDE_A_LIMIT = 1e-9  # of its limit: what passes with so little is round-off of lengths that close
 NEARLY_WHOLE = 5e-5  # of an amount: less than four digits show
+SHARES = {OF_THE_SCALE, "unit.of_the_shortest"}
 MOST_LINES = 30  # further lines of one check; more are thinned
 SHORT_UNIT = 12  # letters of a unit that stands behind its number; a longer one stands below
 
@@ -113,7 +114,7 @@ def counted(value: float, unit: str) -> float:
     """
     if not isinstance(unit, Sentence):
         return value
-    if unit.key == OF_THE_SCALE and abs(value) < ROUND_OFF:
+    if unit.key in SHARES and abs(value) < ROUND_OFF:
         return 0.0
     least = never_more(value, unit)
     return float(round(value)) if least == value and abs(value - round(value)) < NEARLY_WHOLE * abs(value) else least

@@ -15,7 +15,7 @@ from coursework.words.sentence import Sentence
 
 DIGITS = 3
 ROWS = "unit.rows"  # 24.02 of them are 24 rows
-SHARES = {OF_THE_SCALE, "unit.relative"}  # parts of a whole are told in percent
+SHARES = {OF_THE_SCALE, "unit.of_the_shortest", "unit.relative"}  # parts of a whole are told in percent
 
 
 def control(context: PageContext) -> list[Part]:

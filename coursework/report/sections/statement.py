@@ -26,6 +26,7 @@ from coursework.words.templates import clean
 
 MOST_REMARKS = 12  # on the first page, on which the results begin
 SHOWN_DIGITS = 5
+TIME_DIGITS = 4  # of a moment named in a sentence
 MEASURED = 8  # digits of a datum; one with more has been computed
 _DECIMAL = re.compile(r"-?\d+\.\d+")
 _QUANTITY = re.compile(r"([+-]?\d*\.?\d+(?:[eE][+-]?\d+)?) ([\w/^]+)")
@@ -252,12 +253,12 @@ def _checked(context: PageContext) -> str:
     motion, variant = context.run.motion, context.run.variant
     row = min(variant.time.row_of_check, len(motion.t))
     sought = [name for name in motion.velocity_names if name not in variant.known_rates] or motion.velocity_names
-    values = context.words("join.comma").join(
+    values = context.words("result.between").join(
         f"{context.lettering(name)}{TIGHT}={TIGHT}"
         + context.with_unit(context.numbers.scalar(float(motion.column(name)[row - 1]), SHOWN_DIGITS), variant.unit_of(name))
         for name in sought
     )
-    time = context.quantity(float(motion.t[row - 1]), "s")
+    time = context.quantity(float(motion.t[row - 1]), "s", TIME_DIGITS)
     return context.words("result.row", row=row, time=time, values=values)
 
 

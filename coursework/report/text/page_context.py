@@ -22,6 +22,7 @@ from coursework.results.checks.result import beside
 from coursework.scene.quantities import PLOTS
 from coursework.scene.scene_run import SceneRun
 from coursework.variant.record.variant import Variant
+from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH
 from coursework.words.templates import LONGEST, clean
 

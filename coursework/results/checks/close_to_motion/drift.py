@@ -45,7 +45,7 @@ def drift(evidence: Evidence) -> Finding:
         at, which = jump
         sentence = evidence.say("check.DRIFT.jump", name=called[which], row=at, next=at + 1, time=float(motion.t[at]))
         return Finding(
-            "FAIL", sentence, value, LIMIT, evidence.say("unit.of_the_scale"), closure.names[which], at + 1, rows=lines
+            "FAIL", sentence, value, LIMIT, evidence.say("unit.of_the_shortest"), closure.names[which], at + 1, rows=lines
         )
     found = {"name": called[equation], "row": row + 1, "size": size, "unit": unit, "share": percent(value), "shortest": shortest}
     verdict: Verdict = "PASS" if value <= LIMIT else "COARSE" if float(np.max(shares[0])) <= LIMIT else "FAIL"
@@ -54,7 +54,8 @@ def drift(evidence: Evidence) -> Finding:
     else:
         kind = "angle" if verdict == "COARSE" and angles[equation] else verdict.lower()
         sentence = evidence.say(f"check.DRIFT.{kind}", **found)
-    return Finding(verdict, sentence, value, LIMIT, evidence.say("unit.of_the_scale"), name, row + 1, rows=lines)
+    shown = evidence.say("unit.relative" if angles[equation] else "unit.of_the_shortest")
+    return Finding(verdict, sentence, value, LIMIT, shown, name, row + 1, rows=lines)
 
 
 def _jump(evidence: Evidence, closure: Closure, scales: Array) -> tuple[int, int] | None:
