@@ -41,7 +41,7 @@ def test_the_guide_numbers_three_sections_and_the_appendix_has_letters(real: Mod
 
 
 def test_what_is_not_asked_for_is_not_computed() -> None:
-    bare = solved("31", quantities=("table",))
+    bare = coursework.solve("31", quantities=("table",))
     build_model(bare)
     assert not {"exact", "checks", "accuracy"} & set(bare.scene.ledger.calls)
 
