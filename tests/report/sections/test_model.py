@@ -41,7 +41,7 @@ def test_every_section_has_its_number_and_the_appendix_letters(real: ModuleType)
 
 
 def test_what_is_not_asked_for_is_not_computed() -> None:
-    bare = solved("31", quantities=("table",))
+    bare = coursework.solve("31", quantities=("table",))
     build_model(bare)
     assert not {"exact", "checks", "accuracy"} & set(bare.scene.ledger.calls)
 

@@ -31,7 +31,7 @@ def test_a_linear_velocity_is_told_with_what_moves_so(real: ModuleType, name: st
 
 @pytest.mark.parametrize(("asked", "told"), [("u", "and u from"), ("table", "and u = VCy from")])
 def test_what_is_not_asked_for_is_not_computed_to_tell_it(real: ModuleType, asked: str, told: str) -> None:
-    run = solved("v102", quantities=(asked,))
+    run = coursework.solve("v102", quantities=(asked,))
     assert told in str(real.text_of(real.parts(run, "statement"))).replace("\u00a0", " ")
     assert "exact" not in run.scene.ledger.calls
 
