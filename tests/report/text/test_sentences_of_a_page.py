@@ -14,6 +14,7 @@ from coursework import solve
 from coursework.report.pages import build_model, notebook_html
 from coursework.report.text.words import Words, load_words
 from coursework.results.checks.result import Finding
+from coursework.variant.catalogue import load
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.errors import InputError
 from coursework.words.sentences import load_phrases, say
@@ -66,7 +67,7 @@ def behind() -> list[tuple[Any, str, float]]:
     # One turn of an engine that starts up is taken for its period: it comes back, but faster.
     engine = (Path(__file__).parents[3] / "variants" / "engine-start.toml").read_text(encoding="utf-8")
     faster = parse_variant(engine.replace('end  = "0.64 s"', 'end = "0.8 s"\nperiod = "0.64 s"'))
-    near = coursework.load("31").with_data(given={"p": 13.089942})  # a micro-second off 24 steps
+    near = load("31").with_data(given={"p": 13.089942})  # a micro-second off 24 steps
     return [
         ("31", "euler", 0.6), ("31", "exact", 0.6), (shaper, "euler", 0.75), (shaper, "exact", 0.75), (near, "euler", 0.6),
         (faster, "exact", 0.8),
