@@ -25,7 +25,7 @@ PAGES = {"pandas", "scipy", "matplotlib", "jinja2", "typst", "coursework.report.
 EXTRA = {
     "coursework.results.kinematics.accelerations",
     "coursework.results.kinematics.points",
-    "coursework.drawing.plans.graph_check",
+    "coursework.drawing.check_sheet.graph_check",
     "coursework.results.checks.check",
     "coursework.results.accuracy.study",
 }

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 
 from coursework.assigning.reader import determined
 from coursework.assigning.variants import Individual
+from coursework.drawing.check_sheet.graph_check import GraphCheck, check_graph
 from coursework.drawing.figures import draw_start
 from coursework.drawing.paper.record import Drawing
-from coursework.drawing.plans.graph_check import GraphCheck, check_graph
 from coursework.grading.marking.key import decimals_asked
 from coursework.grading.platforms.names import file_stem
 from coursework.grading.platforms.roster import Student

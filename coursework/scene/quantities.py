@@ -24,8 +24,8 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 if TYPE_CHECKING:
+    from coursework.drawing.check_sheet.graph_check import GraphCheck
     from coursework.drawing.paper.record import Drawing
-    from coursework.drawing.plans.graph_check import GraphCheck
     from coursework.drawing.plans.plans import Plans
     from coursework.results.accuracy.record import AccuracyStudy
     from coursework.results.kinematics.extra import ExtraTable
@@ -148,7 +148,7 @@ def invariants(results: MotionResults) -> ExtraTable:
 @computed("mechanism", "equations", "motion", "exact")
 def graph_check(results: MotionResults) -> GraphCheck | None:
     """The check row drawn to scale: instantaneous centres and velocities beside the table."""
-    from coursework.drawing.plans.graph_check import check_graph
+    from coursework.drawing.check_sheet.graph_check import check_graph
 
     return check_graph(results.scene.mechanism, results.scene.equations, results.motion, results.scene.exact)
 

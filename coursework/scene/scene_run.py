@@ -40,8 +40,8 @@ from coursework.variant.record.variant import Variant
 from coursework.words.sentences import say
 
 if TYPE_CHECKING:
+    from coursework.drawing.check_sheet.graph_check import GraphCheck
     from coursework.drawing.paper.record import Drawing
-    from coursework.drawing.plans.graph_check import GraphCheck
     from coursework.results.accuracy.record import AccuracyStudy
     from coursework.results.checks.close_to_motion.closeness import Distance
     from coursework.results.checks.result import Finding

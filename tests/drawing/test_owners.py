@@ -13,7 +13,7 @@ from coursework.drawing.paper.symbols import length_text, name_word
 from coursework.mechanism.mechanism import build
 from coursework.variant.catalogue import names
 from tests.drawing import measured
-from tests.drawing.plans.checked import svg_of
+from tests.drawing.check_sheet.checked import svg_of
 from tests.drawing.test_mechanism import drawing_of
 
 FARTHEST = 8.0  # mm from its line to a word that nothing leads to it

@@ -1,7 +1,7 @@
 """Names in a drawing: of points, of links, of lengths beside the parts of links that have them.
 
 Enters: a `Painter` whose mechanism is drawn.  Leaves: words on its sheet; what a word belongs to as `Owner`.
-Used by `drawing/figures.py`, `dimensions.py` and `drawing/plans/drawing.py`.
+Used by `drawing/figures.py`, `dimensions.py` and `drawing/check_sheet/drawing.py`.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """A mechanism on a sheet, from what lies behind to what stands in front: rails, hinges, links, blocks, joints.
 
 Enters: an `Outline`, its `Poses` and where points of the plane lie on the sheet.  Leaves: items on the `Sheet`.
-Used by `drawing/figures.py`, `naming.py`, `dimensions.py`, `offsets.py` and `drawing/plans/drawing.py`.
+Used by `drawing/figures.py`, `naming.py`, `dimensions.py`, `offsets.py` and `drawing/check_sheet/drawing.py`.
 SVG elements say what they are: data-link, data-sleeve, data-rail.
 """
 

@@ -1,7 +1,7 @@
 """A sheet of paper in millimetres: lines, circles, arrows, and labels that keep out of each other's way.
 
 Enters: points in mm as complex numbers, x to the right and y **down**.  Leaves: SVG, one user unit = 1 mm.
-Used by `painter.py`, `board.py`, `drawing/figures.py` and `drawing/plans/drawing.py`; knows nothing of mechanisms.
+Used by `painter.py`, `board.py`, `drawing/figures.py` and `drawing/check_sheet/drawing.py`; knows nothing of mechanisms.
 """
 
 from __future__ import annotations

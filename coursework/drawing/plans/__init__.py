@@ -1,1 +1,1 @@
-"""Constructions with ruler and compasses, and what is read from them."""
+"""Plans of velocities and accelerations, constructed with ruler and compasses."""

@@ -17,7 +17,7 @@ from coursework.scene.scene_run import SceneRun
 from coursework.words.custom_templates import stamp_of_templates
 
 if TYPE_CHECKING:
-    from coursework.drawing.plans.graph_check import GraphCheck
+    from coursework.drawing.check_sheet.graph_check import GraphCheck
     from coursework.results.checks.result import Finding
 
 STAMP_LENGTH = 16  # letters of the hash: enough that two runs never meet by chance, short enough to compare by eye

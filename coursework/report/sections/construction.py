@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from coursework.drawing.plans.readings import Reading
+from coursework.drawing.check_sheet.readings import Reading
 from coursework.report.graphs.figures import drawn_parts
 from coursework.report.text.numbers import NOTHING
 from coursework.report.text.page_context import PageContext

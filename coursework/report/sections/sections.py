@@ -24,6 +24,7 @@ from coursework.report.sections.results import results
 from coursework.report.sections.solution import solution
 from coursework.report.sections.statement import statement
 from coursework.report.sections.structure import structure
+from coursework.report.sections.worked import worked
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Part, Section
 from coursework.report.text.tables import TABLE_FILE, extra_parts
@@ -55,7 +56,8 @@ def _body(context: PageContext) -> Iterator[Section]:
     yield from _written_by(PAPER, context)
     for quantity, extra in context.run.extra_tables.items():
         file = f"{quantity}.csv" if quantity in context.run.own_tables else TABLE_FILE
-        yield Section(quantity, _heading(context, quantity, extra.title), extra_parts(context, extra, file))
+        parts = [*worked(context, quantity, extra), *extra_parts(context, extra, file)]
+        yield Section(quantity, _heading(context, quantity, extra.title), parts)
     for quantity, drawings in context.run.figures(context.words.written).items():
         if drawings:
             yield Section(

@@ -12,16 +12,16 @@ import numpy as np
 import pytest
 
 from coursework import solve
-from coursework.drawing.plans.graph_check import GraphCheck
-from coursework.drawing.plans.layout import CROSS, lay_out
-from coursework.drawing.plans.readings import read_off
+from coursework.drawing.check_sheet.graph_check import GraphCheck
+from coursework.drawing.check_sheet.layout import CROSS, lay_out
+from coursework.drawing.check_sheet.readings import read_off
 from coursework.report.output.record import record
 from coursework.report.output.tables import run_tables
 from coursework.report.pages import build_model
 from coursework.report.text.parts import Figure, Paragraph
 from coursework.variant.reading.reader import parse_variant
 from tests.drawing import measured
-from tests.drawing.plans.checked import check_of
+from tests.drawing.check_sheet.checked import check_of
 from tests.drawing.plans.moving_groups import CLOSED, HEAD, acceleration, crank, run_of, velocity
 
 GIVEN = {"shaper": {"V_B"}, "six-bar": {"V_B"}, "pin": {"V_K", "V_N"}, "block": {"V_K", "V_N"}, "pushed": set()}

@@ -7,9 +7,9 @@ from dataclasses import replace
 import pytest
 
 from coursework import load, solve
-from coursework.drawing.plans.instant_centres import Centre, construct
-from coursework.drawing.plans.pose import Body
-from tests.drawing.plans.checked import scene
+from coursework.drawing.check_sheet.instant_centres import Centre, construct
+from coursework.drawing.check_sheet.pose import Body
+from tests.drawing.check_sheet.checked import scene
 
 
 def test_translation_has_its_centre_at_infinity() -> None:

@@ -9,10 +9,10 @@ import itertools
 import re
 from collections.abc import Mapping, Set
 
-from coursework.drawing.plans.check_plan import CheckPlan
-from coursework.drawing.plans.instant_centres import Centre, Findings
-from coursework.drawing.plans.pose import Body
-from coursework.drawing.plans.sketch import Sketch
+from coursework.drawing.check_sheet.check_plan import CheckPlan
+from coursework.drawing.check_sheet.instant_centres import Centre, Findings
+from coursework.drawing.check_sheet.pose import Body
+from coursework.drawing.check_sheet.sketch import Sketch
 from coursework.words.sentences import joined, say
 
 # A link longer or shorter than at the start by less than this share of the mechanism is round-off, not drift.

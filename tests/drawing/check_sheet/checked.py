@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import cache
 
-from coursework.drawing.plans.graph_check import GraphCheck, check_graph
-from coursework.drawing.plans.pose import Body, Pose
-from coursework.drawing.plans.sketch import Sketch
+from coursework.drawing.check_sheet.graph_check import GraphCheck, check_graph
+from coursework.drawing.check_sheet.pose import Body, Pose
+from coursework.drawing.check_sheet.sketch import Sketch
 from coursework.run import Run
 from coursework.variant.record.variant import Variant
 from tests.solved import solved

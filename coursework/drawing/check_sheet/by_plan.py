@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from coursework.drawing.plans.pose import Pose
+from coursework.drawing.check_sheet.pose import Pose
 
 NOUGHT = 1e-13  # of the largest velocity found: what is smaller is round-off
 FREE = 1e-9  # of the largest singular value: below it a combination of velocities is not determined

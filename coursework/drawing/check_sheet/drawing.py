@@ -12,6 +12,10 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 
+from coursework.drawing.check_sheet.graph_words import centre_letter
+from coursework.drawing.check_sheet.instant_centres import Centre, Findings
+from coursework.drawing.check_sheet.layout import CROSS, Layout, lay_out
+from coursework.drawing.check_sheet.sketch import Sketch
 from coursework.drawing.lettering.naming import lies_on, link_owner, link_places, point_names
 from coursework.drawing.paper.cover import Segment
 from coursework.drawing.paper.painter import Painter
@@ -20,10 +24,6 @@ from coursework.drawing.paper.record import Drawing
 from coursework.drawing.paper.sheet import BOLD, ITALIC, Sheet, Word, inside, plain
 from coursework.drawing.paper.symbols import decimal, lowered_name, short
 from coursework.drawing.plans.foot import draw_foot
-from coursework.drawing.plans.graph_words import centre_letter
-from coursework.drawing.plans.instant_centres import Centre, Findings
-from coursework.drawing.plans.layout import CROSS, Layout, lay_out
-from coursework.drawing.plans.sketch import Sketch
 from coursework.words.sentences import say
 
 VELOCITY = 'stroke="black" stroke-width="0.4"'

@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+from coursework.drawing.check_sheet.instant_centres import Centre, Findings
+from coursework.drawing.check_sheet.sketch import Sketch
 from coursework.drawing.paper.symbols import ratio
 from coursework.drawing.plans.foot import FOOT
-from coursework.drawing.plans.instant_centres import Centre, Findings
-from coursework.drawing.plans.sketch import Sketch
 from coursework.words.sentence import Sentence
 
 PAGE = (170.0, 190.0)  # mm: the text width of A4 with margins of 20 mm, and room for a caption

@@ -11,11 +11,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from coursework.drawing.plans.instant_centres import Findings
+from coursework.drawing.check_sheet.instant_centres import Findings
+from coursework.drawing.check_sheet.sketch import Sketch
 from coursework.drawing.plans.moving import Kinematics, Moving
 from coursework.drawing.plans.plan_scale import PlanScale, scale_of
 from coursework.drawing.plans.polygons import polygons
-from coursework.drawing.plans.sketch import Sketch
 from coursework.drawing.plans.vectors import POLE, VELOCITY, Found, Polygons
 
 

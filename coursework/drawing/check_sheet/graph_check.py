@@ -14,18 +14,18 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from coursework.drawing.check_sheet.check_plan import CheckPlan, plan_of
+from coursework.drawing.check_sheet.graph_words import centre_letter, drift, how_found, omega_name, why_unread
+from coursework.drawing.check_sheet.instant_centres import Findings, construct
+from coursework.drawing.check_sheet.layout import lay_out
+from coursework.drawing.check_sheet.pose import Body
+from coursework.drawing.check_sheet.readings import Reading, read_off
+from coursework.drawing.check_sheet.sketch import Sketch, read_sketch
 from coursework.drawing.outline.lengths import stretching
 from coursework.drawing.outline.tracing import read_outline
 from coursework.drawing.paper.record import Drawing
 from coursework.drawing.paper.symbols import decimal
-from coursework.drawing.plans.check_plan import CheckPlan, plan_of
-from coursework.drawing.plans.graph_words import centre_letter, drift, how_found, omega_name, why_unread
-from coursework.drawing.plans.instant_centres import Findings, construct
-from coursework.drawing.plans.layout import lay_out
 from coursework.drawing.plans.moving import kinematics_of
-from coursework.drawing.plans.pose import Body
-from coursework.drawing.plans.readings import Reading, read_off
-from coursework.drawing.plans.sketch import Sketch, read_sketch
 from coursework.drawing.plans.vectors import UNITS, VELOCITY
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.mechanism import Mechanism
@@ -71,7 +71,7 @@ class GraphCheck:
 
     def drawing(self, written: Callable[[str], str] = str, *, blank: bool = False) -> Drawing:
         """Return the drawing; `written` puts its sentences into the language of a page, `blank` leaves the construction out."""
-        from coursework.drawing.plans.drawing import draw
+        from coursework.drawing.check_sheet.drawing import draw
 
         return draw(self.sketch, self.findings, self.row, self.time, written, blank=blank)
 

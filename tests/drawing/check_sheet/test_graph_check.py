@@ -11,13 +11,13 @@ from pathlib import Path
 import pytest
 
 from coursework import load, solve
-from coursework.drawing.plans.instant_centres import construct
-from coursework.drawing.plans.pose import Body, Pose, Slide
-from coursework.drawing.plans.sketch import read_sketch
+from coursework.drawing.check_sheet.instant_centres import construct
+from coursework.drawing.check_sheet.pose import Body, Pose, Slide
+from coursework.drawing.check_sheet.sketch import read_sketch
 from coursework.report.output.record import record
 from coursework.words.errors import InputError
 from tests.drawing import measured
-from tests.drawing.plans.checked import DRAWABLE, at_row, check_of, run_of, sketch_of, svg_of
+from tests.drawing.check_sheet.checked import DRAWABLE, at_row, check_of, run_of, sketch_of, svg_of
 
 REFERENCE = Path(__file__).parents[2] / "reference" / "variants"
 DIGITS_OF_THE_REFERENCE = 1e-9

@@ -10,14 +10,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from coursework.drawing.check_sheet.check_plan import CheckPlan
+from coursework.drawing.check_sheet.graph_words import centre_letter, lowered, omega_name
+from coursework.drawing.check_sheet.instant_centres import Centre, Findings
+from coursework.drawing.check_sheet.layout import Layout
+from coursework.drawing.check_sheet.pose import Body
+from coursework.drawing.check_sheet.sketch import Sketch
 from coursework.drawing.paper.symbols import decimal
-from coursework.drawing.plans.check_plan import CheckPlan
-from coursework.drawing.plans.graph_words import centre_letter, lowered, omega_name
-from coursework.drawing.plans.instant_centres import Centre, Findings
-from coursework.drawing.plans.layout import Layout
 from coursework.drawing.plans.plan_scale import READ, read_length
-from coursework.drawing.plans.pose import Body
-from coursework.drawing.plans.sketch import Sketch
 from coursework.drawing.plans.steps import image
 from coursework.drawing.plans.vectors import Found
 from coursework.words.sentence import Sentence

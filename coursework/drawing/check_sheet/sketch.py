@@ -12,13 +12,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from coursework.drawing.check_sheet.instant_centres import cross
+from coursework.drawing.check_sheet.pose import Body, Pose, Slide
 from coursework.drawing.outline.ground import racks
 from coursework.drawing.outline.outline import Bar, Outline
 from coursework.drawing.outline.poses import Poses, read_poses
 from coursework.drawing.outline.tracing import read_outline
 from coursework.drawing.plans.given import given_points
-from coursework.drawing.plans.instant_centres import cross
-from coursework.drawing.plans.pose import Body, Pose, Slide
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.geometry.time_derivatives import jets

@@ -12,8 +12,8 @@ import itertools
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from coursework.drawing.plans.by_plan import solve_plan
-from coursework.drawing.plans.pose import Body, Pose
+from coursework.drawing.check_sheet.by_plan import solve_plan
+from coursework.drawing.check_sheet.pose import Body, Pose
 
 # Sine of the angle below which two lines count as parallel: positions of an Euler row are good to 1e-15, so nothing
 # that is parallel by construction comes near it, and a centre 1e9 times farther than the mechanism is a translation.

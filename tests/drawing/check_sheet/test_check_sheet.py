@@ -12,15 +12,15 @@ from xml.etree import ElementTree
 import pytest
 
 from coursework import load
-from coursework.drawing.plans.graph_check import check_graph
-from coursework.drawing.plans.instant_centres import Findings
-from coursework.drawing.plans.layout import LANDSCAPE, PAGE, SCALES, lay_out
-from coursework.drawing.plans.pose import Body
-from coursework.drawing.plans.sketch import Sketch
+from coursework.drawing.check_sheet.graph_check import check_graph
+from coursework.drawing.check_sheet.instant_centres import Findings
+from coursework.drawing.check_sheet.layout import LANDSCAPE, PAGE, SCALES, lay_out
+from coursework.drawing.check_sheet.pose import Body
+from coursework.drawing.check_sheet.sketch import Sketch
 from coursework.variant.catalogue import names
 from coursework.variant.record.variant import Link
 from tests.drawing import measured
-from tests.drawing.plans.checked import DRAWABLE, check_of, run_of, scene, sketch_of, svg_of
+from tests.drawing.check_sheet.checked import DRAWABLE, check_of, run_of, scene, sketch_of, svg_of
 
 
 def test_a_blank_sheet_leaves_the_construction_to_the_student() -> None:
@@ -206,7 +206,7 @@ def test_a_file_may_call_its_points_like_centres() -> None:
     variant = load("31")
     sketch = sketch_of("31")
     taken = replace(sketch, pose=replace(sketch.pose, positions={**sketch.pose.positions, "P3": 0j}))
-    from coursework.drawing.plans.graph_words import centre_letter, how_found
+    from coursework.drawing.check_sheet.graph_words import centre_letter, how_found
 
     assert (centre_letter(sketch), centre_letter(taken)) == ("P", "I")
     assert "I₃ is where the perpendiculars to the velocities of M and C meet." in how_found(taken, check_of("31").findings, None)
@@ -220,7 +220,7 @@ def test_a_mechanism_without_size_is_drawn_all_the_same() -> None:
     drawn = replace(full.outline, bars=(), wheels=(), rails=(), hinges=(), driven=()), full.poses, full.row
     sketch = Sketch(still, (), (), ("A",), points, {}, {}, ("B",), (), *drawn)
     nothing = Findings({}, {}, {}, ("1",))
-    from coursework.drawing.plans.drawing import draw
+    from coursework.drawing.check_sheet.drawing import draw
 
     assert lay_out(sketch, nothing).scale == 1
     assert "velocities" not in draw(sketch, nothing, 1, 0.0).svg

@@ -1,0 +1,255 @@
+"""The formula behind a further table, and one of its rows worked through with numbers that give what is printed.
+
+Enters: a `PageContext` and the name of what was asked for.  Leaves: parts, none where the formula is too long to read.
+Used by `sections.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+from fractions import Fraction
+
+import numpy as np
+import sympy as sp
+
+from coursework.equations.reduction.symbolic import expanded, symbol
+from coursework.equations.reduction.tidy import as_sum, product, quotient
+from coursework.motion.geometry.time_derivatives import acceleration_rest, compile_rows, derivative, second_rate
+from coursework.report.formulas.display import display
+from coursework.report.text.page_context import PageContext
+from coursework.report.text.parts import Display, Equations, Paragraph, Part
+from coursework.results.kinematics.extra import ExtraTable
+from coursework.scene.quantities import ACCELERATIONS, ANALOGS, INVARIANTS, POINTS
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, named, number, spelled
+
+MOST_EQUATIONS = 6  # of second derivatives on a page
+MOST_SIGNS = 40  # operations of an expression that is differentiated for a page
+LONGEST = 160  # letters of a formula that is written out
+DIGITS, MOST_DIGITS = 6, 15  # of a factor: as many as give the printed result
+SHOWN = 5  # digits of a result
+
+
+def worked(context: PageContext, quantity: str, extra: ExtraTable) -> list[Part]:
+    """Return the formula and the row for one of the tables beside the table of results."""
+    write = _WRITERS.get(quantity)
+    return write(context, extra) if write is not None and len(extra.rows) else []
+
+
+def _row(context: PageContext, rows: int) -> int:
+    return min(context.run.variant.time.row_of_check, rows) - 1
+
+
+def _accelerations(context: PageContext, extra: ExtraTable) -> list[Part]:
+    """The velocity equations once more differentiated, Coriolis's terms named, one equation of them in numbers."""
+    equations, reduction = context.run.scene.equations, context.run.reduction
+    used = [one for one in equations.equations if one.name in reduction.used]
+    if len(used) > MOST_EQUATIONS or any(slope.count_ops() > MOST_SIGNS for one in used for slope in one.coefficients.values()):
+        return []
+    rests = [expanded(acceleration_rest(equations, one)) for one in used]
+    lines: list[tuple[Formula, Formula]] = []
+    for one, rest in zip(used, rests, strict=True):
+        left = sp.Add(*[slope * symbol(f"d{name}") for name, slope in one.coefficients.items()])
+        lines.append((as_sum(left, equations.order), as_sum(rest, equations.order)))
+    if not lines or any(len(spelled(side)) > LONGEST for line in lines for side in line):
+        return []
+    rates = context.rates
+    shown = [
+        display(left, right, rates, context.equation(one.name) + "′") for one, (left, right) in zip(used, lines, strict=True)
+    ]
+    parts: list[Part] = [Paragraph(context.say("worked.accelerations")), Equations(shown)]
+    if pairs := _coriolis(context, rests):
+        parts.append(Paragraph(context.lettered(context.words("worked.coriolis", terms=context.words.listing(pairs)))))
+    row = _row(context, len(context.run.motion.t))
+    values = _values(context, row)
+    for name, formula in _solved(context, dict(zip((one.name for one in used), rests, strict=True))):
+        put = _in_numbers(context, named(name), formula, values)
+        if put is not None:
+            intro = context.words("worked.solved", row=row + 1, symbol=context.symbol(name).text)
+            lines_of = [display(named(name), formula, rates), put]
+            return [*parts, Paragraph(context.lettered(intro)), Equations(lines_of)]
+    return parts
+
+
+def _solved(context: PageContext, rests: Mapping[str, sp.Expr]) -> Iterator[tuple[str, Formula]]:
+    """Yield the derivative of the first velocity of each block of one or two as a formula, those with Coriolis's term first."""
+    equations, found = context.run.scene.equations, []
+    by_name = {one.name: one for one in equations.equations}
+    for block in context.run.reduction.blocks:
+        if block.size > 2:
+            continue
+        rows = [by_name[name] for name in block.equations]
+        right = [
+            rests[one.name]
+            - sum(slope * symbol(f"d{name}") for name, slope in one.coefficients.items() if name not in block.unknowns)
+            for one in rows
+        ]
+        matrix = [[one.coefficients.get(name, sp.S.Zero) for name in block.unknowns] for one in rows]
+        if block.size == 1:
+            above, below = right[0], matrix[0][0]
+        else:
+            above = right[0] * matrix[1][1] - right[1] * matrix[0][1]
+            below = matrix[0][0] * matrix[1][1] - matrix[1][0] * matrix[0][1]
+        formula = quotient(expanded(above), product(below, equations.order), equations.order)
+        if len(spelled(formula)) <= LONGEST:
+            found.append((not _coriolis(context, right), f"d{block.unknowns[0]}", formula))
+    for _, name, formula in sorted(found, key=lambda one: one[0]):
+        yield name, formula
+
+
+def _coriolis(context: PageContext, rests: list[sp.Expr]) -> list[str]:
+    """Return the products 2 u w of a sliding velocity and an angular one that stand in the second derivatives."""
+    variant = context.run.variant
+    slides = [c.rate for c in variant.coordinates if c.unit == "m"]
+    turns = [c.rate for c in variant.coordinates if c.unit == "rad"]
+    terms = [term for rest in rests for term in sp.Add.make_args(sp.expand(rest))]
+    found = [(u, w) for u in slides for w in turns if any({symbol(u), symbol(w)} <= term.free_symbols for term in terms)]
+    return [f"2{context.lettering(u)}{context.lettering(w)}" for u, w in found]
+
+
+def _points(context: PageContext, extra: ExtraTable) -> list[Part]:
+    """Place, velocity and, where asked for, acceleration of the last point along x, the same in numbers."""
+    equations = context.run.scene.equations
+    named_points = [name.partition(".")[0] for name in extra.names if name.endswith(".vx")]
+    rows = len(context.run.motion.t)
+    row = _row(context, rows)
+    for point in reversed(named_points):
+        place = equations.symbols.vectors[point][0]
+        if place.count_ops() > MOST_SIGNS:
+            continue
+        place = expanded(place)
+        rate = expanded(equations.symbols.rate(place))
+        levels = [("x", place), ("vx", rate)]
+        if f"{point}.ax" in extra.names:
+            dots = {derivative(name): symbol(f"d{name}") for name in context.run.motion.velocity_names}
+            levels.append(("ax", expanded(second_rate(equations, rate)).xreplace(dots)))
+        formulas = [(f"{point}.{key}", as_sum(expression, equations.order)) for key, expression in levels]
+        if rate == 0 or any(len(spelled(formula)) > LONGEST for _, formula in formulas):
+            continue
+        values = _values(context, row)
+        shown = [display(named(name), formula, context.rates) for name, formula in formulas]
+        put = [_in_numbers(context, named(name), formula, values) for name, formula in formulas]
+        if None in put:
+            continue
+        return [
+            Paragraph(context.lettered(context.words("worked.points", point=point))), Equations(shown),
+            Paragraph(context.say("worked.row", row=row + 1)), Equations([one for one in put if one is not None]),
+        ]  # fmt: skip
+    return []
+
+
+def _values(context: PageContext, row: int) -> dict[str, float]:
+    """Return the data, the laws and the entries of a row by name (SI)."""
+    motion, equations = context.run.motion, context.run.scene.equations
+    values = {**context.run.variant.values, "t": float(motion.t[row]), "pi": np.pi}
+    laws = [law.name for law in (*context.run.variant.drive, *context.run.variant.functions) if law.name not in motion.names]
+    at = slice(row, row + 1)
+    found = compile_rows(equations, [symbol(name) for name in laws], 1)(
+        motion.t[at], motion.coordinates[at], motion.velocities[at]
+    )
+    values.update(zip(laws, found[0].tolist() if laws else [], strict=True))
+    values |= {name: float(motion.column(name)[row]) for name in motion.names}
+    if context.run.asks(ACCELERATIONS):
+        second = context.run.results.accelerations[row].tolist()
+        values |= {f"d{name}": value for name, value in zip(motion.velocity_names, second, strict=True)}
+    return values
+
+
+def _in_numbers(context: PageContext, left: Formula, right: Formula, values: Mapping[str, float]) -> Display | None:
+    """Return `left` with numbers for the names of the right side, as few digits as give the printed result; None for none."""
+    needed = right.names()
+    if not {*needed} <= {*values, "pi"}:
+        return None
+    try:
+        result = _printed(context, evaluate(right, dict(values)))
+        for digits in range(DIGITS, MOST_DIGITS + 1):
+            rounded = {name: float(f"{values[name]:.{digits}g}") for name in needed if name in values}
+            if _printed(context, evaluate(right, rounded)) == result:
+                one = display(left, _put(right, rounded), context.rates)
+                return Display(f'{one.math} = "{result}"', f"{one.text} = {result}")
+    except (FormulaFault, KeyError):  # a law without a value that a formula could take
+        return None
+    return None
+
+
+def _printed(context: PageContext, value: float) -> str:
+    return context.numbers.scalar(context.numbers.without_noise(value, 1.0), SHOWN)
+
+
+def _put(tree: Formula, values: Mapping[str, float]) -> Formula:
+    """Return a formula with numbers in the place of names."""
+    if tree.op == "name" and tree.name in values:
+        return number(Fraction(repr(values[tree.name])))
+    return replace(tree, args=tuple(_put(arg, values) for arg in tree.args)) if tree.args else tree
+
+
+def _quotients(context: PageContext, extra: ExtraTable) -> list[Part]:
+    """The derivatives of a coordinate by the angle of the crank from those in time, in a row."""
+    exact, variant, numbers = context.run.exact, context.run.variant, context.numbers
+    crank = next(c for c in variant.coordinates if c.name == extra.names[0])
+    other = next((c for c in variant.coordinates if f"d{c.name}/d{crank.name}" in extra.names), None)
+    if other is None or len(extra.rows) != len(exact.t):
+        return []
+    row = _row(context, len(exact.t))
+    second = dict(zip(exact.velocity_names, context.run.scene.exact_accelerations[row].tolist(), strict=True))
+    w, v = float(exact.column(crank.rate)[row]), float(exact.column(other.rate)[row])
+    q, c, u, turn = (context.symbol(name) for name in (other.name, crank.name, other.rate, crank.rate))
+    du, dw = context.symbol(f"d{other.rate}"), context.symbol(f"d{crank.rate}")
+    first, twice = f"frac(d {q.typst}, d {c.typst})", f"frac(d^2 {q.typst}, d {c.typst}^2)"
+    one, two = f"d{q.text}/d{c.text}", f"d²{q.text}/d{c.text}²"
+    shown = [
+        Display(f"{first} = frac({u.typst}, {turn.typst})", f"{one} = {u.text}/{turn.text}"),
+        Display(
+            f"{twice} = frac(1, {turn.typst}^2) ({du.typst} - {first} {dw.typst})",
+            f"{two} = ({du.text} − {one} {dw.text})/{turn.text}²",
+        ),
+    ]
+    place = extra.names.index(f"d{other.name}/d{crank.name}")
+    results = [numbers.scalar(numbers.without_noise(float(value), 1.0), SHOWN) for value in extra.rows[row, place : place + 2]]
+    texts = [numbers.scalar(value, DIGITS + 2) for value in (v, w, second[other.rate], v / w, second[crank.rate])]
+    v_, w_, a_, r_, e_ = (f"({text})" if text.startswith("−") else text for text in texts)
+    told = (f"{v_}/{w_} = {results[0]}", f"({a_} − {r_} · {e_})/{w_}² = {results[1]}")
+    put = [
+        Display(f'{sign} = "{text}"', f"{name} = {text}")
+        for sign, name, text in zip((first, twice), (one, two), told, strict=True)
+    ]
+    return [
+        Paragraph(context.lettered(context.words("worked.analogs", name=context.lettering(other.name)))),
+        Equations(shown, flow=True),
+        Paragraph(context.say("worked.row", row=row + 1)), Equations(put, flow=True),
+    ]  # fmt: skip
+
+
+def _invariants(context: PageContext, extra: ExtraTable) -> list[Part]:
+    """What a, b, c are made of, and a line in the middle of the stroke with the stroke S and the angle Φ of the caption."""
+    known = getattr(extra.title, "values", {})
+    driven = [c.name for c in context.run.variant.coordinates if c.rate in context.run.variant.known_rates]
+    if not {"stroke", "angle"} <= {*known} or len(driven) != 1 or len(extra.names) != 4:
+        return []
+    numbers, crank = context.numbers, context.symbol(driven[0])
+    stroke, angle = float(known["stroke"]), float(known["angle"])
+    k, a, b, c = extra.rows[len(extra.rows) // 2].tolist()
+    texts = [numbers.scalar(x, DIGITS + 2) for x in (a * stroke, b * stroke / angle, c * stroke / angle**2, stroke, angle)]
+    s0, s1, s2, size, turn = (f"({text})" if text.startswith("−") else text for text in texts)
+    ends = [numbers.scalar(numbers.without_noise(value, 1.0), SHOWN) for value in (a, b, c)]
+    told = (f"{s0}/{size} = {ends[0]}", f"{s1} · {turn}/{size} = {ends[1]}", f"{s2} · {turn}²/{size} = {ends[2]}")
+    first, second = f"frac(d s, d {crank.typst})", f"frac(d^2 s, d {crank.typst}^2)"
+    shown = [
+        Display("a_k = s / S", "a_k = s/S"),
+        Display(f"b_k = {first} dot Φ / S", f"b_k = ds/d{crank.text} · Φ/S"),
+        Display(f"c_k = {second} dot Φ^2 / S", f"c_k = d²s/d{crank.text}² · Φ²/S"),
+    ]
+    put = [Display(f'{letter}_k = "{text}"', f"{letter}_k = {text}") for letter, text in zip("abc", told, strict=True)]
+    return [
+        Paragraph(context.lettered(context.words("worked.invariants", crank=context.lettering(driven[0])))),
+        Equations(shown, flow=True),
+        Paragraph(context.lettered(context.words("worked.line", k=numbers.fixed(k, SHOWN - 1)))), Equations(put, flow=True),
+    ]  # fmt: skip
+
+
+_WRITERS: dict[str, Callable[[PageContext, ExtraTable], list[Part]]] = {
+    ACCELERATIONS.name: _accelerations,
+    POINTS.name: _points,
+    ANALOGS.name: _quotients,
+    INVARIANTS.name: _invariants,
+}

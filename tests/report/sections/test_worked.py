@@ -1,0 +1,85 @@
+"""Beside further tables stand their formulas and one row in numbers, against derivatives by differences of closed forms."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from typing import Any
+
+import pytest
+
+import coursework
+from coursework.scene.scene_run import SceneRun
+from tests.report.made import model_of
+from tests.report.own import FIVE_BAR, SHAPER
+
+ROW = 4
+H = 1e-4
+
+
+def solved(text: str, *more: str) -> SceneRun:
+    return coursework.solve(coursework.parse_variant(text), quantities=("table", "checks", *more))
+
+
+def equations(run: SceneRun, section: str) -> list[str]:
+    """Return the displayed equations of a section as plain text."""
+    (found,) = (one for one in model_of(run).sections if one.name == section)
+    return [item.text for part in found.parts if part.kind == "equations" for item in part.items]
+
+
+def sentences(run: SceneRun, section: str) -> str:
+    (found,) = (one for one in model_of(run).sections if one.name == section)
+    told = [run for part in found.parts if part.kind == "paragraph" for run in part.text]
+    return "".join(one.get("t", one.get("v", "") + one.get("s", "")) for one in told)
+
+
+def result(line: str) -> float:
+    return float(line.rpartition("= ")[2].replace("−", "-"))
+
+
+def lever(t: float) -> tuple[float, float]:
+    """Return the angle of the shaper's lever and the place of its slider F, from the triangle alone."""
+    pin = 0.25j + 0.10 * cmath.exp(4j * math.pi * t)
+    angle = cmath.phase(pin)
+    drop = 0.48 - 0.50 * math.sin(angle)
+    return angle, 0.50 * math.cos(angle) + math.sqrt(0.30**2 - drop**2)
+
+
+def second(values: Any, t: float) -> float:
+    return float((values(t + H) - 2 * values(t) + values(t - H)) / H**2)
+
+
+def test_accelerations_name_coriolis_and_work_a_row_through() -> None:
+    run = solved(SHAPER, "accelerations")
+    shown = equations(run, "accelerations")
+    assert "ω̇₃" in shown[0] and "ω₃" in shown[0] and len(shown) == 6
+    assert "Coriolis" in sentences(run, "accelerations") and "2uω3" in sentences(run, "accelerations")
+    t = (ROW - 1) * 0.5 / 48
+    assert shown[-1].startswith("ω̇₃ = ")
+    assert result(shown[-1]) == pytest.approx(second(lambda at: lever(at)[0], t), rel=1e-4)
+
+
+def test_without_a_slide_no_coriolis_is_named() -> None:
+    assert "Coriolis" not in sentences(solved(FIVE_BAR, "accelerations"), "accelerations")
+
+
+def test_points_are_placed_and_differentiated_in_numbers() -> None:
+    x, v, a = (result(line) for line in equations(solved(SHAPER, "accelerations", "points"), "points")[-3:])
+    t = (ROW - 1) * 0.5 / 48
+    assert x == pytest.approx(lever(t)[1], rel=1e-4)
+    assert v == pytest.approx((lever(t + H)[1] - lever(t - H)[1]) / (2 * H), rel=1e-4)
+    assert a == pytest.approx(second(lambda at: lever(at)[1], t), rel=1e-4)
+    assert len(equations(solved(SHAPER, "points"), "points")) == 4, "no acceleration where none is asked for"
+
+
+def test_analogs_and_invariants_follow_from_their_formulas() -> None:
+    run = solved(SHAPER, "analogs", "invariants")
+    table = run.extra_tables
+    first, twice = (result(line) for line in equations(run, "analogs")[-2:])
+    assert (first, twice) == pytest.approx(table["analogs"].rows[ROW - 1, 1:3], rel=1e-4)
+    middle = table["invariants"].rows[len(table["invariants"].rows) // 2]
+    assert [result(line) for line in equations(run, "invariants")[-3:]] == pytest.approx(middle[1:], rel=1e-4)
+
+
+def test_what_is_too_long_to_read_is_left_out() -> None:
+    assert equations(coursework.solve(coursework.load("prp"), quantities=("table", "accelerations")), "accelerations") == []
