@@ -123,7 +123,7 @@ def _parts(formula: Formula) -> Iterator[Formula]:
 def _distance(name: str, variant: Variant) -> str:
     """Return what it means that a length is zero: that two points meet, where the file shows it to be the way between them."""
     for group in variant.groups:
-        if group_kind(group.kind).name == "RPR" and name in group.coordinates:
+        if name in group.coordinates and not group_kind(group.kind).shape.guides:  # a slide along the lever itself
             return say("determinant.distance" if constant(group.offset) == 0 else "determinant.level", name=name)
     for point, formula in variant.points:
         parts = [*terms(formula)]

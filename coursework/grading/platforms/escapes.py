@@ -9,13 +9,15 @@ import re
 import unicodedata
 
 _STARTS_FORMULA = tuple("=+-@＝＋－＠\t\r\n\0")
-_PARTED = re.compile(r"([;\t\r\n][\s\"\u00a0]*)([=+\-@＝＋－＠](?=[\w(@\"']))")
+_PARTED = re.compile(
+    r"([;\t\r\n][\s\"\u00a0]*)([=+\-@＝＋－＠](?=[\w(@\"'])(?!\d+(?:[.,]\d+)?(?:e[+-]?\d+)?(?:[\s;,.)]|$)))", re.IGNORECASE
+)
 
 
 def text_cell(text: str) -> str:
     r"""Return a text cell that no spreadsheet takes for a formula: where it might be one, a `'` stands first.
 
-    So it is behind a semicolon, a tab or the end of a line, where a spreadsheet may part the cell.
+    So it is, but for a plain number, behind a semicolon, a tab or the end of a line, where a spreadsheet may part the cell.
 
     >>> text_cell("=HYPERLINK(1)"), text_cell("Ann"), text_cell('a;=HYPERLINK("x")')
     ("'=HYPERLINK(1)", 'Ann', 'a;\'=HYPERLINK("x")')

@@ -74,9 +74,8 @@ def _stroke(context: PageContext) -> list[str]:
         if found is None:
             continue
         place = context.run.motion.coordinate_names.index(crank)
-        values = {
-            "symbol": context.lettering(output.name), "crank": context.lettering(crank),
-            "length": _amount(context, found.length, output.unit),
+        values: dict[str, object] = {
+            "symbol": context.lettering(output.name), "length": _amount(context, found.length, output.unit),
             "slow": context.quantity(found.slow, "s"), "fast": context.quantity(found.fast, "s"),
             "slow_angle": _degrees(context, found.slow_angle), "fast_angle": _degrees(context, found.fast_angle),
             "ratio": context.numbers.scalar(found.ratio, RATIO_DIGITS),
@@ -86,7 +85,9 @@ def _stroke(context: PageContext) -> list[str]:
             values[f"{key}_angle"] = _degrees(context, point.row[place] % (2 * math.pi))
         key = "slider" if output.unit == "m" else "rocker"
         how = "even" if abs(found.ratio - 1) < EVEN else "ratio"
-        return [say.sentences([say(f"conclusion.{key}", **values), say(f"conclusion.{how}", **values)])]
+        letter = context.lettering(crank)
+        told = [say(f"conclusion.{one}", crank=letter, **values) for one in (key, how)]
+        return [say.sentences(told)]
     return []
 
 

@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
-import sympy as sp
 
 from coursework.equations.reduction.symbolic import expanded, symbol
 from coursework.equations.reduction.tidy import as_sum, product, quotient
@@ -49,7 +49,7 @@ def _accelerations(context: PageContext, extra: ExtraTable) -> list[Part]:
     rests = [expanded(acceleration_rest(equations, one)) for one in used]
     lines: list[tuple[Formula, Formula]] = []
     for one, rest in zip(used, rests, strict=True):
-        left = sp.Add(*[slope * symbol(f"d{name}") for name, slope in one.coefficients.items()])
+        left = sum(slope * symbol(f"d{name}") for name, slope in one.coefficients.items())
         lines.append((as_sum(left, equations.order), as_sum(rest, equations.order)))
     if not lines or any(len(spelled(side)) > LONGEST for line in lines for side in line):
         return []
@@ -71,7 +71,7 @@ def _accelerations(context: PageContext, extra: ExtraTable) -> list[Part]:
     return parts
 
 
-def _solved(context: PageContext, rests: Mapping[str, sp.Expr]) -> Iterator[tuple[str, Formula]]:
+def _solved(context: PageContext, rests: Mapping[str, Any]) -> Iterator[tuple[str, Formula]]:
     """Yield the derivative of the first velocity of each block of one or two as a formula, those with Coriolis's term first."""
     equations, found = context.run.scene.equations, []
     by_name = {one.name: one for one in equations.equations}
@@ -84,7 +84,7 @@ def _solved(context: PageContext, rests: Mapping[str, sp.Expr]) -> Iterator[tupl
             - sum(slope * symbol(f"d{name}") for name, slope in one.coefficients.items() if name not in block.unknowns)
             for one in rows
         ]
-        matrix = [[one.coefficients.get(name, sp.S.Zero) for name in block.unknowns] for one in rows]
+        matrix = [[one.coefficients.get(name, 0) for name in block.unknowns] for one in rows]
         if block.size == 1:
             above, below = right[0], matrix[0][0]
         else:
@@ -97,12 +97,12 @@ def _solved(context: PageContext, rests: Mapping[str, sp.Expr]) -> Iterator[tupl
         yield name, formula
 
 
-def _coriolis(context: PageContext, rests: list[sp.Expr]) -> list[str]:
+def _coriolis(context: PageContext, rests: list[Any]) -> list[str]:
     """Return the products 2 u w of a sliding velocity and an angular one that stand in the second derivatives."""
     variant = context.run.variant
     slides = [c.rate for c in variant.coordinates if c.unit == "m"]
     turns = [c.rate for c in variant.coordinates if c.unit == "rad"]
-    terms = [term for rest in rests for term in sp.Add.make_args(sp.expand(rest))]
+    terms = [term for rest in rests for term in rest.expand().as_ordered_terms()]
     found = [(u, w) for u in slides for w in turns if any({symbol(u), symbol(w)} <= term.free_symbols for term in terms)]
     return [f"2{context.lettering(u)}{context.lettering(w)}" for u, w in found]
 

@@ -159,7 +159,8 @@ def test_a_rubric_of_brackets_is_one_sentence(tmp_path):
 
 
 @pytest.mark.parametrize(("text", "safe"), [
-    ('a;=HYPERLINK("x")', "a;'=HYPERLINK(\"x\")"), ("a\n=1+1", "a\n'=1+1"), ("x; -3 follows", "x; '-3 follows"),
+    ('a;=HYPERLINK("x")', "a;'=HYPERLINK(\"x\")"), ("a\n=1+1", "a\n'=1+1"), ("x; -3 follows", "x; -3 follows"),
+    ("x;-3+cmd|1", "x;'-3+cmd|1"),
     ("a; b = c", "a; b = c"), ("-0.5; text", "'-0.5; text"),
 ])  # fmt: skip
 def test_a_formula_behind_a_separator_is_none(text, safe):
