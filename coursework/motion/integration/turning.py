@@ -42,7 +42,7 @@ def at_times(exact: Motion, rates: Rates, times: Sequence[float]) -> Motion | No
     rows = [row for row in found if row is not None]
     if len(rows) < len(found):
         return None
-    positions = np.array(rows).reshape(len(rows), -1)[:, : len(exact.coordinate_names)]
+    positions = np.array(rows).reshape(len(rows), -1 if rows else len(exact.coordinate_names))[:, : len(exact.coordinate_names)]
     return rates.motion(np.array(times), positions.copy(), exact.scheme, exact.step)
 
 

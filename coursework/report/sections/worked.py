@@ -227,7 +227,7 @@ def _invariants(context: PageContext, extra: ExtraTable) -> list[Part]:
     if not {"stroke", "angle"} <= {*known} or len(driven) != 1 or len(extra.names) != 4:
         return []
     numbers, crank = context.numbers, context.symbol(driven[0])
-    stroke, angle = float(known["stroke"]), float(known["angle"])
+    stroke, angle = float(known["stroke"].values["value"]), float(known["angle"])
     k, a, b, c = extra.rows[len(extra.rows) // 2].tolist()
     texts = [numbers.scalar(x, DIGITS + 2) for x in (a * stroke, b * stroke / angle, c * stroke / angle**2, stroke, angle)]
     s0, s1, s2, size, turn = (f"({text})" if text.startswith("−") else text for text in texts)

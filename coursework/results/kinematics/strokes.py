@@ -1,7 +1,7 @@
 """One stroke of a slider, or one swing of a rocker, from dead position to dead position.
 
 Enters: the exact motion and its rates.  Leaves: `Way`, its ends solved for in continuous time.
-Used by `extra.py`.
+Used by `extra.py` and `turning_points.py`.
 """
 
 from __future__ import annotations
@@ -57,6 +57,14 @@ def longest_way(exact: Motion, rates: Rates, crank: Coordinate, slider: Coordina
     dead = [at_times(exact, rates, [time]) for time in times if time is not None]
     ends = [end for end in dead if end is not None]
     return _stroke(exact, rates, slider, *ends) if len(ends) == 2 else _stretch(exact, rates, slider)
+
+
+def dead_positions(exact: Motion, rates: Rates, rate: str) -> Motion | None:
+    """Return the exact motion in the moments in which the coordinate of a rate turns back, None where one cannot be reached."""
+    samples, brackets = _bracketed(exact, rates, rate)
+    found = [_dead(exact, rates, rate, samples.t[list(one)].tolist()) for one in brackets]
+    times = [time for time in found if time is not None]
+    return at_times(exact, rates, times) if len(times) == len(found) else None
 
 
 def swings(exact: Motion, coordinate: Coordinate) -> bool:

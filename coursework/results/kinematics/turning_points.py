@@ -1,7 +1,6 @@
 """Where coordinates of the exact motion turn back, between its rows, and the stroke between two such positions.
 
 Enters: `Evidence` with its exact motion.  Leaves: `TurningPoint`, `Stroke`.  Used by `report/sections/conclusion.py`.
-A coordinate turns back where its rate changes sign; the moment is sought on the exact motion until the next double.
 """
 
 from __future__ import annotations
@@ -11,13 +10,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from coursework.motion.integration.finer import exact_at
 from coursework.results.checks.evidence import Evidence
+from coursework.results.kinematics.strokes import dead_positions
 
-STILL = 1e-9  # of its largest size: a smaller rate is none
+STILL = 1e-9  # of a period: moments so near are one
 CLOSED = 1e-6  # rad or m: a motion that returns so near has returned
 MOST = 24  # turning points of one coordinate that are sought
-_TRIALS = 60
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,21 +59,18 @@ def turning_points(evidence: Evidence, name: str, rate: str) -> tuple[TurningPoi
     exact = evidence.exact
     if exact is None or name not in exact.coordinate_names or rate not in exact.velocity_names or len(exact.t) < 3:
         return None
-    place, speed = exact.coordinate_names.index(name), exact.velocity_names.index(rate)
-    last = _last(evidence)
-    rates = exact.velocities[: last + 1, speed]
-    signs = np.where(np.abs(rates) > STILL * np.max(np.abs(rates)), np.sign(rates), 0.0)
+    last, place = _last(evidence), exact.coordinate_names.index(name)
+    if not np.any(exact.column(rate)[: last + 1]):
+        return ()
+    whole = evidence.rates.motion(exact.t[: last + 1], exact.coordinates[: last + 1], exact.scheme, exact.step)
+    found = dead_positions(whole, evidence.rates, rate)
+    if found is None or len(found.t) > MOST:
+        return None
+    rows = zip(found.t.tolist(), found.coordinates.tolist(), strict=True)
+    points = tuple(TurningPoint(time, row[place], tuple(row)) for time, row in rows)
     closes = abs(exact.t[last] - evidence.period) < STILL * evidence.period
-    times: list[tuple[float, float] | float] = []
-    for row in range(last):
-        before = signs[row - 1] if row else (signs[last - 1] if closes else 0.0)
-        if signs[row] == 0 and before * signs[row + 1] < 0:
-            times.append(float(exact.t[row]))
-        elif signs[row] * signs[row + 1] < 0:
-            times.append((float(exact.t[row]), float(exact.t[row + 1])))
-    found = [_at(evidence, time, place, speed) for time in times] if len(times) <= MOST else [None]
-    known = tuple(point for point in found if point is not None)
-    return known if len(known) == len(found) else None
+    both = len(points) > 1 and points[-1].time - points[0].time > evidence.period - STILL * evidence.period
+    return points[:-1] if closes and both else points  # the end of a period is its beginning
 
 
 def _last(evidence: Evidence) -> int:
@@ -83,42 +78,6 @@ def _last(evidence: Evidence) -> int:
     exact = evidence.exact
     assert exact is not None
     return min(round(evidence.period / exact.step), len(exact.t) - 1)
-
-
-def _at(evidence: Evidence, time: tuple[float, float] | float, place: int, speed: int) -> TurningPoint | None:
-    """Return the turning point at a time, or between two, by the rule of false position with halved ends (Illinois)."""
-    exact = evidence.exact
-    assert exact is not None
-    many = len(exact.coordinate_names)
-
-    def row_at(moment: float) -> tuple[float, ...] | None:
-        row = exact_at(exact, evidence.rates, moment)
-        return None if row is None else tuple(map(float, row))
-
-    if isinstance(time, float):
-        row = row_at(time)
-        return None if row is None else TurningPoint(time, row[place], row[:many])
-    (begin, end), kept = time, 0
-    first, second = row_at(begin), row_at(end)
-    if first is None or second is None:
-        return None
-    low, high = first[many + speed], second[many + speed]
-    size, row, moment = abs(low) + abs(high), first, begin
-    for _ in range(_TRIALS):
-        moment = (begin * high - end * low) / (high - low)
-        tried = row_at(moment)
-        if tried is None:
-            return None
-        row, value = tried, tried[many + speed]
-        if abs(value) < STILL * STILL * size or math.nextafter(begin, end) >= end:
-            break
-        if value * low > 0:
-            begin, low = moment, value
-            high, kept = (high / 2 if kept < 0 else high), -1
-        else:
-            end, high = moment, value
-            low, kept = (low / 2 if kept > 0 else low), 1
-    return TurningPoint(moment, row[place], row[:many])
 
 
 def stroke(evidence: Evidence, name: str, rate: str, crank: str) -> Stroke | None:

@@ -77,4 +77,4 @@ def test_nothing_is_concluded_that_was_not_asked_for(language: str) -> None:
 def test_of_a_motion_that_stops_no_extremes_are_told() -> None:
     stops = SHAPER.replace('r1 = "0.10 m"', 'r1 = "0.25 m"')
     told, rows = conclusion(solved(stops))
-    assert told[0].startswith("The motion stops at t = ") and rows == []
+    assert told[0].startswith("The rows end at t = ") and rows == []
