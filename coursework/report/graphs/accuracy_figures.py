@@ -23,7 +23,7 @@ STYLES = (
 )  # fmt: skip
 OTHERS = ("own_legend", "end_legend", "floor_legend")  # below the methods
 
-PLOT_HEIGHT = 60.0  # mm of the axes with their labels
+PLOT_HEIGHT = 52.0  # mm of the axes with their labels
 LEFT, RIGHT, TOP, BOTTOM = 14.0, 4.0, 6.0, 10.5  # mm around the axes
 BETWEEN = 6.0  # mm from one panel to the next
 ROOM_X, ROOM_Y = (0.05, 0.09), (0.04, 0.04)  # of the ranges, before and behind what is shown; behind stands a slope
