@@ -164,7 +164,7 @@ class _Counting(Formatter):
     """
 
     def __init__(self, phrases: Phrases) -> None:
-        self._rule, self._mark = PLURALS[phrases.template("plural")], phrases.template("decimal")
+        self._phrases = phrases
 
     def format_field(self, value: Any, format_spec: str) -> str:
         """Return a value in its format, with its noun."""
@@ -173,9 +173,15 @@ class _Counting(Formatter):
         if not nouns:
             return text
         forms = dict(zip(("one", "few", "many", "other"), nouns.split("|"), strict=False))
-        written = "".join(text.replace(self._mark, ".").split())
+        written = "".join(text.replace(self._phrases.template("decimal"), ".").split())
         whole, _, part = written.partition(".")
-        form = "many" if not whole.isdigit() else "other" if part.strip("0") else self._rule(int(whole))
+        form = (
+            "many"
+            if not whole.isdigit()
+            else "other"
+            if part.strip("0")
+            else PLURALS[self._phrases.template("plural")](int(whole))
+        )
         return f"{text} {forms.get(form, forms['few'])}"
 
 

@@ -3,7 +3,7 @@
 Enters: a `Pose` in SI, points and vectors as complex numbers x + iy.  Leaves: `Findings`.
 It knows positions and known velocities only, none of the velocity equations: that is what makes it a check of them.
 Source: Ponomarev, coursework guide, graph-analytical check (mathematics.md section 3); Aronhold's construction link by link.
-Used by `plans/`.
+Used by `check_plan.py`, `drawing.py`, `graph_check.py`, `graph_words.py`, `layout.py`, `readings.py` and `sketch.py`.
 """
 
 from __future__ import annotations

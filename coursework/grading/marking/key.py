@@ -159,7 +159,7 @@ def key_of(variant: Variant) -> Key:
     return Key(variant, model, _complete(solved.values[0]), stop.sentence if stop else "")
 
 
-def euler_tables(variants: Mapping[str, Variant]) -> dict[str, Array]:
+def tables_of(variants: Mapping[str, Variant]) -> dict[str, Array]:
     """Return Euler's tables of variants by name, those of one template together; without any that cannot be computed."""
     alike: dict[tuple[object, ...], dict[str, Variant]] = {}
     for name, variant in variants.items():

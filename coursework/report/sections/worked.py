@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,9 +19,11 @@ from coursework.motion.geometry.time_derivatives import acceleration_rest, compi
 from coursework.report.formulas.display import display
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Display, Equations, Paragraph, Part
-from coursework.results.kinematics.extra import ExtraTable
 from coursework.scene.quantities import ACCELERATIONS, ANALOGS, INVARIANTS, POINTS
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, named, number, spelled
+
+if TYPE_CHECKING:
+    from coursework.results.kinematics.extra import ExtraTable
 
 MOST_EQUATIONS = 6  # of second derivatives on a page
 MOST_SIGNS = 40  # operations of an expression that is differentiated for a page
