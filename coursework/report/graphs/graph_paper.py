@@ -27,7 +27,7 @@ TICK, APART = 0.9, 0.6  # mm: a tick, and between it and its words
 PLAIN = Numbers()
 MOST_DECIMALS, LARGEST = 5, 1e6  # of a number at a tick; beyond them stand powers of ten
 TIME_ROOM = 6.0  # mm at the end of the axis of t, for its name
-MOST_TICKS = 5  # of the values
+MOST_TICKS = 5  # of the values; a low field has fewer, each with the room of its word
 ROOM = 0.07  # of the range of the values, above and below
 RADIUS = 0.62  # mm of a dot
 MOST_DOTS = 60
@@ -82,9 +82,14 @@ def field_for(size: tuple[float, float], t: Sequence[Array], values: Sequence[Ar
         room = 0.5 * max(abs(low), abs(high)) or 1.0
     first, last = float(times.min()), float(times.max())
     low, high = low - room, high + room
-    longest = max(map(len, tick_texts(*round_ticks(low, high, MOST_TICKS), numbers_as)), default=0)
+    longest = max(map(len, tick_texts(*round_ticks(low, high, _most_ticks(size[1])), numbers_as)), default=0)
     left = max(LEFT, TICK + APART + DIGIT * LETTERS * longest)
     return Field(*size, first, last if last > first else first + 1.0, low, high, left)
+
+
+def _most_ticks(height: float) -> int:
+    """Return how many words stand one above the other beside a field in a graph so high (mm)."""
+    return max(1, min(MOST_TICKS, int((height - TOP - BOTTOM) / LETTERS)))
 
 
 def smooth(t: Array, values: Array, rates: Array, between: int = BETWEEN) -> tuple[Array, Array]:
@@ -159,7 +164,7 @@ def axes(field: Field, numbers: Numbers, label: str, unit: str) -> str:
     parts = [f'<path class="axis" fill="none" stroke="{INK}" stroke-width="0.2" d="M{left:g} {top}V{bottom}H{right}"/>']
     if field.low < 0 < field.high:
         parts.append(f'<path class="zero" stroke="{FAINT}" stroke-width="0.15" d="M{left:g} {field.y(0):.2f}H{right}"/>')
-    ticks, decimals = round_ticks(field.low, field.high, MOST_TICKS)
+    ticks, decimals = round_ticks(field.low, field.high, _most_ticks(field.height))
     for value, text in zip(ticks, tick_texts(ticks, decimals, numbers), strict=True):
         y = field.y(value)
         parts.append(f'<path class="axis" stroke="{INK}" stroke-width="0.2" d="M{left:g} {y:.2f}h{-TICK}"/>')

@@ -32,7 +32,7 @@ from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Panel, Panels, Part
 from coursework.system.arrays import Array
 
-SIZE = (82.0, 36.0)  # mm; two stand beside each other in 170 mm
+SIZE = (82.0, 34.0)  # mm; two stand beside each other in 170 mm
 MOST_PANELS = 8  # of one figure: as many as a page holds
 SAMPLE = (10.0, 3.0)  # mm of a line in the key
 

@@ -102,7 +102,7 @@ def _letters(context: PageContext) -> dict[str, str]:
 
 
 def _numbers(count: Mobility) -> str:
-    return f"3·{count.links} − 2·{count.lower_pairs} − {count.higher_pairs} = {count.degrees}"
+    return unbroken(f"3·{count.links} − 2·{count.lower_pairs} − {count.higher_pairs} = {count.degrees}")
 
 
 def _counted(context: PageContext, found: Structure) -> str:

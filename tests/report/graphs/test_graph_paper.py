@@ -61,7 +61,7 @@ def test_a_panel_for_every_column_with_unit_and_symbol(real: ModuleType) -> None
     panels = real.parts(real.full(), "graphs")[0]
     assert [item["name"] for item in panels["items"]] == ["w1", "w2", "w3", "w4", "phi1", "phi2", "phi3"]
     first = panels["items"][0]["svg"]
-    assert 'width="82mm" height="42mm"' in first
+    assert 'width="82mm" height="34mm"' in first
     assert re.search(r">ω</tspan><tspan[^>]*>1</tspan>.*, rad/s</text>", first)
     assert "stop" not in first
     assert [real.text_of(words) for _, words in panels["legend"]] == ["explicit Euler, h = 0.02\u00a0s", "exact motion"]
