@@ -47,24 +47,24 @@ def draw_start(
     equations: VelocityEquations,
     motion: Motion,
     start: list[float],
-    exact: Callable[[], Motion] | None = None,
+    clear: Callable[[], Motion] | None = None,
 ) -> Drawing | None:
     """Return `figure#mechanism`: the start position, None where the file places no points.
 
     `start` are all coordinates at t = 0 (rad, m); rails and slots are as long as the travel of their sliders in `motion`.
-    Where links lie on one line at the start, the drawing shows the row of the `exact` motion in which least coincides.
+    Where links lie on one line at the start, the drawing shows the row of `clear` in which least coincides.
     """
     outline = read_outline(mechanism)
     if outline is None or not outline.names:
         return None
     read, row = read_poses(outline, equations), 0
     t, coordinates = np.zeros(1), np.array([start])
-    if exact is not None and coincides(outline, read(t, coordinates)):
+    if clear is not None and coincides(outline, read(t, coordinates)):
         with suppress(InputError, ArithmeticError):  # what has no exact motion is drawn where it starts
-            closed = exact()
-            if len(closed.t) and all_rows(equations, closed):
-                row = clearest(outline, read(closed.t, closed.coordinates))
-                t, coordinates = closed.t[row : row + 1], closed.coordinates[row : row + 1]
+            shown = clear()
+            if len(shown.t) and all_rows(equations, shown):
+                row = clearest(outline, read(shown.t, shown.coordinates))
+                t, coordinates = shown.t[row : row + 1], shown.coordinates[row : row + 1]
     names = [coordinate.name for coordinate in equations.variant.coordinates]
     values = dict(zip(names, coordinates[0].tolist(), strict=True))
     time = float(t[0])

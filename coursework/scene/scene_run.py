@@ -243,11 +243,15 @@ class SceneRun:
     def mechanism(self) -> Drawing | None:
         """Return the mechanism with names, lengths, angles and drive, None where the file places no points.
 
-        It stands as it starts, or where links lie on one line there, in the row in which least coincides.
+        It stands as it starts, or where links lie on one line there, in the row in which least coincides: of the exact motion
+        where something asked for needs that, else of the table.
         """
         from coursework.drawing.figures import draw_start
 
-        return draw_start(self.scene.mechanism, self.scene.equations, self.motion, self.scene.start, lambda: self.exact)
+        def clear() -> Motion:
+            return self.exact if "exact" in self.plan_with().order else self.motion
+
+        return draw_start(self.scene.mechanism, self.scene.equations, self.motion, self.scene.start, clear)
 
     def at_stop(self) -> Drawing | None:
         """Return the mechanism in the position in which its motion ends, None where it does not end or that is not known."""

@@ -118,6 +118,7 @@ const watch = {
       const name = data.words["scheme_" + one.scheme];
       told.textContent = `${name}, h = ${plain(one.h, 4)} ${data.words.s}: ${shown(one.error, 3)}, ${this.duration(one.time)}`;
     }
-    tell("lab-key", [...new Set(marks.map((one) => one.scheme))].map((name) => data.words["scheme_" + name]).join(", "));
+    // No line breaks within the name of a scheme.
+    tell("lab-key", [...new Set(marks.map((one) => one.scheme))].map((name) => `\ue003${data.words["scheme_" + name]}\ue004`).join(", "));
   },
 };

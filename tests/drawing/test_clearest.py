@@ -14,7 +14,7 @@ from coursework import load, parse_variant, solve
 from coursework.drawing.figures import draw_start
 from coursework.run import Run
 from tests.drawing import measured
-from tests.drawing.test_mechanism import drawing_of, run_of
+from tests.drawing.test_mechanism import drawing_of
 
 ARMS = """format = 1
 title = "Two arms"
@@ -178,11 +178,16 @@ def test_a_driven_arrow_ends_beside_joints_and_hinges() -> None:
     assert 13.0 in lengths and len(lengths) > 1
 
 
-def test_the_row_is_of_the_motion_itself() -> None:
-    """The table of a driven point drifts; what is drawn closes."""
-    run, drawing = run_of("v102"), drawing_of("v102")
+@pytest.mark.parametrize(("asked", "is_exact"), [("plots", True), ("table", False)])
+def test_the_row_is_of_the_motion_itself_where_that_is_asked_for(asked: str, is_exact: bool) -> None:
+    """The table of a driven point drifts; what is drawn closes beside graphs of the exact motion, else it is the table's row."""
+    run = solve("v102", quantities=(asked,))
+    drawing = run.mechanism()
+    assert drawing is not None
     row = int(re.search(r"row (\d+)", drawing.caption)[1])  # type: ignore[index]
     assert row > 1
+    assert ("exact" in run.scene.ledger.calls) is is_exact
+    motion = run.exact if is_exact else run.motion
     [crank] = [line for line in measured.lines(drawing.svg, "data-link") if line.says.get("data-from") == "D"]
     way = (crank.b - crank.a).conjugate()
-    assert cmath.phase(way) == pytest.approx(math.remainder(float(run.exact.column("phi1")[row - 1]), math.tau), abs=1e-3)
+    assert cmath.phase(way) == pytest.approx(math.remainder(float(motion.column("phi1")[row - 1]), math.tau), abs=1e-3)

@@ -12,8 +12,7 @@ import pytest
 import coursework
 from coursework import write_report
 from coursework.report.pages import build_model, render_html, render_pdf
-from coursework.report.text.numbers import NOTHING
-from coursework.report.text.parts import Table
+from coursework.report.text.parts import Paragraph
 from coursework.variant.reading.reader import parse_variant
 from coursework.variant.reading.set_values import with_set
 from coursework.words.data_folders import folder
@@ -52,7 +51,7 @@ def test_everything_that_can_be_asked_for_has_a_page(reading: ModuleType) -> Non
     everything = coursework.solve("31", quantities=(*ASKED, "accelerations", "points", "accuracy"))
     model = build_model(everything)
     names = [section.name for section in model.sections]
-    assert names[-4:] == ["points", "checks", "accuracy", "method"]
+    assert names[-5:] == ["points", "conclusion", "checks", "accuracy", "method"]
     assert reading.numbers(reading.html_text(render_html(model))) == reading.numbers(reading.pdf_text(render_pdf(model)))
 
 
@@ -68,12 +67,12 @@ def test_the_impossible_drive_of_variant_31(reading: ModuleType) -> None:
     assert reading.numbers(page) == reading.numbers(reading.pdf_text(render_pdf(model)))
 
 
-def test_a_check_row_at_rest_is_drawn_and_compared_without_percentages() -> None:
+def test_a_check_row_at_rest_is_not_drawn_and_the_page_says_why() -> None:
     run = coursework.solve(with_set(coursework.load("robot-arm"), (), 1), quantities=["table", "graph_check"])
     assert run.graph_check is not None and all(reading.table == 0 for reading in run.graph_check.readings)
     (section,) = (section for section in build_model(run).sections if section.name == "graph_check")
-    (table,) = (part for part in section.parts if isinstance(part, Table))
-    assert {row[-1] for row in table.rows} == {NOTHING}
+    (told,) = section.parts
+    assert isinstance(told, Paragraph) and "".join(run.get("t", "") for run in told.text).endswith("nothing moves in that row.")
 
 
 def test_a_motion_that_jumps_between_its_rows_costs_lines_of_the_study_only() -> None:
