@@ -39,7 +39,7 @@ _TOGETHER = tuple(
         r"(?<![\w-])\w{2,12}(?:-\w{1,12}){1,2}(?![\w-])(?:[ \u00a0]\d(?:\(\d\))?(?!\w|\.\d))?",  # Runge-Kutta 4
         rf"{_APART}-{_APART}",  # the same in Chinese, where a line may break at any other place of the name
         rf"{_NUMBER}[{_GAP}]{_UNIT}(?!\w)[.,;:)]*",
-        rf"{_BEGIN}{_OF_QUOTIENT}+/{_OF_QUOTIENT}+(?!{_SIGN})",
+        rf"{_BEGIN}{_OF_QUOTIENT}+(?:/{_OF_QUOTIENT}+)+(?!{_SIGN})",  # (m/s)/mm too
         rf"(?<!\w)(?:\w{{1,14}}:[{_GAP}](?!\{{scheme)|{_ROW}[{_GAP}]){_NUMBER}",
         rf"{_FUNCTION}[{_GAP}]{_SIGN}{{1,12}}(?!{_SIGN})",
         rf"{_BEGIN}[−-]?\d+[{_GAP}][α-ωϕ]{_SIGN}{{0,6}}(?!{_SIGN})",

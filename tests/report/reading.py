@@ -181,4 +181,5 @@ def normal(text: str) -> str:
 
 def numbers(text: str, decimals: int = 3) -> Counter[str]:
     """Return the numbers with at least so many decimals, counted (ticks of figures have fewer)."""
+    text = re.sub(r"− (?=\d)", "−", text)  # a PDF has no space behind the minus of a sum
     return Counter(re.findall(rf"−?\d+\.\d{{{decimals},}}", text))
