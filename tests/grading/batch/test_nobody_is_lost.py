@@ -15,8 +15,8 @@ from coursework.grading.batch.journal import Entry, Journal
 from coursework.grading.platforms.escapes import text_cell
 from coursework.system import lock
 from coursework.words.errors import OutputError
-from tests.grading.batch.classroom import csv, hand_in, small_class
-from tests.grading.batch.test_batch import grade, submissions
+from tests.grading.batch.classroom import EQUATIONS, csv, hand_in, small_class
+from tests.grading.batch.test_batch import grade, rows, submissions
 from tests.grading.marking import students
 
 posix = pytest.mark.skipif(os.name != "posix", reason="names of any bytes, links and pipes are of POSIX")
@@ -172,3 +172,12 @@ def test_json_of_the_class_can_be_read_whatever_the_names(tmp_path):
     assert grade(tmp_path / "in", tmp_path / "out").exit_code == 0
     assert [*submissions(tmp_path / "out")] == ["a;=1"]
     assert json.loads((tmp_path / "out" / "grades.json").read_text(encoding="utf-8"))
+
+
+def test_an_equation_nobody_can_read_is_a_question_with_points_proposed_and_never_a_deduction(tmp_path):
+    hand_in(tmp_path / "in" / "ivan", equations=(*EQUATIONS[:3], "w3*zeta(phi3) - r2*w2*cos(phi2) = 0"))
+    assert grade(tmp_path / "in", tmp_path / "out").exit_code == 0
+    entry = submissions(tmp_path / "out")["ivan"]
+    assert (entry["status"], entry["score"], entry["proposed"]) == ("needs-review", None, 90.0)
+    assert "zeta" in rows(tmp_path / "out")["ivan"]["sentence"]
+    assert "zeta" in (tmp_path / "out" / "class.html").read_text(encoding="utf-8")
