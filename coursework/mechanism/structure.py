@@ -14,9 +14,10 @@ import itertools
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
-from coursework.mechanism.groups.joint import Joint, JointKind
-from coursework.mechanism.joints import FRAME, Linkage, Mobility, chain_of_groups, link_names, with_sliders
+from coursework.mechanism.groups.joint import Joint
+from coursework.mechanism.joints import FRAME, Linkage, chain_of_groups, link_names, with_sliders
 from coursework.mechanism.mechanism import Mechanism
+from coursework.mechanism.structure_record import AssurGroup, KinematicPair, Member, Structure
 from coursework.variant.formula.tree import Formula
 from coursework.variant.record.variant import Variant
 
@@ -24,56 +25,6 @@ DRIVE = "~"  # stands for what moves a driven point
 MOST_LINKS = 12  # of a mechanism whose groups are looked for among all sets of its links
 FIRST, SECOND = "I", "II"
 CLASSES = (FIRST, SECOND, "III", "IV", "V", "VI", "VII", "VIII")
-
-
-@dataclass(frozen=True, slots=True)
-class Member:
-    """A moving link: `name`, the named `points` it holds, the `rate` it turns with ("" where it has none of its own), its `kind`:
-    wheel, slider, sleeve, lever, pivoted (crank or rocker, which its motion tells), coupler, link.
-    """
-
-    name: str
-    points: tuple[str, ...]
-    rate: str
-    kind: str
-
-
-@dataclass(frozen=True, slots=True)
-class KinematicPair:
-    """A pair of two `links`, named, the frame "0"; `point` where it is, "" where no point is named there."""
-
-    kind: JointKind
-    links: tuple[str, str]
-    point: str
-
-
-@dataclass(frozen=True, slots=True)
-class AssurGroup:
-    """Some `links` that add no mobility, `kind` such as "RRP" ("" for no dyad of R and P); `order` counts the outer pairs.
-
-    Class I is a driven link; of it `links` begins with that on which it stands.
-    """
-
-    links: tuple[str, ...]
-    group_class: str
-    order: int = 0
-    kind: str = ""
-
-
-@dataclass(frozen=True, slots=True)
-class Structure:
-    """Links and pairs with their sliders, `mobility` counted so and `without` the sliders, `drives` the freedoms driven.
-
-    `groups` in the order of assembly, empty where they are not found; `driven` the point that a drive moves, "" for none.
-    """
-
-    links: tuple[Member, ...]
-    pairs: tuple[KinematicPair, ...]
-    mobility: Mobility
-    without: Mobility
-    drives: int
-    driven: str = ""
-    groups: tuple[AssurGroup, ...] = ()
 
 
 def read_structure(mechanism: Mechanism) -> Structure | None:

@@ -7,7 +7,8 @@ import pytest
 import coursework
 from coursework.mechanism.groups.joint import MESHING, PRISMATIC, REVOLUTE, ROLLING
 from coursework.mechanism.mechanism import build
-from coursework.mechanism.structure import Structure, read_structure
+from coursework.mechanism.structure import read_structure
+from coursework.mechanism.structure_record import Structure
 from coursework.variant.catalogue import names
 from tests.report.own import FIVE_BAR, SHAPER
 

@@ -17,6 +17,7 @@ from coursework.grading.collecting.matching import match
 from coursework.grading.collecting.sources import Source
 from coursework.grading.platforms.roster import Roster
 from coursework.grading.platforms.worksheet import Worksheet, WorksheetRow
+from coursework.grading.reading.equations.variant_files import is_variant_file
 from coursework.grading.reading.submission import Submission
 from coursework.variant.catalogue import find
 from coursework.variant.reading.reader import read_variant
@@ -108,6 +109,8 @@ def class_of_roster(source: Source, roster: Roster, file: Path, worksheet: Works
 def read_source(name: str, folder: Path) -> tuple[Variant, VariantSource]:
     """Return a variant and its bytes, by a name of the catalogue or a path (from `folder`).  Raises `InputError`."""
     path = folder / name
+    if path.is_file() and not is_variant_file(path.read_text(encoding="utf-8", errors="replace")):
+        raise InputError([Fault(say("fault.G066"), str(path))])  # and nothing of it is quoted
     variant = read_variant(path if path.is_file() else find(name))
     assert variant.path is not None
     content = variant.path.read_bytes()

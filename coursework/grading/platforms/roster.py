@@ -58,7 +58,7 @@ def read_roster(content: bytes, file: str) -> Roster:
         if not student:
             faults.append(Fault(say("fault.G019"), file, line))
         elif first := seen.get(same_key(student)):
-            faults.append(Fault(say("fault.G020", student=student, first=first), file, line))
+            faults.append(Fault(say("fault.G020", student=student[:80], first=first), file, line))
         seen.setdefault(same_key(student), line)
         kept = {title: cells.value(record, place) for title, place in more.items()}
         students.append(Student(student, told["name"], told["email"], told["variant"], kept, line))

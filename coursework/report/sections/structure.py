@@ -11,7 +11,8 @@ from collections.abc import Sequence
 
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.joints import FRAME, Mobility
-from coursework.mechanism.structure import FIRST, AssurGroup, Member, Structure, read_structure
+from coursework.mechanism.structure import FIRST, read_structure
+from coursework.mechanism.structure_record import AssurGroup, Member, Structure
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Facts, Part
 from coursework.report.text.symbols import symbol

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from coursework.variant.reading import schema
 from coursework.variant.reading.parts import Parts
-from coursework.variant.reading.shape import NAMELESS
+from coursework.variant.reading.stand_ins import NAMELESS
 from coursework.variant.record.variant import Frame, Group, Guide, Link
 from coursework.variant.toml.positions import KeyPath
 from coursework.words.sentences import closest, say

@@ -17,15 +17,13 @@ from typing import Any
 from pydantic import ValidationError
 
 from coursework.variant.reading import schema
+from coursework.variant.reading.stand_ins import Entry, at, stand_in
 from coursework.variant.record.vocabulary import GROUP_KINDS
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, either, load_phrases, say
-
-Entry = dict[str, Any]
-NAMELESS = "?"  # stands for a coordinate of a group that nobody can read
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +58,7 @@ def read_shape(source: Source) -> Shape:
             hidden = hidden.union(*(_hides(path, entry) for path, entry in found.items()))
             repaired |= found.keys()
             for path, entry in found.items():
-                _repair(data, path, entry)
+                stand_in(data, path, entry)
 
 
 def _hides(path: KeyPath, entry: Entry) -> set[str]:
@@ -96,7 +94,7 @@ def _entries(errors: Iterable[Any], data: dict[str, Any]) -> dict[KeyPath, Entry
     tables = [path for path, entries in grouped.items() if {kind for kind, _ in entries} & _TABLES]
     result: dict[KeyPath, Entry] = {}
     for path, entries in grouped.items():
-        if isinstance(_at(data, path), dict) and any(other[: len(path)] == path and other != path for other in tables):
+        if isinstance(at(data, path), dict) and any(other[: len(path)] == path and other != path for other in tables):
             continue  # the table's own entries say more than "this is no text"
         meant = [e for kind, e in entries if kind not in {"Table", "Pieces"} or kind == _meant(data, path)]
         if meant:
@@ -122,18 +120,9 @@ def _path_in(data: Any, loc: KeyPath, problem: str) -> tuple[KeyPath, str]:
 _TABLES = {"Table", "Pieces", "Unknown"}  # models of what may be a text as well
 
 
-def _at(data: Any, path: KeyPath) -> Any:
-    for part in path:
-        try:
-            data = data[part]
-        except (KeyError, IndexError, TypeError):
-            return None
-    return data
-
-
 def _meant(data: dict[str, Any], path: KeyPath) -> str:
     """Return whether a law of several keys is meant for a table of numbers or for pieces."""
-    owner = _at(data, path[:2])
+    owner = at(data, path[:2])
     keys = set(owner) if isinstance(owner, dict) else set()
     return "Pieces" if "pieces" in keys or (path[0] == "drive" and not keys & {"table", "of", "method"}) else "Table"
 
@@ -226,70 +215,6 @@ def _closest(entry: Entry) -> str:
     expected = re.findall(r"'([^']+)'", str((entry.get("ctx") or {}).get("expected", "")))
     value = entry.get("input")
     return closest(value, expected) if isinstance(value, str) else ""
-
-
-def _repair(data: dict[str, Any], path: KeyPath, entry: Entry) -> None:
-    """Put a stand-in in the place of a fault, or take it out."""
-    if path[-1] == "[key]":
-        path = path[:-1]
-    section, *inner = path
-    depth = 1 if len(inner) < 1 else 2
-    owner = _at(data, path[: depth - 1])
-    if entry["type"] == "extra_forbidden":
-        owner, key = _at(data, path[:-1]), path[-1]
-        if isinstance(owner, dict):
-            owner.pop(key, None)
-    elif section == "unknowns" and len(inner) > 1 and inner[1] != "unit" and isinstance(owner, dict):
-        owner[inner[0]].pop(inner[1], None)
-    elif section in _STAND_INS and depth == 2 and isinstance(owner, dict):
-        owner[inner[0]] = _STAND_INS[section]
-    elif section == "coordinates":
-        _repair_coordinates(data, inner)
-    elif section == "time":
-        _repair_time(data, inner)
-    elif section == "group" and len(inner) > 1 and isinstance(group := _at(data, path[:2]), dict):
-        _repair_group(group, str(inner[1]), entry)
-    elif section == "constraint" and depth == 2 and isinstance(owner, list):
-        owner[int(inner[0])] = {"equation": "0 = 0"}
-    elif section in {"frame", "closure", "ask", "links"} and isinstance(owner, dict):
-        owner.pop(inner[0] if inner else section, None)
-    else:
-        data.pop(str(section), None)
-
-
-_STAND_INS = {"given": 1, "drive": "0", "functions": "1", "unknowns": "1", "points": "(0, 0)"}
-
-
-def _repair_coordinates(data: dict[str, Any], inner: list[str | int]) -> None:
-    if not inner:
-        data["coordinates"] = {"coordinate": {"rate": "its_rate"}}
-        return
-    coordinate = data["coordinates"][inner[0]]
-    if isinstance(coordinate, dict) and len(inner) > 1 and inner[1] in {"start", "unit"}:
-        coordinate.pop(inner[1], None)
-    else:
-        data["coordinates"][inner[0]] = {"rate": f"rate_of_{inner[0]}"[:40]}
-
-
-def _repair_group(group: dict[str, Any], key: str, entry: Entry) -> None:
-    if key == "kind":
-        alike = difflib.get_close_matches(str(entry.get("input")), GROUP_KINDS, n=1)
-        group[key] = alike[0] if alike else next(iter(GROUP_KINDS))
-    elif key == "coordinates":
-        group[key] = [NAMELESS]
-    else:
-        group.pop(key, None)
-
-
-def _repair_time(data: dict[str, Any], inner: list[str | int]) -> None:
-    time = data.get("time")
-    if not inner or not isinstance(time, dict):
-        data["time"] = {"step": 1, "end": 1}
-    elif inner[0] in {"step", "end"}:
-        other = time.get("end" if inner[0] == "step" else "step")
-        time[inner[0]] = other if isinstance(other, (str, int, float)) and not isinstance(other, bool) else 1
-    else:
-        time.pop(inner[0], None)
 
 
 def _keys_of(path: KeyPath, data: dict[str, Any]) -> list[str]:

@@ -12,7 +12,7 @@ from click.testing import CliRunner
 from coursework.commands.cli import main
 from coursework.grading.batch import workers
 from coursework.system import pool
-from tests.grading.batch.classroom import EQUATIONS, hand_in, small_class
+from tests.grading.batch.classroom import hand_in, small_class
 from tests.grading.marking import students
 
 
@@ -64,15 +64,6 @@ def test_every_submission_has_a_state_and_only_graded_ones_a_number(graded):
     assert found["emil"]["sentence"].startswith("Line 4 of the equations is not right. A sign at column ")
     assert found["ada"]["sentence"] == ""
     assert "PDF" in found["fred"]["sentence"]
-
-
-def test_an_equation_nobody_can_read_is_a_question_with_points_proposed_and_never_a_deduction(tmp_path):
-    hand_in(tmp_path / "in" / "ivan", equations=(*EQUATIONS[:3], "w3*zeta(phi3) - r2*w2*cos(phi2) = 0"))
-    assert grade(tmp_path / "in", tmp_path / "out").exit_code == 0
-    entry = submissions(tmp_path / "out")["ivan"]
-    assert (entry["status"], entry["score"], entry["proposed"]) == ("needs-review", None, 90.0)
-    assert "zeta" in rows(tmp_path / "out")["ivan"]["sentence"]
-    assert "zeta" in (tmp_path / "out" / "class.html").read_text(encoding="utf-8")
 
 
 def test_grades_json_has_the_fixed_keys(graded):

@@ -15,8 +15,8 @@ from coursework.grading.batch.journal import Entry, Journal
 from coursework.grading.platforms.escapes import text_cell
 from coursework.system import lock
 from coursework.words.errors import OutputError
-from tests.grading.batch.classroom import csv, hand_in, small_class
-from tests.grading.batch.test_batch import grade, submissions
+from tests.grading.batch.classroom import EQUATIONS, csv, hand_in, small_class
+from tests.grading.batch.test_batch import grade, rows, submissions
 from tests.grading.marking import students
 
 posix = pytest.mark.skipif(os.name != "posix", reason="names of any bytes, links and pipes are of POSIX")
@@ -172,3 +172,30 @@ def test_json_of_the_class_can_be_read_whatever_the_names(tmp_path):
     assert grade(tmp_path / "in", tmp_path / "out").exit_code == 0
     assert [*submissions(tmp_path / "out")] == ["a;=1"]
     assert json.loads((tmp_path / "out" / "grades.json").read_text(encoding="utf-8"))
+
+
+def test_an_equation_nobody_can_read_is_a_question_with_points_proposed_and_never_a_deduction(tmp_path):
+    hand_in(tmp_path / "in" / "ivan", equations=(*EQUATIONS[:3], "w3*zeta(phi3) - r2*w2*cos(phi2) = 0"))
+    assert grade(tmp_path / "in", tmp_path / "out").exit_code == 0
+    entry = submissions(tmp_path / "out")["ivan"]
+    assert (entry["status"], entry["score"], entry["proposed"]) == ("needs-review", None, 90.0)
+    assert "zeta" in rows(tmp_path / "out")["ivan"]["sentence"]
+    assert "zeta" in (tmp_path / "out" / "class.html").read_text(encoding="utf-8")
+
+
+def test_what_is_no_variant_is_not_quoted_and_long_ids_are_cut(tmp_path):
+    (tmp_path / "in" / "ada").mkdir(parents=True)
+    (tmp_path / "private.txt").write_text("a secret = 'x' [[[", encoding="utf-8")
+    (tmp_path / "roster.csv").write_text("id,name,email,variant\nada,A,a@b,private.txt\n", encoding="utf-8")
+    done = grade(tmp_path / "in", tmp_path / "out", "--roster", tmp_path / "roster.csv")
+    assert (done.exit_code, "secret" in done.output, done.output.count("G066")) == (2, False, 1)
+    long = "x" * 300
+    (tmp_path / "roster.csv").write_text(f"id,name,email,variant\n{long},A,a,31\n{long},B,b,31\n", encoding="utf-8")
+    done = grade(tmp_path / "in", tmp_path / "out", "--roster", tmp_path / "roster.csv")
+    assert (done.exit_code, "x" * 81 in done.output) == (2, False)
+
+
+def test_an_empty_address_of_a_scheduler_is_said_to_be_this_machine(tmp_path):
+    hand_in(tmp_path / "in" / "ada")
+    done = grade(tmp_path / "in", tmp_path / "out", "--scheduler", "")
+    assert (done.exit_code, "on this machine" in done.output) == (0, True)

@@ -104,3 +104,14 @@ def test_a_table_of_the_key_s_own_digits_is_noted_as_a_copy_and_one_of_a_program
     own[3, 2] += 5e-13
     assert not _is_the_key(StudentTable(own, np.full(own.shape, 1e-14)), key)
     assert not _is_the_key(StudentTable(np.round(key.table, 4), np.full(key.table.shape, 1e-4)), key)
+
+
+@pytest.mark.parametrize("name", ["31", "v102"])
+def test_the_table_of_other_data_earns_at_most_five_of_sixty(name):
+    variant, chance = coursework.load(name), np.random.default_rng(2)
+    lengths = [given for given in variant.given if given.si == "m"]
+    for _ in range(12):
+        given = {one.name: one.value * (1 + chance.uniform(-0.1, 0.1)) for one in lengths}
+        table = key_of(variant.with_data(given=given)).table
+        if table.shape == marker(name).key.table.shape:
+            assert share(name, table) <= MOST

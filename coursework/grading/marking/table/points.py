@@ -50,7 +50,7 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
         credit[:, m:][cells.carried[:, m:] & ~follows[:, None]] = 0.0
     # What never changes is right in any row, whatever else stands there.
     credit[:, key.ranges <= _CONSTANT * np.max(np.abs(key.table), axis=0)] *= follows[:, None]
-    if not follows[1:].any():
+    if not (rows_enough and follows[1:].any()):
         credit[~_in_a_run(marks == KEY)] = 0.0
     credit[marks == GIVEN] = 0.0
     return TablePoints(float(credit.sum()) / count if count else 0.0, count, start_right)
