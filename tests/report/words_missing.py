@@ -51,6 +51,11 @@ def gaps(sentence: str) -> set[str]:
     return {name for _, name, _, _ in Formatter().parse(sentence) if name}
 
 
+def numeric(sentence: str) -> set[str]:
+    """Return the names of the gaps that take a number with decimals: a text there stops the page."""
+    return {name for _, name, form, _ in Formatter().parse(sentence) if name and form and form[-1] in "efg"}
+
+
 def complaints(language: str) -> Iterator[str]:
     """Yield a line for each key that is missing, unknown, or has other gaps than in English."""
     english, own = read(ENGLISH), read(language)
@@ -68,6 +73,8 @@ def complaints(language: str) -> Iterator[str]:
             yield f"{key} = {sentence!r}"
         elif (gaps(own[key]) ^ gaps(sentence)) - ({"number"} if key.rpartition(".")[0] in plural else set()):
             yield f"{key}: gaps {sorted(gaps(own[key]))}, in English {sorted(gaps(sentence))}"
+        elif wrong := sorted(numeric(own[key]) - numeric(sentence)):
+            yield f"{key}: formats of a number for {wrong}, a text in English"
     parts = {f"{base}.other" for base in plural}  # the form beside a number that is not whole
     for key in sorted(own.keys() - parts):
         if key not in wanted and not key.startswith(UNLISTED):

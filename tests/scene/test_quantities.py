@@ -13,7 +13,7 @@ from coursework.commands.cli import main
 from coursework.drawing.paper.record import Drawing
 from coursework.report.pages import build_model
 from coursework.report.sections import sections
-from coursework.report.sections.sections import APPENDIX, NUMBERED, PAPER
+from coursework.report.sections.sections import APPENDIX, FIRST, LAST, PAPER
 from coursework.report.text.parts import Paragraph
 from coursework.results.kinematics.extra import ExtraTable
 from coursework.scene import quantities
@@ -127,7 +127,7 @@ def test_a_quantity_with_a_section_of_its_own(tmp_path, monkeypatch):
 
 
 def test_every_record_is_shown_somewhere():
-    written = {quantity.name for _, quantity in (*NUMBERED, *PAPER, *APPENDIX) if quantity is not None}
+    written = {quantity.name for _, quantity in (*FIRST, *PAPER, *LAST, *APPENDIX) if quantity is not None}
     assert written == {one.name for one in QUANTITIES if isinstance(one.shows, OwnSection)}
     assert all(one.compute.__doc__ for one in QUANTITIES)
 

@@ -26,6 +26,7 @@ def kept(sentence: str) -> list[str]:
         ("为四阶龙格-库塔法 24 步的 2.8 倍", ["格-库"]),
         ("a = b = c", ["a = b = c"]),
         ("speed_of_the_block = twice_its_part = 4", ["speed_of_the_block =", "twice_its_part ="]),
+        ("in pv o′·0,05 (м/с)/мм и", ["(м/с)/мм"]),
         ("F = D + (62.5, 70) mm, at 4.9·10−4 m", ["F = D + (62.5, 70) mm", "4.9·10−4 m"]),
         ("Δ = −r sin(φ2 − φ3) is zero", ["Δ = −r sin(φ2 − φ3)"]),
         ("In 24 steps and 3 seconds, as said: well", []),
