@@ -17,7 +17,7 @@ from coursework.report.text.parts import Figure
 from coursework.report.wording.closeness import LocalError, evidence
 from coursework.system.arrays import Array
 
-SIZE = (96.0, 25.0)  # mm; the screen of a phone shows it whole
+SIZE = (96.0, 24.0)  # mm; the screen of a phone shows it whole
 LETTER = 1.9  # mm, the mean width of a letter
 BESIDE = 0.35  # of a step, shown before it and, at least, behind it
 FINE = 32  # points of the curve a step
