@@ -14,7 +14,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import IO
 
-from coursework.system.whole_files import refused
+from coursework.system.whole_files import clear_leftovers, refused
 from coursework.words.errors import Fault, OutputError
 from coursework.words.sentences import say
 
@@ -33,6 +33,7 @@ def held(folder: Path) -> Iterator[None]:
         file.seek(0)
         file.truncate()
         file.write(str(os.getpid()).encode("ascii"))
+        clear_leftovers(folder)
         yield
     finally:
         with suppress(OSError):  # Windows removes no open file

@@ -16,6 +16,7 @@ from pathlib import Path
 from coursework.words.errors import Fault, OutputError
 from coursework.words.sentences import say
 
+_BEGUN = ".coursework-"
 _FAULTS = {
     errno.ENOSPC: "fault.W001", errno.EDQUOT: "fault.W002", errno.EROFS: "fault.W004", errno.EISDIR: "fault.W006",
     errno.ENAMETOOLONG: "fault.W007", **dict.fromkeys((errno.EACCES, errno.EPERM), "fault.W003"),
@@ -39,7 +40,7 @@ def refused(target: Path) -> Iterator[None]:
 def write_bytes(path: Path | str, content: bytes) -> None:
     """Write a whole file; folders on the way are made.  Raises `OutputError`, leaving what was there before."""
     target = Path(path)
-    part = target.with_name(f".coursework-{secrets.token_hex(6)}.part")
+    part = target.with_name(f"{_BEGUN}{secrets.token_hex(6)}.part")
     with refused(target):
         target.parent.mkdir(parents=True, exist_ok=True)
         try:
@@ -48,6 +49,12 @@ def write_bytes(path: Path | str, content: bytes) -> None:
         except BaseException:
             part.unlink(missing_ok=True)
             raise
+
+
+def clear_leftovers(folder: Path) -> None:
+    """Remove what a process that was killed had begun to write into a folder, which nobody else writes into now."""
+    for left in folder.rglob(f"{_BEGUN}*.part"):
+        left.unlink(missing_ok=True)
 
 
 def write_through(path: Path, content: bytes) -> None:

@@ -122,9 +122,11 @@ def test_results_among_submissions_are_refused(tmp_path):
 def test_a_folder_is_held_by_one_process_and_let_go_when_it_ends(tmp_path):
     with lock.held(tmp_path), pytest.raises(OutputError, match=str(os.getpid())), lock.held(tmp_path):
         pass
+    (tmp_path / "feedback").mkdir()
+    (tmp_path / "feedback" / ".coursework-0123456789ab.part").write_bytes(b"begun by a process that was killed")
     with lock.held(tmp_path):
         pass
-    assert not list(tmp_path.iterdir())
+    assert [path.name for path in tmp_path.rglob("*")] == ["feedback"]
 
 
 def test_two_graders_at_once_leave_the_bytes_of_one(tmp_path):
