@@ -9,11 +9,13 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 from coursework.commands.screen import in_language, tell, tell_own_file
 from coursework.scene.model.variant_text import variant_text
+from coursework.scene.quantities import ACCELERATIONS, ANALOGS, CHECKS, GRAPH_CHECK, INVARIANTS, PLOTS, POINTS, TABLE, Quantity
 from coursework.system.whole_files import write_bytes
 from coursework.variant.catalogue import find, load, names
 from coursework.variant.reading.set_values import with_set
@@ -25,6 +27,9 @@ from coursework.words.sentences import ENGLISH, say, say_count
 MOST_GROUPS = 20
 # A remark behind # (a text before it has no # inside), or the text behind one of these keys.
 _TEXTS = re.compile(r"""(^[^#\n]*# |^(?:source|teaches|because) *= ")(.+?)("?$)""", re.M)
+
+if TYPE_CHECKING:
+    from coursework.mechanism.drafts.chain import Draft
 
 
 def new_variant(
@@ -84,9 +89,19 @@ def _chain(stem: str, kinds: str) -> bytes:
     if len(named) < 2 or len(named) > MOST_GROUPS or not group_kind(named[0]).driven:
         raise InputError(say("fault.C072", found=", ".join(named) or say("fault.part.nothing"), most=MOST_GROUPS))
     try:
-        return text_of(draft_of(named), stem, in_language).encode("utf-8")
+        draft = draft_of(named)
+        return text_of(draft, stem, in_language, [one.name for one in _asked(draft)]).encode("utf-8")
     except DoesNotClose as error:
         raise InputError(say("fault.C073", number=error.number, kind=named[error.number - 1])) from error
+
+
+def _asked(draft: Draft) -> Iterator[Quantity[Any]]:
+    """Give what a chain can be asked for."""
+    yield from (TABLE, PLOTS, CHECKS, GRAPH_CHECK, ACCELERATIONS, POINTS)
+    if draft.turns_one_crank:
+        yield ANALOGS
+        if draft.slides:
+            yield INVARIANTS
 
 
 def _copies(target: Path, original: str, set_values: Sequence[str]) -> dict[Path, bytes]:

@@ -79,6 +79,16 @@ class Draft:
         """Return the groups that a drive turns."""
         return [group for group in self.groups if group.kind.driven]
 
+    @property
+    def turns_one_crank(self) -> bool:
+        """Return whether everything goes by the angle of one crank that turns all the way."""
+        return len(self.cranks) == 1 and not self.cranks[0].swings
+
+    @property
+    def slides(self) -> bool:
+        """Return whether a coordinate is a length."""
+        return any(own.unit == "m" for group in self.groups for own in group.coordinates)
+
 
 class DoesNotClose(ValueError):
     """No dimensions were found in which the group of this number (from 1) closes for the whole turn."""

@@ -5,7 +5,7 @@ Enters: a `Draft`, the name of the file, what puts a sentence into a language.  
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from unicodedata import east_asian_width
 
 from coursework.mechanism.drafts.chain import SWING, TURNED, Draft, GroupDraft, GuideOf
@@ -19,9 +19,9 @@ Said = Callable[[str], str]
 Line = tuple[str, str]  # what the file says, and the comment
 
 
-def text_of(draft: Draft, name: str, said: Said) -> str:
-    """Return the file; `said` returns a sentence as it is written in the language of the comments."""
-    lines = [_written(code, said(comment) if comment else "") for code, comment in _lines(draft, name, said)]
+def text_of(draft: Draft, name: str, said: Said, asked: Sequence[str]) -> str:
+    """Return the file, which asks for some quantities; `said` returns a sentence in the language of the comments."""
+    lines = [_written(code, said(comment) if comment else "") for code, comment in _lines(draft, name, said, asked)]
     return "\n".join(lines) + "\n"
 
 
@@ -32,7 +32,7 @@ def _written(code: str, comment: str) -> str:
     return f"{code:<{_COMMENT - wide}} # {comment}" if code else f"# {comment}"
 
 
-def _lines(draft: Draft, name: str, said: Said) -> Iterator[Line]:
+def _lines(draft: Draft, name: str, said: Said, asked: Sequence[str]) -> Iterator[Line]:
     kinds = ", ".join(str(group.kind) for group in draft.groups)
     yield "", say("new.head", name=name, kinds=kinds)
     yield "", say("new.change_data")
@@ -57,10 +57,6 @@ def _lines(draft: Draft, name: str, said: Said) -> Iterator[Line]:
         yield from _group(group, number)
     yield from _frame(draft)
     yield "[ask]", say("new.ask")
-    asked = ["table", "plots", "checks", "graph_check", "accelerations", "points"]
-    if len(draft.cranks) == 1 and not draft.cranks[0].swings:  # what goes by the angle of the one crank
-        slides = any(own.unit == "m" for group in draft.groups for own in group.coordinates)
-        asked += ["analogs", *(["invariants"] if slides else [])]
     listed = ", ".join(f'"{quantity}"' for quantity in asked)
     yield f"quantities = [{listed}]", say("new.quantities")
 
