@@ -5,6 +5,7 @@ Three pages of the PDF of variant 31 beside each other: the first, the one with 
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pymupdf
@@ -23,7 +24,13 @@ def picture_of(pdf: bytes) -> bytes:
     """Return the PNG of the pages shown."""
     pages, sheet = pymupdf.open(stream=pdf, filetype="pdf"), pymupdf.open()
     texts = [page.get_text() for page in pages]
-    shown = [0, *(next(number for number, text in enumerate(texts) if f"\n{head}" in text) for head in SHOWN)]
+    shown = [
+        0,
+        *(
+            next(number for number, text in enumerate(texts) if re.search(rf"\n(?:\d+\s+)?{re.escape(head)}", text))
+            for head in SHOWN
+        ),
+    ]
     width, height = pages[0].rect.width, pages[0].rect.height
     wide = sheet.new_page(width=3 * width + 2 * GAP, height=height)
     wide.draw_rect(wide.rect, color=None, fill=(0.75, 0.75, 0.75))
