@@ -181,9 +181,10 @@ def _join(first: Term, second: Term, order: Order) -> Term | None:
     if abs(first[0]) != abs(second[0]):
         return None
     a, b = dict(first[1]), dict(second[1])
-    only_a = {atom: p - b.get(atom, 0) for atom, p in a.items() if p > b.get(atom, 0)}
-    only_b = {atom: p - a.get(atom, 0) for atom, p in b.items() if p > a.get(atom, 0)}
-    shared = {atom: min(p, b[atom]) for atom, p in a.items() if atom in b}
+    # A divisor of one term only is a factor that the other has more of.
+    shared = {atom: power for atom in {**a, **b} if (power := min(a.get(atom, 0), b.get(atom, 0)))}
+    only_a = {atom: p for atom in {**a, **b} if (p := a.get(atom, 0) - shared.get(atom, 0))}
+    only_b = {atom: p for atom in {**b, **a} if (p := b.get(atom, 0) - shared.get(atom, 0))}
     trig_a, trig_b = _two_angles(only_a), _two_angles(only_b)
     if trig_a is None or trig_b is None:
         return None

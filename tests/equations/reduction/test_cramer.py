@@ -67,10 +67,17 @@ def as_variant(size, equations):
     return parse_variant(text, "v.toml")
 
 
+# Terms that an addition theorem would join but for their divisors, of which each has its own.
+OTHER_DIVISORS = (2, [
+    ([(0, "c/(2 + cos(q1))"), (1, "-a*sin(q1)*cos(q0)")], "V"), ([(0, "c/(2 + cos(q0))"), (1, "-a*sin(q0)*cos(q1)")], "V"),
+])  # fmt: skip
+
+
 @settings(max_examples=120, deadline=None)
 @given(systems(), st.integers(0, 10**6))
 @example((2, [([(0, "a*cos(q0)"), (1, "b*cos(q1)")], "V"), ([(0, "-a*sin(q0)"), (1, "-b*sin(q1)")], "0")]), 1)
 @example((2, [([(0, "c"), (1, "c")], "V"), ([(0, "a*cos(q0)"), (1, "b*q1")], "0")]), 2)
+@example(OTHER_DIVISORS, 0)
 def test_shown_and_computed_solve_the_system(system, seed):
     size, equations = system
     try:
