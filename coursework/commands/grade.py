@@ -73,7 +73,7 @@ def grade_source(
             written = write_gradebook(
                 out, listed, graded, marking, worksheet=sheet, canvas=gradebook, moodle=moodle, language=language
             )
-            if set(graded.places) != {place.id for place in listed.places}:
+            if len(graded.places) != len(listed.places):
                 raise RuntimeError(f"{len(listed.places)} submissions, {len(graded.places)} grades")
             _tell(listed, graded.fresh, len(graded.changes), out, written, {e.id: e.grade["status"] for e in graded.entries()})
             journal.rewrite([graded.places[student] for student in sorted(graded.places)])

@@ -22,6 +22,7 @@ from coursework.grading.reading.submission import Submission
 from coursework.variant.catalogue import find
 from coursework.variant.reading.reader import read_variant
 from coursework.variant.record.variant import Variant
+from coursework.variant.toml.source import MAX_BYTES
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
@@ -109,15 +110,26 @@ def class_of_roster(source: Source, roster: Roster, file: Path, worksheet: Works
 def read_source(name: str, folder: Path) -> tuple[Variant, VariantSource]:
     """Return a variant and its bytes, by a name of the catalogue or a path (from `folder`).  Raises `InputError`."""
     path = folder / name
-    if path.is_file() and not is_variant_file(path.read_text(encoding="utf-8", errors="replace")):
+    is_file = path.is_file()
+    if is_file and not _is_variant(path):
         raise InputError([Fault(say("fault.G066"), str(path))])  # and nothing of it is quoted
-    variant = read_variant(path if path.is_file() else find(name))
+    variant = read_variant(path if is_file else find(name))
     assert variant.path is not None
     content = variant.path.read_bytes()
     beside = [law.file for law in (*variant.drive, *variant.functions) if law.file]
     return variant, VariantSource(
         variant.path.stem, content, {file: (variant.path.parent / file).read_bytes() for file in beside}
     )
+
+
+def _is_variant(path: Path) -> bool:
+    """Return whether a file is meant as a variant; of one that is too large or cannot be opened its reader says why."""
+    try:
+        with path.open("rb") as file:
+            content = file.read(MAX_BYTES + 1)
+    except OSError:
+        return True
+    return len(content) > MAX_BYTES or is_variant_file(content.decode("utf-8", errors="replace"))
 
 
 def _by_id(places: Sequence[Place]) -> tuple[Place, ...]:

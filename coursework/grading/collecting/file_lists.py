@@ -10,6 +10,7 @@ import re
 import unicodedata
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
+from itertools import count
 from pathlib import PurePosixPath
 
 from coursework.grading.platforms.downloads import Owner, canvas_owner, moodle_owner
@@ -153,11 +154,15 @@ def _with_ids(file_lists: Iterable[FileList]) -> Iterator[FileList]:
     same: dict[str, list[FileList]] = {}
     for file_list in file_lists:
         same.setdefault(unicodedata.normalize("NFC", legible(file_list.id)), []).append(file_list)
+    taken = {*same}
     for student, listed in same.items():
-        for place, file_list in enumerate(sorted(listed, key=lambda one: one.id.encode("utf-8", "surrogatepass")), start=1):
+        listed.sort(key=lambda one: one.id.encode("utf-8", "surrogatepass"))
+        for file_list in listed:
+            own = student if file_list is listed[0] else next(one for n in count(2) if (one := f"{student}~{n}") not in taken)
+            taken.add(own)
             yield replace(
                 file_list,
-                id=student if place == 1 else f"{student}~{place}",
+                id=own,
                 name=None if file_list.name is None else legible(file_list.name),
                 folder=legible(file_list.folder),
                 files=tuple((legible(name), where) for name, where in file_list.files),

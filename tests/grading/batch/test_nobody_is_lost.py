@@ -201,3 +201,13 @@ def test_an_empty_address_of_a_scheduler_is_said_to_be_this_machine(tmp_path):
     hand_in(tmp_path / "in" / "ada")
     done = grade(tmp_path / "in", tmp_path / "out", "--scheduler", "")
     assert (done.exit_code, "on this machine" in done.output) == (0, True)
+
+
+@posix
+def test_an_id_made_for_a_twin_is_nobody_else_s(tmp_path):
+    for name in (unicodedata.normalize("NFC", "René"), unicodedata.normalize("NFD", "René"), "René~2"):
+        hand_in(tmp_path / "in" / name)
+    assert grade(tmp_path / "in", tmp_path / "out").exit_code == 0
+    found = submissions(tmp_path / "out")
+    assert sorted(found) == ["René", "René~2", "René~3"]
+    assert [found[student]["status"] for student in sorted(found)] == ["needs-review", "graded", "needs-review"]
