@@ -22,7 +22,7 @@ from coursework.variant.reading.set_values import with_set
 from coursework.variant.record.vocabulary import GROUP_KINDS
 from coursework.words.data_folders import REPORTS, folder
 from coursework.words.errors import InputError
-from coursework.words.sentences import ENGLISH, say, say_count
+from coursework.words.sentences import ENGLISH, closest, say, say_count
 
 MOST_GROUPS = 20
 # A remark behind # (a text before it has no # inside), or the text behind one of these keys.
@@ -72,8 +72,6 @@ def _template(stem: str, language: str) -> bytes:
 
 def _chain(stem: str, kinds: str) -> bytes:
     """Return the file of a chain.  Raises `InputError` for kinds that make none."""
-    from difflib import get_close_matches
-
     from coursework.mechanism.drafts.chain import DoesNotClose, draft_of
     from coursework.mechanism.drafts.text import text_of
     from coursework.mechanism.groups import group_kind
@@ -82,8 +80,7 @@ def _chain(stem: str, kinds: str) -> bytes:
     meant = {kind.lower(): kind for kind in GROUP_KINDS}
     known = ", ".join(GROUP_KINDS)
     if wrong := [kind for kind in asked if kind.lower() not in meant]:
-        alike = get_close_matches(wrong[0].lower(), [*meant], n=1)
-        hint = say("hint.closest", name=meant[alike[0]]) if alike else ""
+        hint = closest(wrong[0], [*meant.values()]) or closest(wrong[0].upper(), [*meant.values()])
         raise InputError(say("fault.C071", kind='", "'.join(dict.fromkeys(wrong)), hint=hint, known=known))
     named = [meant[kind.lower()] for kind in asked]
     if len(named) < 2 or len(named) > MOST_GROUPS or not group_kind(named[0]).driven:

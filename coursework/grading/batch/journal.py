@@ -43,16 +43,18 @@ class _Line:
 
 def _written(entry: Entry) -> bytes:
     text = line_of(entry).decode("ascii").rstrip("\n")
-    return line_of(_Line(hashlib.sha256(text.encode()).hexdigest()[:_DIGITS], text))
+    return line_of(_Line(_sum_of(text), text))
+
+
+def _sum_of(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()[:_DIGITS]
 
 
 def _read(line: bytes) -> Entry | None:
     """Return the entry of a line, None for one that is torn, damaged, or was written by somebody else."""
     try:
         found = read_line(_Line, line)
-        if hashlib.sha256(found.entry.encode()).hexdigest()[:_DIGITS] != found.sum:
-            return None
-        return read_line(Entry, found.entry.encode())
+        return read_line(Entry, found.entry.encode()) if found.sum == _sum_of(found.entry) else None
     except ValueError:
         return None
 

@@ -10,7 +10,7 @@ import re
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import islice
+from itertools import islice, pairwise
 
 from coursework.grading.reading.equations.answers import read_answer
 from coursework.grading.reading.equations.equations import (
@@ -22,7 +22,7 @@ from coursework.grading.reading.equations.equations import (
     spellings_for,
 )
 from coursework.grading.reading.equations.latex import logical_lines
-from coursework.grading.reading.equations.meanings import key, parts_of
+from coursework.grading.reading.equations.meanings import key
 from coursework.grading.reading.equations.names_in_text import Spellings
 from coursework.grading.reading.equations.plain_text import without_labels
 from coursework.grading.reading.expected import Expected
@@ -83,6 +83,24 @@ def _written(text: str) -> Iterator[tuple[int, str]]:
         bare = line.partition("#")[0].strip()
         if bare:
             yield number, bare
+
+
+def parts_of(line: str) -> list[str]:
+    """Return the equations of one line, parted by semicolons, or by commas that stand between two of them.
+
+    >>> parts_of("w3 = 0,5*w1, w4 = atan2(1, w3)")
+    ['w3 = 0,5*w1', 'w4 = atan2(1, w3)']
+    """
+    if line.count("=") < 2:
+        return [line]
+    depth, cuts = 0, [-1]
+    for place, sign in enumerate(line):
+        depth += {"(": 1, "[": 1, "{": 1, ")": -1, "]": -1, "}": -1}.get(sign, 0)
+        is_decimal = sign == "," and line[place - 1 : place].isdigit() and line[place + 1 : place + 2].isdigit()
+        if sign in ",;" and depth == 0 and not is_decimal and "=" in line[cuts[-1] + 1 : place]:
+            cuts.append(place)
+    pieces = [line[start + 1 : end].strip() for start, end in pairwise([*cuts, len(line)])]
+    return pieces if all("=" in piece for piece in pieces) else [line]
 
 
 def _beside(text: str, sign: str | None) -> Iterator[tuple[int, str]]:

@@ -10,7 +10,6 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import lru_cache
-from itertools import pairwise
 
 from coursework.grading.reading.expected import Expected
 from coursework.mechanism.mechanism import build
@@ -117,21 +116,3 @@ def put_in(tree: Formula, meanings: Mapping[str, Formula]) -> Formula | None:
 
 def _at(tree: Formula, column: int) -> Formula:
     return replace(mapped(tree, lambda arg: _at(arg, column)), column=column)
-
-
-def parts_of(line: str) -> list[str]:
-    """Return the equations of one line, parted by semicolons, or by commas that stand between two of them.
-
-    >>> parts_of("w3 = 0,5*w1, w4 = atan2(1, w3)")
-    ['w3 = 0,5*w1', 'w4 = atan2(1, w3)']
-    """
-    if line.count("=") < 2:
-        return [line]
-    depth, cuts = 0, [-1]
-    for place, sign in enumerate(line):
-        depth += {"(": 1, "[": 1, "{": 1, ")": -1, "]": -1, "}": -1}.get(sign, 0)
-        is_decimal = sign == "," and line[place - 1 : place].isdigit() and line[place + 1 : place + 2].isdigit()
-        if sign in ",;" and depth == 0 and not is_decimal and "=" in line[cuts[-1] + 1 : place]:
-            cuts.append(place)
-    pieces = [line[start + 1 : end].strip() for start, end in pairwise([*cuts, len(line)])]
-    return pieces if all("=" in piece for piece in pieces) else [line]
