@@ -40,11 +40,6 @@ def conclusion(context: PageContext) -> list[Part]:
     return [*([Bullets([context.lettered(one) for one in told])] if told else []), *extremes]
 
 
-def _driven(context: PageContext) -> list[Coordinate]:
-    variant = context.run.variant
-    return [c for c in variant.coordinates if c.rate in variant.known_rates]
-
-
 def _outputs(context: PageContext) -> Iterator[Coordinate]:
     """Yield what may have a stroke: sliders in guides of the frame, then links that turn about it, the last of each first."""
     variant, mechanism = context.run.variant, context.run.scene.mechanism
@@ -65,7 +60,7 @@ def _outputs(context: PageContext) -> Iterator[Coordinate]:
 
 
 def _stroke(context: PageContext) -> list[str]:
-    say, driven = context.words, _driven(context)
+    say, driven = context.words, context.run.variant.driven_coordinates
     if len(driven) != 1 or len(context.run.variant.drive) != 1 or driven[0].unit != "rad":
         return []
     crank = driven[0].name
@@ -124,8 +119,13 @@ def _return(context: PageContext) -> list[str]:
     if not found:
         return []
     row = context.run.results.evidence.period_row or 0
+    driven = {coordinate.name for coordinate in variant.driven_coordinates}
     time = context.quantity(float(context.run.motion.t[row]), "s")
-    own = [split for split in left if split.name in coordinates and split.name not in {c.name for c in _driven(context)}]
+    own = [
+        split
+        for split in left
+        if split.name in coordinates and split.name not in {c.name for c in context.run.variant.driven_coordinates}
+    ]
     if not own:
         key = "conclusion.positions" if left else "conclusion.repeats"
         return [say(key, row=row + 1, time=time)]
@@ -151,7 +151,7 @@ def _gap(context: PageContext, split: Split, value: float) -> str:
 def _extremes(context: PageContext) -> list[Part]:
     """Return least and greatest of every coordinate that turns back, with the moments and the angle of the crank there."""
     say, variant, judged = context.words, context.run.variant, evidence(context)
-    exact, driven = judged.exact, _driven(context)
+    exact, driven = judged.exact, context.run.variant.driven_coordinates
     if exact is None or judged.restricted:
         return []
     crank = driven[0].name if len(driven) == 1 and driven[0].unit == "rad" else ""

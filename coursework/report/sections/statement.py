@@ -286,7 +286,7 @@ def _misses(context: PageContext) -> list[Runs]:
 def _driven(context: PageContext) -> set[str]:
     """Return the coordinates whose rate is driven: of them it is known where they are."""
     variant = context.run.variant
-    return {c.name for c in variant.coordinates if c.rate in variant.known_rates}
+    return {c.name for c in variant.driven_coordinates}
 
 
 def _plausibility(context: PageContext) -> list[Part]:

@@ -225,7 +225,7 @@ def _quotients(context: PageContext, extra: ExtraTable) -> list[Part]:
 def _invariants(context: PageContext, extra: ExtraTable) -> list[Part]:
     """What a, b, c are made of, and a line in the middle of the stroke with the stroke S and the angle Φ of the caption."""
     known = getattr(extra.title, "values", {})
-    driven = [c.name for c in context.run.variant.coordinates if c.rate in context.run.variant.known_rates]
+    driven = [c.name for c in context.run.variant.driven_coordinates]
     if not {"stroke", "angle"} <= {*known} or len(driven) != 1 or len(extra.names) != 4:
         return []
     numbers, crank = context.numbers, context.symbol(driven[0])

@@ -102,7 +102,7 @@ def invariant_table(variant: Variant, way: Way, second: Array) -> ExtraTable:
 
 
 def _crank(variant: Variant) -> Coordinate:
-    driven = [c for c in variant.coordinates if c.rate in variant.known_rates]
+    driven = variant.driven_coordinates
     if len(driven) != 1:
         raise _refused(
             variant,

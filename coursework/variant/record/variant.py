@@ -116,6 +116,11 @@ class Variant:
         return tuple(rate for rate in self.rates if rate in laws)
 
     @property
+    def driven_coordinates(self) -> tuple[Coordinate, ...]:
+        """Return the coordinates whose rate stands in [drive]."""
+        return tuple(coordinate for coordinate in self.coordinates if coordinate.rate in self.known_rates)
+
+    @property
     def sought(self) -> tuple[str, ...]:
         """Return the unknown velocities: rates not driven, then [unknowns]."""
         known = set(self.known_rates)

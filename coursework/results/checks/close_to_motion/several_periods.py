@@ -71,7 +71,7 @@ def missed(evidence: Evidence, row: Array, name: str) -> float:
 def _later(evidence: Evidence) -> Later | None:
     exact, variant, period = evidence.exact, evidence.variant, evidence.period
     assert exact is not None
-    driven = [coordinate.name for coordinate in variant.coordinates if coordinate.rate in variant.known_rates]
+    driven = [coordinate.name for coordinate in variant.driven_coordinates]
     once = after(evidence, period) if driven else None
     if once is None or any(missed(evidence, once, name) > RETURNS for name in (*driven, *variant.known_rates)):
         return None
