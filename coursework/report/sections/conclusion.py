@@ -121,11 +121,7 @@ def _return(context: PageContext) -> list[str]:
     row = context.run.results.evidence.period_row or 0
     driven = {coordinate.name for coordinate in variant.driven_coordinates}
     time = context.quantity(float(context.run.motion.t[row]), "s")
-    own = [
-        split
-        for split in left
-        if split.name in coordinates and split.name not in {c.name for c in context.run.variant.driven_coordinates}
-    ]
+    own = [split for split in left if split.name in coordinates and split.name not in driven]
     if not own:
         key = "conclusion.positions" if left else "conclusion.repeats"
         return [say(key, row=row + 1, time=time)]
