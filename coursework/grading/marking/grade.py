@@ -21,7 +21,7 @@ from coursework.grading.marking.table.cells import HALF, Cells, StudentTable, ma
 from coursework.grading.marking.table.first_wrong import FirstWrong, first_wrong
 from coursework.grading.marking.table.misconceptions import Misconception, find_misconception, indistinct, looked_for
 from coursework.grading.marking.table.own_equations import own_share
-from coursework.grading.marking.table.points import TablePoints, stands_still, table_points
+from coursework.grading.marking.table.points import Earned, TablePoints, best_rule, stands_still, table_points
 from coursework.grading.marking.verdicts import Verdicts, verdicts
 from coursework.grading.reading.student_work import StudentWork, Table
 from coursework.grading.reading.submission import Note, note
@@ -36,7 +36,7 @@ GRADED = ("graded", "graded-with-notes")
 
 @dataclass(frozen=True)
 class TableMarks:
-    """Everything about a marked table; `share` of its points after the floors.
+    """Everything about a marked table; `earned` says which share of its points it has and how they came about.
 
     `hidden` are the misconceptions that its digits cannot tell, None where none was looked for.
     """
@@ -46,8 +46,13 @@ class TableMarks:
     points: TablePoints
     first: FirstWrong | None
     misconception: Misconception | None
-    share: float
+    earned: Earned
     hidden: tuple[str, ...] | None = None
+
+    @property
+    def share(self) -> float:
+        """Return the share of the table's points."""
+        return self.earned.share
 
 
 @dataclass(frozen=True)
@@ -171,20 +176,22 @@ class Marker:
 
     def _table(self, table: Table, equations: EquationMarks | None) -> TableMarks:
         cells = mark_cells(self.key, student_of(self.key, table))
-        earned = table_points(self.key, cells, self.rubric.carried)
+        points = table_points(self.key, cells, self.rubric.carried)
         named = hidden = None
-        if looked_for(self.key, cells, earned.cells):
+        if looked_for(self.key, cells, points.cells):
             hidden = self._hidden(cells.student)
             named = find_misconception(self.key, cells, self.confusions, self.others, hidden)
-        fit = named.share if named and not named.code.startswith("variant_") else 0.0
-        own = own_share(self.key, cells, equations) if equations else 0.0
-        floor = (
-            0.0
-            if stands_still(self.key, cells)
-            else max(self.rubric.misconception_floor * fit, self.rubric.own_equations_floor * own)
-        )
-        share = max(earned.share, floor)
-        return TableMarks(table, cells, earned, first_wrong(self.key, cells), named, share, hidden)
+        others: list[Earned] = []
+        if not stands_still(self.key, cells):
+            if named and not named.code.startswith("variant_"):
+                floor = self.rubric.misconception_floor
+                fit = named.share
+                others.append(Earned(floor * fit, "misconception", points.share, fit, floor, named.code, points.shut))
+            if equations and (own := own_share(self.key, cells, equations)):
+                floor = self.rubric.own_equations_floor
+                line = str(equations.wrong[0].line.line)
+                others.append(Earned(floor * own, "own_equations", points.share, own, floor, line, points.shut))
+        return TableMarks(table, cells, points, first_wrong(self.key, cells), named, best_rule(points, *others), hidden)
 
     def _hidden(self, student: StudentTable) -> tuple[str, ...]:
         """Return what columns of these digits cannot tell; a class prints with few sorts of digits."""

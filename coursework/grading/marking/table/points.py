@@ -1,11 +1,13 @@
 """Marked cells -> the share of the table's points, with the gates that give nothing for nonsense.
 
-Enters: `Cells`.  Leaves: `TablePoints`.  Used by `grade.py`.
+Enters: `Cells`.  Leaves: `TablePoints`, `Earned`.  Used by `grade.py`.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
 
 import numpy as np
 
@@ -21,13 +23,47 @@ _RUN = 5
 _SPARE, _MOST, _FOLLOWING = 0.25, 0.66, 0.75
 
 
+GATES = ("start", "used_velocity", "rows", "motion", "chance")
+Rule = Literal["cells", "start", "misconception", "own_equations"]
+
+
 @dataclass(frozen=True, slots=True)
 class TablePoints:
-    """`share` of the table earned by its cells; how many cells count; whether row 1 is right."""
+    """`share` of the table earned by its cells; how many cells count; whether row 1 is right.
+
+    `shut` counts the cells that are right and do not count, by the gate that closed: row 1 is wrong ("start"), a step was made
+    with a velocity that is wrong or not there ("used_velocity"), too few rows have all velocities right ("rows"), the row
+    belongs to no motion ("motion"), single right cells are chance ("chance").
+    """
 
     share: float
     cells: int
     start_right: bool
+    shut: Mapping[str, int] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Earned:
+    """How the points of a table came about: the best of what several rules give.
+
+    `share` of the points by `rule`; `of_cells` the share by cells alone; `explained` the share of cells that the rule's
+    explanation covers (0 for "cells") and `worth` the number of the rubric it was multiplied by (1 for "cells"); `cause` the code
+    of the misconception or start, or the number of the student's own equation, "" for "cells"; `shut` as in `TablePoints`.
+    """
+
+    share: float
+    rule: Rule
+    of_cells: float
+    explained: float
+    worth: float
+    cause: str
+    shut: Mapping[str, int]
+
+
+def best_rule(points: TablePoints, *others: Earned) -> Earned:
+    """Return what earns most; of equal ones the cells, then the first."""
+    by_cells = Earned(points.share, "cells", points.share, 0.0, 1.0, "", points.shut)
+    return max((by_cells, *others), key=lambda earned: earned.share)
 
 
 def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
@@ -41,19 +77,36 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
     rows_enough = bool(np.mean(np.all(right[:, m:], axis=1)) >= ENOUGH_ROWS) if rows else False
     credit = np.where(marks == KEY, 1.0, 0.0)
     follows = rows_that_follow(key, cells)
+    closed: dict[str, Flags] = {}
     if start_right:
         credit[cells.carried] = carried
         steps = np.isin(marks[:, :m], (STEP, STEP_TRUE))
         open_gate = np.zeros_like(steps)
         open_gate[1:] = right[:-1, m : 2 * m] & (_moves(cells.student.values[:, :m]) | ~_moves(key.table[:, :m]))
-        credit[:, :m][steps & ~(open_gate & rows_enough)] = 0.0
-        credit[:, m:][cells.carried[:, m:] & ~follows[:, None]] = 0.0
+        closed["used_velocity"] = _padded(steps & ~open_gate, r)
+        closed["rows"] = _padded(steps & ~np.full_like(steps, rows_enough), r)
+        closed["motion"] = cells.carried & ~follows[:, None]
+        closed["motion"][:, :m] = False
+    else:
+        closed["start"] = cells.carried
     # What never changes is right in any row, whatever else stands there.
-    credit[:, key.ranges <= _CONSTANT * np.max(np.abs(key.table), axis=0)] *= follows[:, None]
+    still = key.ranges <= _CONSTANT * np.max(np.abs(key.table), axis=0)
+    closed["motion"] = closed.get("motion", np.zeros_like(right)) | (right & still & ~follows[:, None])
     if not (rows_enough and follows[1:].any()):
-        credit[~_in_a_run(marks == KEY)] = 0.0
+        closed["chance"] = right & ~_in_a_run(marks == KEY)
+    shut: dict[str, int] = {}
+    for gate in GATES:
+        if gate in closed:
+            gone = closed[gate] & (marks != GIVEN) & (credit > 0 if gate != "start" else right)
+            shut |= {gate: int(gone.sum())} if gone.any() else {}
+            credit[closed[gate]] = 0.0
     credit[marks == GIVEN] = 0.0
-    return TablePoints(float(credit.sum()) / count if count else 0.0, count, start_right)
+    return TablePoints(float(credit.sum()) / count if count else 0.0, count, start_right, shut)
+
+
+def _padded(steps: Flags, velocities: int) -> Flags:
+    """Return flags of angles (n, m) as flags of a table (n, m + velocities)."""
+    return np.hstack([steps, np.zeros((len(steps), velocities), dtype=bool)])
 
 
 def rows_that_follow(key: Key, cells: Cells) -> Flags:
