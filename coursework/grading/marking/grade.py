@@ -191,7 +191,7 @@ class Marker:
                 floor = self.rubric.own_equations_floor
                 line = str(equations.wrong[0].line.line)
                 others.append(Earned(floor * own, "own_equations", points.share, own, floor, line, points.shut))
-        return TableMarks(table, cells, points, first_wrong(self.key, cells), named, best_rule(points, *others), hidden)
+        return TableMarks(table, cells, points, first_wrong(self.key, cells, table), named, best_rule(points, *others), hidden)
 
     def _hidden(self, student: StudentTable) -> tuple[str, ...]:
         """Return what columns of these digits cannot tell; a class prints with few sorts of digits."""
