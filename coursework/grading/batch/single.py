@@ -36,7 +36,9 @@ def _told(grade: Mapping[str, Any], part: str, words: Phrases) -> str:
     """Return what a student reads about a part: why it has the points it has, then line by line what each is."""
     lines = [told(grade, words, part)]
     if part == "equations":
-        lines += [f"{item['line']}: {words.said('feedback.equation.' + item['verdict'])}" for item in grade[part]["items"]]
+        asked = {"unreadable": "asked"} if grade["status"] == "needs-review" else {}  # a line nobody could read is a question
+        verdicts = [(item["line"], asked.get(item["verdict"], item["verdict"])) for item in grade[part]["items"]]
+        lines += [f"{line}: {words.said(f'feedback.equation.{verdict}')}" for line, verdict in verdicts]
     if part == "answers":
         lines += [f"{item['name']}: {words.said('feedback.answer.' + item['verdict'])}" for item in grade[part]["items"]]
     return "\n".join(line for line in lines if line)

@@ -87,10 +87,12 @@ def feedback_page(grade: Grade, student: str, name: str | None, final: Mapping[s
         parts=parts,
         summary=[lettered(sentence) for sentence in summary(grade)] if "total" not in decided else [],
         notes=[
-            lettered(clean(words.written(entry.text), LONGEST_TEXT)) for entry in grade.notes if entry.code not in _BESIDE_LINES
+            lettered(clean(text, LONGEST_TEXT))
+            for text in (words.written(entry.text) for entry in grade.notes if entry.code not in _BESIDE_LINES)
+            if all(text != entry["text"] for entry in final["reasons"])
         ],
         table=_table(grade, grade.table, words) if grade.table else None,
-        equations=_equations(grade, words),
+        equations=_equations(grade, lettered),
         answers=_answers(grade, words),
     )
 
@@ -116,6 +118,7 @@ def _page(
         points=shown_points(final["score"], words),
         most=shown_points(final["max"], words),
         why=_why(reasons, lettered, words),
+        counted=any(entry["part"] == "table" and entry["kind"] == "rule" for entry in reasons),
         **words.throughout(content),
     )
 
@@ -198,7 +201,7 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
         "names": [_symbol(name) for name in key.names],
         "second": words.unit("s"),
         "units": [
-            words.unit(column.unit if column else key.variant.unit_of(name))
+            words.unit(column.shown_unit if column else key.variant.unit_of(name))
             for name, column in zip(key.names, columns, strict=True)
         ], "rows": rows,
         "left_out": len(key.table) - len(chosen), "left_out_wrong": len({*wrong_rows} - {*chosen}),
@@ -232,14 +235,14 @@ def typeset(text: str) -> str:
     return _NEGATIVE.sub("−", text)
 
 
-def _equations(grade: Grade, words: Phrases) -> dict[str, Any] | None:
+def _equations(grade: Grade, lettered: Callable[[str], str]) -> dict[str, Any] | None:
     if grade.equations is None:
         return None
     marks = grade.equations
     items = [
         {
             "line": mark.line.line, "text": clean(mark.line.text, LONGEST_TEXT), "sign": _VERDICT_SIGNS[mark.verdict],
-            "why": why_of_line(mark, asked=marks.unread is not None),
+            "why": lettered(why_of_line(mark, asked=marks.unread is not None)),
         }
         for mark in marks.marks
     ]  # fmt: skip

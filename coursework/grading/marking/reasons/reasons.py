@@ -19,6 +19,8 @@ from coursework.words.templates import clean
 
 # Sentences that name another person or number are for the teacher; a student reads these in their place.
 _FOR_STUDENTS = ("same_id", "other_variant")
+# Notes about cells that are not there, which cost their points.
+_COSTS = ("rows_missing", "too_coarse", "date_cell", "error_cell")
 
 
 def reasons(grade: Grade) -> list[Reason]:
@@ -41,6 +43,7 @@ def state_reason(reason: Sentence | str) -> Reason:
 
 def _of_part(grade: Grade, part: str, points: float | None, most: float) -> Iterator[Reason]:
     if part == "table" and grade.table and points is not None:
+        yield from (Reason("table", "note", note.text) for note in grade.notes if note.code in _COSTS)
         yield from table_reasons(grade.key, grade.table, grade.rubric.carried, points, most)
     elif part == "equations" and grade.equations:
         yield from equation_reasons(grade.equations, points, most)

@@ -52,6 +52,8 @@ def table_reasons(key: Key, marked: TableMarks, carried: float, points: float, m
         yield Reason("table", "first", marked.first.sentence)
     yield from _causes(key, marked)
     yield from _odd_rows(key, marked)
+    if absent := tuple(name for name in key.names if marked.table.column(name) is None):
+        yield Reason("table", "finding", say("feedback.columns_missing", names=absent))
     for gate, number in marked.earned.shut.items():
         limits = {"share": round(100 * ENOUGH_ROWS), "run": RUN}
         yield Reason("table", "finding", say_count(f"feedback.shut.{gate}", number, **limits))

@@ -19,7 +19,7 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 # The rate that goes with a coordinate in one sum: angles in degrees step with degrees a second.
-_RATE_OF = {"rad": "1/s", "deg": "deg/s", "m": "m/s", "mm": "mm/s", "cm": "cm/s"}
+_RATE_OF = {"rad": "rad/s", "deg": "deg/s", "m": "m/s", "mm": "mm/s", "cm": "cm/s"}
 _MOST_DIGITS = 12  # of a number in a sentence
 _TURN = 2 * math.pi
 _SAID = {KEY: "key", ANGLES: "own angles", EARLIER: "own velocities", STEP: "step", STEP_TRUE: "step", START: "start"}
@@ -76,7 +76,8 @@ def _shown(key: Key, table: Table | None, name: str) -> _Shown:
     column = table.column(name) if table else None
     if column is None:
         return _Shown(si, 1.0, 0)
-    return _Shown(column.unit, PRINTED.get(si, {}).get(column.unit, 1.0), column.turns)
+    known = PRINTED.get(si.replace("rad/s", "1/s"), {})
+    return _Shown(column.shown_unit, known.get(column.unit, 1.0), column.turns)
 
 
 def _explained(key: Key, cells: Cells, table: Table | None, row: int, place: int) -> FirstWrong:
