@@ -1,0 +1,133 @@
+"""Cases beside those of `truths.py`, so that every sentence is said once: decisions, measured values, longer and other tables.
+
+Each is (files, the variant's bytes, decisions, why a person must look).
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+import coursework
+from coursework.grading.batch.decisions import Override
+from coursework.grading.batch.work import VariantSource
+from coursework.grading.marking.key import key_of
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
+from tests.grading.batch.classroom import EQUATIONS, NAMES
+from tests.grading.batch.classroom import csv as table_csv
+from tests.grading.marking import students
+from tests.grading.marking.students import DATA, START, H, velocities
+from tests.grading.pages.truths import RIGHT, cases, files
+
+RUBRIC = """[parts]
+answers = 20
+[answers]
+wA = { of = "w2", row = 4 }
+wB = { of = "w1", row = 4 }
+wC = { of = "w3", row = 4 }
+wD = { of = "w4", row = 4 }
+[table]
+carried = 0.9
+[[confusion]]
+datum = "r1"
+value = "0.8 m"
+"""
+ANSWERS = "wA = 0.1136\nwB = 0.82\nwC = 99\nwD = nine\n"
+CATALOGUE = Path(__file__).parents[3] / "variants"
+Handed = tuple[dict[str, bytes], VariantSource, tuple[Override, ...], Sentence | None]
+
+
+def text(table: np.ndarray, names: tuple[str, ...], step: float = H, decimals: int = 4) -> bytes:
+    """A table without the cells that are NaN."""
+    lines = ["t;" + ";".join(names)]
+    for k, row in enumerate(table):
+        lines.append(f"{k * step:.{decimals + 2}f};" + ";".join("" if np.isnan(v) else f"{v:.{decimals}f}" for v in row))
+    return "\n".join(lines).encode()
+
+
+def new_phi() -> np.ndarray:
+    """What is solved after w3 is solved with phi3 already moved to the next row."""
+
+    def printed(t, q):
+        w3 = velocities(t, q)[2]
+        moved = (q[0], q[1], q[2] + H * w3)
+        cos, sin = np.cos(moved[2]), np.sin(moved[2])
+        w4 = 2 * w3 * (cos - 2 * sin)
+        a, b, c, e = DATA["r1"] * np.sin(q[0]), DATA["r2"] * np.sin(q[1]), DATA["r1"] * np.cos(q[0]), DATA["r2"] * np.cos(q[1])
+        first, second = 0.5 * DATA["r3"] * w4 - DATA["r3"] * w3 * cos, DATA["r3"] * w3 * sin
+        return np.array([(first * e - b * second) / (a * e - b * c), (a * second - first * c) / (a * e - b * c), w3, w4])
+
+    return students.table(printed=printed)
+
+
+def position() -> str:
+    """A position equation: D stays at its height."""
+    held = DATA["r3"] * np.cos(START[2]) + DATA["r2"] * np.sin(START[1]) + DATA["r1"] * np.sin(START[0])
+    return f"r3*cos(phi3) + r2*sin(phi2) + r1*sin(phi1) = {held:.13f}"
+
+
+def with_cell(row: int, column: int, value: float, table: np.ndarray = RIGHT) -> np.ndarray:
+    changed = table.copy()
+    changed[row, column] = value
+    return changed
+
+
+def mixed_units() -> bytes:
+    """Angles in degrees beside velocities in rad/s, one angle mistyped."""
+    table = RIGHT.copy()
+    table[:, :3] = np.degrees(table[:, :3])
+    table[6, 0] += 2
+    return text(table, tuple(f"{name}, {'deg' if name[0] == 'p' else 'rad/s'}" for name in NAMES))
+
+
+def copied_velocity() -> np.ndarray:
+    """After a slip the student goes on with own angles; in one row w3 is copied from the right table, and w1 mistyped."""
+    table = students.slip(5, 2, 3.0)
+    table[12, 5:7] = RIGHT[12, 5:7]
+    table[12, 3] = velocities(12 * H, table[12, :3])[0] * RIGHT[12, 5] / velocities(12 * H, table[12, :3])[2] + 0.02
+    return table
+
+
+def long_table(rows: int, wrong: int) -> np.ndarray:
+    q, found = np.array(START), []
+    for k in range(rows):
+        found.append(np.concatenate([q, velocities(k * H, q)]))
+        q = q + H * found[-1][3:6]
+    found_rows = np.array(found)
+    found_rows[rows - wrong :, 6] += 0.5
+    return found_rows
+
+
+def cases_of_all(source: VariantSource) -> dict[str, Handed]:
+    """Return the whole class, of a rubric with measured values."""
+    found: dict[str, Handed] = {student: (handed, source, (), None) for student, (handed, _) in cases().items()}
+    numbers = [";".join(f"{value:.4f}" for value in (k * H, *row)) for k, row in enumerate(RIGHT)]
+    more: dict[str, dict[str, bytes]] = {
+        "answers": files() | {"answers.txt": ANSWERS.encode()},
+        "position": files(equations=(position(), "w1 = w1 + 0*w2", *EQUATIONS)),
+        "many-lines": files(equations=tuple(f"w1 = {k}*w2" for k in range(9))),
+        "rounded-data": files(equations=(EQUATIONS[0].replace("2*r3*w3", "0.9145*w3"), *EQUATIONS[1:])),
+        "by-place": {"table.csv": "\n".join(numbers).encode()},
+        "prose": files(equations=(*EQUATIONS, "w2 = how r2 turns?")),
+        "sines": files(equations=tuple(line.replace("cos(phi3)", "cos phi3") for line in EQUATIONS)),
+        "velocities-alone": {"table.csv": text(with_cell(4, 0, 9.0, RIGHT[:, 3:]), NAMES[3:])},
+        "mixed-units": {"table.csv": mixed_units()},
+        "one-velocity-missing": {"table.csv": text(with_cell(5, 4, np.nan, with_cell(6, 1, 3.0)), NAMES)},
+        "copied-velocity": files(copied_velocity()),
+        "new-phi": files(new_phi()),
+    }
+    found |= {student: (handed, source, (), None) for student, handed in more.items()}
+    right = files()
+    found["decided"] = (right, source, (Override("table", 20.0, ""), Override("equations", 10.0, "because")), None)
+    found["decided-in-all"] = (right, source, (Override("total", 20.0, "because"),), None)
+    found["twin"] = (right, source, (), say("reading.review.same_id", names=("twin", "Twin")))
+    found["other-file"] = (right, source, (), say("reading.review.other_variant", submitted="12", assigned="31"))
+    longer = VariantSource("long", source.content.replace(b'end       = "0.48 s"', b'end       = "1.48 s"'))
+    for wrong in (1, 70):
+        found[f"long-{wrong}"] = ({"table.csv": table_csv(long_table(75, wrong))}, longer, (), None)
+    fourbar = key_of(coursework.load("example-1"))
+    handed = {"table.csv": text(fourbar.branches[0], fourbar.names, fourbar.step, 5)}
+    found["branch"] = (handed, VariantSource("example-1", (CATALOGUE / "example-1.toml").read_bytes()), (), None)
+    return found
