@@ -17,11 +17,11 @@ from coursework.grading.marking.answers import AnswerMarks, mark_answers
 from coursework.grading.marking.equations.equations import EquationMarks, Judge
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.rubric import Rubric
-from coursework.grading.marking.table.cells import HALF, Cells, StudentTable, mark_cells
+from coursework.grading.marking.table.cells import HALF, Cells, OwnRows, StudentTable, mark_cells
+from coursework.grading.marking.table.earning import best_rule
 from coursework.grading.marking.table.first_wrong import FirstWrong, first_wrong
-from coursework.grading.marking.table.misconceptions import Misconception, find_misconception, indistinct, looked_for
-from coursework.grading.marking.table.own_equations import own_share
-from coursework.grading.marking.table.points import Earned, TablePoints, best_rule, stands_still, table_points
+from coursework.grading.marking.table.misconceptions import Found, Misconception, explanations, indistinct, looked_for
+from coursework.grading.marking.table.points import Earned, TablePoints, table_points
 from coursework.grading.marking.verdicts import Verdicts, verdicts
 from coursework.grading.reading.student_work import StudentWork, Table
 from coursework.grading.reading.submission import Note, note
@@ -177,21 +177,12 @@ class Marker:
     def _table(self, table: Table, equations: EquationMarks | None) -> TableMarks:
         cells = mark_cells(self.key, student_of(self.key, table))
         points = table_points(self.key, cells, self.rubric.carried)
-        named = hidden = None
+        found, hidden = Found(), None
         if looked_for(self.key, cells, points.cells):
             hidden = self._hidden(cells.student)
-            named = find_misconception(self.key, cells, self.confusions, self.others, hidden)
-        others: list[Earned] = []
-        if not stands_still(self.key, cells):
-            if named and not named.code.startswith("variant_"):
-                floor = self.rubric.misconception_floor
-                fit = named.share
-                others.append(Earned(floor * fit, "misconception", points.share, fit, floor, named.code, points.shut))
-            if equations and (own := own_share(self.key, cells, equations)):
-                floor = self.rubric.own_equations_floor
-                line = str(equations.wrong[0].line.line)
-                others.append(Earned(floor * own, "own_equations", points.share, own, floor, line, points.shut))
-        return TableMarks(table, cells, points, first_wrong(self.key, cells, table), named, best_rule(points, *others), hidden)
+            found = explanations(self.key, cells, self.confusions, self.others, hidden, equations)
+        earned = best_rule(self.key, self.rubric, cells, points, found, self.others)
+        return TableMarks(table, cells, points, first_wrong(self.key, cells, table), found.named, earned, hidden)
 
     def _hidden(self, student: StudentTable) -> tuple[str, ...]:
         """Return what columns of these digits cannot tell; a class prints with few sorts of digits."""
@@ -253,12 +244,24 @@ def _empty_table(most: float) -> dict[str, Any]:
 
 def student_of(key: Key, table: Table) -> StudentTable:
     """Return a table as it was read, with a column of its own for everything the key has."""
-    values = np.full(key.table.shape, np.nan)
-    units = np.full(key.table.shape, np.nan)
+    values, units, turns = np.full(key.table.shape, np.nan), np.full(key.table.shape, np.nan), np.zeros(len(key.names))
     for place, name in enumerate(key.names):
         if column := table.column(name):
             values[:, place], units[:, place] = column.values[: len(values)], column.last_place[: len(values)]
-    return StudentTable(values, units)
+            turns[place] = column.turns
+    return StudentTable(values, units, turns, _own_rows(key, table))
+
+
+def _own_rows(key: Key, table: Table) -> OwnRows | None:
+    """Return all rows of a table whose own times are those of another step."""
+    if table.own is None:
+        return None
+    rows = len(next(iter(table.own.columns.values()))[0])
+    values, units = np.full((rows, len(key.names)), np.nan), np.full((rows, len(key.names)), np.nan)
+    for place, name in enumerate(key.names):
+        if name in table.own.columns:
+            values[:, place], units[:, place] = table.own.columns[name]
+    return OwnRows(table.own.step, values, units)
 
 
 def _is_the_key(student: StudentTable, key: Key) -> bool:

@@ -27,7 +27,7 @@ answers = 20
 wA = { of = "w2", row = 4 }
 wB = { of = "w1", row = 4 }
 wC = { of = "w3", row = 4 }
-wD = { of = "w4", row = 4 }
+wD = { of = "w3", row = 4 }
 [table]
 carried = 0.9
 [[confusion]]
@@ -47,19 +47,77 @@ def text(table: np.ndarray, names: tuple[str, ...], step: float = H, decimals: i
     return "\n".join(lines).encode()
 
 
+def by_two(q, w3: float, w4: float, q3: float, third=(1, 1, 1), fourth=(1, 1, 1)) -> np.ndarray:
+    """w1 to w4 from w3, w4 and the two equations of D with factors before w1, w2 and what is known; r3's angle is `q3`."""
+    cos, sin = np.cos(q3), np.sin(q3)
+    known = (0.5 * DATA["r3"] * w4 - DATA["r3"] * w3 * cos, DATA["r3"] * w3 * sin)
+    a, b = third[0] * DATA["r1"] * np.sin(q[0]), third[1] * DATA["r2"] * np.sin(q[1])
+    c, d = fourth[0] * DATA["r1"] * np.cos(q[0]), fourth[1] * DATA["r2"] * np.cos(q[1])
+    w1, w2 = np.linalg.solve([[a, b], [c, d]], [third[2] * known[0], fourth[2] * known[1]])
+    return np.array([w1, w2, w3, w4])
+
+
 def new_phi() -> np.ndarray:
     """What is solved after w3 is solved with phi3 already moved to the next row."""
 
     def printed(t, q):
         w3 = velocities(t, q)[2]
-        moved = (q[0], q[1], q[2] + H * w3)
-        cos, sin = np.cos(moved[2]), np.sin(moved[2])
-        w4 = 2 * w3 * (cos - 2 * sin)
-        a, b, c, e = DATA["r1"] * np.sin(q[0]), DATA["r2"] * np.sin(q[1]), DATA["r1"] * np.cos(q[0]), DATA["r2"] * np.cos(q[1])
-        first, second = 0.5 * DATA["r3"] * w4 - DATA["r3"] * w3 * cos, DATA["r3"] * w3 * sin
-        return np.array([(first * e - b * second) / (a * e - b * c), (a * second - first * c) / (a * e - b * c), w3, w4])
+        moved = q[2] + H * w3
+        return by_two(q, w3, 2 * w3 * (np.cos(moved) - 2 * np.sin(moved)), moved)
 
     return students.table(printed=printed)
+
+
+def two_slips() -> np.ndarray:
+    """A wrong sign in each of the equations of D."""
+
+    def printed(t, q):
+        _, _, w3, w4 = velocities(t, q)
+        return by_two(q, w3, w4, q[2], third=(1, -1, 1), fourth=(-1, 1, 1))
+
+    return students.table(printed=printed)
+
+
+def own_sum() -> tuple[np.ndarray, tuple[str, ...]]:
+    """The last equation is the sum of two of the task's with a slip in it, and the table is made from it."""
+    line = f"{EQUATIONS[3].removesuffix(' = 0')} {EQUATIONS[2].replace('+ r1', '- r1')}"
+
+    def printed(t, q):
+        _, _, w3, w4 = velocities(t, q)
+        known = (
+            0.5 * DATA["r3"] * w4 - DATA["r3"] * w3 * np.cos(q[2]),
+            DATA["r3"] * w3 * (np.sin(q[2]) + np.cos(q[2])) - 0.5 * DATA["r3"] * w4,
+        )
+        a, b, c, d = (DATA[r] * f(q[place]) for f in (np.sin, np.cos) for place, r in enumerate(("r1", "r2")))
+        w1, w2 = np.linalg.solve([[a, b], [a + c, d - b]], known)
+        return np.array([w1, w2, w3, w4])
+
+    return students.table(printed=printed), (*EQUATIONS[:3], line)
+
+
+def degrees_in(drive: bool) -> np.ndarray:
+    """Degrees taken for radians in the drive alone, or in the equations alone."""
+
+    def printed(t, q):
+        x = DATA["p"] * t + DATA["alpha"]
+        ratio = np.sin(np.pi / 180 * x) / np.sin(x)
+        return velocities(t, q, turned=ratio) if drive else velocities(t, q, degrees=True, turned=1 / ratio)
+
+    return students.table(printed=printed)
+
+
+def rounded_w3() -> bytes:
+    """w3 written with one decimal and used so; one w1 mistyped."""
+    q, rows = np.array(START), []
+    for k in range(25):
+        w3 = round(velocities(k * H, q)[2], 1)
+        rows.append([*q, *by_two(q, w3, 2 * w3 * (np.cos(q[2]) - 2 * np.sin(q[2])), q[2])])
+        q = q + H * np.array(rows[-1][3:6])
+    rows[9][3] += 0.3
+    lines = ["t;" + ";".join(NAMES)]
+    for k, row in enumerate(rows):
+        lines.append(";".join([f"{k * H:.2f}", *(f"{v:.{1 if place == 5 else 4}f}" for place, v in enumerate(row))]))
+    return "\n".join(lines).encode()
 
 
 def position() -> str:
@@ -80,14 +138,6 @@ def mixed_units() -> bytes:
     table[:, :3] = np.degrees(table[:, :3])
     table[6, 0] += 2
     return text(table, tuple(f"{name}, {'deg' if name[0] == 'p' else 'rad/s'}" for name in NAMES))
-
-
-def copied_velocity() -> np.ndarray:
-    """After a slip the student goes on with own angles; in one row w3 is copied from the right table, and w1 mistyped."""
-    table = students.slip(5, 2, 3.0)
-    table[12, 5:7] = RIGHT[12, 5:7]
-    table[12, 3] = velocities(12 * H, table[12, :3])[0] * RIGHT[12, 5] / velocities(12 * H, table[12, :3])[2] + 0.02
-    return table
 
 
 def long_table(rows: int, wrong: int) -> np.ndarray:
@@ -115,7 +165,12 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         "velocities-alone": {"table.csv": text(with_cell(4, 0, 9.0, RIGHT[:, 3:]), NAMES[3:])},
         "mixed-units": {"table.csv": mixed_units()},
         "one-velocity-missing": {"table.csv": text(with_cell(5, 4, np.nan, with_cell(6, 1, 3.0)), NAMES)},
-        "copied-velocity": files(copied_velocity()),
+        "rounded-w3": {"table.csv": rounded_w3()},
+        "two-starts": files(students.table(start=(1.73, 3.3, 2.87))),
+        "two-slips": files(two_slips()),
+        "own-sum": files(*own_sum()),
+        "degrees-drive": files(degrees_in(drive=True)),
+        "degrees-equations": files(degrees_in(drive=False)),
         "new-phi": files(new_phi()),
     }
     found |= {student: (handed, source, (), None) for student, handed in more.items()}

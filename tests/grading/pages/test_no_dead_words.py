@@ -72,7 +72,6 @@ def test_every_sentence_is_said_in_some_case(said, tmp_path):
         facts.add({"id": status, "name": None, "variant": source.name, "page": None} | outcome.grade)
     class_page(facts, [], [], words)
     known = {key for key in keys(tomllib.loads(WORDS.read_text(encoding="utf-8"))) if key.startswith(("feedback.", "marking."))}
-    print(sorted(known - said))
     assert sorted(known - said) == []
 
 

@@ -9,8 +9,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import groupby
 
-import numpy as np
-
 from coursework.grading.marking.grade import TableMarks
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.reasons.misconception import misconception_sentence
@@ -25,12 +23,14 @@ from coursework.words.sentences import joined, listing, say, say_count
 _MANY = 0.1
 # What says that the table is right once it is read otherwise: its steps are then not those of the columns as handed in.
 _READ_OTHERWISE = ("swapped_columns", "origin", "clockwise", "sign_drive")
+_EXPLAINED = ("misconception", "start")
+_SEVERAL = ("start_", "equation_")
 _MOST_RUNS = 6
 
 
 @dataclass(frozen=True, slots=True)
 class Counts:
-    """The cells that count, which are all but the start values, by their marks; `start` start values that are not the task's."""
+    """The cells that count by their marks: all but start values, of which wrong ones count; these are `start`."""
 
     cells: int
     wrong: int
@@ -42,7 +42,7 @@ class Counts:
 def counts(key: Key, marked: TableMarks) -> Counts:
     """Return the counts of a table, of which right, carried, wrong and missing cells make up all."""
     m, cells = len(key.coordinates), marked.cells
-    wrong, missing, carried = (int(found.sum() - found[0, :m].sum()) for found in (cells.wrong, cells.missing, cells.carried))
+    wrong, missing, carried = (int((found & cells.counted).sum()) for found in (cells.wrong, cells.missing, cells.carried))
     return Counts(marked.points.cells, wrong, missing, carried, int(cells.wrong[0, :m].sum()))
 
 
@@ -65,15 +65,17 @@ def table_reasons(key: Key, marked: TableMarks, carried: float, points: float, m
 
 def _causes(key: Key, marked: TableMarks) -> Iterator[Reason]:
     """Give what seems to have happened, and what explains as much; that nothing usual does, where many cells are wrong."""
-    named = marked.misconception
+    named, earned = marked.misconception, marked.earned
     if named:
         share = str(int(100 * named.share + 1e-9))  # 100 only where it is all of the table
         told = say("feedback.misconception.share", share=share)
-        yield Reason("table", "cause", joined([told, _told(key, marked, named.code)]))
+        yield Reason("table", "cause", joined([told, _told(named.code, named.names)]))
         if named.ties:
-            ties = [_told(key, marked, code) for code in named.ties]
+            ties = [_told(code) for code in named.ties]
             yield Reason("table", "finding", joined([say("feedback.misconception.ties"), *ties]))
-    elif marked.earned.rule == "cells" and marked.hidden is not None and _many(key, marked):
+    if earned.rule in _EXPLAINED and (named is None or named.code != earned.cause):
+        yield Reason("table", "cause", joined([say("feedback.misconception.partly"), _told(earned.cause)]))
+    elif earned.rule == "cells" and named is None and marked.hidden is not None and _many(key, marked):
         yield Reason("table", "finding", say("feedback.misconception.none"))
 
 
@@ -82,29 +84,13 @@ def _many(key: Key, marked: TableMarks) -> bool:
     return found.wrong > _MANY * found.cells
 
 
-def _told(key: Key, marked: TableMarks, code: str) -> Sentence | str:
-    if code == "swapped_columns" and (names := _exchanged(key, marked)):
+def _told(code: str, names: tuple[str, ...] = ()) -> Sentence | str:
+    """Return what a code means, with the columns, starts or equations that it speaks of."""
+    if code == "swapped_columns" and names:
         return say("feedback.misconception.swapped", names=names)
+    if len(names) > 1 and code.startswith(_SEVERAL):
+        return say(f"feedback.misconception.{code.partition('_')[0]}_several", names=names)
     return misconception_sentence(code, for_student=True)
-
-
-def _exchanged(key: Key, marked: TableMarks) -> tuple[str, ...]:
-    """Return the two columns of one kind that are nearest to the key when they change places."""
-    values, m = marked.cells.student.values, len(key.coordinates)
-    units = [key.variant.unit_of(name) for name in key.names]
-
-    def off(column: int, place: int) -> float:
-        apart = np.abs(values[:, column] - key.table[:, place])
-        return float(np.nanmedian(apart)) if np.isfinite(apart).any() else np.inf
-
-    pairs = [
-        (off(first, second) + off(second, first), (key.names[first], key.names[second]))
-        for second in range(len(key.names))
-        for first in range(second)
-        if units[first] == units[second] and (first < m) == (second < m)
-        if off(first, second) < off(first, first) and off(second, first) < off(second, second)
-    ]
-    return min(pairs)[1] if pairs else ()
 
 
 def _odd_rows(key: Key, marked: TableMarks) -> Iterator[Reason]:
@@ -140,9 +126,7 @@ def _sum(earned: Earned, cells: int, points: float, most: float) -> Sentence:
     known = {"points": points, "most": most, "worth": in_sum(earned.worth), "explained": in_sum(earned.explained)}
     if earned.rule == "cells":
         return say("feedback.earned.cells", counted=in_sum(earned.of_cells * cells), cells=cells, points=points, most=most)
-    key = "own_line" if earned.rule == "own_equations" and earned.cause.isdigit() else earned.rule
-    alone = round(earned.of_cells * most, 2)
-    return say(f"feedback.earned.{key}", **known, alone=alone, line=earned.cause)
+    return say(f"feedback.earned.{earned.rule}", **known, alone=round(earned.of_cells * most, 2), line=earned.cause)
 
 
 def follows_euler(key: Key, marked: TableMarks) -> Sentence | str:

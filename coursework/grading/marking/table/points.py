@@ -1,6 +1,6 @@
 """Marked cells -> the share of the table's points, with the gates that give nothing for nonsense.
 
-Enters: `Cells`.  Leaves: `TablePoints`, `Earned`.  Used by `grade.py`.
+Enters: `Cells`.  Leaves: `TablePoints`, `Earned`.  Used by `earning.py` and what it asks.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from typing import Literal
 import numpy as np
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.cells import GIVEN, KEY, SLACK, STEP, STEP_TRUE, Cells
+from coursework.grading.marking.table.cells import KEY, MISSING, SLACK, STEP, STEP_TRUE, Cells
 from coursework.system.arrays import Array, Flags
 
 # Rows whose velocities are all shown and right, below which steps made with them prove nothing; right cells below each other,
@@ -23,7 +23,6 @@ _CONSTANT = 1e-9
 _SPARE, _MOST, _FOLLOWING = 0.25, 0.66, 0.75
 
 
-GATES = ("start", "used_velocity", "rows", "motion", "chance")
 Rule = Literal["cells", "start", "misconception", "own_equations"]
 
 
@@ -61,55 +60,69 @@ class Earned:
     shut: Mapping[str, int]
 
 
-def best_rule(points: TablePoints, *others: Earned) -> Earned:
-    """Return what earns most; of equal ones the cells, then the first."""
-    by_cells = Earned(points.share, "cells", points.share, 0.0, 1.0, "", points.shut)
-    return max((by_cells, *others), key=lambda earned: earned.share)
-
-
 def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
     """Return the points of a table; `carried` is the worth of a cell that is right from the student's own cells only."""
-    m, r = len(key.coordinates), len(key.velocities)
-    rows = len(key.table)
-    count = rows * (m + r) - m
-    marks = cells.marks
-    right = ~cells.wrong & ~cells.missing
-    start_right = bool(np.all(~cells.wrong[0])) if rows else False
-    rows_enough = bool(np.mean(np.all(right[:, m:], axis=1)) >= ENOUGH_ROWS) if rows else False
-    credit = np.where(marks == KEY, 1.0, 0.0)
+    m = len(key.coordinates)
+    marks, counted = cells.marks, cells.counted
+    right = ~cells.wrong & ~cells.missing & counted
+    rows_enough = bool(np.mean(np.all(right[:, m:], axis=1)) >= ENOUGH_ROWS) if len(marks) else False
     follows = rows_that_follow(key, cells)
-    closed: dict[str, Flags] = {}
-    if start_right:
-        credit[cells.carried] = carried
-        steps = np.isin(marks[:, :m], (STEP, STEP_TRUE))
-        open_gate = np.zeros_like(steps)
-        open_gate[1:] = right[:-1, m : 2 * m] & (_moves(cells.student.values[:, :m]) | ~_moves(key.table[:, :m]))
-        closed["used_velocity"] = _padded(steps & ~open_gate, r)
-        closed["rows"] = _padded(steps & ~np.full_like(steps, rows_enough), r)
-        closed["motion"] = cells.carried & ~follows[:, None]
-        closed["motion"][:, :m] = False
-    else:
-        closed["start"] = cells.carried
+    works = rows_enough and bool(follows[1:].any())
+    steps = np.zeros_like(right)
+    steps[:, :m] = np.isin(marks[:, :m], (STEP, STEP_TRUE))
+    used = np.zeros_like(right)
+    used[1:, :m] = right[:-1, m : 2 * m] & (_moves(cells.student.values[:, :m]) | ~_moves(key.table[:, :m]))
+    velocities = cells.carried & ~steps
     # What never changes is right in any row, whatever else stands there.
-    still = key.ranges <= _CONSTANT * np.max(np.abs(key.table), axis=0)
-    closed["motion"] = closed.get("motion", np.zeros_like(right)) | (right & still & ~follows[:, None])
-    if not (rows_enough and follows[1:].any()):
-        closed["chance"] = right & ~_in_a_run(marks == KEY)
-    shut: dict[str, int] = {}
+    still = right & (key.ranges <= _CONSTANT * np.max(np.abs(key.table), axis=0))
+    shut = {
+        "start": cells.carried & (_begins_wrong(cells, m) or (bool(cells.wrong[0, m:].any()) and not works)),
+        "used_velocity": steps & ~used,
+        "rows": steps & (not rows_enough),
+        "motion": (velocities | still) & ~follows[:, None],
+        "chance": right & ~_in_a_run(marks == KEY) & (not works),
+    }
+    credit = np.where(cells.carried, carried, np.where(right, 1.0, 0.0))
+    counts: dict[str, int] = {}
     uncounted = np.zeros_like(right)
-    for gate in GATES:
-        if gate in closed:
-            gone = closed[gate] & (marks != GIVEN) & (credit > 0 if gate != "start" else right)
-            shut |= {gate: int(gone.sum())} if gone.any() else {}
-            uncounted |= gone
-            credit[closed[gate]] = 0.0
-    credit[marks == GIVEN] = 0.0
-    return TablePoints(float(credit.sum()) / count if count else 0.0, count, start_right, shut, uncounted)
+    for gate, closed in shut.items():
+        if lost := int((closed & (credit > 0)).sum()):
+            counts[gate] = lost
+        uncounted |= closed & (credit > 0)
+        credit[closed] = 0.0
+    count = int(counted.sum())
+    start_right = not cells.wrong[:1].any()
+    return TablePoints(float(credit.sum()) / count if count else 0.0, count, start_right, counts, uncounted)
 
 
-def _padded(steps: Flags, velocities: int) -> Flags:
-    """Return flags of angles (n, m) as flags of a table (n, m + velocities)."""
-    return np.hstack([steps, np.zeros((len(steps), velocities), dtype=bool)])
+def _begins_wrong(cells: Cells, m: int) -> bool:
+    """Return whether a start value is wrong and the table was made with it: the first value below it is not the key's."""
+    for place in np.flatnonzero(cells.wrong[0, :m]).tolist():
+        below = np.flatnonzero(cells.marks[1:, place] != MISSING)
+        if not len(below) or cells.marks[1 + below[0], place] != KEY:
+            return True
+    return False
+
+
+def explained_share(key: Key, cells: Cells, holds: Flags, *, only_velocities: bool = False) -> float:
+    """Return the share of the cells that count of which some explanation `holds` (n, m + r), or the key does.
+
+    The gates are those of the points: a step counts where its velocity is explained too, a velocity where its row belongs to
+    the motion that the explained steps make, a right cell without either where several stand below each other.
+    """
+    m = len(key.coordinates)
+    q, by_key = cells.student.values[:, :m], cells.marks == KEY
+    holds = (holds | by_key) & ~cells.missing & cells.counted
+    moves = _moves(q) | ~_moves(key.table[:, :m])
+    steps = holds[1:, :m] & holds[:-1, m : 2 * m] & moves
+    counts = np.zeros_like(holds)
+    counts[1:, :m] = steps
+    counts[:, m:] = holds[:, m:] & _following(q, steps, np.asarray(moves.any(axis=1)))[:, None]
+    still = key.ranges <= _CONSTANT * np.max(np.abs(key.table), axis=0)
+    counts |= by_key & cells.counted & _in_a_run(by_key) & ~still
+    if only_velocities:
+        counts[:, :m] = False
+    return float(counts.sum()) / max(int(cells.counted.sum()), 1)
 
 
 def rows_that_follow(key: Key, cells: Cells) -> Flags:
@@ -126,7 +139,13 @@ def rows_that_follow(key: Key, cells: Cells) -> Flags:
         own = np.minimum(h / 2 * np.abs(np.diff(w, axis=0)), largest)
         spare = _SPARE * largest + SLACK * key.ranges[:m] + np.fmax(units[1:, :m], h * units[1:, m : 2 * m])
         near = np.abs(np.diff(q, axis=0) - h / 2 * (w[1:] + w[:-1])) <= own + spare
-    moves = _moves(q).any(axis=1) | ~_moves(key.table[:, :m]).any(axis=1)
+    steps = np.isin(cells.marks[1:, :m], (STEP, STEP_TRUE)) & ~cells.wrong[:-1, m : 2 * m]
+    moves = np.asarray(_moves(q).any(axis=1) | ~_moves(key.table[:, :m]).any(axis=1))
+    return _following(q, near | steps, moves)
+
+
+def _following(q: Array, near: Flags, moves: Flags) -> Flags:
+    """Return which rows follow where steps (n - 1, m) are `near` enough and rows (n - 1,) move."""
     joined = (np.mean(near, axis=1) >= _MOST) & moves
     follows = np.zeros(len(q), dtype=bool)
     follows[1:] |= joined
