@@ -115,7 +115,7 @@ class Grade:
         return empty | {
             "rows": sum(self.table.table.rows_present),
             "first_wrong": f"row {first.row} {first.column}" if first else None,
-            "wrong_cells": int(cells.wrong.sum()), "missing_cells": int(cells.missing.sum()),
+            "wrong_cells": int(cells.wrong.sum()), "missing_cells": int((cells.missing & cells.counted).sum()),
             "carried_cells": int(cells.carried.sum()),
             "decimals": {column.name: column.decimals for column in self.table.table.columns},
             "computed_to": cells.computed_to,
@@ -213,7 +213,7 @@ class Marker:
         found: list[Note] = []
         if table is not None:
             cells = table.cells
-            if count := int(cells.too_coarse.sum()):
+            if count := int((cells.too_coarse & cells.counted).sum()):
                 found.append(note("too_coarse", count=count, least=self.key.least_decimals))
             if cells.computed_to is not None:
                 found.append(note("coarse_work", decimals=cells.computed_to))

@@ -18,7 +18,7 @@ from coursework.grading.marking.grade import Grade, TableMarks
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.reasons.equations import why_of_line
 from coursework.grading.marking.reasons.reasons import summary
-from coursework.grading.marking.reasons.table import counts
+from coursework.grading.marking.reasons.table import counts, shut
 from coursework.grading.marking.table.cells import CARRIED, GIVEN, KEY, MISSING, WRONG
 from coursework.grading.pages.curves import panel
 from coursework.report.text.symbols import symbol
@@ -168,11 +168,13 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
     digits = max(len(f"{t:.6g}".partition(".")[2]) for t in key.t.tolist())
     times = [words.number(t, f".{digits}f") for t in key.t.tolist()]
     rows: list[dict[str, Any]] = []
-    uncounted = np.zeros_like(cells.wrong) if marked.points.uncounted is None else marked.points.uncounted
+    uncounted = np.zeros_like(cells.wrong)
+    if shut(marked) and marked.points.uncounted is not None:
+        uncounted = marked.points.uncounted
     for row in chosen:
         entries = [
-            (cell_text(column.texts[row]) if column else "", *(_SHUT if shut else _SIGNS[mark]))
-            for column, mark, shut in zip(columns, cells.marks[row].tolist(), uncounted[row].tolist(), strict=True)
+            (cell_text(column.texts[row]) if column else "", *(_SHUT if gone else _SIGNS[mark]))
+            for column, mark, gone in zip(columns, cells.marks[row].tolist(), uncounted[row].tolist(), strict=True)
         ]
         rows.append({"number": row + 1, "t": times[row], "cells": entries})
     m = len(key.coordinates)

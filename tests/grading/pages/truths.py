@@ -170,7 +170,7 @@ def lacking() -> Case:
         "Line 1 of the equations is not right. It names none of the velocities that are sought (w1, w2, w3 and w4).",
         "Line 2 of the equations earns nothing. It is true for any motion",
         "Line 3 of the equations is not right. In a velocity equation the velocities are neither multiplied",
-        "Line 5 of the equations earns nothing. It says the same as line 4.",
+        "Line 5 of the equations earns nothing. It says the same as line 4 and adds nothing.",
         "Line 7 of the equations earns nothing. It follows from the other lines and adds nothing.",
     )
     return files(equations=lines), Truth(wrong=set(), lines=(1, 3), idle=(2, 5, 7), said=said)

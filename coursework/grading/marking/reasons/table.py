@@ -5,9 +5,8 @@ Enters: a `Key`, `TableMarks`, the points.  Leaves: `Reason`s, in order.  Used b
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from itertools import groupby
 
 from coursework.grading.marking.grade import TableMarks
 from coursework.grading.marking.key import Key
@@ -17,7 +16,7 @@ from coursework.grading.marking.table.odd_rows import Shift, repeated_rows, shif
 from coursework.grading.marking.table.points import ENOUGH_ROWS, RUN, Earned
 from coursework.grading.marking.verdicts import euler_steps
 from coursework.words.sentence import Sentence
-from coursework.words.sentences import joined, listing, say, say_count
+from coursework.words.sentences import joined, ranges, say, say_count
 
 # Several cells wrong, for which nothing usual is the cause, are worth a word from this part of the table on.
 _MANY = 0.1
@@ -46,6 +45,11 @@ def counts(key: Key, marked: TableMarks) -> Counts:
     return Counts(marked.points.cells, wrong, missing, carried, int(cells.wrong[0, :m].sum()))
 
 
+def shut(marked: TableMarks) -> Mapping[str, int]:
+    """Return how many right cells do not count, by gate; none where the points come from something else than the cells."""
+    return marked.earned.shut if marked.earned.rule == "cells" else {}
+
+
 def table_reasons(key: Key, marked: TableMarks, carried: float, points: float, most: float) -> Iterator[Reason]:
     """Give why a table has fewer points than there are; `carried` is the worth of a cell right from the student's own only."""
     if marked.first:
@@ -54,7 +58,7 @@ def table_reasons(key: Key, marked: TableMarks, carried: float, points: float, m
     yield from _odd_rows(key, marked)
     if absent := tuple(name for name in key.names if marked.table.column(name) is None):
         yield Reason("table", "finding", say("feedback.columns_missing", names=absent))
-    for gate, number in marked.earned.shut.items():
+    for gate, number in shut(marked).items():
         limits = {"share": round(100 * ENOUGH_ROWS), "run": RUN}
         yield Reason("table", "finding", say_count(f"feedback.shut.{gate}", number, **limits))
     found = counts(key, marked)
@@ -73,7 +77,7 @@ def _causes(key: Key, marked: TableMarks) -> Iterator[Reason]:
         if named.ties:
             ties = [_told(code) for code in named.ties]
             yield Reason("table", "finding", joined([say("feedback.misconception.ties"), *ties]))
-    if earned.rule in _EXPLAINED and (named is None or named.code != earned.cause):
+    if earned.rule in _EXPLAINED and (named is None or earned.cause not in (named.code, *named.ties)):
         yield Reason("table", "cause", joined([say("feedback.misconception.partly"), _told(earned.cause)]))
     elif earned.rule == "cells" and named is None and marked.hidden is not None and _many(key, marked):
         yield Reason("table", "finding", say("feedback.misconception.none"))
@@ -96,7 +100,7 @@ def _told(code: str, names: tuple[str, ...] = ()) -> Sentence | str:
 def _odd_rows(key: Key, marked: TableMarks) -> Iterator[Reason]:
     """Give the rows that stand twice, and those that stand elsewhere than they belong."""
     if rows := repeated_rows(key, marked.cells):
-        yield Reason("table", "finding", say_count("feedback.rows.repeated", len(rows), rows=_runs(rows)))
+        yield Reason("table", "finding", say_count("feedback.rows.repeated", len(rows), rows=ranges(rows)))
     for shift in shifted_rows(key, marked.cells)[:_MOST_RUNS]:
         yield Reason("table", "finding", _shifted(shift))
 
@@ -106,13 +110,6 @@ def _shifted(shift: Shift) -> Sentence:
         "feedback.rows.shifted",
         first=shift.first, last=shift.last, begin=shift.first + shift.by, end=shift.last + shift.by,
     )  # fmt: skip
-
-
-def _runs(rows: tuple[int, ...]) -> Sentence:
-    """Return rows as a person writes them: 4, 7–9 and 12."""
-    runs = [[row for _, row in run] for _, run in groupby(enumerate(rows), key=lambda entry: entry[1] - entry[0])]
-    told = [str(run[0]) if len(run) == 1 else f"{run[0]}–{run[-1]}" for run in runs]
-    return listing([*told[:_MOST_RUNS], "…"] if len(told) > _MOST_RUNS else told)
 
 
 def _counted(found: Counts) -> Sentence:
