@@ -39,6 +39,11 @@ class TableColumn:
     decimals: int
     turns: int = 0
 
+    @property
+    def shown_unit(self) -> str:
+        """Return the unit as sentences and pages write it."""
+        return "rad/s" if self.unit == "1/s" else self.unit
+
 
 @dataclass(frozen=True, slots=True)
 class Reading:
