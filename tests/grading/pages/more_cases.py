@@ -140,6 +140,13 @@ def mixed_units() -> bytes:
     return text(table, tuple(f"{name}, {'deg' if name[0] == 'p' else 'rad/s'}" for name in NAMES))
 
 
+def slips_in_most_rows() -> np.ndarray:
+    """A slip that the angles carry on, and w4 mistyped in more than two rows of five."""
+    table = students.slip(2, 0, 1.5)
+    table[8:22, 6] += 0.3
+    return table
+
+
 def long_table(rows: int, wrong: int) -> np.ndarray:
     q, found = np.array(START), []
     for k in range(rows):
@@ -166,6 +173,7 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         "mixed-units": {"table.csv": mixed_units()},
         "one-velocity-missing": {"table.csv": text(with_cell(5, 4, np.nan, with_cell(6, 1, 3.0)), NAMES)},
         "rounded-w3": {"table.csv": rounded_w3()},
+        "slips-in-most-rows": files(slips_in_most_rows()),
         "two-starts": files(students.table(start=(1.73, 3.3, 2.87))),
         "two-slips": files(two_slips()),
         "own-sum": files(*own_sum()),
@@ -178,7 +186,6 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
     found["decided"] = (right, source, (Override("table", 20.0, ""), Override("equations", 10.0, "because")), None)
     found["decided-in-all"] = (right, source, (Override("total", 20.0, "because"),), None)
     found["twin"] = (right, source, (), say("reading.review.same_id", names=("twin", "Twin")))
-    found["other-file"] = (right, source, (), say("reading.review.other_variant", submitted="12", assigned="31"))
     longer = VariantSource("long", source.content.replace(b'end       = "0.48 s"', b'end       = "1.48 s"'))
     for wrong in (1, 70):
         found[f"long-{wrong}"] = ({"table.csv": table_csv(long_table(75, wrong))}, longer, (), None)

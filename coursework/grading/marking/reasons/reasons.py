@@ -17,8 +17,8 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import Phrases, say
 from coursework.words.templates import clean
 
-# Sentences that name another person or number are for the teacher; a student reads these in their place.
-_FOR_STUDENTS = ("same_id", "other_variant")
+# Sentences that name another person are for the teacher; a student reads these in their place.
+_FOR_STUDENTS = ("same_id",)
 # Notes about cells that are not there, which cost their points.
 _COSTS = ("rows_missing", "too_coarse", "date_cell", "error_cell")
 

@@ -29,7 +29,7 @@ _MOST_RUNS = 6
 
 @dataclass(frozen=True, slots=True)
 class Counts:
-    """The cells that count by their marks: all but start values, of which wrong ones count; these are `start`."""
+    """The cells that count, which are all but the start values, by their marks; `start` start values that are not the task's."""
 
     cells: int
     wrong: int
@@ -63,8 +63,9 @@ def table_reasons(key: Key, marked: TableMarks, carried: float, points: float, m
         yield Reason("table", "finding", say_count(f"feedback.shut.{gate}", number, **limits))
     found = counts(key, marked)
     less = say("feedback.carried_worth", worth=carried) if found.carried and carried != 1 else ""
+    costs = say("feedback.start_costs") if found.start and marked.earned.rule == "cells" else ""
     total = _sum(marked.earned, found.cells, points, most)
-    yield Reason("table", "rule", joined([_counted(found), less, total]))
+    yield Reason("table", "rule", joined([_counted(found), costs, less, total]))
 
 
 def _causes(key: Key, marked: TableMarks) -> Iterator[Reason]:

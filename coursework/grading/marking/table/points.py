@@ -86,13 +86,15 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
     counts: dict[str, int] = {}
     uncounted = np.zeros_like(right)
     for gate, closed in shut.items():
-        if lost := int((closed & (credit > 0)).sum()):
-            counts[gate] = lost
-        uncounted |= closed & (credit > 0)
+        lost = closed & (credit > 0)
+        counts |= {gate: int(lost.sum())} if lost.any() else {}
+        uncounted |= lost
         credit[closed] = 0.0
     count = int(counted.sum())
     start_right = not cells.wrong[:1].any()
-    return TablePoints(float(credit.sum()) / count if count else 0.0, count, start_right, counts, uncounted)
+    # The start values are given and earn nothing; one that is copied wrong is a wrong cell like any other.
+    earned = max(float(credit.sum()) - int(cells.wrong[:1, :m].sum()), 0.0)
+    return TablePoints(earned / count if count else 0.0, count, start_right, counts, uncounted)
 
 
 def _begins_wrong(cells: Cells, m: int) -> bool:
