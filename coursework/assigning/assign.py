@@ -20,7 +20,7 @@ from coursework.assigning.ranges import MEASURES
 from coursework.assigning.sheet import sheet, sheet_html, sheets_pdf
 from coursework.assigning.variants import Assignment
 from coursework.grading.platforms.escapes import text_cell
-from coursework.grading.platforms.roster import Roster
+from coursework.grading.platforms.roster import ACCEPTED, Roster
 from coursework.report.text.words import Words
 from coursework.scene.scene import Scene
 from coursework.system.csv_text import csv_text
@@ -78,12 +78,13 @@ def assign(
 def roster_csv(handouts: Sequence[Handout], assignment: Assignment) -> str:
     """Return the roster for `grade --roster`, with what was drawn and how hard it is; further columns are kept."""
     names = [one.name for one in assignment.ranges.ranges]
-    head = ["id", "name", "email", "variant", "least_decimals", *names, *MEASURES]
+    head = ["id", "name", "email", "variant", "least_decimals", ACCEPTED, *names, *MEASURES]
     more = [key for key in (handouts[0].student.more if handouts else {}) if key not in head]
     rows = [
         [
             handout.student.id, text_cell(handout.student.name), handout.student.email, f"{handout.stem}.toml",
-            handout.least_decimals, *(handout.individual.accepted.values[one.path] for one in assignment.ranges.ranges),
+            handout.least_decimals, assignment.accepted_decimals,
+            *(handout.individual.accepted.values[one.path] for one in assignment.ranges.ranges),
             *(difficulty_text(handout.individual.accepted.numbers[name]) for name in MEASURES),
             *(text_cell(handout.student.more.get(key, "")) for key in more),
         ]
