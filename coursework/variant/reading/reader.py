@@ -89,15 +89,15 @@ def _build(source: Source, name: str, path: Path | None) -> Variant:
     parts.tell_unread(dimensions.si_of)
     doubtful = parts.names.faults(source)
     parts.faults += shape.faults + doubtful
-    slip = None if doubtful else dimensions.fault  # a name with two meanings has two dimensions
+    slips = () if doubtful else dimensions.faults  # a name with two meanings has two dimensions
     if not doubtful:
         told, broken = {fault.line for fault in parts.faults}, Broken(parts.broken)
         found = faults_of_the_whole(variant, source, parts.times, broken)
         # A datum with a wrong unit spoils values at t = 0; what is wrong in the line of the slip itself says more than it.
-        found += [f for f in faults_at_start(variant, source, broken) if slip is None or f.line == slip.line]
+        found += [f for f in faults_at_start(variant, source, broken) if not slips or f.line in {slip.line for slip in slips}]
         parts.faults += [fault for fault in found if fault.line not in told]
-    if slip and slip.line not in {fault.line for fault in parts.faults}:
-        parts.faults.append(slip)
+    told = {fault.line for fault in parts.faults}
+    parts.faults += [slip for slip in slips if slip.line not in told]
     if parts.faults:
         raise InputError(parts.faults)
     variant = replace(variant, times=parts.times)
