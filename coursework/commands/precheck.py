@@ -11,7 +11,7 @@ from pathlib import Path
 import click
 import numpy as np
 
-from coursework.commands.screen import in_language, tell, tell_own_file
+from coursework.commands.screen import in_language, tell, tell_own_file, with_symbols
 from coursework.grading.collecting.sources import collect_files
 from coursework.grading.marking.grade import student_of
 from coursework.grading.marking.key import Key, key_of
@@ -39,7 +39,7 @@ def precheck_files(files: tuple[Path, ...], variant: str | None) -> int:
     fine = _tell_table(key, work)
     fine &= _tell_equations(work)
     for found in work.notes:
-        click.echo(f"  {in_language(found.text)}")
+        click.echo(f"  {with_symbols(in_language(found.text), key.names)}")
     return 0 if fine else 1
 
 
@@ -57,7 +57,7 @@ def _tell_table(key: Key, work: StudentWork) -> bool:
         tell(
             say(
                 told,
-                name=f"{column.name:<8}",
+                name=f"{with_symbols(column.name, key.names):<8}",
                 at=column.at,
                 unit="rad/s" if column.unit == "1/s" else column.unit,
                 decimals=column.decimals,
@@ -65,7 +65,7 @@ def _tell_table(key: Key, work: StudentWork) -> bool:
         )
     missing = [name for name in key.names if table.column(name) is None]
     if missing:
-        tell(say("screen.missing_columns", missing=", ".join(missing)))
+        tell(say("screen.missing_columns", missing=with_symbols(", ".join(missing), key.names)))
     tell(say("screen.rows_found", found=sum(table.rows_present), count=len(key.table), least=key.least_decimals))
     cells = mark_cells(key, student_of(key, table))
     coarse = int(cells.too_coarse.sum())
@@ -86,7 +86,7 @@ def _tell_steps(key: Key, cells: Cells) -> None:
         return
     row = int(np.argmax(against.any(axis=1)))
     place = int(np.argmax(against[row]))
-    name, rate = key.names[place], key.velocities[place]
+    name, rate = (with_symbols(name, key.names) for name in (key.names[place], key.velocities[place]))
     before, speed = values[row, place], values[row, m + place]
     after, found = before + key.step * speed, values[row + 1, place]
     tell(

@@ -60,18 +60,19 @@ class Setup:
 
 @dataclass(frozen=True, slots=True)
 class Task:
-    """One submission, the variant it is graded by, and what the instructor decided about it."""
+    """One submission, the variant it is graded by, what the instructor decided about it, the decimals accepted of its class."""
 
     submission: Submission
     variant: VariantSource
     overrides: tuple[Override, ...] = ()
+    accepted_decimals: int | None = None
 
     def key(self, setup: Setup) -> str:
         """Return the content a journal knows this work by, one hash a reason to grade anew; never a path or a clock."""
         looks = (GRADING_VERSION, VERSION, setup.pages, sorted(setup.pieces.items()), setup.language)
         parts = {
             "files": json.dumps(plain_of(self.submission), sort_keys=True),
-            "variant": self.variant.sha256,
+            "variant": " ".join(str(part) for part in (self.variant.sha256, self.accepted_decimals) if part is not None),
             "rubric": setup.rubric,
             "overrides": json.dumps([override.plain() for override in self.overrides]),
             "version": " ".join(map(str, looks)),

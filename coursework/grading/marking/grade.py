@@ -31,6 +31,8 @@ from coursework.words.sentences import say
 
 # Decimals beyond these differ between two programs that compute the same table in another order.
 _COPIED = 1e-13
+# One decimal of degrees is nearly the third of radians, and as good.
+_FEWER = 2.0
 GRADED = ("graded", "graded-with-notes")
 
 
@@ -215,6 +217,8 @@ class Marker:
             cells = table.cells
             if count := int(cells.too_coarse.sum()):
                 found.append(note("too_coarse", count=count, least=self.key.least_decimals))
+            if count := fewer_decimals(self.key, cells):
+                found.append(note("fewer_decimals", count=count, least=self.key.least_decimals))
             if cells.computed_to is not None:
                 found.append(note("coarse_work", decimals=cells.computed_to))
             if _is_the_key(cells.student, self.key):
@@ -262,6 +266,12 @@ def _own_rows(key: Key, table: Table) -> OwnRows | None:
         if name in table.own.columns:
             values[:, place], units[:, place] = table.own.columns[name]
     return OwnRows(table.own.step, values, units)
+
+
+def fewer_decimals(key: Key, cells: Cells) -> int:
+    """Return how many cells that count have fewer decimals than the task sheet asks for."""
+    with np.errstate(invalid="ignore"):
+        return int((~cells.missing & (cells.student.units > _FEWER * 10.0**-key.least_decimals)).sum())
 
 
 def _is_the_key(student: StudentTable, key: Key) -> bool:
