@@ -137,10 +137,10 @@ def _is_difference(tree: Formula) -> bool:
     return tree.op == "-" and all(arg.op == "name" for arg in tree.args)
 
 
-def _link(angle: str, variant: Variant) -> str:
+def _link(angle: str, variant: Variant, key: str = "determinant.link") -> str:
     rate = next((c.rate for c in variant.coordinates if c.name == angle), "")
     names = [link.name for link in variant.links if link.rate == rate] or _bodies(angle, variant)
-    return say("determinant.link", name=names[0]) if names else say("determinant.link_at", angle=angle)
+    return say(key, name=names[0]) if names else say(f"{key}_at", angle=angle)
 
 
 def _bodies(angle: str, variant: Variant) -> list[str]:
@@ -151,4 +151,6 @@ def _bodies(angle: str, variant: Variant) -> list[str]:
 
 
 def _listed(angles: list[str], variant: Variant) -> object:
-    return tuple(_link(angle, variant) for angle in angles) if angles else say("determinant.links")
+    """Return the links of these angles as those whose something is: "of links 3 and 4"."""
+    of_link = "determinant.of_link"
+    return tuple(_link(angle, variant, of_link) for angle in angles) if angles else say("determinant.of_links")
