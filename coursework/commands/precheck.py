@@ -20,6 +20,7 @@ from coursework.grading.marking.table.points import true_steps
 from coursework.grading.reading.expected import Expected, grid_of
 from coursework.grading.reading.read_submission import read_submission
 from coursework.grading.reading.student_work import StudentWork
+from coursework.grading.reading.table.units import AS_READ
 from coursework.variant.catalogue import load
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
@@ -59,7 +60,7 @@ def _tell_table(key: Key, work: StudentWork) -> bool:
                 told,
                 name=f"{with_symbols(column.name, key.names):<8}",
                 at=column.at,
-                unit="rad/s" if column.unit == "1/s" else column.unit,
+                unit=AS_READ.get(column.unit, column.unit),
                 decimals=column.decimals,
             )
         )

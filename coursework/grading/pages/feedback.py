@@ -16,6 +16,7 @@ from coursework.grading.marking.grade import Grade, TableMarks
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import CARRIED, GIVEN, KEY, MISSING, WRONG
 from coursework.grading.pages.curves import panel
+from coursework.grading.reading.table.units import AS_READ
 from coursework.report.text.symbols import symbol
 from coursework.report.text.text_runs import spelt
 from coursework.words.sentence import Sentence
@@ -27,7 +28,6 @@ FIRST_ROWS, MOST_ROWS = 25, 60
 LONGEST_TEXT = 300
 _NEGATIVE = re.compile(r"(?<![\w.-])-(?=\d)")
 LONGEST_CELL = 24
-_RATES = {"1/s": "rad/s"}  # as the heads of the table say it
 # The sign of a mark and the class of its cell.
 _SIGNS = {
     WRONG: ("✗", "wrong"), MISSING: ("–", ""), KEY: ("", ""), GIVEN: ("", ""),
@@ -167,7 +167,7 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
             "name": _symbol(name),
             "at": entry["at"],
             "by": say(f"feedback.by.{entry['by']}"),
-            "unit": words.unit(_RATES.get(entry["unit"], entry["unit"])),
+            "unit": words.unit(AS_READ.get(entry["unit"], entry["unit"])),
         }
         for name, entry in reading.columns.items()
     ]
