@@ -19,11 +19,12 @@ from coursework.grading.marking.table.cells import Cells, mark_cells
 from coursework.grading.marking.table.points import true_steps
 from coursework.grading.reading.expected import Expected, grid_of
 from coursework.grading.reading.read_submission import read_submission
-from coursework.grading.reading.student_work import StudentWork
+from coursework.grading.reading.student_work import FileEntry, StudentWork
 from coursework.grading.reading.table.units import AS_READ
 from coursework.variant.catalogue import load
 from coursework.words.errors import InputError
-from coursework.words.sentences import say
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say
 
 
 def precheck_files(files: tuple[Path, ...], variant: str | None) -> int:
@@ -36,12 +37,16 @@ def precheck_files(files: tuple[Path, ...], variant: str | None) -> int:
     grid = grid_of(key.variant, {name: tuple(key.table[:, place].tolist()) for place, name in enumerate(key.names)})
     work = read_submission(collect_files(files), Expected(grid, key.variant))
     for entry in work.files:
-        tell(say("screen.file", name=entry.name, kind=say(f"screen.kind.{entry.kind}"), bytes=entry.bytes))
+        tell(say("screen.file", name=entry.name, kind=_kinds(entry), bytes=entry.bytes))
     fine = _tell_table(key, work)
     fine &= _tell_equations(work)
     for found in work.notes:
         click.echo(f"  {with_symbols(in_language(found.text), key.names)}")
     return 0 if fine else 1
+
+
+def _kinds(entry: FileEntry) -> Sentence:
+    return joined([say(f"screen.kind.{kind}") for kind in entry.kinds], "join.comma")
 
 
 def _tell_table(key: Key, work: StudentWork) -> bool:
@@ -113,10 +118,11 @@ def _tell_equations(work: StudentWork) -> bool:
     unread = [line for line in work.equations if line.left is None]
     tell(say("screen.equations_read", count=len(work.equations), unread=len(unread)))
     for line in work.equations:
+        kind, known = "place" if line.place else "line", {"line": line.line, "place": line.where}
         if line.left is None:
-            tell(say("screen.line", line=line.line, why=line.fault.message if line.fault else say("screen.not_equation")))
+            tell(say(f"screen.{kind}", why=line.fault.message if line.fault else say("screen.not_equation"), **known))
         elif line.repaired:
-            tell(say("screen.line_read_as", line=line.line, repaired=line.repaired))
+            tell(say(f"screen.{kind}_read_as", repaired=line.repaired, **known))
         else:
-            tell(say("screen.line_read", line=line.line, text=line.text))
+            tell(say(f"screen.{kind}_read", text=line.text, **known))
     return not unread

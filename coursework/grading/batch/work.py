@@ -16,6 +16,7 @@ from typing import Any
 from coursework.grading.batch.decisions import Override, overridden
 from coursework.grading.marking.grade import blank_grade
 from coursework.grading.marking.rubric import read_rubric
+from coursework.grading.reading.documents import pdf
 from coursework.grading.reading.submission import Submission
 from coursework.system.plain_lines import plain_of
 from coursework.system.version import VERSION
@@ -69,7 +70,7 @@ class Task:
 
     def key(self, setup: Setup) -> str:
         """Return the content a journal knows this work by, one hash a reason to grade anew; never a path or a clock."""
-        looks = (GRADING_VERSION, VERSION, setup.pages, sorted(setup.pieces.items()), setup.language)
+        looks = (GRADING_VERSION, VERSION, pdf.is_readable(), setup.pages, sorted(setup.pieces.items()), setup.language)
         parts = {
             "files": json.dumps(plain_of(self.submission), sort_keys=True),
             "variant": " ".join(str(part) for part in (self.variant.sha256, self.accepted_decimals) if part is not None),

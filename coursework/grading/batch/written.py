@@ -88,7 +88,9 @@ def _told(grade: Mapping[str, Any], words: Phrases) -> str:
     for item in equations["items"] if equations else ():
         if item["verdict"] == "wrong":
             hint = words.said(f"feedback.hint.{item['hint']['kind']}", **item["hint"]) if item["hint"] else ""
-            return words.said("feedback.line_wrong", line=item["line"], hint=hint).rstrip()
+            is_line = item["place"] == words.said("reading.place.line", line=item["line"])
+            told = "line_wrong" if is_line else "place_wrong"
+            return words.said(f"feedback.{told}", line=item["line"], place=item["place"], hint=hint).rstrip()
     if equations and equations["independent"] < equations["needed"]:
         return words.said("feedback.independent", independent=equations["independent"], needed=equations["needed"])
     return ""

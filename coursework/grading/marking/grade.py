@@ -170,7 +170,9 @@ class Marker:
         )
         status, reason, notes = self._status(work, shares)
         if status == "graded" and equations is not None and self.rubric.weights["equations"] and (unread := equations.unread):
-            status, reason = "needs-review", say("reading.review.unread_line", line=unread.line.line, text=unread.line.text[:80])
+            line = unread.line
+            key = "unread_place" if line.place else "unread_line"
+            status, reason = "needs-review", say(f"reading.review.{key}", line=line.line, place=line.where, text=line.text[:80])
         notes = (*work.notes, *self._notes(table), *notes)
         if status == "graded" and notes:
             status = "graded-with-notes"
@@ -205,6 +207,8 @@ class Marker:
         absent = [part for part, share in shares.items() if share is None and self.rubric.weights[part]]
         if not absent:
             return "graded", None, ()
+        if work.unopened is not None:
+            return "needs-review", work.unopened, ()
         notes = tuple(note("empty_part", "no_part", part=say(f"feedback.part.{part}")) for part in absent)
         if self.rubric.missing_part == "zero":
             shares.update(dict.fromkeys(absent, 0.0))

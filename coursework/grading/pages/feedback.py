@@ -7,11 +7,12 @@ Used by the children of a batch.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
+from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.grade import Grade, TableMarks
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import CARRIED, GIVEN, KEY, MISSING, WRONG
@@ -206,17 +207,23 @@ def _equations(grade: Grade, words: Phrases) -> dict[str, Any] | None:
             hint = say(f"feedback.hint.{mark.hint.kind}", text=text, column=mark.hint.column, others=mark.hint.others)
         items.append(
             {
-                "line": mark.line.line, "text": clean(mark.line.text, LONGEST_TEXT), "sign": _VERDICT_SIGNS[mark.verdict],
+                "line": mark.line.line, "place": clean(words.written(mark.line.place), LONGEST_TEXT) if mark.line.place else "",
+                "text": clean(mark.line.text, LONGEST_TEXT), "sign": _VERDICT_SIGNS[mark.verdict],
                 "verdict": say(f"feedback.equation.{mark.verdict}"), "hint": hint,
             }
         )  # fmt: skip
     marks = grade.equations
-    dependent = _dependent(marks.dependent)
+    dependent = _dependent(marks)
     count = say("feedback.independent", independent=marks.independent, needed=marks.needed)
     return {"items": items, "count": count, "dependent": dependent}
 
 
-def _dependent(lines: Sequence[int]) -> str:
+def _dependent(marks: EquationMarks) -> str:
+    lines = marks.dependent
+    places = {mark.line.line: mark.line.place for mark in marks.marks if mark.line.place}
+    if places and lines:
+        found = dict.fromkeys(places.get(line, "") for line in lines)
+        return say("feedback.dependent_places", places=tuple(found))
     return say_count("feedback.dependent", len(lines), lines=joined(map(str, lines), "join.comma")) if lines else ""
 
 

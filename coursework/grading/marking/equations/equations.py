@@ -57,7 +57,7 @@ class EquationMark:
     def plain(self) -> dict[str, Any]:
         """Return the record as grades.json writes it."""
         hint = self.hint.plain() if self.hint else None
-        return {"line": self.line.line, "text": self.line.text, "verdict": self.verdict, "hint": hint}
+        return {"line": self.line.line, "place": self.line.where, "text": self.line.text, "verdict": self.verdict, "hint": hint}
 
 
 @dataclass(frozen=True, slots=True)
