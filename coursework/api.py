@@ -58,7 +58,7 @@ def solve(
     >>> coursework.solve("31", quantities=["phi3", "w3"]).table.columns.tolist()
     ['phi3', 'w3']
     """
-    chosen = load(variant) if isinstance(variant, (str, Path)) else variant
+    chosen = variant_of(variant) if isinstance(variant, (str, Path)) else variant
     chosen = timed(chosen, step, end)
     asked, columns = _sorted(chosen, quantities)
     order = max((one.order for one in quantities_for(asked).values()), default=1)
@@ -88,6 +88,18 @@ def exact(
         return table
     rates = run.scene.rates
     return table[[*rates.coordinates, *rates.velocities]]
+
+
+def variant_of(path_or_name: str | Path) -> Variant:
+    """Return the variant of a file or of the catalogue; among the faults of a file are the names that nobody can ask for."""
+    return load(path_or_name, _asked_in_vain)
+
+
+def _asked_in_vain(variant: Variant) -> list[Fault]:
+    known = {*known_quantities(), *variant.columns}
+    return [
+        _in_file(told, variant, name, True) for name in variant.ask if name not in known and (told := _cannot_ask(variant, name))
+    ]
 
 
 def _sorted(variant: Variant, quantities: Iterable[str] | None) -> tuple[tuple[str, ...], tuple[str, ...]]:

@@ -9,7 +9,7 @@ What one student gets depends on that student alone; a further student adds file
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from coursework.assigning.class_page import class_page
@@ -19,8 +19,9 @@ from coursework.assigning.page_words import Plain
 from coursework.assigning.ranges import MEASURES
 from coursework.assigning.sheet import sheet, sheet_html, sheets_pdf
 from coursework.assigning.variants import Assignment
+from coursework.grading.marking.rubric import Rubric
 from coursework.grading.platforms.escapes import text_cell
-from coursework.grading.platforms.roster import Roster
+from coursework.grading.platforms.roster import ACCEPTED, Roster
 from coursework.report.text.words import Words
 from coursework.scene.scene import Scene
 from coursework.system.csv_text import csv_text
@@ -31,11 +32,15 @@ ROSTER, CLASS, PDF = "roster.csv", "class.html", "sheets.pdf"
 
 @dataclass(frozen=True, slots=True)
 class Wishes:
-    """How the files are made: `seed` as the user gave it, what stands on the line of the deadline, whether there is a PDF."""
+    """How the files are made: `seed` as the user gave it, what stands on the line of the deadline, whether there is a PDF.
+
+    By the `rubric` a sheet says what is marked and what a person looks at.
+    """
 
     seed: str
     deadline: str = ""
     pdf: bool = False
+    rubric: Rubric = field(default_factory=Rubric)
 
 
 def assign(
@@ -55,8 +60,8 @@ def assign(
     handouts: list[Handout] = []
     pages: list[Plain] = []
     for student, individual in zip(roster.students, individuals, strict=True):
-        handout = make_handout(student, individual)
-        page = sheet(handout, words, wishes.deadline)
+        handout = make_handout(student, individual, assignment.accepted_decimals)
+        page = sheet(handout, words, wishes.deadline, wishes.rubric)
         _write(out / f"{handout.stem}.toml", individual.content)
         _write(out / "sheets" / f"{handout.stem}.html", sheet_html(page).encode("utf-8"))
         _write(out / "key" / f"{handout.stem}.csv", key_csv(handout).encode("utf-8"))
@@ -78,12 +83,13 @@ def assign(
 def roster_csv(handouts: Sequence[Handout], assignment: Assignment) -> str:
     """Return the roster for `grade --roster`, with what was drawn and how hard it is; further columns are kept."""
     names = [one.name for one in assignment.ranges.ranges]
-    head = ["id", "name", "email", "variant", "least_decimals", *names, *MEASURES]
+    head = ["id", "name", "email", "variant", "least_decimals", ACCEPTED, *names, *MEASURES]
     more = [key for key in (handouts[0].student.more if handouts else {}) if key not in head]
     rows = [
         [
             handout.student.id, text_cell(handout.student.name), handout.student.email, f"{handout.stem}.toml",
-            handout.least_decimals, *(handout.individual.accepted.values[one.path] for one in assignment.ranges.ranges),
+            handout.least_decimals, assignment.accepted_decimals,
+            *(handout.individual.accepted.values[one.path] for one in assignment.ranges.ranges),
             *(difficulty_text(handout.individual.accepted.numbers[name]) for name in MEASURES),
             *(text_cell(handout.student.more.get(key, "")) for key in more),
         ]

@@ -15,7 +15,7 @@ from coursework.assigning.variants import Individual
 from coursework.drawing.check_sheet.graph_check import GraphCheck, check_graph
 from coursework.drawing.figures import draw_start
 from coursework.drawing.paper.record import Drawing
-from coursework.grading.marking.key import decimals_asked
+from coursework.grading.marking.key import SHARED, SHOWN, decimals_accepted, decimals_asked
 from coursework.grading.platforms.names import file_stem
 from coursework.grading.platforms.roster import Student
 from coursework.motion.integration.integrate import march
@@ -35,7 +35,7 @@ class Handout:
 
     `motion` is the Euler table, `start` all coordinates at t = 0 (rad, m), `mechanism` the drawing of the start, None where the
     file places no points; `meanings` says of data what they are; `check` the construction in the check row, None where the
-    variant asks for none.
+    variant asks for none; `of_class` how many decimals are accepted of everybody.
     """
 
     student: Student
@@ -45,6 +45,8 @@ class Handout:
     mechanism: Drawing | None
     meanings: Mapping[str, str]
     check: GraphCheck | None
+    scene: Scene
+    of_class: int
 
     @property
     def stem(self) -> str:
@@ -66,9 +68,16 @@ class Handout:
         """Return how many decimals the table needs for every slip in it to show."""
         return decimals_asked(self.individual.accepted.numbers["one_step_gap"])
 
+    @property
+    def accepted_decimals(self) -> int:
+        """Return how many decimals the sheet may promise to be enough: those of the class, unless these data need more."""
+        gap = self.individual.accepted.numbers["one_step_gap"] / max(1.0, self.variant.time.step)
+        enough = 10.0**-self.of_class <= SHARED * SHOWN * gap
+        return min(self.of_class if enough else decimals_accepted(gap), self.least_decimals)
 
-def make_handout(student: Student, individual: Individual) -> Handout:
-    """Return the handout of a student, whose motion is known to be possible."""
+
+def make_handout(student: Student, individual: Individual, of_class: int) -> Handout:
+    """Return the handout of a student, whose motion is known to be possible; `of_class` decimals are accepted of everybody."""
     variant = individual.variant
     scene = Scene(variant, Settings(DEFAULT_SCHEME.name))
     time = variant.time
@@ -79,7 +88,7 @@ def make_handout(student: Student, individual: Individual) -> Handout:
         # The key compares the drawing with the table; what Euler's error is stands in the report of a run.
         with suppress(InputError):  # a mechanism that no construction by centres suits has none to check
             check = check_graph(scene.mechanism, scene.equations, motion, motion)
-    return Handout(student, individual, motion, tuple(scene.start), mechanism, meanings(scene.mechanism), check)
+    return Handout(student, individual, motion, tuple(scene.start), mechanism, meanings(scene.mechanism), check, scene, of_class)
 
 
 def guide_number(row: int) -> int:

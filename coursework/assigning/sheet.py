@@ -10,24 +10,29 @@ from collections.abc import Sequence
 
 from coursework.assigning.handout import Handout, guide_number
 from coursework.assigning.page_words import Plain, datum, drives, lettered, mathematics, symbol_runs, symbol_text, time_text
+from coursework.assigning.senses import sense_rows
+from coursework.grading.marking.rubric import PARTS, Answer, Rubric
 from coursework.report.formulas.svg import Drawn, draw
 from coursework.report.pages.pdf import Paper, pdf_of
+from coursework.report.text.parts import Runs
 from coursework.report.text.words import Words
+from coursework.variant.record.variant import Variant
 from coursework.words.errors import OutputError
 from coursework.words.templates import clean, filled
 
 LONGEST = 200
+TYPED = "\ue002"  # around a name as it is typed; no text has it
 SOLVED = 2  # decimals of a start that the geometry gives, beyond those that the table needs
 
 
-def sheet(handout: Handout, words: Words, deadline: str = "") -> Plain:
-    """Return all that a task sheet says."""
+def sheet(handout: Handout, words: Words, deadline: str, rubric: Rubric) -> Plain:
+    """Return all that a task sheet says; the rubric tells what is marked and what a person looks at."""
     variant = handout.variant
     shown, told = drives(variant, words)
     return {
         "language": words.phrases.language,
         "labels": {"start": lettered(variant, words("sheet.start"))} | {key: words(f"sheet.{key}") for key in
-                   ("kind", "student", "id", "deadline", "data", "drive", "do", "hand_in")},
+                   ("kind", "student", "id", "deadline", "data", "drive", "do", "hand_in", "senses")},
         "lead": words("sheet.digits") + words("join.sentences"),
         "title": clean(variant.in_language(words.phrases.language).title, LONGEST),
         "name": clean(handout.student.name, LONGEST),
@@ -38,9 +43,15 @@ def sheet(handout: Handout, words: Words, deadline: str = "") -> Plain:
         "start": start_rows(handout, words),
         "drive": shown,
         "laws": [lettered(variant, text) for text in told],
+        "senses": {
+            "heads": [words(f"sheet.sense.{key}") for key in ("symbol", "what", "from", "positive")],
+            "rows": sense_rows(handout, words),
+            "notes": [lettered(variant, text) for text in _sense_notes(handout, words)],
+        },
         "do": [lettered(variant, text) for text in _tasks(handout, words)],
-        "hand_in": [lettered(variant, text) for text in _parts(handout, words)],
-        "digits": lettered(variant, words("sheet.least", decimals=handout.least_decimals)),
+        "hand_in": [_told(variant, text) for text in _parts(handout, words, rubric)],
+        "files": [_told(variant, text) for text in _files(handout, words, rubric)],
+        "digits": lettered(variant, _digits(handout, words)),
     }  # fmt: skip
 
 
@@ -113,10 +124,66 @@ def _tasks(handout: Handout, words: Words) -> list[str]:
     return tasks
 
 
-def _parts(handout: Handout, words: Words) -> list[str]:
-    parts = [words("sheet.part.table", rows=handout.variant.time.steps + 1, decimals=handout.least_decimals)]
-    if handout.variant.constraints:
-        parts.append(words("sheet.part.equations", count=len(handout.variant.constraints)))
+def _parts(handout: Handout, words: Words, rubric: Rubric) -> list[str]:
+    """Return what is handed in: first what the program marks, then what a person does."""
+    variant = handout.variant
+    told = {
+        "table": words("sheet.part.table", rows=variant.time.steps + 1, decimals=handout.least_decimals),
+        "equations": words("sheet.part.equations", count=len(variant.sought)),
+    }
+    if rubric.answers:
+        told["answers"] = words(
+            "sheet.part.answers", listed=words("join.comma").join(_answer(handout, words, one) for one in rubric.answers)
+        )
+    person = [told[part] for part in PARTS if part in told and not rubric.weights[part]]
     if handout.check is not None:
-        parts.append(words("sheet.part.drawing", row=handout.check.row))
-    return parts
+        person.append(words("sheet.part.drawing", row=handout.check.row))
+    marked = [told[part] for part in PARTS if part in told and rubric.weights[part]]
+    return marked + [words("sheet.part.by_person", part=part) for part in person]
+
+
+def _answer(handout: Handout, words: Words, answer: Answer) -> str:
+    """Return an answer that the rubric asks for: its name, as it is typed, and what it is in which row."""
+    variant = handout.variant
+    of = symbol_text(variant, answer.of) if answer.of in variant.columns else clean(answer.of)
+    return words("sheet.part.answer", name=_typed(answer.name), of=of, row=answer.row or variant.time.row_of_check)
+
+
+def _files(handout: Handout, words: Words, rubric: Rubric) -> list[str]:
+    """Return which files are read, and how equations may be written."""
+    told = [words("sheet.files")]
+    if rubric.weights["equations"]:
+        variant, join = handout.variant, words("join.comma").join
+        names = [name for one in variant.coordinates[:1] for name in (one.name, one.rate)] or [*variant.sought[:1]]
+        shown = join(symbol_text(variant, name) for name in names)
+        told.append(words("sheet.notation", typed=join(map(_typed, names)), set=shown))
+    return told
+
+
+def _typed(name: str) -> str:
+    """Return a name that is to be set as it is typed, for `_told`."""
+    return f"{TYPED}{clean(name, LONGEST)}{TYPED}"
+
+
+def _told(variant: Variant, text: str) -> Runs:
+    """Return a sentence as runs; names that are typed stay as they are."""
+    parts = text.split(TYPED)
+    return [run for place, part in enumerate(parts) for run in ([{"c": part}] if place % 2 else lettered(variant, part))]
+
+
+def _digits(handout: Handout, words: Words) -> str:
+    """Return which decimals are asked for, and with how many a table is still marked."""
+    asked, accepted = handout.least_decimals, handout.accepted_decimals
+    told = [words("sheet.least", decimals=asked)]
+    told.append(words("sheet.accepted", decimals=accepted) if accepted < asked else words("sheet.fewer"))
+    return words.sentences(told)
+
+
+def _sense_notes(handout: Handout, words: Words) -> list[str]:
+    """Return what holds for all signs: how the axes lie, and that turning counted clockwise is read too."""
+    turning = any(handout.variant.unit_of(name) in {"rad", "rad/s"} for name in handout.variant.columns)
+    arcs = handout.mechanism is not None and "data-angle" in handout.mechanism.svg
+    return [
+        words("sheet.sense.axes_arcs" if arcs else "sheet.sense.axes"),
+        *([words("sheet.sense.other_sense")] if turning else []),
+    ]

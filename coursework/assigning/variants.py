@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from coursework.assigning.accept import Acceptance, Accepted
 from coursework.assigning.draw import Lots
 from coursework.assigning.ranges import Ranges
 from coursework.assigning.reader import determined, ranges_file, ranges_of, read_ranges
+from coursework.grading.marking.key import decimals_accepted, key_of
 from coursework.grading.platforms.names import file_stem
 from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.motion.settings import Settings, scheme_for
@@ -26,7 +28,7 @@ from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.rewriting import SAID_OF_NUMBERS, rewritten
 from coursework.words.data_folders import folder
-from coursework.words.errors import InputError
+from coursework.words.errors import CourseworkError, InputError
 from coursework.words.sentences import say
 
 FOLDER = "ranges"  # of the catalogue
@@ -71,6 +73,15 @@ class Assignment:
                 changes["time", "check_row"] = accepted.check_row
             content = rewritten(self.original, changes, SAID_OF_NUMBERS).encode("utf-8")
         return Individual(accepted, content, parse_variant(content, file_stem(accepted.id), tables=self.tables))
+
+    @cached_property
+    def accepted_decimals(self) -> int:
+        """Return with how many decimals, at the least, the table of everyone is marked: one number, from the template."""
+        try:
+            gap = key_of(self.template).gap
+        except CourseworkError:  # a template that does not move itself; its middle draw stands for it
+            gap = self.acceptance.centre.numbers["one_step_gap"]
+        return decimals_accepted(gap)
 
     @property
     def settings(self) -> Settings:

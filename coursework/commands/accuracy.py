@@ -12,7 +12,7 @@ from pathlib import Path
 
 import click
 
-from coursework.api import solve
+from coursework.api import solve, variant_of
 from coursework.commands.screen import in_language, tell, tell_own_file, title_of
 from coursework.report.output.formats import chosen
 from coursework.report.output.results import StudyResults
@@ -22,7 +22,6 @@ from coursework.results.accuracy.record import AccuracyStudy
 from coursework.results.accuracy.study import make_study, time_of
 from coursework.run import Run
 from coursework.system.file_set import working_folder
-from coursework.variant.catalogue import load
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
@@ -31,7 +30,7 @@ def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...] | Non
     """Return 0 after writing it, 1 where the motion stops and there is nothing to study."""
     wanted = chosen(formats, "accuracy")
     tell_own_file(variant)
-    read = load(variant)
+    read = variant_of(variant)
     run = solve(read, quantities=("accuracy",))
     if run.stop is not None:
         tell(say("screen.nothing_to_study", sentence=run.stop.sentence))

@@ -7,10 +7,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from coursework.api import solve
+from coursework.api import solve, variant_of
 from coursework.commands.screen import tell, tell_own_file
 from coursework.system.whole_files import write_bytes
-from coursework.variant.catalogue import load
 from coursework.words.sentences import load_phrases, say
 
 FRAMES_A_ROW = 2
@@ -21,7 +20,7 @@ def animate_variant(variant: str, out: Path | None, scheme: str | None, language
     from coursework.report.graphs.moving_picture import moving_picture
 
     tell_own_file(variant)
-    read = load(variant)
+    read = variant_of(variant)
     run = solve(read, scheme, quantities=("table",))
     finer = solve(read, scheme, step=run.step / FRAMES_A_ROW, quantities=("table",))
     path = out or Path(f"{read.name}.gif")

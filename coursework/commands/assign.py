@@ -12,6 +12,7 @@ import click
 from coursework.assigning.assign import Wishes, assign
 from coursework.assigning.variants import Assignment, load_ranges, read_file
 from coursework.commands.screen import in_language, tell, tell_own_file, tell_unprinted
+from coursework.grading.marking.rubric import Rubric, check_rubric, read_rubric
 from coursework.grading.platforms.roster import read_roster
 from coursework.report.text.words import load_words
 from coursework.variant.catalogue import load
@@ -20,8 +21,9 @@ from coursework.words.sentences import say
 
 
 def assign_class(
-    roster: Path, *, template: str, ranges: str | None, seed: str, out: Path, pdf: bool, deadline: str, language: str
-) -> int:
+    roster: Path, *, template: str, ranges: str | None, seed: str, out: Path, pdf: bool, deadline: str, rubric: Path | None,
+    language: str,
+) -> int:  # fmt: skip
     """Return the exit status of giving a class its variants."""
     words = load_words(language)
     listed = read_roster(read_file(roster), str(roster))
@@ -30,11 +32,15 @@ def assign_class(
     tell_own_file(template)
     chosen = load(template)
     assignment = Assignment(chosen, load_ranges(ranges or template, chosen), seed)
+    marking = read_rubric(read_file(rubric).decode("utf-8-sig", errors="replace"), str(rubric)) if rubric else Rubric()
+    check_rubric(marking, chosen, str(rubric))
     centre, count = assignment.acceptance.centre, len(listed.students)
     tell(say("assign.pilot", feasible=centre.feasible, drawn=centre.drawn))
     letters: list[str] = []
     with click.progressbar(length=2 * count, label=in_language(say("assign.progress")), width=30) as bar:
-        written = assign(listed, assignment, out, Wishes(seed, deadline, pdf), words, bar.update, bar.update, letters.append)
+        written = assign(
+            listed, assignment, out, Wishes(seed, deadline, pdf, marking), words, bar.update, bar.update, letters.append
+        )
         bar.finish()
     tell_unprinted("".join(letters))
     tell(say("assign.written", count=count, out=str(out), written=tuple(written)))

@@ -245,6 +245,7 @@ def grade_command(source: Path, **options: Any) -> int:
 @click.option("--out", type=click.Path(path_type=Path), required=True, help="Folder for variants, sheets and keys.")
 @click.option("--pdf", is_flag=True, help="All sheets in one PDF, too.")
 @click.option("--deadline", default="", help="What stands on the line of the deadline (default: a line to write on).")
+@click.option("--rubric", type=click.Path(path_type=Path), help="By it the sheets say what is marked (TOML, as for grade).")
 @templates(passed_on=False)
 @spoken(passed_on=True)
 def assign_command(roster: Path, **options: Any) -> int:

@@ -131,7 +131,7 @@ def _tell(listed: ClassList, fresh: int, changed: int, out: Path, written: list[
             say("screen.state", count=number, state=say(f"feedback.state.{state.replace('-', '_')}"))
             for state, number in counts.items()
         ],
-        "join.comma",
+        "join.numbers",
     )
     told = told if counts else say("screen.nobody")
     tell(say("screen.submissions", count=len(listed.places), told=told, fresh=fresh, kept=len(states) - fresh))

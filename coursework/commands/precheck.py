@@ -11,7 +11,7 @@ from pathlib import Path
 import click
 import numpy as np
 
-from coursework.commands.screen import in_language, tell, tell_own_file
+from coursework.commands.screen import in_language, tell, tell_own_file, with_symbols
 from coursework.grading.collecting.sources import collect_files
 from coursework.grading.marking.grade import student_of
 from coursework.grading.marking.key import Key, key_of
@@ -19,10 +19,12 @@ from coursework.grading.marking.table.cells import Cells, mark_cells
 from coursework.grading.marking.table.points import true_steps
 from coursework.grading.reading.expected import Expected, grid_of
 from coursework.grading.reading.read_submission import read_submission
-from coursework.grading.reading.student_work import StudentWork
+from coursework.grading.reading.student_work import FileEntry, StudentWork
+from coursework.grading.reading.table.units import AS_READ
 from coursework.variant.catalogue import load
 from coursework.words.errors import InputError
-from coursework.words.sentences import say
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say
 
 
 def precheck_files(files: tuple[Path, ...], variant: str | None) -> int:
@@ -35,12 +37,16 @@ def precheck_files(files: tuple[Path, ...], variant: str | None) -> int:
     grid = grid_of(key.variant, {name: tuple(key.table[:, place].tolist()) for place, name in enumerate(key.names)})
     work = read_submission(collect_files(files), Expected(grid, key.variant))
     for entry in work.files:
-        tell(say("screen.file", name=entry.name, kind=say(f"screen.kind.{entry.kind}"), bytes=entry.bytes))
+        tell(say("screen.file", name=entry.name, kind=_kinds(entry), bytes=entry.bytes))
     fine = _tell_table(key, work)
     fine &= _tell_equations(work)
     for found in work.notes:
-        click.echo(f"  {in_language(found.text)}")
+        click.echo(f"  {with_symbols(in_language(found.text), key.names)}")
     return 0 if fine else 1
+
+
+def _kinds(entry: FileEntry) -> Sentence:
+    return joined([say(f"screen.kind.{kind}") for kind in entry.kinds], "join.comma")
 
 
 def _tell_table(key: Key, work: StudentWork) -> bool:
@@ -57,15 +63,15 @@ def _tell_table(key: Key, work: StudentWork) -> bool:
         tell(
             say(
                 told,
-                name=f"{column.name:<8}",
+                name=f"{with_symbols(column.name, key.names):<8}",
                 at=column.at,
-                unit="rad/s" if column.unit == "1/s" else column.unit,
+                unit=AS_READ.get(column.unit, column.unit),
                 decimals=column.decimals,
             )
         )
     missing = [name for name in key.names if table.column(name) is None]
     if missing:
-        tell(say("screen.missing_columns", missing=", ".join(missing)))
+        tell(say("screen.missing_columns", missing=with_symbols(", ".join(missing), key.names)))
     tell(say("screen.rows_found", found=sum(table.rows_present), count=len(key.table), least=key.least_decimals))
     cells = mark_cells(key, student_of(key, table))
     coarse = int(cells.too_coarse.sum())
@@ -86,7 +92,7 @@ def _tell_steps(key: Key, cells: Cells) -> None:
         return
     row = int(np.argmax(against.any(axis=1)))
     place = int(np.argmax(against[row]))
-    name, rate = key.names[place], key.velocities[place]
+    name, rate = (with_symbols(name, key.names) for name in (key.names[place], key.velocities[place]))
     before, speed = values[row, place], values[row, m + place]
     after, found = before + key.step * speed, values[row + 1, place]
     tell(
@@ -112,10 +118,11 @@ def _tell_equations(work: StudentWork) -> bool:
     unread = [line for line in work.equations if line.left is None]
     tell(say("screen.equations_read", count=len(work.equations), unread=len(unread)))
     for line in work.equations:
+        kind, known = "place" if line.place else "line", {"line": line.line, "place": line.where}
         if line.left is None:
-            tell(say("screen.line", line=line.line, why=line.fault.message if line.fault else say("screen.not_equation")))
+            tell(say(f"screen.{kind}", why=line.fault.message if line.fault else say("screen.not_equation"), **known))
         elif line.repaired:
-            tell(say("screen.line_read_as", line=line.line, repaired=line.repaired))
+            tell(say(f"screen.{kind}_read_as", repaired=line.repaired, **known))
         else:
-            tell(say("screen.line_read", line=line.line, text=line.text))
+            tell(say(f"screen.{kind}_read", text=line.text, **known))
     return not unread

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from coursework.api import solve
+from coursework.api import solve, variant_of
 from coursework.commands.run_on_screen import tell_run, tell_run_briefly
 from coursework.commands.screen import is_terminal, tell, tell_own_file, tell_unprinted
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES
@@ -18,7 +18,6 @@ from coursework.report.output.results import Results
 from coursework.report.output.write import write_set
 from coursework.run import Run
 from coursework.system.file_set import files_of, working_folder
-from coursework.variant.catalogue import load
 from coursework.variant.reading.set_values import with_set
 from coursework.variant.record.variant import Variant
 from coursework.variant.record.vocabulary import EXACT
@@ -35,7 +34,7 @@ def run_variant(
     """Return the exit status of one run."""
     wanted = chosen(formats, "run")
     tell_own_file(variant)
-    read = with_set(load(variant), set_values, check_row)
+    read = with_set(variant_of(variant), set_values, check_row)
     if precision == "single":
         return tell_round_off(solve(read, _stepping(read, scheme), step_of(step, read), end, quantities=("table",)))
     if error is not None and step != "auto":

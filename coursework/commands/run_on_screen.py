@@ -150,10 +150,13 @@ def tell_checks(run: Run) -> None:
             if check.value is not None:
                 value = float(f"{never_more(check.value, check.unit, 3):.3g}")  # three digits are shown
                 unit = beside(check.unit, value)
-                parts.append(say("screen.value_unit", value=value, unit=unit) if unit else say("screen.value", value=value))
+                has_unit = bool(unit and in_language(unit))  # a language may have no word for a bare number
+                parts.append(say("screen.value_unit", value=value, unit=unit) if has_unit else say("screen.value", value=value))
             if check.limit is not None:
-                parts.append(say("screen.limit", limit=check.limit))
-            parts += [say("screen.column", column=check.column)] if check.column else []
+                parts.append(say("screen.least" if check.is_least else "screen.limit", limit=check.limit))
+            if check.column:
+                is_equation = check.column not in run.motion.names and "." not in check.column
+                parts.append(say("screen.equation" if is_equation else "screen.column", column=check.column))
             parts += [say("screen.row", row=check.row)] if check.row else []
             mark, found = in_language(say(f"checks.mark.{check.verdict}")), in_language(joined(parts, "join.nothing"))
             if speaks_english():

@@ -11,6 +11,7 @@ import shutil
 import sys
 import textwrap
 import unicodedata
+from collections.abc import Iterable
 from contextvars import ContextVar
 from typing import TYPE_CHECKING
 
@@ -66,6 +67,17 @@ def tell_own_file(variant: str) -> None:
 def is_terminal() -> bool:
     """Return whether standard output is a terminal, before which a person sits, and neither a file nor a program."""
     return sys.stdout is not None and sys.stdout.isatty()
+
+
+def with_symbols(text: str, names: Iterable[str]) -> str:
+    """Return a text with names as the pages set them, φ₁ and ω₁, before a person; a program reads them as a file writes them."""
+    if not is_terminal() or "utf" not in (sys.stdout.encoding or "").lower():
+        return text
+    from coursework.report.text.symbols import symbol
+
+    listed = sorted(names, key=len, reverse=True)
+    written = "|".join(map(re.escape, listed))
+    return re.sub(rf"(?<![\w.])(?:{written})(?![\w.]*\w)", lambda name: symbol(name[0]).text, text) if listed else text
 
 
 def tell_wrapped(text: str, *, hanging: str = "") -> None:

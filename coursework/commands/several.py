@@ -18,6 +18,7 @@ from typing import Any, get_args
 
 import click
 
+from coursework.api import variant_of
 from coursework.commands.run import make_run, run_variant, step_of
 from coursework.commands.screen import in_language, tell, tell_last, tell_own_file, tell_unprinted
 from coursework.commands.templates import with_templates
@@ -32,7 +33,7 @@ from coursework.system.file_set import clear_leftovers, working_folder
 from coursework.system.plain_lines import record_of
 from coursework.system.pool import Pool, Trade
 from coursework.system.whole_files import write_bytes
-from coursework.variant.catalogue import find, load
+from coursework.variant.catalogue import find
 from coursework.variant.reading.set_values import with_set
 from coursework.words.errors import CourseworkError, InputError
 from coursework.words.sentences import joined, load_phrases, say
@@ -117,7 +118,7 @@ class RunTask:
         formats = chosen(self.formats, "run")
         options = dict(self.options)
         strict, live = options.pop("strict"), options.pop("live")
-        read = with_set(load(item.variant), options.pop("set_values"), options.pop("check_row"))
+        read = with_set(variant_of(item.variant), options.pop("set_values"), options.pop("check_row"))
         run = make_run(read, **{**options, "step": step_of(options["step"], read)})
         results = Results(run, self.language, live)
         results.compute(self.combined or any(PAGES in each.serves for each in formats))

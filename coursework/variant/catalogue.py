@@ -17,6 +17,7 @@ from coursework.words.errors import InputError
 from coursework.words.sentences import ENGLISH, closest, say
 
 if TYPE_CHECKING:
+    from coursework.variant.reading.reader import Judge
     from coursework.variant.record.variant import Variant
 
 
@@ -82,8 +83,10 @@ def own_file(path_or_name: str | Path) -> Path | None:
     return path if is_other else None
 
 
-def load(path_or_name: str | Path) -> Variant:
+def load(path_or_name: str | Path, judge: Judge | None = None) -> Variant:
     """Return the variant of a file or of the catalogue.  Raises `InputError` with every fault, each with its line.
+
+    `judge` adds what a floor above knows to be wrong with a file that has faults.
 
     >>> import coursework
     >>> variant = coursework.load("31")
@@ -92,7 +95,7 @@ def load(path_or_name: str | Path) -> Variant:
     """
     from coursework.variant.reading.reader import read_variant
 
-    return read_variant(find(path_or_name))
+    return read_variant(find(path_or_name), judge)
 
 
 def _is_file(path: Path) -> bool:

@@ -61,8 +61,8 @@ def test_what_is_written(out):
 
 def test_the_roster_has_what_was_drawn_and_what_was_there(out):
     first, second, third = lines(out)
-    assert list(first)[:5] == ["id", "name", "email", "variant", "least_decimals"]
-    assert list(first)[5:] == [
+    assert list(first)[:6] == ["id", "name", "email", "variant", "least_decimals", "accepted_decimals"]
+    assert list(first)[6:] == [
         "r1", "r2", "r3", "V1", "p", "alpha", "phi1", "phi2", "phi3", "check_row",
         "euler_error", "least_determinant", "largest_velocity", "one_step_gap", "group",
     ]  # fmt: skip

@@ -7,6 +7,7 @@ import pytest
 import coursework
 from coursework.assigning import sheet
 from coursework.assigning.page_words import drives
+from coursework.grading.marking.rubric import Rubric
 from coursework.report.text.words import load_words
 
 WORDS = load_words("en")
@@ -37,5 +38,5 @@ def test_the_table_has_the_rows_of_the_run(name):
     variant = coursework.load(name)
     rows = len(coursework.solve(name, quantities=["table"]).motion.t)
     handout = type("Handout", (), {"variant": variant, "check": None, "least_decimals": 3})()
-    assert f"{rows} rows" in sheet._parts(handout, WORDS)[0]
+    assert f"{rows} rows" in sheet._parts(handout, WORDS, Rubric())[0]
     assert f"{rows} rows" in sheet._tasks(handout, WORDS)[1]

@@ -78,3 +78,60 @@ def test_the_variant_is_asked_for(tmp_path: Path) -> None:
     found = precheck(tmp_path, csv(students.table()), "", "--language", "en")
     assert found.exit_code == 2
     assert "--variant" in found.stderr
+
+
+FOUR_BAR = """
+title = "four-bar of no catalogue"
+[given]
+a = "0.1 m"
+b = "0.3 m"
+c = "0.25 m"
+d = "0.3 m"
+n = "20 rpm"
+[drive]
+w1 = "n"
+[coordinates]
+phi1 = { start = "60 deg", rate = "w1" }
+phij = { rate = "wj", unit = "rad" }
+theta_3 = { rate = "w_3", unit = "rad" }
+[time]
+step = "0.05 s"
+end = "0.5 s"
+[points]
+A = "(0, 0)"
+D = "(d, 0)"
+[[group]]
+kind = "crank"
+from = ["A"]
+meets = "B"
+lengths = ["a"]
+coordinates = ["phi1"]
+[[group]]
+kind = "RRR"
+from = ["B", "D"]
+meets = "C"
+lengths = ["b", "c"]
+mode = "+1"
+coordinates = ["phij", "theta_3"]
+"""
+
+
+def test_a_person_reads_letters_as_pages_set_them_and_a_program_names(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """On a terminal φ₁, ω₃; behind a pipe, as README's first example has it, the names of the file."""
+    (tmp_path / "own.toml").write_text(FOUR_BAR, encoding="utf-8")
+    result = CliRunner().invoke(main, ["run", str(tmp_path / "own.toml"), "--scheme", "euler", "--format", "csv",
+                                       "--out", str(tmp_path / "out")])  # fmt: skip
+    assert result.exit_code in (0, 1), result.output
+    lines = [line.split(",") for line in (tmp_path / "out" / "table.csv").read_text(encoding="utf-8").splitlines()]
+    lines[5][3] = str(float(lines[5][3]) + 0.2)
+    table = "\n".join(",".join(line[:4] + line[5:]) for line in lines).encode()  # w1 is not handed in
+    options = ("--variant", str(tmp_path / "own.toml"))
+    piped = precheck(tmp_path, table, "", *options).output
+    monkeypatch.setattr("coursework.commands.screen.is_terminal", lambda: True)
+    shown = precheck(tmp_path, table, "", *options).output
+    assert "theta_3  column" in piped
+    assert re.search(r"\n  θ₃ {7}column", shown)
+    assert "Row 5: theta_3 does not follow from your own row 4 and its w_3" in piped
+    assert "Row 5: θ₃ does not follow from your own row 4 and its ω₃" in shown
+    assert ("Missing columns: w1." in piped, "Missing columns: ω₁." in shown) == (True, True)
+    assert ("phij" in piped, "φ_j" in shown, "phij" in shown) == (True, True, False)

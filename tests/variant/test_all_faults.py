@@ -230,3 +230,25 @@ def test_a_driven_point_on_a_guide_is_told_the_way_and_the_way_leads_there(angle
     assert "= 1, as many as the one freedom driven." in call("check", "mended").stdout
     before, after = (coursework.solve(name, scheme="exact").table for name in ("slider", "mended"))
     assert abs(before[["phi1", "phi2"]] - after[["phi1", "phi2"]]).to_numpy().max() < 1e-9
+
+
+def test_what_nobody_can_ask_for_is_told_with_all_other_faults(tmp_path):
+    """The name of a quantity and that of a column, beside a unit that is wrong and a point that is none."""
+    asked = SHAPER.replace('["table"]', '["table", "hodograph", "s3",\n  "w33"]')
+    text = asked.replace('K = "(0, h)"', 'K = "h"').replace('"0.5 s"', '"0.5 m"')
+    (tmp_path / "shaper.toml").write_text(text, encoding="utf-8")
+    lines = {line.partition(" = ")[0].strip(): number for number, line in enumerate(text.splitlines(), 1)}
+    for command in ("check", "run"):
+        told = call(command, tmp_path / "shaper.toml", *(["--out", tmp_path / "out"] if command == "run" else []))
+        assert told.exit_code == 2
+        found = [(line[:4], int(re.search(r"toml:(\d+)", line)[1])) for line in told.stderr.splitlines()]
+        assert {("C002", lines["quantities"]), ("C002", lines["quantities"] + 1)} <= {*found}
+        assert {line for _, line in found} >= {lines["K"], lines["end"]}
+        assert 'there is no quantity "hodograph". Did you mean "hodographs"? Known: table, plots' in told.stderr
+        assert '"s3"' not in told.stderr.replace('coordinates = ["phi3", "s3"]', "")
+
+
+def test_of_columns_that_could_not_be_read_nothing_is_said(tmp_path):
+    text = SHAPER.replace('s3   = { rate = "u3" }', 's3   = { rat = "u3" }').replace('["table"]', '["table", "u3"]')
+    (tmp_path / "shaper.toml").write_text(text, encoding="utf-8")
+    assert "C002" not in call("check", tmp_path / "shaper.toml").stderr

@@ -7,26 +7,31 @@ Used by `graph_check.py`, `readings.py` and `graph_words.py`.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from coursework.drawing.check_sheet.instant_centres import Findings
+from coursework.drawing.check_sheet.instant_centres import Centre, Findings
+from coursework.drawing.check_sheet.layout import lay_out
 from coursework.drawing.check_sheet.sketch import Sketch
 from coursework.drawing.plans.moving import Kinematics, Moving
-from coursework.drawing.plans.plan_scale import PlanScale, scale_of
+from coursework.drawing.plans.plan_scale import SEEN, PlanScale, scale_of
 from coursework.drawing.plans.polygons import polygons
 from coursework.drawing.plans.vectors import POLE, VELOCITY, Found, Polygons
 
 
 @dataclass(frozen=True, slots=True)
 class CheckPlan:
-    """The polygons of one row, and the velocities (m/s) from the pole to each image, as `drawn` and as `tabled`."""
+    """The polygons of one row, and the velocities (m/s) from the pole to each image, as `drawn` and as `tabled`.
+
+    `specials` are the special points of links, by name: all lie on the sheet of the position.
+    """
 
     polygons: Polygons
     scale: PlanScale
     drawn: Mapping[str, complex]
     tabled: Mapping[str, complex]
+    specials: Mapping[str, Centre]
 
     @property
     def steps(self) -> Sequence[Found]:
@@ -37,6 +42,10 @@ class CheckPlan:
         """Return whether a vector between two images, "" for the pole, is drawn by itself."""
         here = (s for s in self.polygons.segments if s.plan == VELOCITY)
         return any((s.start, s.end) == (start or POLE, end) for s in here)
+
+    def moves(self, name: str) -> bool:
+        """Return whether an image can be told from the pole."""
+        return abs(self.drawn[name]) > SEEN * self.scale.longest
 
     @property
     def solved(self) -> set[str]:
@@ -49,9 +58,21 @@ def plan_of(sketch: Sketch, findings: Findings, table: Kinematics) -> CheckPlan 
     links = [bar for bar in sketch.outline.bars if bar.corners]
     if findings.missing or any(bar.link not in findings.omegas for bar in links if len(bar.corners) > 1):
         return None
-    drawn = polygons(sketch.outline, _constructed(sketch, findings), *_drive(sketch))
-    tabled = polygons(sketch.outline, table, *_drive(sketch))
-    return CheckPlan(drawn, scale_of(drawn, VELOCITY, 0), _images(sketch, drawn), _images(sketch, tabled))
+    sheet, taken = lay_out(sketch, findings), dict[tuple[str, ...], Centre]()
+
+    def on_sheet(place: complex, ends: tuple[str, ...]) -> bool:
+        """Take a special point that has room beside all that is on the sheet."""
+        wanted = {**taken, ends: Centre(place, ends)}
+        tried = lay_out(sketch, replace(findings, specials={"".join(key): special for key, special in wanted.items()}))
+        if fits := tried.near >= sheet.near and all(map(tried.holds, wanted.values())):
+            taken.update(wanted)
+        return fits
+
+    drawn = polygons(sketch.outline, _constructed(sketch, findings), *_drive(sketch), on_sheet=on_sheet)
+    tabled = polygons(sketch.outline, table, *_drive(sketch), on_sheet=lambda _, ends: ends in taken)
+    named = [one.point for one in drawn.found if one.rule == "special"]
+    specials = dict(zip(named, taken.values(), strict=True))
+    return CheckPlan(drawn, scale_of(drawn, VELOCITY, 0), _images(sketch, drawn), _images(sketch, tabled), specials)
 
 
 def _drive(sketch: Sketch) -> tuple[tuple[str, ...], tuple[str, ...]]:

@@ -22,7 +22,7 @@ from coursework.drawing.paper.painter import Painter
 from coursework.drawing.paper.placing import Owner, Place
 from coursework.drawing.paper.record import Drawing
 from coursework.drawing.paper.sheet import BOLD, ITALIC, Sheet, Word, inside, plain
-from coursework.drawing.paper.symbols import decimal, lowered_name, short
+from coursework.drawing.paper.symbols import decimal, lowered_name, name_word, short
 from coursework.drawing.plans.foot import draw_foot
 from coursework.words.sentences import say
 
@@ -47,7 +47,7 @@ def draw(
     layout = lay_out(sketch, findings)
     if blank:
         given = {name: v for name, v in findings.velocities.items() if name in sketch.pose.velocities}
-        findings = replace(findings, velocities=given, omegas={}, centres={})
+        findings = replace(findings, velocities=given, omegas={}, centres={}, specials={})
     svg = _Drawing(sketch, findings, layout, written).svg(say("drawing.title", row=row, time=time))
     alt = say("graph.alt", row=row)
     caption = say(
@@ -85,7 +85,7 @@ class _Drawing:
         self.middle = self.painter.middle
 
     def svg(self, title: str) -> str:
-        for name, centre in self.findings.drawn.items():
+        for name, centre in (*self.findings.drawn.items(), *self.findings.specials.items()):
             self.construction(name, centre)
         self.painter.fixed()
         self.painter.moving()
@@ -93,6 +93,9 @@ class _Drawing:
             self.velocity(name)
         for name, centre in self.findings.drawn.items():
             self.cross(name, centre)
+        for name, special in self.findings.specials.items():
+            if special.at is not None:
+                self.marked(self.layout.put(special.at), name_word(name))
         self.names()
         self.foot(title)
         return self.sheet.svg()
@@ -127,9 +130,7 @@ class _Drawing:
         layout = self.layout
         at = layout.put(centre.at)
         if link in layout.near:
-            for arm in (complex(CROSS, CROSS), complex(CROSS, -CROSS)):
-                self.sheet.line(at - arm, at + arm, 'stroke="black" stroke-width="0.4"')
-            self.marks.append(((self.letter, short(link), ""), [(at, at - self.middle, 2.2)], (at, at)))
+            self.marked(at, (self.letter, short(link), ""))
             return
         places, arrows = [], []
         for name in centre.lines:
@@ -142,6 +143,12 @@ class _Drawing:
         where = say("drawing.place", x=round(centre.at.real, decimals) + 0.0, y=round(centre.at.imag, decimals) + 0.0)
         if places:
             self.far.append(((self.letter, short(link), self.written(where).replace("-", "−")), places, arrows))
+
+    def marked(self, at: complex, word: Word) -> None:
+        """Mark a place of the sheet (mm) with a cross and its name."""
+        for arm in (complex(CROSS, CROSS), complex(CROSS, -CROSS)):
+            self.sheet.line(at - arm, at + arm, 'stroke="black" stroke-width="0.4"')
+        self.marks.append((word, [(at, at - self.middle, 2.2)], (at, at)))
 
     # words
 

@@ -140,6 +140,9 @@ def check_graph(mechanism: Mechanism, equations: VelocityEquations, motion: Moti
         far = tuple(body.name for body in sketch.pose.bodies if body.name in findings.drawn and body.name not in seen)
         findings = replace(findings, beyond=far)
         plan = _plan(equations, motion, row - 1, sketch, findings)
+        if plan is not None and plan.specials:
+            findings = replace(findings, specials=plan.specials)
+            layout = lay_out(sketch, findings)
         readings = read_off(sketch, findings, layout, values, plan)
     notes = (*how_found(sketch, findings, plan), *sketch.notes, *drift(sketch))
     return GraphCheck(row, float(motion.t[row - 1]), sketch, findings, rows, true, notes, readings, plan)

@@ -13,6 +13,8 @@ from coursework.drawing.check_sheet.check_plan import CheckPlan
 from coursework.drawing.check_sheet.instant_centres import Centre, Findings
 from coursework.drawing.check_sheet.pose import Body
 from coursework.drawing.check_sheet.sketch import Sketch
+from coursework.drawing.paper.symbols import lowered_name
+from coursework.drawing.plans.steps import crossing
 from coursework.words.sentences import joined, say
 
 # A link longer or shorter than at the start by less than this share of the mechanism is round-off, not drift.
@@ -57,6 +59,9 @@ def how_found(sketch: Sketch, findings: Findings, plan: CheckPlan | None) -> lis
     links = [body.name for body in bodies if body.name in findings.planned and not solved & {*body.points}]
     if asked := [body.name for body in bodies if body.name in links and len(body.points) > 1]:
         sentences.append(say("drawing.by_lines", links=tuple(asked)))
+    for one in plan.steps if plan is not None else ():
+        if one.rule == "special":
+            sentences.append(say("drawing.special", special=lowered_name(one.point), link=one.link, legs=crossing(one)))
     if plan is not None and findings.beyond:
         sentences.append(say("drawing.beyond", links=findings.beyond))
     for body in bodies:

@@ -38,7 +38,8 @@ class Findings:
     """What the drawing yields, by name: `centres` and `omegas` (rad/s) of links, `velocities` (m/s) of points.
 
     `planned` are links that no centre gives: they follow from the plan of velocities, as do those `beyond`, whose centre is
-    off the sheet; `missing` those that the geometry does not determine.
+    off the sheet; `missing` those that the geometry does not determine.  `specials` are special points of links, by name,
+    which the plan of velocities needs.
     """
 
     centres: Mapping[str, Centre]
@@ -47,6 +48,7 @@ class Findings:
     missing: tuple[str, ...]
     planned: tuple[str, ...] = ()
     beyond: tuple[str, ...] = ()
+    specials: Mapping[str, Centre] = field(default_factory=dict)
 
     @property
     def drawn(self) -> dict[str, Centre]:

@@ -1,12 +1,12 @@
 """How a mechanism lies on the page: scale from the row of drawing standards, scale of the velocities, page upright or lying.
 
-Enters: a `Sketch` and the `Findings`.  Leaves: `Layout`.  Used by `drawing.py`.
+Enters: a `Sketch` and the `Findings`.  Leaves: `Layout`.  Used by `drawing.py` and `check_plan.py`.
 Source of the row: ISO 5455, GOST 2.302 (1:1, 1:2, 1:2.5, 1:4, 1:5, 1:10 ...); the coursework of 1995 asks for 1:10.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from coursework.drawing.check_sheet.instant_centres import Centre, Findings
@@ -63,6 +63,10 @@ class Layout:
         (left, top, right, bottom), at = self.field, self.put(centre.at)
         return left + CROSS <= at.real <= right - CROSS and top + CROSS <= at.imag <= bottom - CROSS
 
+    def has(self, specials: Mapping[str, Centre]) -> int:
+        """Return how many special points lie on the sheet."""
+        return sum(self.holds(special) for special in specials.values())
+
     @property
     def scale_text(self) -> Sentence:
         """Return "1:10", or "5:1" for an enlargement."""
@@ -79,7 +83,7 @@ def lay_out(sketch: Sketch, findings: Findings) -> Layout:
         for longest in ARROWS:
             found = [way for wide in (False, True) if (way := _try(sketch, findings, scale, longest, wide))]
             if found:
-                return max(found, key=lambda way: (len(way.near), not way.wide))
+                return max(found, key=lambda way: (len(way.near), way.has(findings.specials), not way.wide))
     return Layout(smallest, 1.0, False, *PAGE, complex(PAGE[0] / 2, PAGE[1] / 2), frozenset())
 
 
@@ -112,6 +116,9 @@ def _try(sketch: Sketch, findings: Findings, scale: float, longest: float, wide:
             if _fits(wider, room):
                 box = wider
                 near.add(name)
+    for special in findings.specials.values():
+        if special.at is not None and _fits(wider := _join(box, special.at * mm, CENTRE_ROOM), room):
+            box = wider
     across, high = box[2] - box[0], box[3] - box[1]
     width = max(PAGE[0], across + 2 * EDGE)
     height = high + EDGE + FOOT

@@ -210,6 +210,9 @@ class _Ruler:
         for line in one.lines if one.rule == "lines" else ():
             if line.kind == "slot":
                 self.vector(line.base, point)
+        for line in (line for found in self.plan.steps if found.rule == "special" for line in found.lines) if self.plan else ():
+            if line.kind == "slot" and line.at == point:
+                self.vector(line.base, point)
         under = one.lines[-1].link if one.rule == "slide" else ""
         for body in self.sketch.pose.bodies:
             if point in body.points or body.name == under:
@@ -221,7 +224,7 @@ class _Ruler:
     def image(self, one: Found) -> None:
         """Read the velocity of a point from the pole to its image."""
         name, pose = one.point, self.sketch.pose
-        if name in self.speeds or name in pose.fixed:
+        if name in self.speeds or name in pose.fixed or (one.rule == "special" and self.plan and not self.plan.moves(name)):
             return
         if one.rule == "solved":
             self.speed(name, NO_LENGTH, say("drawing.read.plan"), abs(self.findings.velocities[name]), 0.0)

@@ -1,7 +1,7 @@
 """Coordinates that are angles: about which points of the drawing each turns, from which direction, in which sense.
 
 Enters: a `Mechanism`, and what its names stand for in one position.  Leaves: `Turn`.
-Used by `angles.py`.
+Used by `angles.py` and `assigning/senses.py`.
 """
 
 from __future__ import annotations
@@ -11,11 +11,13 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
+from coursework.drawing.outline.lengths import is_origin
 from coursework.mechanism.mechanism import Mechanism
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any, named
 
 Values = Mapping[str, complex]
 Sum = list[tuple[Formula, int]]  # terms with their signs
+Signed = tuple[tuple[Formula, int], ...]  # the same, of a record
 SAME = 1e-9  # m: places that near to each other are one
 
 
@@ -24,6 +26,7 @@ class Turn:
     """A `coordinate` (rad) that is measured at one of the places `at` (m, x + iy) from the direction `axis`.
 
     It turns by `size`, from 0 to less than a whole turn, in its positive `sense`: +1 counter-clockwise, -1 clockwise.
+    The angle of the axis is the sum `beside`, empty for the x axis; `line` are the points, from and to, of what turns, or "".
     """
 
     coordinate: str
@@ -31,16 +34,22 @@ class Turn:
     axis: complex
     size: float
     sense: int
+    beside: Signed = ()
+    line: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class _Arm:
-    """A term "L @ angle" that begins at a place; `part` is 1 or -1 for + or - coordinate in its angle, beside the `rest`."""
+    """A term "L @ angle" that begins at a place; `part` is 1 or -1 for + or - coordinate in its angle, beside the `rest`.
+
+    `line` are the points between which it leads where a file writes it so, else "".
+    """
 
     begin: complex
     is_named: bool
     part: int
-    rest: tuple[tuple[Formula, int], ...]
+    rest: Signed
+    line: str
 
 
 def turns(mechanism: Mechanism, values: Values) -> Iterator[Turn]:
@@ -59,11 +68,13 @@ def turns(mechanism: Mechanism, values: Values) -> Iterator[Turn]:
                 yield Turn(name, (at,), 1 + 0j, value % math.tau, 1)
             continue
         least, _, arm = ranked[0]
-        alike = [one.begin for rank, _, one in ranked if rank == least and (one.part, one.rest) == (arm.part, arm.rest)]
+        same = [one for rank, _, one in ranked if rank == least and (one.part, one.rest) == (arm.part, arm.rest)]
+        line = next((one.line for one in same if one.line), "")
         # A constant beside it does not change from where the coordinate itself counts.
         counts = arm.part < 0 or any(moving & {*part.names()} for part, _ in arm.rest)
         axis = cmath.exp(1j * sum(sign * evaluate_any(part, values).real for part, sign in arm.rest)) if counts else 1 + 0j
-        yield Turn(name, tuple(dict.fromkeys(alike)), axis, value % math.tau, arm.part)
+        beside, places = arm.rest if counts else (), tuple(dict.fromkeys(one.begin for one in same))
+        yield Turn(name, places, axis, value % math.tau, arm.part, beside, line if counts or not arm.rest else "")
 
 
 def _rank(arm: _Arm, moving: set[str]) -> tuple[int, bool]:
@@ -76,7 +87,7 @@ def _rank(arm: _Arm, moving: set[str]) -> tuple[int, bool]:
 def _arms(mechanism: Mechanism, values: Values, coordinate: str) -> Iterator[_Arm]:
     """Yield the arms that turn with a coordinate, in the points, closures and what the motion keeps."""
     corners = [values[name] for name, _ in mechanism.points if name in values]
-    for parts, is_gap in _sums(mechanism):
+    for parts, is_gap, end in _sums(mechanism):
         for place, (part, _) in enumerate(parts):
             if part.op != "@" or coordinate not in part.args[1].names():
                 continue
@@ -89,7 +100,8 @@ def _arms(mechanism: Mechanism, values: Values, coordinate: str) -> Iterator[_Ar
                 begin = _gap_begin(parts, place, values) if is_gap else _begin(parts, place, values)
             except (KeyError, FormulaFault):  # a length that a law of time gives
                 continue
-            yield _Arm(begin, any(abs(begin - corner) < SAME for corner in corners), own[0], rest)
+            line = _line(mechanism, parts, end)
+            yield _Arm(begin, any(abs(begin - corner) < SAME for corner in corners), own[0], rest, line)
 
 
 def _begin(parts: Sum, place: int, values: Values) -> complex:
@@ -104,12 +116,25 @@ def _gap_begin(parts: Sum, place: int, values: Values) -> complex:
     return sum((evaluate_any(part, values) for part, at in same if at < place or part.op != "@"), 0j)
 
 
-def _sums(mechanism: Mechanism) -> Iterator[tuple[Sum, bool]]:
-    """Yield the sums in which vectors stand, and whether one is the gap between two points."""
-    sides = [formula for _, formula in mechanism.points]
-    sides += [side for one in mechanism.constraints if one.is_closure for side in (one.left, one.right)]
-    yield from ((list(signed(side)), False) for side in sides)
-    yield from ((list(signed(hold.args[0])), True) for hold in mechanism.variant.holds if hold.op == "part")
+def _line(mechanism: Mechanism, parts: Sum, end: str) -> str:
+    """Return the points of "D + r1 @ phi1" that leads to the point `end`: "DA"; "" where a sum says something else."""
+    *before, (_, sign) = parts
+    origin = next((name for name, formula in mechanism.points if is_origin(formula)), "")
+    begin = before[0][0].name if len(before) == 1 and before[0][0].op == "name" and before[0][1] > 0 else ""
+    begin = begin if before else origin
+    return begin + end if begin and end and sign > 0 else ""
+
+
+def _sums(mechanism: Mechanism) -> Iterator[tuple[Sum, bool, str]]:
+    """Yield the sums in which vectors stand, whether one is the gap between two points, the point that it leads to or ""."""
+    sides = [(formula, name) for name, formula in mechanism.points]
+    met = {formula: name for name, formula in mechanism.points}
+    for one in mechanism.constraints:
+        if one.is_closure:
+            pair = (one.left, one.right), (one.right, one.left)
+            sides += [(side, other.name if other.op == "name" else met.get(other, "")) for side, other in pair]
+    yield from ((list(signed(side)), False, name) for side, name in sides)
+    yield from ((list(signed(hold.args[0])), True, "") for hold in mechanism.variant.holds if hold.op == "part")
 
 
 def _centre(mechanism: Mechanism, rate: str, values: Values) -> complex | None:

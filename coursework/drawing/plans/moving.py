@@ -1,7 +1,7 @@
 """How every point of an outline and of the links it draws moves, over all rows of a motion.
 
 Enters: an `Outline`, velocity equations, a motion and its accelerations.  Leaves: `Kinematics`.
-Used by `plans.py`, `polygons.py`, `vectors.py` and `check_plan.py`.
+Used by `plans.py`, `polygons.py`, `special_points.py`, `vectors.py` and `check_plan.py`.
 """
 
 from __future__ import annotations

@@ -52,13 +52,16 @@ def scale_of(found: Polygons, plan: str, index: int) -> PlanScale:
 
 def arrows_of(found: Polygons, plan: str, row: int) -> list[Arrow]:
     """Return kind, from, to, where it begins and the vector: parts of an acceleration follow each other."""
-    here = [(s.kind, s.start, s.end, complex(s.vector[row])) for s in found.segments if s.plan == plan]
+    segments = [s for s in found.segments if s.plan == plan]
+    here = [(s.kind, s.start, s.end, complex(s.vector[row])) for s in segments]
     tips = {end: vector for kind, _, end, vector in here if kind == "absolute"}
     first = {(start, end): vector for kind, start, end, vector in here if kind in {"normal", "coriolis"}}
     arrows = []
-    for kind, start, end, vector in here:
+    for (kind, start, end, vector), segment in zip(here, segments, strict=True):
         at = tips.get(start, 0j)
-        if kind == "tangential" or (kind == "sliding" and plan == ACCELERATION):
+        if segment.begins is not None:
+            at = complex(segment.begins[row])
+        elif kind == "tangential" or (kind == "sliding" and plan == ACCELERATION):
             at += first[start, end]
         arrows.append((kind, start, end, at, vector))
     return arrows

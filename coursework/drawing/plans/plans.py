@@ -78,9 +78,9 @@ def make_plans(
         raise InputError([Fault(say("fault.V524"), variant.file)])
     pairs = stretching(mechanism)
     given, rates = given_points(outline, variant), variant.known_rates
+    row = min(variant.time.row_of_check, max(1, min(len(table[0].t), len(exact[0].t))))
     rows, true = (
-        polygons(outline, kinematics_of(outline, equations, motion, second), given, rates, pairs)
+        polygons(outline, kinematics_of(outline, equations, motion, second), given, rates, pairs, row - 1)
         for motion, second in (table, exact)
     )
-    row = min(variant.time.row_of_check, max(1, min(len(rows.t), len(true.t))))
     return Plans(outline, row, rows, true, chain=bool(variant.groups))

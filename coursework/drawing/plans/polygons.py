@@ -3,33 +3,38 @@
 Enters: an `Outline` and how its points move.  Leaves: `Polygons`, vectors in m/s and m/s².
 Used by `plans.py` and `check_plan.py`.
 A dyad needs no rule of its own: a point is found where two known lines meet, each across a link, along a guide or along a
-link on which it slides.  Of a link that turns as its guide does one line is enough, drawn through any of its points.
+link on which it slides.  Of a link that turns as its guide does one line is enough, drawn through any of its points.  A link
+that three legs hold (a group of class III) has one line at each of three points: a special point of it is found first.
 Source: Ponomarev, coursework guide; theory of mechanisms, method of plans.
 """
 
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from coursework.drawing.outline.outline import Bar, Outline, Slot
 from coursework.drawing.plans.moving import Complex, Kinematics
+from coursework.drawing.plans.special_points import PARALLEL, Leg, special_name, special_points
 from coursework.drawing.plans.vectors import POLE, Found, Line, Polygons, Vectors
-
-PARALLEL = 1e-9  # sine of the angle below which two lines meet in no row
 
 
 def polygons(
     outline: Outline, kinematics: Kinematics, given: Sequence[str] = (), rates: Sequence[str] = (),
-    stretching: frozenset[frozenset[str]] = frozenset(),
+    stretching: frozenset[frozenset[str]] = frozenset(), row: int = 0,
+    on_sheet: Callable[[complex, tuple[str, ...]], bool] = lambda place, ends: True,
 ) -> Polygons:  # fmt: skip
     """Return the plans of every row of a motion: `given` points move as a drive says, links with known `rates` turn so.
 
-    `stretching` are pairs of points of a link whose distance changes: there one slides on the link.
+    `stretching` are pairs of points of a link whose distance changes: there one slides on the link.  Of the special points of
+    a link that is taken which lies nearest in `row` (from 0), the one on paper, and `on_sheet`: its place (m) and the points
+    from which lines lead there.
     """
     plan = _Plan(outline, kinematics, rates, stretching)
+    plan.row, plan.on_sheet = row, on_sheet
     plan.draw(given)
     return Polygons(kinematics.t, tuple(plan.paper.segments.values()), tuple(plan.paper.found))
 
@@ -51,12 +56,16 @@ class _Plan:
         self.turning = {*self.driven, *self.still}
         self.names = [name for bar in self.bars for name in bar.corners]
         self.under: set[tuple[str, str]] = set()
+        self.slots: dict[tuple[str, str], str] = {}  # what lies under a point on a link, once it is drawn
+        self.specials: dict[str, str] = {}  # of a link
+        self.row = 0
+        self.on_sheet: Callable[[complex, tuple[str, ...]], bool] = lambda place, ends: True
 
     def draw(self, given: Sequence[str]) -> None:
         """Draw on until every point has its image."""
         for name in given:
             self.paper.place(name, "given")
-        while self.turned() or self.carried() or self.rolled() or self.slid() or self.met() or self.solved():
+        while self.turned() or self.carried() or self.rolled() or self.slid() or self.met() or self.special() or self.solved():
             pass
 
     # how images are found, the simplest way first
@@ -116,7 +125,7 @@ class _Plan:
                 base, way = self.base(bar), self.way(bar)
                 if bar.link in self.turning and way is not None and not base:
                     name, line = way
-                elif bar.link not in self.turning and base:
+                elif bar.link not in self.turning and base and self.crosses(bar, base, rider, slot):
                     name, line = base, Line("bar", base, bar.link)
                 else:
                     continue
@@ -144,6 +153,36 @@ class _Plan:
                 self.paper.place(name, "lines", tuple([self.along(line, name) for line in crossing]))
                 return True
         return False
+
+    def special(self) -> bool:
+        """Place a special point of a link that is held by three legs and of which no image is known."""
+        for bar in self.bars:
+            legs = [] if bar.link in self.turning or self.base(bar) else [*self.legs(bar)]
+            for found in special_points(legs, self.row) if len(legs) > 2 else ():
+                if not self.on_sheet(complex(found.at[self.row]), tuple(leg.point for leg in found.legs)):
+                    continue
+                name = special_name([*self.kinematics.points])
+                self.kinematics.points[name] = self.kinematics.carried(bar, bar.corners[0], found.at)
+                lines = [leg.line if leg.line.kind == "bar" else self.along(leg.line, leg.point) for leg in found.legs]
+                lines = [replace(line, at=leg.point) for line, leg in zip(lines, found.legs, strict=True)]
+                drawn = [self.paper.towards(bar, name, line) for line in lines]
+                self.paper.place(name, "special", drawn, bar.link)
+                self.specials[bar.link] = name
+                return True
+        return False
+
+    def legs(self, bar: Bar) -> Iterator[Leg]:
+        """Yield what holds a link at its points, and at what slides on it."""
+        points = self.kinematics.points
+        for name in bar.corners:
+            for line in self.lines(name):
+                if line.kind == "wheel" or (line.kind != "bar" and name not in {line.base, line.link}):
+                    continue
+                yield Leg(name, line, points[name].at, self.direction(line, name))
+        for slot in self.outline.slots:
+            for rider in slot.riders if slot.link == bar.link else ():
+                if rider in self.images:
+                    yield Leg(rider, Line("sleeve", rider, bar.link), points[rider].at, self.slot_way(slot))
 
     def solved(self) -> bool:
         """Place what no two lines give: its velocity is solved from the same geometry."""
@@ -199,9 +238,17 @@ class _Plan:
             rail = self.rails[line.link]
             return points[rail.toward].at - points[rail.base].at
         if line.kind == "slot":
-            slot = next(one for one in self.outline.slots if one.link == line.link and line.base in one.riders)
-            return points[slot.toward].at - points[slot.base].at
+            return self.slot_way(next(one for one in self.outline.slots if one.link == line.link and line.base in one.riders))
         return 1j * (points[name].at - points[line.base].at)
+
+    def slot_way(self, slot: Slot) -> Complex:
+        """Return the direction (n,) of the straight part of a link."""
+        return self.kinematics.points[slot.toward].at - self.kinematics.points[slot.base].at
+
+    def crosses(self, bar: Bar, base: str, rider: str, slot: Slot) -> bool:
+        """Return whether the line across a link meets that along its guide: not where it was drawn from just there."""
+        points = self.kinematics.points
+        return base in bar.corners or self.meet(1j * (points[rider].at - points[base].at), self.slot_way(slot))
 
     @staticmethod
     def meet(one: Complex, other: Complex) -> bool:
@@ -221,7 +268,9 @@ class _Plan:
     def base(self, bar: Bar) -> str:
         """Return the point of a link from which the others are drawn: a pivot of the frame, else the first image."""
         there = [name for name in bar.corners if name in self.images]
-        return next((name for name in there if name in self.outline.hinges), there[0] if there else "")
+        return next(
+            (name for name in there if name in self.outline.hinges), there[0] if there else self.specials.get(bar.link, "")
+        )
 
     def along(self, line: Line, name: str) -> Line:
         """Draw what leads along a line to the image of a point; return the line as it is drawn."""
@@ -229,5 +278,7 @@ class _Plan:
             self.paper.along_bar(self.bar(line.link), line.base, name)
         elif line.kind == "slot":
             bar = self.bar(line.link)
-            return Line("slot", self.paper.over(bar, self.base(bar), name), line.link)
+            if (name, line.link) not in self.slots:
+                self.slots[name, line.link] = self.paper.over(bar, self.base(bar), name)
+            return Line("slot", self.slots[name, line.link], line.link)
         return line

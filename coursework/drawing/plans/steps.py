@@ -1,7 +1,7 @@
 """How a plan is drawn, step by step, as one writes it beside the drawing: lines, lengths in mm, what is read.
 
 Enters: `Polygons`, a plan, a row and its scale.  Leaves: sentences.
-Used by `polygon_sheet.py` and `readings.py`.
+Used by `polygon_sheet.py`, `readings.py` and `graph_words.py`.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from coursework.drawing.plans.vectors import ACCELERATION, POLE, VELOCITY, Found
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
-READ_OFF = {"lines", "slide", "similar", "translates"}  # the rules that end with a ruler on the plan
+READ_OFF = {"lines", "slide", "similar", "translates", "special"}  # the rules that end with a ruler on the plan
 
 
 def image(name: str) -> str:
@@ -35,6 +35,8 @@ def _step(one: Found, plan: str, size: dict[tuple[str, str, str], float], scale:
         values |= {"size": amount, "mm": amount / scale.unit}
     if one.rule in {"given", "rolls", "solved"}:
         return say(f"plans.{plan}.{one.rule}", **values)
+    if one.rule == "special":
+        values |= {"link": one.link, "legs": crossing(one)}
     under, rider = (point, one.rider) if one.rule == "slide" else (f"{point}'", point)
     if one.rule in {"slide", "stretches"}:
         sliding = size[("sliding", under, rider)]
@@ -52,6 +54,17 @@ def _step(one: Found, plan: str, size: dict[tuple[str, str, str], float], scale:
     return say(f"plans.{plan}.{one.rule}", lines=told, **values)
 
 
+def crossing(special: Found) -> Sentence:
+    """Return between which lines of its mechanism a special point lies."""
+    first, last = (
+        say("plans.leg.bar", base=lowered_name(line.base), point=lowered_name(line.at))
+        if line.kind == "bar"
+        else say("plans.leg.guide", point=lowered_name(line.at.rstrip("'")))
+        for line in special.lines
+    )
+    return say("plans.two", first=first, last=last)
+
+
 def _read(size: float, scale: PlanScale, amount: str, length: str) -> dict[str, object]:
     """Return a vector as it is read: its length to half a millimetre, and what that comes to."""
     mm, unit = scale.length(size)
@@ -61,6 +74,8 @@ def _read(size: float, scale: PlanScale, amount: str, length: str) -> dict[str, 
 
 def _line(line: Line, point: str, plan: str, size: dict[tuple[str, str, str], float], unit: float) -> Sentence:
     """Return from where and in which direction a line is drawn, with the part that comes first where one does."""
+    if line.at:
+        return _line_to_special(line, point, plan, size, unit)
     if line.kind == "rail":
         return say("plans.line.rail")
     if line.kind == "slot" and ("sliding", line.base, point) not in size:  # what slides is known, the point under it sought
@@ -78,3 +93,18 @@ def _line(line: Line, point: str, plan: str, size: dict[tuple[str, str, str], fl
     if plan == ACCELERATION and normal is not None:
         return say("plans.line.normal", start=where, base=lowered_name(line.base), point=lowered_name(point), mm=normal / unit)
     return say("plans.line.across", start=where, base=lowered_name(line.base), point=lowered_name(point))
+
+
+def _line_to_special(line: Line, special: str, plan: str, size: dict[tuple[str, str, str], float], unit: float) -> Sentence:
+    """Return how a line is drawn to the image of a special point, from what a leg says of the point `line.at`."""
+    start = POLE if line.kind == "rail" or ("relative", line.base, special) not in size else line.base
+    values: dict[str, object] = {"special": lowered_name(special), "point": lowered_name(line.at), "link": line.link}
+    values["start"] = say("plans.line.pole") if start == POLE else image(line.base)
+    values["base"] = lowered_name(line.base) if line.kind in {"bar", "sleeve"} else image(line.base)
+    if plan == VELOCITY:
+        key = {"rail": "rail", "bar": "across", "slot": "under", "sleeve": "slot"}[line.kind]
+        return say(f"plans.line.{key}", **(values | {"base": image(line.base)} if line.kind == "sleeve" else values))
+    values["own"] = size["normal", line.at, special] / unit
+    before = {"bar": ("normal", start, line.at), "slot": ("coriolis", line.base, line.at), "sleeve": ("coriolis", start, line.at)}
+    values["mm"] = size[before[line.kind]] / unit if line.kind in before else 0.0
+    return say(f"plans.line.special.{line.kind}", **values)

@@ -1,7 +1,7 @@
 """The vectors of plans of velocities and accelerations, as they are drawn one after the other.
 
 Enters: `Kinematics` and which points are joined.  Leaves: `Segment`s and, of each image, how it was `Found`.
-Used by `polygons.py`, `polygon_sheet.py`, `steps.py`, `plans.py`, `check_plan.py` and `readings.py`.
+Used by `polygons.py`, `polygon_sheet.py`, `steps.py`, `plans.py`, `special_points.py`, `check_plan.py` and `readings.py`.
 """
 
 from __future__ import annotations
@@ -24,7 +24,8 @@ UNITS = {VELOCITY: "m/s", ACCELERATION: "m/s²"}
 class Segment:
     """One vector of a plan in every row: `kind` absolute, relative, normal, tangential, coriolis or sliding; `start` to `end`.
 
-    `start` is "pole" or a point's name; "B'" is the point of the guide-carrying link under B.
+    `start` is "pole" or a point's name; "B'" is the point of the guide-carrying link under B.  It is drawn from the image of
+    `start`, an acceleration behind its normal or Coriolis part, unless it begins at another place `begins` of the plan.
     """
 
     plan: str
@@ -32,29 +33,36 @@ class Segment:
     start: str
     end: str
     vector: Complex
+    begins: Complex | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """A line on which a point's image lies: `kind` "bar", "rail", "wheel" or "slot"; drawn from the image of `base`.
+    """A line on which a point's image lies: `kind` "bar", "rail", "wheel", "slot" or "sleeve"; drawn from the image of `base`.
 
-    On a slot `base` is the point of its link under the one that slides, or that one where the former is sought; of a rail
-    `link` is the point that runs in it.
+    On a slot `base` is the point of its link under the one that slides, or that one where the former is sought; in a sleeve
+    it is what slides on the link itself; of a rail `link` is the point that runs in it.  A line that leads to a special point
+    is that of the point `at` of its link.
     """
 
     kind: str
     base: str
     link: str = ""
+    at: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """How the image of a point was found: `rule` and the lines that meet in it; `rider` slides over what a "slide" finds."""
+    """How the image of a point was found: `rule` and the lines that meet in it; `rider` slides over what a "slide" finds.
+
+    A "special" point is one of `link`.
+    """
 
     rule: str
     point: str
     lines: tuple[Line, ...] = ()
     rider: str = ""
+    link: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,14 +84,15 @@ class Vectors:
     segments: dict[tuple[str, str, str, str], Segment] = field(default_factory=dict)
     images: list[str] = field(default_factory=list)
     found: list[Found] = field(default_factory=list)
+    called: dict[tuple[str, str], str] = field(default_factory=dict)  # what lies under a point on a link, before it is drawn
 
-    def place(self, name: str, rule: str, lines: Sequence[Line] = ()) -> None:
+    def place(self, name: str, rule: str, lines: Sequence[Line] = (), link: str = "") -> None:
         """Draw the image of a point from the pole."""
         moving = self.kinematics.points[name]
         self.segment(VELOCITY, "absolute", POLE, name, moving.velocity)
         self.segment(ACCELERATION, "absolute", POLE, name, moving.acceleration)
         self.images.append(name)
-        self.found.append(Found(rule, name, tuple(lines)))
+        self.found.append(Found(rule, name, tuple(lines), link=link))
 
     def along_bar(self, bar: Bar, base: str, name: str) -> None:
         """Draw the motion of a point about another of its link."""
@@ -112,9 +121,7 @@ class Vectors:
 
         It is `joined` to the point `base` of the link, unless it is found without it.
         """
-        point = rider.rstrip("'")
-        marks = [segment.end for segment in self.segments.values() if segment.end.startswith(f"{point}'")]
-        under = point + "'" * (1 + len(max(marks, default=point, key=len)) - len(point))
+        under = self.called.pop((bar.link, rider), "") or self.under(rider)
         moving = self.kinematics.points[rider]
         below = self.kinematics.points[under] = self.kinematics.carried(bar, base, moving.at)
         omega, _ = self.kinematics.turning[bar.link]
@@ -129,6 +136,45 @@ class Vectors:
         self.segment(ACCELERATION, "sliding", under, rider, moving.acceleration - below.acceleration - coriolis)
         return under
 
-    def segment(self, plan: str, kind: str, start: str, end: str, vector: Complex) -> None:
+    def towards(self, bar: Bar, special: str, line: Line) -> Line:
+        """Draw the line of a leg to the image of a special point of a link; return it as it is drawn.
+
+        The acceleration begins with what is known of the point `line.at`, normal or Coriolis's part, and goes on with the
+        normal part of the special point about that one: both lie on the line of the leg.
+        """
+        points, base = self.kinematics.points, line.base
+        omega, _ = self.kinematics.turning[bar.link]
+        start = POLE if line.kind == "rail" or base in self.hinges else base
+        before = np.zeros_like(points[special].at)
+        if line.kind == "bar":
+            turning, _ = self.kinematics.turning[line.link]
+            before = -turning * turning * (points[line.at].at - points[base].at)
+            self.segment(ACCELERATION, "normal", start, line.at, before)
+        elif line.kind == "slot":
+            before = self.segments[ACCELERATION, "coriolis", base, line.at].vector
+        elif line.kind == "sleeve":
+            under = self.kinematics.carried(bar, special, points[base].at)
+            line = Line("sleeve", base, line.link, self.called.setdefault((bar.link, base), self.under(base)))
+            points[line.at] = under
+            before = 2j * omega * (under.velocity - points[base].velocity)
+            self.segment(ACCELERATION, "coriolis", start, line.at, before)
+        there = points[base] if start != POLE else None
+        if there is not None:
+            self.segment(VELOCITY, "relative", start, special, points[special].velocity - there.velocity)
+            self.segment(ACCELERATION, "relative", start, special, points[special].acceleration - there.acceleration)
+        begins = before if there is None else there.acceleration + before
+        own = -omega * omega * (points[special].at - points[line.at].at)
+        self.segment(ACCELERATION, "normal", line.at, special, own, begins)
+        rest = points[special].acceleration - begins - own
+        self.segment(ACCELERATION, "tangential", start, special, rest, begins + own)
+        return line
+
+    def under(self, rider: str) -> str:
+        """Return how the point of a link under what slides on it is called, the next of its kind."""
+        point = rider.rstrip("'")
+        marks = [segment.end for segment in self.segments.values() if segment.end.startswith(f"{point}'")]
+        return point + "'" * (1 + len(max(marks, default=point, key=len)) - len(point))
+
+    def segment(self, plan: str, kind: str, start: str, end: str, vector: Complex, begins: Complex | None = None) -> None:
         """Write a vector down, once."""
-        self.segments.setdefault((plan, kind, start, end), Segment(plan, kind, start, end, vector))
+        self.segments.setdefault((plan, kind, start, end), Segment(plan, kind, start, end, vector, begins))

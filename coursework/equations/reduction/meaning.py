@@ -18,6 +18,9 @@ from coursework.words.sentences import joined, say
 _SMALL = 1e-3
 # Stands for an angle counted from x as the file counts it.
 _FROM_X = "·"
+# What a link is called, by its name and by its angle: alone, and where something of it is meant (another case in some languages).
+_NAMED = ("determinant.link", "determinant.link_at")
+_OF = ("determinant.of_link", "determinant.of_link_at")
 # The sine of an angle given with all digits of pi is still this much beside zero.
 _ROUNDING = 1e-12
 
@@ -137,10 +140,11 @@ def _is_difference(tree: Formula) -> bool:
     return tree.op == "-" and all(arg.op == "name" for arg in tree.args)
 
 
-def _link(angle: str, variant: Variant) -> str:
+def _link(angle: str, variant: Variant, keys: tuple[str, str] = _NAMED) -> str:
     rate = next((c.rate for c in variant.coordinates if c.name == angle), "")
     names = [link.name for link in variant.links if link.rate == rate] or _bodies(angle, variant)
-    return say("determinant.link", name=names[0]) if names else say("determinant.link_at", angle=angle)
+    named, at_angle = keys
+    return say(named, name=names[0]) if names else say(at_angle, angle=angle)
 
 
 def _bodies(angle: str, variant: Variant) -> list[str]:
@@ -151,4 +155,5 @@ def _bodies(angle: str, variant: Variant) -> list[str]:
 
 
 def _listed(angles: list[str], variant: Variant) -> object:
-    return tuple(_link(angle, variant) for angle in angles) if angles else say("determinant.links")
+    """Return the links of these angles as those whose something is: "of links 3 and 4"."""
+    return tuple(_link(angle, variant, _OF) for angle in angles) if angles else say("determinant.of_links")

@@ -6,6 +6,7 @@ Raises `InputError` before anything is graded.  Used by `gradebook.py`.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -15,7 +16,7 @@ from coursework.grading.batch.work import Task, VariantSource
 from coursework.grading.collecting.file_lists import FileList
 from coursework.grading.collecting.matching import match
 from coursework.grading.collecting.sources import Source
-from coursework.grading.platforms.roster import Roster
+from coursework.grading.platforms.roster import ACCEPTED, Roster
 from coursework.grading.platforms.worksheet import Worksheet, WorksheetRow
 from coursework.grading.reading.equations.variant_files import is_variant_file
 from coursework.grading.reading.submission import Submission
@@ -26,10 +27,15 @@ from coursework.variant.toml.source import MAX_BYTES
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
+_DECIMALS = re.compile(r"(?:[0-9]|1[0-5])?")
+
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """One student to grade: by which variant, from which file_lists (none: nothing handed in), where the worksheet has them."""
+    """One student to grade: by which variant, from which file_lists (none: nothing handed in), where the worksheet has them.
+
+    `accepted_decimals` are those of the roster, None where it has no such column.
+    """
 
     id: str
     name: str | None
@@ -37,6 +43,7 @@ class Place:
     variant: str
     file_lists: tuple[FileList, ...]
     row: WorksheetRow | None = None
+    accepted_decimals: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +58,8 @@ class ClassList:
     def tasks(self, source: Source, overrides: Mapping[str, tuple[Override, ...]]) -> Iterator[Task]:
         """Yield the tasks, each with its files read when it is drawn."""
         for place in self.places:
-            yield Task(_collected(source, place), self.sources[place.variant], overrides.get(place.id, ()))
+            decisions = overrides.get(place.id, ())
+            yield Task(_collected(source, place), self.sources[place.variant], decisions, place.accepted_decimals)
 
 
 def _collected(source: Source, place: Place) -> Submission:
@@ -82,6 +90,9 @@ def class_of_roster(source: Source, roster: Roster, file: Path, worksheet: Works
     faults: list[Fault] = []
     read: dict[str, tuple[Variant, VariantSource]] = {}
     for student in roster.students:
+        if not _DECIMALS.fullmatch(student.more.get(ACCEPTED, "").strip()):
+            message = say("fault.G070", column=ACCEPTED, text=student.more[ACCEPTED][:40])
+            faults.append(Fault(message, str(file), student.line))
         if not student.variant:
             faults.append(Fault(say("fault.G027"), str(file), student.line))
         elif student.variant not in read:
@@ -99,6 +110,7 @@ def class_of_roster(source: Source, roster: Roster, file: Path, worksheet: Works
         Place(
             student.id, student.name or None, student.email, read[student.variant][1].name,
             matched.file_lists.get(student.id, ()), matched.rows.get(student.id),
+            int(decimals) if (decimals := student.more.get(ACCEPTED, "").strip()) else None,
         )
         for student in roster.students
     ]  # fmt: skip

@@ -17,6 +17,7 @@ from coursework.grading.batch.decisions import Override, overridden
 from coursework.grading.marking.grade import blank_grade
 from coursework.grading.marking.reasons.reasons import state_reason
 from coursework.grading.marking.rubric import read_rubric
+from coursework.grading.reading.documents import pdf
 from coursework.grading.reading.submission import Submission
 from coursework.system.plain_lines import plain_of
 from coursework.system.version import VERSION
@@ -61,18 +62,19 @@ class Setup:
 
 @dataclass(frozen=True, slots=True)
 class Task:
-    """One submission, the variant it is graded by, and what the instructor decided about it."""
+    """One submission, the variant it is graded by, what the instructor decided about it, the decimals accepted of its class."""
 
     submission: Submission
     variant: VariantSource
     overrides: tuple[Override, ...] = ()
+    accepted_decimals: int | None = None
 
     def key(self, setup: Setup) -> str:
         """Return the content a journal knows this work by, one hash a reason to grade anew; never a path or a clock."""
-        looks = (GRADING_VERSION, VERSION, setup.pages, sorted(setup.pieces.items()), setup.language)
+        looks = (GRADING_VERSION, VERSION, pdf.is_readable(), setup.pages, sorted(setup.pieces.items()), setup.language)
         parts = {
             "files": json.dumps(plain_of(self.submission), sort_keys=True),
-            "variant": self.variant.sha256,
+            "variant": " ".join(str(part) for part in (self.variant.sha256, self.accepted_decimals) if part is not None),
             "rubric": setup.rubric,
             "overrides": json.dumps([override.plain() for override in self.overrides]),
             "version": " ".join(map(str, looks)),

@@ -46,14 +46,14 @@ class Workshop:
         self.setup, self.words = setup, load_phrases(setup.language)
         self.rubric: Rubric = read_rubric(setup.rubric) if setup.rubric else Rubric()
         self._tables = {name: np.array(table) for name, table in setup.class_tables.items()}
-        self._markers: OrderedDict[str, tuple[Marker, Expected]] = OrderedDict()
+        self._markers: OrderedDict[tuple[str, int | None], tuple[Marker, Expected]] = OrderedDict()
 
     def answer(self, plain_task: Any) -> Outcome:
         """Return the outcome of one task, which has come as plain data."""
         task = record_of(Task, plain_task)
         submission, source = task.submission, task.variant
         try:
-            grade = self.grade(submission, source)
+            grade = self.grade(submission, source, task.accepted_decimals)
         except MemoryError:
             return failed(task, self.setup, "unreadable", say("grading.memory"))
         why = [reason.plain() for reason in reasons(grade)]
@@ -63,23 +63,24 @@ class Workshop:
         page = feedback_page(grade, submission.id, submission.name, plain, self.words) if self.setup.pages else ""
         return Outcome(submission.id, plain, page)
 
-    def grade(self, submission: Submission, source: VariantSource) -> Grade:
+    def grade(self, submission: Submission, source: VariantSource, accepted_decimals: int | None = None) -> Grade:
         """Return the grade of a submission.  Raises `InputError` where the variant itself cannot be used."""
-        marker, expected = self._marker(source)
+        marker, expected = self._marker(source, accepted_decimals)
         return marker.grade(read_submission(submission, expected))
 
-    def _marker(self, source: VariantSource) -> tuple[Marker, Expected]:
-        if source.sha256 in self._markers:
-            self._markers.move_to_end(source.sha256)
-            return self._markers[source.sha256]
+    def _marker(self, source: VariantSource, accepted_decimals: int | None) -> tuple[Marker, Expected]:
+        kept = source.sha256, accepted_decimals
+        if kept in self._markers:
+            self._markers.move_to_end(kept)
+            return self._markers[kept]
         variant = parse_variant(source.content, source.name, source.tables)
-        key = key_of(variant)
+        key = key_of(variant, accepted_decimals)
         if not len(key.table):
             raise InputError([Fault(say("fault.G006", stopped=key.stopped), source.name)])
         grid = grid_of(variant, {name: tuple(key.table[:, place].tolist()) for place, name in enumerate(key.names)})
         others = {name: table for name, table in self._tables.items() if name != source.name}
         made = Marker(key, self.rubric, others), Expected(grid, variant, tuple(a.name for a in self.rubric.answers))
-        self._markers[source.sha256] = made
+        self._markers[kept] = made
         while len(self._markers) > KEPT:
             self._markers.popitem(last=False)
         return made

@@ -31,6 +31,8 @@ from coursework.words.sentences import say
 
 # Decimals beyond these differ between two programs that compute the same table in another order.
 _COPIED = 1e-13
+# One decimal of degrees is nearly the third of radians, and as good.
+_FEWER = 2.0
 GRADED = ("graded", "graded-with-notes")
 
 
@@ -168,7 +170,9 @@ class Marker:
         )
         status, reason, notes = self._status(work, shares)
         if status == "graded" and equations is not None and self.rubric.weights["equations"] and (unread := equations.unread):
-            status, reason = "needs-review", say("reading.review.unread_line", line=unread.line.line, text=unread.line.text[:80])
+            line = unread.line
+            key = "unread_place" if line.place else "unread_line"
+            status, reason = "needs-review", say(f"reading.review.{key}", line=line.line, place=line.where, text=line.text[:80])
         notes = (*work.notes, *self._notes(table), *notes)
         if status == "graded" and notes:
             status = "graded-with-notes"
@@ -203,6 +207,8 @@ class Marker:
         absent = [part for part, share in shares.items() if share is None and self.rubric.weights[part]]
         if not absent:
             return "graded", None, ()
+        if work.unopened is not None:
+            return "needs-review", work.unopened, ()
         notes = tuple(note("empty_part", "no_part", part=say(f"feedback.part.{part}")) for part in absent)
         if self.rubric.missing_part == "zero":
             shares.update(dict.fromkeys(absent, 0.0))
@@ -215,6 +221,8 @@ class Marker:
             cells = table.cells
             if count := int((cells.too_coarse & cells.counted).sum()):
                 found.append(note("too_coarse", count=count, least=self.key.least_decimals))
+            if count := fewer_decimals(self.key, cells):
+                found.append(note("fewer_decimals", count=count, least=self.key.least_decimals))
             if cells.computed_to is not None:
                 found.append(note("coarse_work", decimals=cells.computed_to))
             if _is_the_key(cells.student, self.key):
@@ -262,6 +270,12 @@ def _own_rows(key: Key, table: Table) -> OwnRows | None:
         if name in table.own.columns:
             values[:, place], units[:, place] = table.own.columns[name]
     return OwnRows(table.own.step, values, units)
+
+
+def fewer_decimals(key: Key, cells: Cells) -> int:
+    """Return how many cells that count have fewer decimals than the task sheet asks for."""
+    with np.errstate(invalid="ignore"):
+        return int((~cells.missing & (cells.student.units > _FEWER * 10.0**-key.least_decimals)).sum())
 
 
 def _is_the_key(student: StudentTable, key: Key) -> bool:

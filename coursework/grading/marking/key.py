@@ -33,6 +33,9 @@ _SMALLEST_GAP = 1e-3
 _NO_GAP = 1e-9
 # Digits that decide: a cell counts as shown up to this part of the gap; the task sheet asks for a fifth of it.
 SHOWN, ASKED = 0.6, 5.0
+# One number of decimals holds for a class; the gap of a student's own data may be so much smaller than the template's.
+SHARED = 2.0
+_LAST_BIT = 1 + 1e-9
 _DIFFERENCE = 1e-6
 
 
@@ -40,6 +43,7 @@ _DIFFERENCE = 1e-6
 class Key:
     """What a right table is.
 
+    `accepted_decimals` is how many decimals the whole class may hand in, None where this variant stands alone.
     `table` (n, m + r) by `names`: m coordinates, then r velocities (rates first), SI; `stopped` why it is shorter than
     assigned, "" where it is not.  What few submissions need is found when it is asked for.  Where a velocity has no value,
     functions give NaN.
@@ -49,6 +53,7 @@ class Key:
     model: Model
     table: Array
     stopped: str = ""
+    accepted_decimals: int | None = None
 
     def velocities_at(self, t: Array, q: Array, data: Mapping[str, float] | None = None) -> Array:
         """Return every velocity (n, r) in the order of the table at times (n,) and positions (n, m); some data may be other."""
@@ -140,6 +145,15 @@ class Key:
         return decimals_asked(self.gap)
 
     @cached_property
+    def coarsest(self) -> Array:
+        """Return the largest unit of the last place with which a cell of each column (m + r,) counts as shown, SI."""
+        found = np.full(len(self.names), SHOWN * self.gap)
+        found[len(self.coordinates) :] /= self.step
+        if self.accepted_decimals is None:
+            return found
+        return np.asarray(np.maximum(found, np.minimum(_LAST_BIT * 10.0**-self.accepted_decimals, SHARED * found)))
+
+    @cached_property
     def order(self) -> tuple[int, ...]:
         """Return the places of the columns in the order of work: angles, then block by block, driven rates last."""
         m = len(self.coordinates)
@@ -151,12 +165,15 @@ class Key:
         return (*range(m), *placed, *driven)
 
 
-def key_of(variant: Variant) -> Key:
-    """Return the key of a variant.  Raises `InputError` where it cannot be solved at all."""
+def key_of(variant: Variant, accepted_decimals: int | None = None) -> Key:
+    """Return the key of a variant.  Raises `InputError` where it cannot be solved at all.
+
+    `accepted_decimals` are those of its class, None for a variant alone.
+    """
     model = model_of(variant)
     solved = _solved(model, [variant])
     stop = solved.stops[0]
-    return Key(variant, model, _complete(solved.values[0]), stop.sentence if stop else "")
+    return Key(variant, model, _complete(solved.values[0]), stop.sentence if stop else "", accepted_decimals)
 
 
 def tables_of(variants: Mapping[str, Variant]) -> dict[str, Array]:
@@ -201,6 +218,15 @@ def gap_of(slopes: Array, ahead: Array, step: float, ranges: Array) -> Array:
 def decimals_asked(gap: float) -> int:
     """Return how many decimals a task sheet asks for where the one-step gap is this."""
     return max(1, math.ceil(math.log10(ASKED / gap)))
+
+
+def decimals_accepted(gap: float) -> int:
+    """Return with how many decimals, at the least, a table is still marked where the one-step gap is this.
+
+    >>> decimals_asked(0.0199), decimals_accepted(0.0199)
+    (3, 2)
+    """
+    return max(0, math.ceil(-math.log10(SHOWN * gap)))
 
 
 def sensitivity(function: Callable[[Array], Array], at: Array, units: Array) -> Array:

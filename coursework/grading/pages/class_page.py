@@ -13,6 +13,7 @@ from coursework.grading.marking.reasons.misconception import misconception_sente
 from coursework.grading.pages.bars import bars
 from coursework.grading.pages.class_facts import PARTS, ClassFacts
 from coursework.grading.pages.feedback import shown_points
+from coursework.report.text.symbols import symbol
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import Phrases, joined, say
 from coursework.words.templates import clean, filled
@@ -42,8 +43,8 @@ def class_page(
         "most": shown_points(facts.most, words),
         "distribution": bars(_tenths(facts, words)),
         "first_rows": bars([(str(row), facts.first_rows[row]) for row in range(first, last + 1)]),
-        "hardest": facts.hardest_column,
-        "columns": [(name, number) for name, number in facts.first_columns.most_common()],
+        "hardest": _symbol(facts.hardest_column or ""),
+        "columns": [(_symbol(name), number) for name, number in facts.first_columns.most_common()],
         "misconceptions": [
             (misconception_sentence(code), len(ids), _listed([called[who] for who in ids])) for code, ids in named
         ],
@@ -90,7 +91,11 @@ def _mark(mark: str, words: Phrases) -> str:
 def _cell(first: str, words: Phrases) -> str:
     """Return "row 11 w2" of grades.csv as the page says it."""
     _, row, column = first.split(" ", 2) if first else ("", "", "")
-    return f"{words.said('gate.row', row=row)} {clean(column)}" if row else ""
+    return f"{words.said('gate.row', row=row)} {_symbol(column)}" if row else ""
+
+
+def _symbol(name: str) -> str:
+    return symbol(name).text if name.isidentifier() else clean(name)
 
 
 def _called(facts: ClassFacts) -> dict[str, str]:

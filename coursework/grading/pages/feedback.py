@@ -21,6 +21,7 @@ from coursework.grading.marking.reasons.reasons import summary
 from coursework.grading.marking.reasons.table import counts, shut
 from coursework.grading.marking.table.cells import CARRIED, GIVEN, KEY, MISSING, WRONG
 from coursework.grading.pages.curves import panel
+from coursework.grading.reading.table.units import AS_READ
 from coursework.report.text.symbols import symbol
 from coursework.report.text.text_runs import spelt
 from coursework.words.sentences import Phrases, say
@@ -49,7 +50,6 @@ _QUIET = {
     "from_pdf",
 }
 _BESIDE_LINES = {"repaired"}
-_RATES = {"1/s": "rad/s"}  # as the heads of the table say it
 # The sign of a mark and the class of its cell; that of a right cell that does not count.
 _SHUT = ("○", "carried")
 _SIGNS = {
@@ -92,7 +92,7 @@ def feedback_page(grade: Grade, student: str, name: str | None, final: Mapping[s
             if all(text != entry["text"] for entry in final["reasons"])
         ],
         table=_table(grade, grade.table, words) if grade.table else None,
-        equations=_equations(grade, lettered),
+        equations=_equations(grade, lettered, words),
         answers=_answers(grade, words),
     )
 
@@ -191,7 +191,7 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
             "name": _symbol(name),
             "at": entry["at"],
             "by": say(f"feedback.by.{entry['by']}"),
-            "unit": words.unit(_RATES.get(entry["unit"], entry["unit"])),
+            "unit": words.unit(AS_READ.get(entry["unit"], entry["unit"])),
         }
         for name, entry in reading.columns.items()
     ]
@@ -203,7 +203,7 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
         "names": [_symbol(name) for name in key.names],
         "second": words.unit("s"),
         "units": [
-            words.unit(column.shown_unit if column else key.variant.unit_of(name))
+            words.unit(AS_READ.get(column.unit, column.unit) if column else key.variant.unit_of(name))
             for name, column in zip(key.names, columns, strict=True)
         ], "rows": rows,
         "left_out": len(key.table) - len(chosen), "left_out_wrong": len({*wrong_rows} - {*chosen}),
@@ -237,13 +237,14 @@ def typeset(text: str) -> str:
     return _NEGATIVE.sub("−", text)
 
 
-def _equations(grade: Grade, lettered: Callable[[str], str]) -> dict[str, Any] | None:
+def _equations(grade: Grade, lettered: Callable[[str], str], words: Phrases) -> dict[str, Any] | None:
     if grade.equations is None:
         return None
     marks = grade.equations
     items = [
         {
-            "line": mark.line.line, "text": clean(mark.line.text, LONGEST_TEXT), "sign": _VERDICT_SIGNS[mark.verdict],
+            "line": mark.line.line, "place": clean(words.written(mark.line.place), LONGEST_TEXT) if mark.line.place else "",
+            "text": clean(mark.line.text, LONGEST_TEXT), "sign": _VERDICT_SIGNS[mark.verdict],
             "why": lettered(why_of_line(mark, asked=marks.unread is not None)),
         }
         for mark in marks.marks

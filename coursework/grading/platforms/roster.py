@@ -16,6 +16,7 @@ from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say
 
 COLUMNS = ("id", "name", "email", "variant")
+ACCEPTED = "accepted_decimals"  # one of the further columns: the same for all that were drawn from one template
 
 
 @dataclass(frozen=True, slots=True)

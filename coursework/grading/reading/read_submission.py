@@ -10,6 +10,15 @@ import math
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
+from coursework.grading.reading.documents.document import FORMATTED, Document
+from coursework.grading.reading.documents.read_document import (
+    document_of_archive,
+    document_of_bytes,
+    document_of_text,
+    is_document,
+    lines_of_document,
+    tables_of_document,
+)
 from coursework.grading.reading.equations.equations import most_lines
 from coursework.grading.reading.equations.lines import Lines, read_lines
 from coursework.grading.reading.equations.variant_files import is_variant_file, read_variant_file
@@ -19,9 +28,10 @@ from coursework.grading.reading.files.encoding import Decoded, decode
 from coursework.grading.reading.files.html_text import text_of
 from coursework.grading.reading.files.kinds import (
     OLD_EXCEL,
+    OLD_WORD,
+    PICTURES,
     is_html,
     is_ignored,
-    is_json,
     is_named_as_table,
     kind_of_parts,
     real_kind,
@@ -33,6 +43,7 @@ from coursework.grading.reading.table.tables_of_file import is_spreadsheet, tabl
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
+_ROUNDED = 0.505  # of the last place: what printing takes from a number
 _Kind = Literal["table", "equations", "answers", "variant", "attachment", "ignored"]
 
 
@@ -50,6 +61,7 @@ class _Found:
     entries: list[FileEntry] = field(default_factory=list)
     review: Sentence | None = None
     unread: int = 0  # lines that were not tried
+    unopened: Sentence | None = None
 
     def take(self, lines: Lines, equations: list[EquationLine]) -> None:
         """Add what stands in a text, its equations to one of the two lists."""
@@ -65,8 +77,8 @@ def read_submission(submission: Submission, expected: Expected) -> StudentWork:
     for file in files[FILES:]:
         found.notes.append(note("ignored_file", name=file.name, why=say("reading.why.too_many", limit=FILES)))
     for file in files[:FILES]:
-        kind = _read(file, len(files) == 1, expected, found)
-        found.entries.append(FileEntry(file.name, kind, file.size, file.sha256))
+        kinds = _read(file, len(files) == 1, expected, found)
+        found.entries.append(FileEntry(file.name, kinds[0], kinds, file.size, file.sha256))
     table, trouble = _one_table(found)
     handed = found.equations or found.beside
     lines = handed[: most_lines(expected)]
@@ -82,6 +94,7 @@ def read_submission(submission: Submission, expected: Expected) -> StudentWork:
         tuple(found.answers),
         tuple(found.notes),
         found.review,
+        found.unopened,
     )
 
 
@@ -91,7 +104,7 @@ def _opened(file: SubmittedFile, found: _Found) -> list[SubmittedFile]:
         return [file]
     try:
         archive = Archive(file.content)
-        if is_spreadsheet(archive) or kind_of_parts(list(archive.parts)):
+        if is_spreadsheet(archive) or is_document(archive) or kind_of_parts(list(archive.parts)):
             return [file]
         inside: list[SubmittedFile] = []
         for part in archive.parts.values():
@@ -103,64 +116,111 @@ def _opened(file: SubmittedFile, found: _Found) -> list[SubmittedFile]:
         return [replace(file, trouble=refused.trouble.text)]
 
 
-def _read(file: SubmittedFile, is_alone: bool, expected: Expected, found: _Found) -> _Kind:
-    """Read one file into `found` and return its kind."""
+def _read(file: SubmittedFile, is_alone: bool, expected: Expected, found: _Found) -> tuple[_Kind, ...]:
+    """Read one file into `found` and return its kinds."""
     could_be_table = is_alone or is_named_as_table(file.name)
     try:
         if kind := real_kind(file.content):
-            raise unreadable("old_excel") if kind == OLD_EXCEL else unreadable("other_kind", kind=kind)
+            raise _other_kind(kind)
         if file.trouble:
             raise Refused(Trouble("unreadable", file.trouble.key.rpartition(".")[2], file.trouble))
+        if document := document_of_bytes(file.content, expected.grid):
+            return _read_document(document, file, could_be_table, expected, found)
         if file.content.startswith(b"PK"):
-            return _read_archive(file, expected, found)
+            return _read_archive(file, could_be_table, expected, found)
         if not file.content.strip():
             raise unreadable("empty")
         return _read_text(file, could_be_table, expected, found)
     except Refused as refused:
-        (found.refused if could_be_table else found.attached).append(refused.trouble)
+        is_question = refused.trouble.state == "needs-review"
+        (found.refused if could_be_table or is_question else found.attached).append(refused.trouble)
+        if refused.trouble.code == "no_pdf_reader":
+            found.unopened = refused.trouble.text
         code = "empty_part" if refused.trouble.code == "empty" else "attachment"
         found.notes.append(note(code, name=file.name, why=refused.trouble.text))
-        return "attachment"
+        return ("attachment",)
 
 
-def _read_archive(file: SubmittedFile, expected: Expected, found: _Found) -> _Kind:
+def _other_kind(kind: str, key: str = "other_kind") -> Refused:
+    """Return the refusal of a file by what it really is, with what to save it as."""
+    if kind in {OLD_EXCEL, OLD_WORD}:
+        return unreadable("old_excel" if kind == OLD_EXCEL else "old_word")
+    key = "picture" if kind in PICTURES else key
+    return Refused(Trouble("unreadable", "other_kind", say(f"reading.trouble.{key}", kind=kind)))
+
+
+def _read_archive(file: SubmittedFile, could_be_table: bool, expected: Expected, found: _Found) -> tuple[_Kind, ...]:
     archive = Archive(file.content)
+    if document := document_of_archive(archive, expected.grid):
+        return _read_document(document, file, could_be_table, expected, found)
     if kind := kind_of_parts(list(archive.parts)):
-        raise unreadable("other_kind", kind=kind)
+        raise _other_kind(kind)
     if not is_spreadsheet(archive):
         raise unreadable("nested_zip")
     table = table_of_archive(archive, file.name, expected.grid)
     if table is None:
         raise unreadable("no_sheet_table", name=file.name)
     found.tables.append(table)
-    return "table"
+    return ("table",)
 
 
-def _read_text(file: SubmittedFile, could_be_table: bool, expected: Expected, found: _Found) -> _Kind:
+def _read_document(
+    document: Document, file: SubmittedFile, could_be_table: bool, expected: Expected, found: _Found
+) -> tuple[_Kind, ...]:
+    """Read what stands in a document, which may be of several kinds."""
+    tables, refused = tables_of_document(document, file.name, expected.grid)
+    lines = lines_of_document(document, file.name, expected)
+    found.tables += tables
+    found.take(lines, found.equations)
+    kinds = _kinds(tables, lines)
+    if refused and not tables:
+        if not kinds:
+            raise refused
+        if refused.trouble.state == "needs-review":
+            found.refused.append(refused.trouble)
+    if document.kind == "pdf" and kinds:
+        found.notes.append(note("from_pdf", name=file.name))
+    if not kinds and document.kind in FORMATTED:  # for a person to look at
+        raise _other_kind(FORMATTED[document.kind], "empty_document")
+    return kinds or _nothing_in(file, could_be_table, found)
+
+
+def _kinds(tables: list[Table], lines: Lines) -> tuple[_Kind, ...]:
+    held: dict[_Kind, object] = {"table": tables, "equations": lines.equations, "answers": lines.answers}
+    return tuple(kind for kind, what in held.items() if what)
+
+
+def _nothing_in(file: SubmittedFile, could_be_table: bool, found: _Found) -> tuple[_Kind, ...]:
+    """Leave a file aside in which nothing was found.  Raises `Refused` where a table should stand."""
+    if could_be_table:
+        raise unreadable("no_table", name=file.name)
+    found.notes.append(note("ignored_file", name=file.name, why=say("reading.why.nothing")))
+    return ("ignored",)
+
+
+def _read_text(file: SubmittedFile, could_be_table: bool, expected: Expected, found: _Found) -> tuple[_Kind, ...]:
     decoded = decode(file.content)
     if is_variant_file(decoded.text):
         _read_variant(file, expected, found)
-        return "variant"
+        return ("variant",)
+    if (document := document_of_text(decoded, expected.grid)) and (document.tables or document.texts or document.is_whole):
+        return _read_document(document, file, could_be_table, expected, found)
     if is_html(decoded.text):
         decoded = Decoded(text_of(decoded.text), decoded.encoding, decoded.had_nuls)
     refused = None
     try:
         if (table := table_of_text(decoded, file.name, expected.grid)) is not None:
             found.tables.append(table)
-            found.take(read_lines(decoded.text, file.name, expected, table.reading), found.beside)
-            return "table"
+            beside = read_lines(decoded.text, file.name, expected, table.reading)
+            found.take(beside, found.beside)
+            return _kinds([table], beside)
     except Refused as error:
         refused = error
-    lines = Lines() if is_json(decoded.text) else read_lines(decoded.text, file.name, expected)
+    lines = lines_of_document(document, file.name, expected) if document else read_lines(decoded.text, file.name, expected)
     if refused and not lines.answers and all(line.left is None for line in lines.equations):
         raise refused
     found.take(lines, found.equations)
-    if lines.equations or lines.answers:
-        return "equations" if lines.equations else "answers"
-    if could_be_table:
-        raise unreadable("no_table", name=file.name)
-    found.notes.append(note("ignored_file", name=file.name, why=say("reading.why.nothing")))
-    return "ignored"
+    return _kinds([], lines) or _nothing_in(file, could_be_table, found)
 
 
 def _read_variant(file: SubmittedFile, expected: Expected, found: _Found) -> None:
@@ -180,21 +240,38 @@ def _one_table(found: _Found) -> tuple[Table | None, Trouble | None]:
         if instead:
             return None, instead[0]
         return None, Trouble("missing", "missing", say(f"reading.trouble.{'missing' if found.entries else 'no_files'}"))
-    ordered = sorted(found.tables, key=_cells, reverse=True)
+    ordered = sorted(found.tables, key=lambda table: (table.cells, _decimals(table)), reverse=True)
     best, others = ordered[0], ordered[1:]
-    equal = [other for other in others if _cells(other) == _cells(best) and _texts(other) != _texts(best)]
+    equal = [other for other in others if other.cells == best.cells and not _agree(other, best)]
     if equal:
-        names = tuple(table.reading.file for table in (best, *equal))
+        names = tuple(_named(table) for table in (best, *equal))
         return None, Trouble("needs-review", "two_tables", say("reading.trouble.two_tables", names=names))
     if others:
-        found.notes.append(note("two_tables", name=best.reading.file, others=tuple(table.reading.file for table in others)))
+        found.notes.append(note("two_tables", name=_named(best), others=tuple(map(_named, others))))
     found.notes += best.notes
     return best, None
 
 
-def _cells(table: Table) -> int:
-    return sum(math.isfinite(value) for column in table.columns for value in column.values)
+def _named(table: Table) -> str | Sentence:
+    """Return the file of a table, and where in it the table stands."""
+    return say("reading.place.in_file", place=table.place, file=table.reading.file) if table.place else table.reading.file
 
 
-def _texts(table: Table) -> dict[str, tuple[float, ...]]:
-    return {column.name: tuple(value for value in column.values if math.isfinite(value)) for column in table.columns}
+def _decimals(table: Table) -> int:
+    return sum(column.decimals for column in table.columns)
+
+
+def _agree(first: Table, second: Table) -> bool:
+    """Return whether two tables say the same; a report repeats the table of the file beside it, with digits of its own."""
+    others = {column.name: column for column in second.columns}
+    if {column.name for column in first.columns} != others.keys():
+        return False
+    digits = _ROUNDED if first.place or second.place else 0.0
+    return all(
+        math.isfinite(value) is math.isfinite(other)
+        and (not math.isfinite(value) or abs(value - other) <= digits * (unit + other_unit))
+        for column in first.columns
+        for value, unit, other, other_unit in zip(
+            column.values, column.last_place, others[column.name].values, others[column.name].last_place, strict=True
+        )
+    )

@@ -6,6 +6,7 @@ Made by the readers of this room; read by whoever marks.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any, Literal
@@ -14,6 +15,7 @@ from coursework.grading.reading.submission import Note
 from coursework.variant.formula.tree import Formula
 from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 # Why a cell has no number: nothing there, an error of the spreadsheet, a date it made of a number, some other text,
 # a formula that was never computed.  "" = it has one.
@@ -38,11 +40,6 @@ class TableColumn:
     flags: tuple[Flag, ...]
     decimals: int
     turns: int = 0
-
-    @property
-    def shown_unit(self) -> str:
-        """Return the unit as sentences and pages write it."""
-        return "rad/s" if self.unit == "1/s" else self.unit
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +78,8 @@ class OwnTimes:
 class Table:
     """A student's table on the assigned grid; `columns` in the order of the file, without those nobody handed in.
 
-    `own` has every row where the times are not the grid's, in the order of time.
+    `own` has every row where the times are not the grid's, in the order of time; `place` is where it stands in a document, None
+    where the file is the table.
     """
 
     reading: Reading
@@ -89,6 +87,12 @@ class Table:
     rows_present: tuple[bool, ...]
     notes: tuple[Note, ...]
     own: OwnTimes | None = None
+    place: Sentence | None = None
+
+    @property
+    def cells(self) -> int:
+        """Return how many cells of the grid have a number."""
+        return sum(math.isfinite(value) for column in self.columns for value in column.values)
 
     def column(self, name: str) -> TableColumn | None:
         """Return a column by the key's name, None where it is missing."""
@@ -110,7 +114,7 @@ class EquationLine:
 
     `repaired` is the text that was read in its place, "" where nothing needed mending; `others` are further ways to read the
     line, of which one that is right is what was meant; `relates` says of a line nobody could read that it names two symbols of
-    the variant: it is an equation, and no prose.
+    the variant: it is an equation, and no prose.  `place` is where the line stands in a document, for a person.
     """
 
     file: str
@@ -122,6 +126,12 @@ class EquationLine:
     fault: Fault | None = None
     others: tuple[EquationReading, ...] = ()
     relates: bool = False
+    place: Sentence | None = None
+
+    @property
+    def where(self) -> Sentence:
+        """Return where the line stands, for a person."""
+        return self.place or say("reading.place.line", line=self.line)
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,23 +158,25 @@ class Trouble:
 
 @dataclass(frozen=True, slots=True)
 class FileEntry:
-    """One line of `files` in grades.json; `kind` is one of `submission.KINDS`."""
+    """One line of `files` in grades.json; `kinds` are of `submission.KINDS`, `kind` the first of them."""
 
     name: str
     kind: str
+    kinds: tuple[str, ...]
     bytes: int
     sha256: str
 
     def plain(self) -> dict[str, Any]:
         """Return the entry as grades.json writes it."""
-        return asdict(self)
+        return asdict(self) | {"kinds": list(self.kinds)}
 
 
 @dataclass(frozen=True, slots=True)
 class StudentWork:
     """Everything that was understood of one submission: exactly one of `table` and `trouble` is there.
 
-    `equations` is None where no equation was handed in; `answers` has the answers that stood in the files.
+    `equations` is None where no equation was handed in; `answers` has the answers that stood in the files; `unopened` says why
+    some file could not be looked into that may hold what is missing.
     """
 
     files: tuple[FileEntry, ...]
@@ -174,3 +186,4 @@ class StudentWork:
     answers: tuple[AnswerLine, ...]
     notes: tuple[Note, ...]
     review: Sentence | None = None
+    unopened: Sentence | None = None

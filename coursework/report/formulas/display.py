@@ -21,7 +21,7 @@ LINE = 64  # characters of text form (spaces and subscripts not counted) that fi
 INDENT = 4  # the same measure: what a continued line loses on the left
 
 Piece = tuple[int, str]  # width, source
-_DECIMAL = re.compile(r"(?<![\w.])(\d+)\.(\d+)(?![\w.])")
+_DECIMAL = re.compile(r"(?<![\w.])(\d+)\.(\d+)(?![^\W⁰¹²³⁴-⁹]|\.)")  # 2.5, also that of 2.5², not that of 2.5.1
 
 
 def math_equation(left: Formula, right: Formula, rates: frozenset[str] = frozenset()) -> str:

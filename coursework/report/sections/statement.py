@@ -274,7 +274,7 @@ def _misses(context: PageContext) -> list[Runs]:
         for split in [split for split in moved if split.name not in _driven(context)] or moved
     ]
     if gaps:
-        told.append(runs(say(f"result.misses{of_row}", row=row, gaps=say("join.comma").join(gaps))))
+        told.append(runs(say(f"result.misses{of_row}", row=row, gaps=say("join.numbers").join(gaps))))
     elif any(split.name in coordinates for split in splits(context)):
         told.append(runs(say(f"result.repeats_positions{of_row}" if left else f"result.repeats{of_row}", row=row)))
     # Beside rows that are the motion itself there is no other word of how far the scheme's are off.

@@ -1,4 +1,4 @@
-"""Whether everything in a file measures what it must: one fault at most, the datum named where it is known.
+"""Whether everything in a file measures what it must: each cause is one fault, the datum named where it is known.
 
 Enters: a `Variant` as read, its `Source`, the formulas of its times.  Leaves: `Dimensions`.  Used by `reader.py` only.
 """
@@ -23,19 +23,22 @@ from coursework.words.sentence import Sentence
 
 # Names and parts of formulas gone through while a culprit is looked for: half a second; a file of coursework has some hundreds.
 _MOST_PARTS = 300_000
+# Independent faults told at once; who has more mends these first.
+MOST_FAULTS = 6
 
 
 @dataclass(frozen=True, slots=True)
 class Dimensions:
     """What was found: `places` that were judged, and what each name is `known` to measure.
 
-    `fault`, or in a file whose data carry no units the `disagreement` (path, label, two formulas); `numbers`: terms of
-    velocity equations whose number had to measure something (SI unit); `times_as_angles`: calls such as sin(t).
+    `faults`, of which none follows from another, or in a file whose data carry no units the `disagreement` (path, label, two
+    formulas); `numbers`: terms of velocity equations whose number had to measure something (SI unit); `times_as_angles`:
+    calls such as sin(t).
     """
 
     places: tuple[Place, ...]
     known: Mapping[str, Dimension]
-    fault: Fault | None
+    faults: tuple[Fault, ...]
     disagreement: tuple[KeyPath, Sentence] | None
     numbers: tuple[tuple[KeyPath, Formula, str], ...]
     times_as_angles: tuple[tuple[KeyPath, Formula], ...]
@@ -47,11 +50,10 @@ class Dimensions:
 
 @dataclass(slots=True)
 class _Outcome:
-    """One pass over a file, up to the first place that cannot hold."""
+    """One pass over a file: `clashes` by the number of the place that cannot hold, the first alone where it ends there."""
 
     measurer: Measurer
-    clash: Clash | None = None
-    place: Place | None = None
+    clashes: dict[int, tuple[Clash, Place]] = field(default_factory=dict)
     numbers: list[tuple[KeyPath, Formula, str]] = field(default_factory=list)
     times_as_angles: list[tuple[KeyPath, Formula]] = field(default_factory=list)
 
@@ -66,32 +68,30 @@ def check_dimensions(variant: Variant, source: Source, times: Mapping[KeyPath, F
     listed = tuple(places(variant, names, times))
     outcome = _pass(variant, names, listed)
     known = {name: found for name in names if (found := outcome.solved(names[name])) is not None}
-    fault = disagreement = None
-    if outcome.clash and outcome.place:
-        if outcome.measurer.measured or outcome.clash.first.tree.si:
-            fault = _fault(outcome.clash, outcome.place, outcome, variant, source, times)
+    faults, disagreement = [], None
+    for clash, place in outcome.clashes.values():
+        if outcome.measurer.measured or clash.first.tree.si:
+            faults = [*_Search(source, times).faults(variant)]
         else:
-            disagreement = outcome.place.path, disagreement_of(outcome.place, outcome.clash)
-    return Dimensions(listed, known, fault, disagreement, tuple(outcome.numbers), tuple(outcome.times_as_angles))
+            disagreement = place.path, disagreement_of(place, clash)
+    return Dimensions(listed, known, tuple(faults), disagreement, tuple(outcome.numbers), tuple(outcome.times_as_angles))
 
 
-def _freed(variant: Variant, times: Mapping[KeyPath, Formula], free: KeyPath | None = None) -> _Outcome:
-    """Return a pass in which the datum at the path `free` may measure anything."""
-    names = measures(variant, free)
-    return _pass(variant, names, places(variant, names, times))
-
-
-def _pass(variant: Variant, names: dict[str, Dimension], listed: Iterable[Place]) -> _Outcome:
+def _pass(variant: Variant, names: dict[str, Dimension], listed: Iterable[Place], whole: bool = False) -> _Outcome:
     measurer = Measurer(names, frozenset(given.name for given in variant.given if given.si))
     outcome = _Outcome(measurer)
     factors = []
-    for place in listed:
+    for number, place in enumerate(listed):
+        solved = dict(measurer.system.solved)
         counted, angles = len(measurer.factors), len(measurer.times_as_angles)
         try:
             _judge(place, measurer)
         except Clash as clash:
-            outcome.clash, outcome.place = clash, place
-            break
+            outcome.clashes[number] = clash, place
+            if not whole:
+                break
+            measurer.system.solved = solved  # what cannot hold tells nothing about the others
+            continue
         outcome.times_as_angles += [(place.path, whole) for whole in measurer.times_as_angles[angles:]]
         if place.velocity:
             factors += [(place.path, factor) for factor in measurer.factors[counted:]]
@@ -108,43 +108,115 @@ def _judge(place: Place, measurer: Measurer) -> None:
         measurer.compare("place", found, Term(tree, place.wanted))
 
 
-def _fault(
-    clash: Clash, place: Place, outcome: _Outcome, variant: Variant, source: Source, times: Mapping[KeyPath, Formula]
-) -> Fault:
-    if (swapped := _swapped(variant, source, times)) is not None:
-        return swapped
-    at = source.path_of(place.path)
-    names = outcome.measurer.names
-    parts = sum(1 for one in places(variant, names, times) for formula in one.formulas for _ in formula.walk())
-    passes = max(1, _MOST_PARTS // (len(names) + parts))
-    data = [*_data(variant)]
-    tried = data if len(data) <= passes else []
-    candidates = [(datum, freed) for datum in tried if (freed := _freed(variant, times, datum.path)).clash is None]
-    must = candidates[0][1].solved({candidates[0][0].name: 1}) if len(candidates) == 1 else None
-    if must is None or not si_unit(must):
-        return source.fault(at, fault_of_terms(place, clash, outcome.solved))
-    datum, freed = candidates[0]
-    blame = replace(datum, must=must)
-    line = source.positions.find(source.path_of(blame.path))[0]
-    # The unit of an unknown is read off the equations; and a name left out of a drive, or too many in it, looks like a datum
-    # with a strange unit.
-    of_formula = place.path[0] in {"drive", "functions"} and (
-        freed.times_as_angles or _mends_itself(place, variant, times, passes)
-    )
-    if of_formula or blame.path[0] == "unknowns":
-        return source.fault(at, fault_of_either(blame, line, place, clash, outcome.solved))
-    return Fault(fault_of_datum(blame, place, clash, freed.solved), source.file, line)
+@dataclass(frozen=True, slots=True)
+class _Found:
+    """A fault, the numbers of the places that cannot hold for other reasons, and the file in which they alone are left."""
+
+    fault: Fault
+    others: frozenset[int]
+    variant: Variant
+    freed: frozenset[KeyPath]
 
 
-def _swapped(variant: Variant, source: Source, times: Mapping[KeyPath, Formula]) -> Fault | None:
-    """Return the fault of a group whose coordinates stand in the other order, None where no such one makes the file hold."""
+@dataclass(frozen=True, slots=True)
+class _Search:
+    """Looks for what is to blame for places that cannot hold, one cause after the other."""
+
+    source: Source
+    times: Mapping[KeyPath, Formula]
+
+    def faults(self, variant: Variant) -> Iterator[Fault]:
+        """Yield a fault for each cause; a place that one cause may explain together with an earlier one is not told."""
+        freed: frozenset[KeyPath] = frozenset()
+        wanted: frozenset[int] | None = None
+        for _ in range(MOST_FAULTS):
+            outcome = self._pass(variant, freed)
+            left = sorted(number for number in outcome.clashes if wanted is None or number in wanted)
+            if not left:
+                return
+            found = self._found(left[0], outcome, variant, freed)
+            yield found.fault
+            variant, freed = found.variant, found.freed
+            wanted = found.others if wanted is None else wanted & found.others
+
+    def _pass(self, variant: Variant, freed: frozenset[KeyPath]) -> _Outcome:
+        """Return a pass over the whole file in which the data at the paths `freed` may measure anything."""
+        names = measures(variant, freed)
+        return _pass(variant, names, places(variant, names, self.times), whole=True)
+
+    def _found(self, number: int, outcome: _Outcome, variant: Variant, freed: frozenset[KeyPath]) -> _Found:
+        """Return what is to blame for the place of a number, the first that cannot hold."""
+        clash, place = outcome.clashes[number]
+        before = outcome.clashes.keys()
+        for turned, fault in _turned(variant, self.source):
+            kept = self._pass(turned, freed).clashes.keys()
+            if number not in kept and kept < before:
+                return _Found(fault, frozenset(kept), turned, freed)
+        source, at = self.source, self.source.path_of(place.path)
+        names = outcome.measurer.names
+        parts = sum(1 for one in places(variant, names, self.times) for formula in one.formulas for _ in formula.walk())
+        passes = max(1, _MOST_PARTS // (len(names) + parts))
+        data = [datum for datum in _data(variant) if datum.path not in freed]
+        tried = [(datum, self._pass(variant, freed | {datum.path})) for datum in (data if len(data) <= passes else [])]
+        mended = [(datum, after) for datum, after in tried if number not in after.clashes and after.clashes.keys() < before]
+        fewest = min((len(after.clashes) for _, after in mended), default=0)
+        candidates = [(datum, after) for datum, after in mended if len(after.clashes) == fewest]
+        must = candidates[0][1].solved({candidates[0][0].name: 1}) if len(candidates) == 1 else None
+        if must is None or not si_unit(must):
+            fault = source.fault(at, fault_of_terms(place, clash, outcome.solved))
+            apart = frozenset(one for one in before if _is_independent(outcome, number, one))
+            return _Found(fault, apart.intersection(*(after.clashes for _, after in mended)), variant, freed)
+        datum, after = candidates[0]
+        others, now_freed = frozenset(after.clashes), freed | {datum.path}
+        blame = replace(datum, must=must)
+        line = source.positions.find(source.path_of(blame.path))[0]
+        # The unit of an unknown is read off the equations; and a name left out of a drive, or too many in it, looks like a
+        # datum with a strange unit.
+        of_formula = place.path[0] in {"drive", "functions"} and (
+            after.times_as_angles or self._mends_itself(number, outcome, variant, freed, passes)
+        )
+        if of_formula or blame.path[0] == "unknowns":
+            fault = source.fault(at, fault_of_either(blame, line, place, clash, outcome.solved))
+        else:
+            fault = Fault(fault_of_datum(blame, place, clash, after.solved), source.file, line)
+        return _Found(fault, others, variant, now_freed)
+
+    def _mends_itself(self, number: int, outcome: _Outcome, variant: Variant, freed: frozenset[KeyPath], passes: int) -> bool:
+        """Return whether the formula holds as soon as one name is taken out of a product, or one term put into a bracket."""
+        place = outcome.clashes[number][1]
+        for shorter in islice(chain(_shortened(place.formulas[0]), _bracketed(place.formulas[0])), passes):
+            drive, functions = (
+                tuple(replace(law, formula=shorter) if law.name == place.path[1] and law.formula else law for law in laws)
+                for laws in (variant.drive, variant.functions)
+            )
+            after = self._pass(replace(variant, drive=drive, functions=functions), freed).clashes.keys()
+            if number not in after and after < outcome.clashes.keys():
+                return True
+        return False
+
+
+def _is_independent(outcome: _Outcome, number: int, other: int) -> bool:
+    """Return whether two places are wrong in other parts, and share no name of which the file does not say what it measures."""
+    (first, place), (second, another) = outcome.clashes[number], outcome.clashes[other]
+    if (first.first.tree, first.second.tree) == (second.first.tree, second.second.tree):
+        return False  # the same place, or the same slip once more
+    shared = {*_names(place)} & {*_names(another)}
+    return all(is_known(outcome.measurer.names[name]) for name in shared)
+
+
+def _names(place: Place) -> Iterator[str]:
+    yield from (name for formula in place.formulas for name in formula.names())
+    if place.path[0] in {"drive", "functions"}:
+        yield str(place.path[1])  # what the formula gives
+
+
+def _turned(variant: Variant, source: Source) -> Iterator[tuple[Variant, Fault]]:
+    """Yield the file with the coordinates of one group in the other order, and the fault that this would be."""
     for index, group in enumerate(variant.groups):
         if is_angle_first(group):
             turned = replace(group, coordinates=group.coordinates[::-1])
             groups = (*variant.groups[:index], turned, *variant.groups[index + 1 :])
-            if _freed(replace(variant, groups=groups), times).clash is None:
-                return fault_of_order(index, group, source)
-    return None
+            yield replace(variant, groups=groups), fault_of_order(index, group, source)
 
 
 def _data(variant: Variant) -> Iterator[Blame]:
@@ -163,18 +235,6 @@ def _data(variant: Variant) -> Iterator[Blame]:
             )
     for name, unit in variant.unknowns:
         yield Blame(("unknowns", name), name, "", unit, unit)
-
-
-def _mends_itself(place: Place, variant: Variant, times: Mapping[KeyPath, Formula], passes: int) -> bool:
-    """Return whether the formula holds as soon as one name is taken out of a product, or one term put into a bracket."""
-    for shorter in islice(chain(_shortened(place.formulas[0]), _bracketed(place.formulas[0])), passes):
-        drive, functions = (
-            tuple(replace(law, formula=shorter) if law.name == place.path[1] and law.formula else law for law in laws)
-            for laws in (variant.drive, variant.functions)
-        )
-        if _freed(replace(variant, drive=drive, functions=functions), times).clash is None:
-            return True
-    return False
 
 
 def _shortened(tree: Formula) -> Iterator[Formula]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import itertools
 import math
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -47,13 +47,16 @@ from coursework.variant.record.variant import whole_steps as _whole_steps
 from coursework.variant.record.vocabulary import GROUP_KINDS, scheme_names
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source, read_bytes, read_source
-from coursework.words.errors import InputError
+from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say, unfolded
 
+# What a floor above knows to be wrong with a file that has faults.
+Judge = Callable[[Variant], list[Fault]]
 
-def read_variant(path: Path) -> Variant:
-    """Return the variant in a file.  Raises `InputError` with all faults."""
-    return _build(read_source(read_bytes(path), str(path), path.parent), _named_after(path), path)
+
+def read_variant(path: Path, judge: Judge | None = None) -> Variant:
+    """Return the variant in a file.  Raises `InputError` with all faults; `judge` adds its own to them."""
+    return _build(read_source(read_bytes(path), str(path), path.parent), _named_after(path), path, judge)
 
 
 def _named_after(path: Path) -> str:
@@ -79,7 +82,9 @@ def parse_variant(content: str | bytes, file: str = "variant", tables: Mapping[s
     return _build(read_source(raw, file, tables or {}), file, None)
 
 
-def _build(source: Source, name: str, path: Path | None) -> Variant:
+def _build(
+    source: Source, name: str, path: Path | None, judge: Judge | None = None
+) -> Variant:  # fmt: skip
     shape = read_shape(source)
     file = shape.file
     parts = Parts(source, Names.declared(file), shape.hidden)
@@ -89,17 +94,18 @@ def _build(source: Source, name: str, path: Path | None) -> Variant:
     parts.tell_unread(dimensions.si_of)
     doubtful = parts.names.faults(source)
     parts.faults += shape.faults + doubtful
-    slip = None if doubtful else dimensions.fault  # a name with two meanings has two dimensions
+    slips = () if doubtful else dimensions.faults  # a name with two meanings has two dimensions
     if not doubtful:
         told, broken = {fault.line for fault in parts.faults}, Broken(parts.broken)
         found = faults_of_the_whole(variant, source, parts.times, broken)
         # A datum with a wrong unit spoils values at t = 0; what is wrong in the line of the slip itself says more than it.
-        found += [f for f in faults_at_start(variant, source, broken) if slip is None or f.line == slip.line]
+        found += [f for f in faults_at_start(variant, source, broken) if not slips or f.line in {slip.line for slip in slips}]
         parts.faults += [fault for fault in found if fault.line not in told]
-    if slip and slip.line not in {fault.line for fault in parts.faults}:
-        parts.faults.append(slip)
+    told = {fault.line for fault in parts.faults}
+    parts.faults += [slip for slip in slips if slip.line not in told]
     if parts.faults:
-        raise InputError(parts.faults)
+        whole = not any(Broken(parts.broken).has(section) for section in ("coordinates", "unknowns", "ask"))
+        raise InputError([*parts.faults, *(judge(variant) if judge and whole else [])])
     variant = replace(variant, times=parts.times)
     remarks = remarks_on(variant, dimensions, source, parts.grads)
     return replace(variant, plausibility=remarks, reread=partial(with_changes, partial(_read_again, source, name, path)))

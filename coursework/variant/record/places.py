@@ -5,7 +5,7 @@ Enters: a `Variant` as read.  Leaves: what its names measure, and `Place`s.  Use
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 
 from coursework.variant.dimensions.exponents import LENGTH, NUMBER, TIME, Dimension, added, dimension_of
@@ -34,21 +34,21 @@ class Place:
     velocity: bool = False
 
 
-def measures(variant: Variant, free: KeyPath | None = None) -> dict[str, Dimension]:
-    """Return what every name measures; names without a unit, and the datum at the path `free`, are unknowns."""
+def measures(variant: Variant, free: Collection[KeyPath] = ()) -> dict[str, Dimension]:
+    """Return what every name measures; names without a unit, and the data at the paths `free`, are unknowns."""
     names: dict[str, Dimension] = {"t": _TIME, "pi": NUMBER}
     for given in variant.given:
-        unknown = not given.si or free == ("given", given.name)
+        unknown = not given.si or ("given", given.name) in free
         names[given.name] = {given.name: 1} if unknown else dimension_of(given.si)
     for law in (*variant.drive, *variant.functions):
         names[law.name] = {law.name: 1}
     for coordinate in variant.coordinates:
         # A bare number may be a length or an angle: which of the two the guess of the reader does not decide here.
-        unknown = not coordinate.unit_was_given or free == ("coordinates", coordinate.name)
+        unknown = not coordinate.unit_was_given or ("coordinates", coordinate.name) in free
         names[coordinate.name] = {coordinate.name: 1} if unknown else dimension_of(coordinate.unit)
         names[coordinate.rate] = added(names[coordinate.name], _TIME, -1)
     for name, unit in variant.unknowns:
-        names[name] = {name: 1} if not unit or free == ("unknowns", name) else dimension_of(unit)
+        names[name] = {name: 1} if not unit or ("unknowns", name) in free else dimension_of(unit)
     if variant.driven:
         names |= {f"V{variant.driven}{part}": _SPEED for part in "xy"}
     points = [name for name, _ in variant.points] + [group.meets for group in variant.groups if group.meets]

@@ -11,7 +11,7 @@ _grade = workshop.Workshop.grade
 held = [100]  # MiB, said to be held
 
 
-def grade(self, submission, source):
+def grade(self, submission, source, *more):
     name, once = submission.id, Path(os.environ["COURSEWORK_TEST_ONCE"])
     if name == "killer" or (name == "once" and not once.exists()):
         once.touch()
@@ -23,7 +23,7 @@ def grade(self, submission, source):
     if name.startswith("leaks "):
         held[0] = int(name.split()[1])
     print("noise on standard output", flush=True)
-    return _grade(self, submission, source)
+    return _grade(self, submission, source, *more)
 
 
 workshop.Workshop.grade = grade

@@ -147,6 +147,13 @@ def slips_in_most_rows() -> np.ndarray:
     return table
 
 
+def markdown() -> bytes:
+    """A document with a wrong line, one that says what another says, one that nobody can read."""
+    lines = (EQUATIONS[0], EQUATIONS[0].replace("VMy", "2*VMy - VMy"), EQUATIONS[3].replace("- r1", "+ r1"))
+    lines += ("r3*w3*sin(phi3) § r2*w2*cos(phi2) - foo*w1 = 0",)
+    return "\n\n".join(["# Kinematics", *(f"${line}$" for line in lines)]).encode()
+
+
 def long_table(rows: int, wrong: int) -> np.ndarray:
     q, found = np.array(START), []
     for k in range(rows):
@@ -174,6 +181,7 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         "one-velocity-missing": {"table.csv": text(with_cell(5, 4, np.nan, with_cell(6, 1, 3.0)), NAMES)},
         "rounded-w3": {"table.csv": rounded_w3()},
         "slips-in-most-rows": files(slips_in_most_rows()),
+        "document": {"work.md": markdown(), "table.csv": files()["table.csv"]},
         "two-starts": files(students.table(start=(1.73, 3.3, 2.87))),
         "two-slips": files(two_slips()),
         "own-sum": files(*own_sum()),

@@ -194,7 +194,7 @@ def test_lines_and_signs_are_those_that_were_changed(seen, handed_in):
         if truth.sign:
             line, column = truth.sign
             assert f"Line {line} of the equations is not right. A sign at column {column} would make it right" in told, student
-            assert files["equations.txt"].decode().split("\n")[line - 1].strip("$ ")[column - 1] in "+-"
+            assert files["equations.txt"].decode().split("\n")[line - 1][column - 1] in "+-"
 
 
 def test_steps_said_to_follow_euler_do(seen, handed_in):

@@ -67,9 +67,9 @@ def edited(old: str, new: str) -> Case:
 
 
 def latex() -> Case:
-    """The same slip in a line of LaTeX, told without the dollars around it: the plus before r_1 should be a minus."""
-    line = r"$$ r_3 \omega_3 \sin\varphi_3 - r_2 \omega_2 \cos\varphi_2 + r_1 \omega_1 \cos\varphi_1 = 0 $$"
-    return files(equations=(*EQUATIONS[:3], line)), Truth(wrong=set(), lines=(4,), sign=(4, line.strip("$ ").index("+") + 1))
+    """The same slip in a line of LaTeX: the plus before r_1 should be a minus."""
+    line = r"r_3 \omega_3 \sin\varphi_3 - r_2 \omega_2 \cos\varphi_2 + r_1 \omega_1 \cos\varphi_1 = 0"
+    return files(equations=(*EQUATIONS[:3], line)), Truth(wrong=set(), lines=(4,), sign=(4, line.index("+") + 1))
 
 
 def made(code: str) -> Case:

@@ -38,7 +38,7 @@ def test_a_scheme_that_would_do_is_named_by_its_title() -> None:
     """Where no step is found within the rows that are computed, the scheme alone is advised."""
     run = coursework.solve(coursework.load("31"))
     text = html_text(page_of(model_of(run)))
-    assert "or the scheme Runge−Kutta 4 at this step" in text
+    assert "or the scheme Runge−Kutta 4 at the old step" in text
 
 
 def test_equations_of_a_chain_are_numbered_from_one() -> None:

@@ -60,7 +60,7 @@ def test_beyond_the_most_rows_only_a_scheme_is_named(monkeypatch):
     run = solve("31")
     accuracy = found(run, "ACCURACY")
     assert (accuracy.step, accuracy.option) == (None, "--scheme rk4")
-    assert accuracy.sentence.endswith("Take --scheme rk4 at this step (0.005 %).")
+    assert accuracy.sentence.endswith("Take --scheme rk4 at the old step (0.005 %).")
     assert run.summary.endswith("; take --scheme rk4.")
     assert "FAIL" not in motion_verdicts(run)
 

@@ -65,7 +65,7 @@ class EquationMark:
     def plain(self) -> dict[str, Any]:
         """Return the record as grades.json writes it."""
         hint = self.hint.plain() if self.hint else None
-        return {"line": self.line.line, "text": self.line.text, "verdict": self.verdict, "hint": hint}
+        return {"line": self.line.line, "place": self.line.where, "text": self.line.text, "verdict": self.verdict, "hint": hint}
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,7 +127,7 @@ class Judge:
         """Return a mark with what the line lacks, where it is right and adds nothing, or wrong by no single slip."""
         if mark.verdict == "unreadable" or mark.hint_of_slip or (mark.verdict in COUNTED and mark.line.line not in dependent):
             return mark
-        others = [(other.line.line, difference(other.line)) for other in counted if other is not mark]
+        others = [(other.line.where, difference(other.line)) for other in counted if other is not mark]
         variant = self.key.variant
         return replace(mark, lack=lack_of(difference(mark.line), mark.verdict, others, variant, self.off_closure))
 

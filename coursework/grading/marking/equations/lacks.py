@@ -18,10 +18,11 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
 ON_CLOSURE = "closure"
+Other = tuple[Sentence, Formula]  # where a line stands, and left - right
 
 
-def lack_of(tree: Formula, verdict: str, others: Sequence[tuple[int, Formula]], variant: Variant, probe: Probe) -> Sentence | str:
-    """Return what a line (`left - right`) lacks, "" where nobody can tell; `others` are the counted lines with their numbers."""
+def lack_of(tree: Formula, verdict: str, others: Sequence[Other], variant: Variant, probe: Probe) -> Sentence | str:
+    """Return what a line (`left - right`) lacks, "" where nobody can tell; `others` are the lines that count."""
     named = {node.name for node in tree.walk() if node.op == "name"}
     driven = {"t", *variant.known_rates, *(law.name for law in variant.drive)}
     try:
@@ -37,10 +38,10 @@ def lack_of(tree: Formula, verdict: str, others: Sequence[tuple[int, Formula]], 
             return say("feedback.lack.any_motion")
         if verdict == "wrong":
             return ""
-        same = [number for number, other in others if _is_the_same(line, linear(other, probe))]
+        same = [where for where, other in others if _is_the_same(line, linear(other, probe))]
     except NoValue:
         return ""
-    return say("feedback.lack.repeats", line=same[0]) if same else say("feedback.lack.follows")
+    return say("feedback.lack.repeats", place=same[0]) if same else say("feedback.lack.follows")
 
 
 def _is_the_same(line: Linear, other: Linear) -> bool:

@@ -53,7 +53,8 @@ def equation_reasons(marked: EquationMarks, points: float | None, most: float) -
 def _line(mark: EquationMark) -> Sentence:
     key = {"wrong": "wrong", "unreadable": "unread"}.get(mark.verdict, "adds_nothing")
     hint = _hint(mark) if mark.verdict not in COUNTED else ""
-    return joined([say(f"feedback.line_{key}", line=mark.line.line), mark.lack, hint])
+    kind = "place" if mark.line.place else "line"
+    return joined([say(f"feedback.{kind}_{key}", line=mark.line.line, place=mark.line.where), mark.lack, hint])
 
 
 def answer_reasons(marked: AnswerMarks, points: float, most: float) -> Iterator[Reason]:

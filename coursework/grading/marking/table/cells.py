@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.grading.marking.key import SHOWN, Key, sensitivity
+from coursework.grading.marking.key import Key, sensitivity
 from coursework.system.arrays import Array, Flags
 
 Marks = NDArray[np.str_]
@@ -122,7 +122,8 @@ def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> C
         steps,
         _true_steps(key, student, own),
     )
-    shown = _shown(key, student)
+    with np.errstate(invalid="ignore"):
+        shown = np.isfinite(student.values) & (student.units <= key.coarsest)
     marks = np.full(student.values.shape, WRONG, dtype="<U16")
     for way in reversed(ways):
         marks[way.holds(student.values)] = way.name
@@ -131,14 +132,6 @@ def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> C
     marks[~shown] = MISSING
     too_coarse = ~shown & np.isfinite(student.values)
     return Cells(student, marks, ways, too_coarse, computed_to, m)
-
-
-def _shown(key: Key, student: StudentTable) -> Flags:
-    m = len(key.coordinates)
-    coarsest = np.full(student.values.shape[1], SHOWN * key.gap)
-    coarsest[m:] /= key.step
-    with np.errstate(invalid="ignore"):
-        return np.isfinite(student.values) & (student.units <= coarsest)
 
 
 def _steps(key: Key, student: StudentTable) -> tuple[Way, float, int | None]:

@@ -77,7 +77,7 @@ def _shown(key: Key, table: Table | None, name: str) -> _Shown:
     if column is None:
         return _Shown(si, 1.0, 0)
     known = PRINTED.get(si.replace("rad/s", "1/s"), {})
-    return _Shown(column.shown_unit, known.get(column.unit, 1.0), column.turns)
+    return _Shown("rad/s" if column.unit == "1/s" else column.unit, known.get(column.unit, 1.0), column.turns)
 
 
 def _explained(key: Key, cells: Cells, table: Table | None, row: int, place: int) -> FirstWrong:

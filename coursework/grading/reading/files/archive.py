@@ -1,7 +1,7 @@
 """A zip in memory, opened with every size bounded while it is inflated.
 
 Enters: the bytes of an archive.  Leaves: names and parts, in chunks.  Raises `Refused`; nothing is ever extracted to a disk.
-Used by the readers of spreadsheets and of handed-in archives.
+Used by the readers of spreadsheets, documents and handed-in archives.
 """
 
 from __future__ import annotations
@@ -11,11 +11,12 @@ import zipfile
 import zlib
 from collections.abc import Iterator
 
-from coursework.grading.reading.limits import INFLATED_BYTES, PARTS, unreadable
+from coursework.grading.reading.limits import DOCUMENT_PARTS, INFLATED_BYTES, PARTS, unreadable
 
 _CHUNK = 64 * 1024
 _END = b"PK\x05\x06"
 _DIRECTORY_BYTES = 256 * 1024  # of the list of parts, read before any part is
+_DOCUMENTS = {"word/document.xml", "content.xml"}
 _PACKED = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}
 
 
@@ -34,7 +35,8 @@ class Archive:
             raise unreadable("damaged") from error
         # A damaged directory may hold a part without a name, which the library does not expect.
         self.parts = {part.filename: part for part in self._zip.infolist() if part.filename and not part.is_dir()}
-        if len(self._zip.infolist()) > most_parts:
+        # Each formula of a document is three parts; none is opened that is not read, and what is read is counted.
+        if len(self._zip.infolist()) > (DOCUMENT_PARTS if _DOCUMENTS & self.parts.keys() else most_parts):
             raise unreadable("too_large_open")
 
     def chunks(self, name: str) -> Iterator[bytes]:

@@ -6,7 +6,6 @@ Used by `read_submission.py` and by whoever collects files.
 
 from __future__ import annotations
 
-import json
 import re
 from pathlib import PurePosixPath
 
@@ -15,26 +14,33 @@ TABLE_ENDINGS = {
 }  # fmt: skip
 _IGNORED = {"__macosx", "desktop.ini", "thumbs.db"}
 _MAGIC = (
-    (b"%PDF", "PDF"), (b"\xff\xd8\xff", "JPEG"), (b"\x89PNG", "PNG"), (b"GIF8", "GIF"), (b"{\\rtf", "RTF"), (b"Rar!", "RAR"),
+    (b"\xff\xd8\xff", "JPEG"), (b"\x89PNG", "PNG"), (b"GIF8", "GIF"), (b"Rar!", "RAR"),
     (b"7z\xbc\xaf", "7z"), (b"II*\x00", "TIFF"), (b"MM\x00*", "TIFF"), (b"BM", "BMP"), (b"\x1f\x8b", "gzip"),
-    (b"SQLite format", "SQLite"),
+    (b"SQLite format", "SQLite"), (b"AT&TFORM", "DjVu"), (b"MATLAB 5.0 MAT-file", "MATLAB MAT"),
 )  # fmt: skip
 _OLE = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"
 _PARTS = (
-    ("word/", "Word"), ("ppt/", "PowerPoint"), ("xl/workbook.bin", "xlsb"), ("Index/", "Apple Numbers"),
-    ("Index.zip", "Apple Numbers"), ("mathcad/", "Mathcad Prime"),
+    ("ppt/", "PowerPoint"), ("xl/workbook.bin", "xlsb"), ("Index/", "Apple Numbers"),
+    ("Index.zip", "Apple Numbers"), ("mathcad/", "Mathcad Prime"), ("matlab/", "MATLAB Live Script"),
+    ("FixedDocSeq", "XPS"), ("FixedDocumentSequence", "XPS"),
 )  # fmt: skip
 _HTML = re.compile(r"\s*<(?:!doctype html|html|head|body|p|div|table|span|br|ul|ol|h[1-6])\b", re.IGNORECASE)
-OLD_EXCEL = "xls"
+OLD_EXCEL, OLD_WORD = "xls", "doc"
+PICTURES = {"JPEG", "PNG", "GIF", "TIFF", "BMP", "HEIC", "WebP", "DjVu"}
+_WORD_STREAM = "WordDocument".encode("utf-16-le")  # the name of a stream inside an OLE file
 
 
 def real_kind(content: bytes) -> str:
     """Return the kind of a file that is neither text nor zip, "" for those."""
     if content.startswith(_OLE):
-        return OLD_EXCEL
+        return OLD_WORD if _WORD_STREAM in content else OLD_EXCEL
     head = content[:4096]
     if head.lstrip(b"\xef\xbb\xbf \r\n\t").startswith(b"<?xml") and b"mathsoft" in head:
         return "Mathcad"
+    if head[4:12] in {b"ftypheic", b"ftypheix", b"ftypmif1", b"ftypheif"}:
+        return "HEIC"
+    if head.startswith(b"RIFF") and head[8:12] == b"WEBP":
+        return "WebP"
     return next((kind for magic, kind in _MAGIC if content.startswith(magic) and (magic != b"BM" or b"\0" in head)), "")
 
 
@@ -51,16 +57,6 @@ def is_ignored(path: str) -> bool:
 def is_named_as_table(name: str) -> bool:
     """Return whether a file's name promises a table."""
     return PurePosixPath(name.replace("\\", "/")).suffix.lower() in TABLE_ENDINGS
-
-
-def is_json(text: str) -> bool:
-    """Return whether a text is data of a program, such as the `run.json` beside a table; "=" in it is no equation."""
-    if not text.lstrip("\ufeff \r\n\t").startswith(("{", "[")):
-        return False
-    try:
-        return isinstance(json.loads(text.lstrip("\ufeff")), (dict, list))
-    except (ValueError, RecursionError):
-        return False
 
 
 def is_html(text: str) -> bool:

@@ -1,7 +1,7 @@
 """An ods file -> its sheets, by `zipfile` and `expat`, repeated rows and cells bounded.
 
 Enters: an `Archive`.  Leaves: `Sheet`s.  Raises `Refused`.
-Used by `tables_of_file.py`.
+Used by `tables_of_file.py` and, for what all OpenDocument files have, `odt.py`.
 """
 
 from __future__ import annotations
@@ -20,11 +20,16 @@ _NUMBERS = {"float", "percentage", "currency"}
 
 def sheets_of(archive: Archive, most_rows: int, most_columns: int) -> list[Sheet]:
     """Return the sheets of a document, at most 10; cells beyond the bounds are left out."""
-    if _MANIFEST in archive.parts and b"encryption-data" in archive.read(_MANIFEST, 1024 * 1024):
-        raise unreadable("password")
+    refuse_encrypted(archive)
     reader = _Reader(most_rows, most_columns)
     stream(archive.chunks(CONTENT), reader)
     return reader.sheets
+
+
+def refuse_encrypted(archive: Archive) -> None:
+    """Raise `Refused` for a document that is protected by a password."""
+    if _MANIFEST in archive.parts and b"encryption-data" in archive.read(_MANIFEST, 1024 * 1024):
+        raise unreadable("password")
 
 
 class _Reader:

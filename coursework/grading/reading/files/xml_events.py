@@ -1,12 +1,12 @@
-"""Parts of a spreadsheet as a stream of elements, stopped as soon as enough is known.
+"""Parts of a spreadsheet or document as a stream of elements, stopped as soon as enough is known.
 
 Enters: chunks of XML.  Leaves: calls of a handler.  Raises `Refused` for a DOCTYPE (entities) and for what is no XML.
-Used by `xlsx.py` and `ods.py`.
+Used by `xlsx.py`, `ods.py` and the readers of documents.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 from typing import Protocol
 from xml.parsers import expat
 
@@ -32,24 +32,36 @@ class Enough(Exception):
     """A handler has what it wants."""
 
 
-def stream(chunks: Iterable[bytes], handler: Handler) -> None:
-    """Send the elements of a document to a handler until it has enough."""
+def stream(chunks: Iterable[bytes], handler: Handler, wanted: Container[str] | None = None) -> None:
+    """Send the elements of a document to a handler until it has enough; `wanted` are the names it looks at, all where None."""
     parser = expat.ParserCreate()
     depth = 0
+    bare: dict[str, str] = {}  # a document of a word processor has fifty names and ten thousand elements
+
+    def bare_name(name: str) -> str:
+        short = name.rpartition(":")[2]
+        bare[name] = short if wanted is None or short in wanted else ""
+        return bare[name]
 
     def begin(name: str, attributes: dict[str, str]) -> None:
         nonlocal depth
         depth += 1
         if depth > _MOST_NESTED:
             raise unreadable("damaged")
+        short = bare.get(name)
+        if short is None:
+            short = bare_name(name)
+        if not short:
+            return
         if attributes and ":" in "".join(attributes):
             attributes = {key.rpartition(":")[2]: value for key, value in attributes.items()}
-        handler.begin(name.rpartition(":")[2] if ":" in name else name, attributes)
+        handler.begin(short, attributes)
 
     def end(name: str) -> None:
         nonlocal depth
         depth -= 1
-        handler.end(name.rpartition(":")[2] if ":" in name else name)
+        if short := bare[name]:
+            handler.end(short)
 
     def doctype(*_: object) -> None:
         raise unreadable("doctype")

@@ -1,7 +1,7 @@
 """The unit a column was printed in: from its head, else from its ratio to the key; and whole turns of an angle.
 
 Enters: printed numbers and a `GridColumn`.  Leaves: unit, factor to SI, turns.  The only place that looks at the key's values.
-Used by `table.py`.
+Used by `table.py`; `precheck.py` and `feedback.py` say it.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from statistics import median
 from coursework.grading.reading.expected import GridColumn
 from coursework.grading.reading.table.headers import PRINTED
 
+AS_READ = {"1/s": "rad/s", "deg": "°"}  # unit of a column -> as the heads of the tables say it
 _LARGE = 0.05  # of the column's largest value: smaller cells say nothing about a ratio
 _WIDTH = 0.12
 _TURN = 2 * math.pi

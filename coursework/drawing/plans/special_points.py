@@ -1,0 +1,84 @@
+"""Special points of a link that three legs hold (Assur's points): where the lines of two legs meet.
+
+Enters: how all moves, and what each leg says of a point of the link.  Leaves: `SpecialPoint`s, the nearest first.
+Used by `polygons.py`.
+Of a bar that leads to a point of the link the line is the bar's own, of a guide it is the perpendicular to it.  Every point of
+the link on such a line has the same part of its velocity along it, which the leg gives; where two lines meet, two parts are
+known.  The image of that point lies on the lines of both legs, and from it the third leg is drawn as in a dyad.
+Source: L. V. Assur, Groups of class III; I. I. Artobolevsky, Theory of mechanisms, method of special points.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from coursework.drawing.plans.moving import Complex
+from coursework.drawing.plans.vectors import Line
+
+PARALLEL = 1e-9  # sine of the angle below which two lines meet in no row
+FAR = 5.0  # of the distance of the legs: a point farther away is found on no paper
+LETTERS = ("S", "T", "U", "W", *(f"S{k}" for k in range(1, 100)))
+
+
+@dataclass(frozen=True, slots=True)
+class Leg:
+    """What holds a link at its `point`: the image lies on `line`; `at` (n,) the place, `along` (n,) that line's direction."""
+
+    point: str
+    line: Line
+    at: Complex
+    along: Complex
+
+
+@dataclass(frozen=True, slots=True)
+class SpecialPoint:
+    """A point of a link, at places (n,), where the lines of two `legs` meet."""
+
+    at: Complex
+    legs: tuple[Leg, Leg]
+
+
+def special_points(legs: Sequence[Leg], row: int) -> Iterator[SpecialPoint]:
+    """Yield the special points of a link, the nearest in a row (from 0) first: of parallel lines none, and none far away.
+
+    A point through which the lines of all legs go is none: there the group has a dead point.
+    """
+    here = [complex(leg.at[row]) for leg in legs]
+    reach = FAR * max(abs(a - b) for a, b in itertools.combinations(here, 2))
+    found = []
+    for pair in itertools.combinations(legs, 2):
+        if pair[0].point == pair[1].point or (at := _meeting(*pair)) is None:
+            continue
+        way = max(abs(at[row] - place) for place in here)
+        if way <= reach and any(_holds(leg, at, row) for leg in legs if leg not in pair):
+            found.append((way, SpecialPoint(at, pair)))
+    yield from (special for _, special in sorted(found, key=lambda one: one[0]))
+
+
+def special_name(names: Sequence[str]) -> str:
+    """Return a letter for a special point that no other point and no image has.
+
+    >>> special_name(["A", "s", "T"])
+    'U'
+    """
+    taken = {name.lower() for name in names}
+    return next(letter for letter in LETTERS if letter.lower() not in taken)
+
+
+def _meeting(one: Leg, other: Leg) -> Complex | None:
+    """Return where the lines of two legs meet, None where they are parallel in some row."""
+    first, second = 1j * one.along / np.abs(one.along), 1j * other.along / np.abs(other.along)
+    sine = (first.conjugate() * second).imag
+    if np.min(np.abs(sine)) <= PARALLEL:
+        return None
+    return np.asarray(one.at + first * ((other.at - one.at).conjugate() * second).imag / sine)
+
+
+def _holds(leg: Leg, at: Complex, row: int) -> bool:
+    """Return whether a leg hinders its link from turning about a place."""
+    arm, along = complex(leg.at[row] - at[row]), complex(leg.along[row])
+    return abs((arm.conjugate() * along).real) > PARALLEL * abs(along) * abs(arm)

@@ -1,0 +1,1 @@
+"""Documents of word processors, notebooks, JSON, Markdown and PDF -> the tables and lines of text in them."""

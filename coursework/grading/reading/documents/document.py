@@ -1,0 +1,75 @@
+"""What is taken out of a document before anybody knows what it means: tables of cells, lines of text, each with its place.
+
+Enters: nothing.  Leaves: `Document`, `DocumentTable`, `DocumentLine`, bounded while they are filled.
+Used by the readers of this room.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+
+from coursework.grading.reading.documents.signs import plain_signs
+from coursework.grading.reading.files.cells import Cell
+from coursework.grading.reading.limits import LINE_CHARACTERS
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
+
+# Documents that a program made for people to look at, by what they are called.
+FORMATTED = {"docx": "Word", "odt": "OpenDocument text", "rtf": "RTF", "pdf": "PDF"}
+MOST_TABLES, MOST_LINES, MOST_CELLS = 100, 20_000, 100_000
+MOST_CHARACTERS = 4_000_000  # of all lines, as of a text
+
+
+def place_of(kind: str, /, **values: object) -> Sentence:
+    """Return where something stands, for a person: `reading.place.<kind>`."""
+    return say(f"reading.place.{kind}", **values)
+
+
+@dataclass(frozen=True, slots=True)
+class DocumentTable:
+    """One table as rows of cells (ragged)."""
+
+    rows: tuple[tuple[Cell, ...], ...]
+    place: Sentence
+
+
+@dataclass(frozen=True, slots=True)
+class DocumentLine:
+    """One line of text; `is_formula` where the document itself says so."""
+
+    text: str
+    place: Sentence
+    is_formula: bool = False
+
+
+@dataclass(slots=True)
+class Document:
+    """Tables and lines in the order in which they are looked at; `kind` names the encoding in grades.json.
+
+    `texts` are pieces of plain text that may hold a table of their own; where `first_counts`, the first of several tables with
+    equally many cells is the one that is meant; not `is_whole` where the text may hold a table that no mark of its own tells.
+    """
+
+    kind: str
+    tables: list[DocumentTable] = field(default_factory=list)
+    lines: list[DocumentLine] = field(default_factory=list)
+    texts: list[tuple[str, Sentence]] = field(default_factory=list)
+    first_counts: bool = False
+    is_whole: bool = True
+    characters: int = 0
+    cells: int = 0
+
+    def add_line(self, text: str, place: Sentence, is_formula: bool = False) -> None:
+        """Add a line that is not blank; further ones than a document may have are left out."""
+        text = plain_signs(text[:LINE_CHARACTERS]).replace("{,}", ",").strip()
+        self.characters += len(text)
+        if text and len(self.lines) < MOST_LINES and self.characters <= MOST_CHARACTERS:
+            self.lines.append(DocumentLine(text, place, is_formula))
+
+    def add_table(self, rows: Iterable[Sequence[Cell]], place: Sentence) -> None:
+        """Add a table with at least two rows and two columns."""
+        kept = tuple(tuple(row) for row in rows)
+        self.cells += sum(map(len, kept))
+        if len(kept) > 1 and max(map(len, kept)) > 1 and len(self.tables) < MOST_TABLES and self.cells <= MOST_CELLS:
+            self.tables.append(DocumentTable(kept, place))

@@ -1,0 +1,134 @@
+"""A Word file -> its tables, paragraphs and native equations, by `zipfile` and `expat`.
+
+Enters: an `Archive`.  Leaves: `Document`.  Raises `Refused`.  Pictures, macros, embedded objects and other parts are not opened.
+Used by `read_document.py`.
+"""
+
+from __future__ import annotations
+
+import re
+
+from coursework.grading.reading.documents import omml
+from coursework.grading.reading.documents.builder import DocumentBuilder
+from coursework.grading.reading.documents.document import Document
+from coursework.grading.reading.documents.formula_tree import FormulaTree
+from coursework.grading.reading.documents.signs import symbol_font
+from coursework.grading.reading.files.archive import Archive
+from coursework.grading.reading.files.xml_events import stream
+
+_MAIN = re.compile(r"word/document\d*\.xml")
+_SKIPPED = {"Fallback", "del", "moveFrom"}  # what stands there twice, and what was taken out
+_WANTED = omml.ELEMENTS | _SKIPPED | {
+    "p", "tab", "cr", "tbl", "tr", "tc", "gridSpan", "vMerge", "gridBefore", "vertAlign", "noBreakHyphen", "sym",
+}  # fmt: skip
+_POSITIONS = {"superscript": "super", "subscript": "sub"}
+
+
+def main_part(archive: Archive) -> str | None:
+    """Return the part with the text of a Word file, None where an archive is no such file."""
+    return next((name for name in sorted(archive.parts) if _MAIN.fullmatch(name)), None)
+
+
+def document_of_docx(archive: Archive, part: str, most_rows: int, most_columns: int) -> Document:
+    """Return what stands in a Word file."""
+    reader = _Reader(DocumentBuilder("docx", most_rows, most_columns))
+    stream(archive.chunks(part), reader, _WANTED)
+    return reader.builder.finished()
+
+
+class _Reader:
+    """Follows the elements of `word/document.xml`."""
+
+    def __init__(self, builder: DocumentBuilder) -> None:
+        self.builder = builder
+        self.formula: FormulaTree | None = None
+        self.skipping = self.formulas = 0
+        self.is_text = False
+        self.position = ""
+        self.cells: list[tuple[int, bool]] = []  # for each open cell: the columns it spans, whether the one above goes on
+
+    def begin(self, name: str, attributes: dict[str, str]) -> None:
+        if self.skipping or name in _SKIPPED:
+            self.skipping += name in _SKIPPED
+        elif self.formula is not None:
+            self.is_text = name == "t"
+            self.formulas += name == "oMath"
+            if name in omml.ELEMENTS:
+                self.formula.begin(name, attributes)
+        elif name == "t":
+            self.is_text = True
+        elif name == "r":
+            self.position = ""
+        elif name == "p":
+            self.builder.open_paragraph()
+        elif name == "tc":
+            self.cells.append((1, False))
+        elif name == "tr":
+            self.builder.open_row()
+        elif name == "oMath":
+            self.formula, self.formulas = FormulaTree(name), 1
+        elif name == "tbl":
+            self.builder.open_table()
+        else:
+            self._detail(name, attributes)
+
+    def _detail(self, name: str, attributes: dict[str, str]) -> None:
+        value = attributes.get("val", "")
+        if name == "vertAlign":
+            self.position = _POSITIONS.get(value, "")
+        elif name == "gridSpan" and self.cells:
+            self.cells[-1] = _whole(value, 1), self.cells[-1][1]
+        elif name == "vMerge" and self.cells:
+            self.cells[-1] = self.cells[-1][0], value != "restart"
+        elif name == "gridBefore":
+            self.builder.open_row(_whole(value, 0))
+        elif name == "tab" and not attributes:  # with attributes it is where a tab would stop
+            self.builder.text("\t")
+        elif name in {"br", "cr"} and attributes.get("type") is None:
+            self.builder.text("\n")
+        elif name == "noBreakHyphen":
+            self.builder.text("-")
+        elif name == "sym":
+            self.builder.text(_symbol(attributes))
+
+    def text(self, text: str) -> None:
+        if self.is_text and not self.skipping:
+            if self.formula is not None:
+                self.formula.text(text)
+            else:
+                self.builder.text(text, self.position)
+
+    def end(self, name: str) -> None:
+        if self.skipping:
+            self.skipping -= name in _SKIPPED
+            return
+        if name == "t":
+            self.is_text = False
+        if self.formula is not None:
+            self.formulas -= name == "oMath"
+            if not self.formulas:
+                self.builder.formula(omml.text_of_omml(self.formula.top))
+                self.formula = None
+            elif name in omml.ELEMENTS:
+                self.formula.end()
+        elif name == "p":
+            self.builder.close_paragraph()
+        elif name == "tc" and self.cells:
+            self.builder.close_cell(*self.cells.pop())
+        elif name == "tr":
+            self.builder.close_row()
+        elif name == "tbl":
+            self.builder.close_table()
+
+
+def _whole(text: str, otherwise: int) -> int:
+    return int(text) if re.fullmatch("[0-9]{1,4}", text) else otherwise
+
+
+def _symbol(attributes: dict[str, str]) -> str:
+    """Return the letter of a symbol's font."""
+    code = attributes.get("char", "")
+    if not re.fullmatch("[0-9A-Fa-f]{4}", code):
+        return ""
+    letter = chr(int(code, 16) & 0xFF) if code.upper().startswith("F0") else chr(int(code, 16))
+    return symbol_font(letter) if attributes.get("font", "Symbol") == "Symbol" else letter

@@ -1,0 +1,117 @@
+"""Parts of a formula as text on one line, written as the reader of equations wants them: fractions, indices, powers, dots.
+
+Enters: texts of the parts.  Leaves: text; a line break parts the rows of a system.
+Used by `omml.py`, `mathml.py` and `starmath.py`.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+
+from coursework.grading.reading.documents.signs import plain_signs
+
+DOT = "\u0307"
+_DOTS = {DOT, "˙", ".", "dot"}
+_FUNCTIONS = {"sin", "cos", "tan", "tg", "ctg", "cot", "arcsin", "arccos", "arctan", "arctg", "asin", "acos", "atan", "ln",
+              "log", "exp", "sqrt", "abs", "sgn"}  # fmt: skip
+_PRIMES = {"'", "′", "’"}
+
+
+def on_one_line(text: str) -> str:
+    """Return a part without line breaks."""
+    return " ".join(text.split("\n"))
+
+
+def fraction(above: str, below: str) -> str:
+    """Return a fraction; where it is a derivative by the time, as the reader of equations knows it."""
+    above, below = on_one_line(above).strip(), on_one_line(below).strip()
+    return f" (({above})/({below})) "
+
+
+def index(body: str, sub: str) -> str:
+    """Return a letter with its index as one name: φ with 3 is φ_3, V with M y is V_{My}."""
+    name = re.sub(r"[^\w']+|_", "", unicodedata.normalize("NFKC", on_one_line(sub)))
+    body = on_one_line(body).strip()
+    if not name:
+        return f" {body} "
+    return f" {body}_{name} " if len(name) == 1 else f" {body}_{{{name}}} "
+
+
+def power(body: str, exponent: str) -> str:
+    """Return a power; a function keeps its own before its argument, a prime and a degree stay signs."""
+    body, exponent = on_one_line(body).strip(), on_one_line(exponent).strip()
+    if exponent in _PRIMES:
+        return f" {body}' "
+    if exponent in {"°", "∘", "o", "º"}:
+        return f" {body}° "
+    if body.lower() in _FUNCTIONS:
+        return f" {body}^{exponent} "
+    whole = body if re.fullmatch(r"[\w{}]+|\(.*\)", body) else f"({body})"
+    return f" {whole}^{exponent} " if re.fullmatch(r"\d+", exponent) else f" {whole}^({exponent}) "
+
+
+def dotted(body: str) -> str:
+    """Return the rate of a name: the dot stands over its first letter."""
+    body = on_one_line(body).strip()
+    return f" {body[:1]}{DOT}{body[1:]} "
+
+
+def accented(body: str, sign: str) -> str:
+    """Return a name under a sign: a dot makes a rate of it, an arrow or a bar says nothing here."""
+    return dotted(body) if sign.strip() in _DOTS else f" {on_one_line(body).strip()} "
+
+
+def root(body: str, degree: str) -> str:
+    """Return a root."""
+    return f" sqrt({on_one_line(body)}) " if degree.strip() in {"", "2"} else f" ({on_one_line(body)})^(1/({degree})) "
+
+
+def applied(function: str, argument: str) -> str:
+    """Return a function of its argument."""
+    argument = on_one_line(argument).strip()
+    return f" {function.strip()}{argument} " if _is_enclosed(argument) else f" {function.strip()}({argument}) "
+
+
+def enclosed(begin: str, body: str, end: str) -> str:
+    """Return what stands between two signs; the brace before a system of equations encloses nothing."""
+    if "\n" in body.strip("\n"):
+        return body
+    if begin in {"|", "‖"}:
+        return f" abs({body}) "
+    return f"{'(' if begin in '[{⟨(' and begin else begin}{body}{')' if end in ']}⟩)' and end else end}"
+
+
+def rows_of(rows: list[str]) -> str:
+    """Return a system, one row a line."""
+    return "\n" + "\n".join(on_one_line(row) for row in rows) + "\n"
+
+
+def equations_in(text: str) -> list[str]:
+    r"""Return the lines of a formula; a row without "=" belongs to the row that it goes on from or goes on to.
+
+    >>> equations_in("a\n+ b = 0\nc = d\n + e")
+    ['a + b = 0', 'c = d + e']
+    """
+    found: list[str] = []
+    for row in text.replace("&", " ").split("\n"):
+        bare = " ".join(plain_signs(row).split())
+        if not bare:
+            continue
+        if found and not ("=" in found[-1] and "=" in bare and bare[:1] != "="):
+            found[-1] += f" {bare}"
+        else:
+            found.append(bare)
+    return found
+
+
+def _is_enclosed(text: str) -> bool:
+    """Return whether a text is one pair of parentheses with something in it."""
+    if not (text.startswith("(") and text.endswith(")")):
+        return False
+    depth = 0
+    for place, sign in enumerate(text):
+        depth += {"(": 1, ")": -1}.get(sign, 0)
+        if not depth:
+            return place == len(text) - 1
+    return False

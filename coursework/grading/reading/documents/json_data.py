@@ -1,0 +1,127 @@
+"""JSON that a program wrote -> the tables in it, as columns, records or rows with a head, and its named values.
+
+Enters: text.  Leaves: `Document`.  Raises `Refused`.  Every form of pandas' `to_json` is one of these.
+Used by `read_document.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from coursework.grading.reading.documents.document import Document, place_of
+from coursework.grading.reading.documents.json_text import JsonNumber, JsonObject, read_json
+from coursework.grading.reading.files.cells import Cell
+from coursework.grading.reading.limits import CELL_CHARACTERS
+
+LEVELS = 6
+_MOST_RECORDS = 10_000
+_NOT_NUMBERS = {"NaN", "Infinity", "-Infinity"}
+
+
+def document_of_json(text: str, kind: str, most_rows: int, most_columns: int) -> Document:
+    """Return what stands in a JSON file; `kind` names its encoding."""
+    reader = _Reader(Document(kind), most_rows, most_columns)
+    reader.read(read_json(text, LEVELS), "")
+    return reader.document
+
+
+class _Reader:
+    """Walks the data, at most as deep as they may be nested."""
+
+    def __init__(self, document: Document, most_rows: int, most_columns: int) -> None:
+        self.document, self.most_rows, self.most_columns = document, most_rows, most_columns
+
+    def read(self, value: Any, path: str) -> None:
+        """Add what stands in a value; `path` are the names that lead to it."""
+        rows = self._rows(value)
+        if rows:
+            self.document.add_table(
+                (row[: self.most_columns] for row in rows[: self.most_rows]), place_of("entry", name=path[:80] or "[]")
+            )
+        elif isinstance(value, JsonObject):
+            for name, inner in value.pairs[:_MOST_RECORDS]:
+                self._named(name, inner, f"{path}.{name}" if path else name)
+        elif isinstance(value, list):
+            for number, inner in enumerate(value[:_MOST_RECORDS], start=1):
+                self._named("", inner, f"{path}[{number}]")
+
+    def _named(self, name: str, value: Any, path: str) -> None:
+        """Add a text that may be an equation, a named number that may be an answer, or what is inside."""
+        place = place_of("entry", name=path[:80])
+        if isinstance(value, (JsonObject, list)):
+            self.read(value, path)
+        elif isinstance(value, JsonNumber):
+            self.document.add_line(f"{name} = {value}" if name else "", place)
+        elif isinstance(value, str):
+            for line in value.split("\n"):
+                self.document.add_line(line if "=" in line else f"{name} = {line}", place)
+
+    def _rows(self, value: Any) -> list[Sequence[Cell]]:
+        """Return a value as rows of cells, a head first where there is one; nothing where it is no table."""
+        if isinstance(value, list):
+            return _records(value) if all(isinstance(row, JsonObject) for row in value) else _lists(value)
+        if not isinstance(value, JsonObject):
+            return []
+        data = value.value("data")
+        heads = value.value("columns")
+        if isinstance(data, list) and isinstance(heads, list):  # pandas, orient="split"
+            return [[_cell(head) for head in heads], *_lists(data)] if _lists(data) else []
+        return self._columns(value)
+
+    def _columns(self, value: JsonObject) -> list[Sequence[Cell]]:
+        """Return columns by name: each a list, or numbered entries; records by number are the same the other way round."""
+        columns = [(name, inner) for name, inner in value.pairs if isinstance(inner, (list, JsonObject)) and _flat(inner)]
+        if len(columns) < 2 or len(columns) < sum(isinstance(inner, (list, JsonObject)) for _, inner in value.pairs):
+            return []
+        if all(isinstance(inner, JsonObject) for _, inner in columns):
+            first: Any = columns[0][1]
+            inner_names = [name for name, _ in first.pairs]
+            if all(name.isdecimal() for name, _ in columns) or not all(_is_label(name) for name in inner_names):
+                return _records([inner for _, inner in columns])
+        lists = [[_cell(entry) for entry in _entries(inner)[: self.most_rows]] for _, inner in columns]
+        longest = max(map(len, lists))
+        padded = [column + [Cell("")] * (longest - len(column)) for column in lists]
+        return [[Cell(name[:CELL_CHARACTERS]) for name, _ in columns], *map(list, zip(*padded, strict=True))]
+
+
+def _records(records: list[Any]) -> list[Sequence[Cell]]:
+    """Return records as rows below their names; a name that stands twice in a record is two columns."""
+    names: dict[tuple[str, int], int] = {}
+    rows: list[list[Cell]] = []
+    for record in records[:_MOST_RECORDS]:
+        seen: dict[str, int] = {}
+        row = [Cell("")] * len(names)
+        for name, value in record.pairs[:_MOST_RECORDS]:
+            seen[name] = seen.get(name, 0) + 1
+            at = names.setdefault((name, seen[name]), len(names))
+            row += [Cell("")] * (at + 1 - len(row))
+            row[at] = _cell(value)
+        rows.append(row)
+    return [[Cell(name[:CELL_CHARACTERS]) for name, _ in names], *rows] if len(names) > 1 else []
+
+
+def _lists(rows: list[Any]) -> list[Sequence[Cell]]:
+    found = [[_cell(entry) for entry in row] for row in rows[:_MOST_RECORDS] if isinstance(row, list) and _flat(row)]
+    return list(found) if len(found) > 1 and len(found) == len(rows[:_MOST_RECORDS]) else []
+
+
+def _flat(value: Any) -> bool:
+    return len(value if isinstance(value, list) else value.pairs) > 1 and not any(
+        isinstance(entry, (list, JsonObject)) for entry in _entries(value)
+    )
+
+
+def _entries(value: Any) -> list[Any]:
+    return value if isinstance(value, list) else [entry for _, entry in value.pairs]
+
+
+def _is_label(name: str) -> bool:
+    """Return whether a name numbers a row: 0, 1, … or a time."""
+    return name.replace(".", "", 1).replace("-", "", 1).isdecimal()
+
+
+def _cell(value: Any) -> Cell:
+    if isinstance(value, JsonNumber):
+        return Cell(str(value)[:CELL_CHARACTERS], "error" if value in _NOT_NUMBERS else "number")
+    return Cell(value[:CELL_CHARACTERS] if isinstance(value, str) else "")

@@ -1,0 +1,58 @@
+"""JSON text -> lists, objects and scalars, with what an ordinary reader loses: the digits of numbers, names that stand twice.
+
+Enters: text.  Leaves: lists, `JsonObject`s, `JsonNumber`s, texts, booleans, None.  Raises `Refused`.
+Used by `json_data.py` and `notebook.py`.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from dataclasses import dataclass
+from typing import Any
+
+from coursework.grading.reading.limits import unreadable
+
+_LEVELS = re.compile(r'"(?:[^"\\]|\\.)*"|[\[{]|[\]}]', re.DOTALL)
+
+
+class JsonNumber(str):
+    """A number as it is written; NaN and Infinity too."""
+
+    __slots__ = ()
+
+
+@dataclass(frozen=True, slots=True)
+class JsonObject:
+    """Names and values in their order; a name may stand there twice."""
+
+    pairs: tuple[tuple[str, Any], ...]
+
+    def value(self, name: str) -> Any:
+        """Return the value of a name, None where it is not there."""
+        return next((value for key, value in self.pairs if key == name), None)
+
+
+def is_json(text: str) -> bool:
+    """Return whether a text begins as data of a program do: an object, or a list of them, of lists, texts or numbers."""
+    return re.match(r'[\ufeff\s]*(?:\{\s*(?:["}])|\[\s*(?:[\[{"\d\]-]|null|NaN))', text[:2000]) is not None
+
+
+def read_json(text: str, levels: int) -> Any:
+    """Return what a text holds.  Raises `Refused` where it is damaged, or has more than `levels` levels of brackets."""
+    depth = 0
+    for found in _LEVELS.finditer(text):
+        sign = found[0]
+        depth += 1 if sign in "[{" else -1 if sign in "]}" else 0
+        if depth > levels:
+            raise unreadable("json_deep", levels=levels)
+    try:
+        return json.loads(
+            text.lstrip("\ufeff"),
+            object_pairs_hook=lambda pairs: JsonObject(tuple(pairs)),
+            parse_float=JsonNumber,
+            parse_int=JsonNumber,
+            parse_constant=JsonNumber,
+        )
+    except (ValueError, RecursionError) as error:
+        raise unreadable("json_damaged") from error

@@ -1,0 +1,99 @@
+"""Markdown -> its pipe tables, formulas and lines of text.
+
+Enters: text.  Leaves: `Document`, None for a text without a pipe table and without `$…$`.
+Used by `read_document.py` and, for the cells of a notebook, by `notebook.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from coursework.grading.reading.documents.builder import add_lines
+from coursework.grading.reading.documents.document import Document, place_of
+from coursework.grading.reading.files.cells import Cell
+from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS
+from coursework.words.sentence import Sentence
+
+_RULE = re.compile(r"[ \t]*\|?[ \t]*:?-+:?[ \t]*(?:\|[ \t]*:?-+:?[ \t]*)*\|?[ \t]*")
+_DISPLAYED, _INLINE = re.compile(r"\$\$([^$]{1,4000})\$\$"), re.compile(r"(?<![\\$])\$([^$\n]{1,2000})\$")
+_MARKUP = re.compile(r"^[ \t]*(?:(?:#{1,6}[ \t]+|>[ \t]?|[*+][ \t]+(?=\S))+)?(?:\*\*)?|\*\*[ \t]*$|`+\w*$|`")
+_ESCAPED = re.compile(r"\\(?=[*_#|<>\[\]()+-])")
+_CELL = re.compile(r"(?<!\\)\|")
+_MOST_COLUMNS = 1000
+
+
+def is_markdown(text: str) -> bool:
+    """Return whether a text has a pipe table or a formula between dollar signs."""
+    has_formula = "$" in text and bool(_DISPLAYED.search(text) or _INLINE.search(text))
+    return has_formula or ("|" in text and _has_table(text))
+
+
+def _has_table(text: str) -> bool:
+    return any("|" in line and _RULE.fullmatch(line) for line in text.split("\n") if "-" in line and len(line) < LINE_CHARACTERS)
+
+
+def document_of_markdown(text: str, kind: str) -> Document:
+    """Return what stands in a Markdown file; `kind` names its encoding."""
+    document = Document(kind, is_whole=False)
+    add_markdown(document, text, lambda line: place_of("line", line=line))
+    return document
+
+
+def add_markdown(document: Document, text: str, place: Callable[[int], Sentence]) -> None:
+    """Add the tables and lines of a Markdown text; `place` says where its line (from 1) stands."""
+    lines = [line[:LINE_CHARACTERS] for line in text.split("\n")]
+    at = 0
+    kept: list[str] = []
+    while at < len(lines):
+        if at + 1 < len(lines) and "|" in lines[at] and "-" in lines[at + 1] and _RULE.fullmatch(lines[at + 1]):
+            end = at + 2
+            while end < len(lines) and "|" in lines[end]:
+                end += 1
+            document.add_table(map(_cells, [lines[at], *lines[at + 2 : end]]), place(at + 1))
+            kept += [line if "=" in line else "" for line in lines[at:end]]
+            at = end
+        else:
+            kept.append(lines[at])
+            at += 1
+    _add_text(document, "\n".join(kept), place)
+
+
+def _cells(line: str) -> list[Cell]:
+    texts = _CELL.split(line.strip().removeprefix("|").removesuffix("|"), maxsplit=_MOST_COLUMNS)
+    return [Cell(text.strip().strip("*`$").replace("\\|", "|")[:CELL_CHARACTERS]) for text in texts]
+
+
+def _add_text(document: Document, text: str, place: Callable[[int], Sentence]) -> None:
+    """Add formulas set apart, which may run over several lines, and the lines between them."""
+    end, number = 0, 1
+    for found in _DISPLAYED.finditer(text):
+        _add_plain(document, text[end : found.start()], number, place)
+        number += text.count("\n", end, found.start())
+        add_lines(document, [(_rows(found[1]), True)], place(number))
+        number += text.count("\n", found.start(), found.end())
+        end = found.end()
+    _add_plain(document, text[end:], number, place)
+
+
+def _add_plain(document: Document, text: str, first: int, place: Callable[[int], Sentence]) -> None:
+    for number, line in enumerate(text.split("\n"), start=first):
+        if "=" not in line and "\\" not in line and "$" not in line:
+            document.add_line(line, place(number))
+            continue
+        bare = _MARKUP.sub("", line)
+        pieces: list[tuple[str, bool]] = []
+        end = 0
+        for found in _INLINE.finditer(bare):
+            pieces += [(bare[end : found.start()], False), (_rows(found[1]), True)]
+            end = found.end()
+        pieces.append((bare[end:], False))
+        add_lines(
+            document, [(text if is_formula else _ESCAPED.sub("", text), is_formula) for text, is_formula in pieces], place(number)
+        )
+
+
+def _rows(formula: str) -> str:
+    r"""Return a formula with a line a row: \\ ends one, a break of the text does not; without its environment."""
+    bare = re.sub(r"\\(?:begin|end)\s*\{[A-Za-z]+\*?\}(?:\{[lcr|]*\})?", " ", formula.replace("\n", " "))
+    return re.sub(r"\\\\(?:\s*\[[^\]]{0,20}\])?", "\n", bare).replace("&", " ")

@@ -1,0 +1,89 @@
+"""MathML, as OpenDocument keeps its formulas -> text on a line.
+
+Enters: a `FormulaNode`, names without prefix.  Leaves: text; where a formula has no more than its StarMath, that is read.
+Used by `odt.py`.
+"""
+
+from __future__ import annotations
+
+from coursework.grading.reading.documents.formula_text import (
+    accented,
+    enclosed,
+    fraction,
+    index,
+    power,
+    root,
+    rows_of,
+)
+from coursework.grading.reading.documents.formula_tree import FormulaNode
+from coursework.grading.reading.documents.starmath import text_of_starmath
+
+ELEMENTS = frozenset({
+    "math", "semantics", "annotation", "mrow", "mi", "mn", "mo", "mtext", "mfrac", "msub", "msup", "msubsup", "msqrt", "mroot",
+    "mfenced", "mover", "munder", "mtable", "mtr", "mtd", "mspace", "mstyle", "mpadded", "mphantom",
+})  # fmt: skip
+_NAMED = {"mi", "mtext"}
+
+
+def text_of_mathml(node: FormulaNode) -> str:
+    """Return a formula as text, the rows of a system apart; StarMath stands in where there is nothing else."""
+    shown = _text(node)
+    return shown if shown.strip() else text_of_starmath(_annotation(node))
+
+
+def _annotation(node: FormulaNode) -> str:
+    for part in node.children:
+        if part.name == "annotation" and "starmath" in part.values.get("encoding", "").lower():
+            return "".join(text for text in part.inside if isinstance(text, str))
+        if found := _annotation(part):
+            return found
+    return ""
+
+
+def _text(node: FormulaNode) -> str:
+    name, parts = node.name, node.children
+    if name in {"mi", "mn", "mo", "mtext"}:
+        text = "".join(part for part in node.inside if isinstance(part, str)).strip()
+        return f" {text} " if name in _NAMED and len(text) > 1 else text
+    if name in {"annotation", "mphantom"}:
+        return ""
+    if name == "mspace":
+        return "\n" if node.values.get("linebreak") == "newline" else " "
+    if name in _PAIRS and len(parts) >= 2:
+        return _PAIRS[name](_text(parts[0]), _text(parts[1]))
+    if name == "msubsup" and len(parts) >= 3:
+        return power(index(_text(parts[0]), _text(parts[1])), _text(parts[2]))
+    if name == "munder" and parts:
+        return _text(parts[0])
+    if name == "msqrt":
+        return root(_row(node), "")
+    if name == "mfenced":
+        separator = node.values.get("separators", ",")[:1]
+        body = separator.join(_text(part) for part in parts)
+        return enclosed(node.values.get("open", "(")[:1], body, node.values.get("close", ")")[:1])
+    if name == "mtable":
+        return rows_of([" ".join(_text(cell) for cell in row.children) for row in parts if row.name == "mtr"])
+    return _row(node)
+
+
+def _row(node: FormulaNode) -> str:
+    """Return the parts one behind the other; a name before a name is a product, not a longer name."""
+    pieces: list[str] = []
+    for part in node.inside:
+        if isinstance(part, str):
+            pieces.append(part if part == "…" else "")
+            continue
+        piece = _text(part)
+        pieces.append(f" {piece} " if part.name == "mi" else piece)
+    text = "".join(pieces)
+    braced = text.strip().removeprefix("{").strip(" ")
+    return braced if "\n" in braced else text
+
+
+_PAIRS = {
+    "mfrac": fraction,
+    "msub": index,
+    "msup": power,
+    "mover": accented,
+    "mroot": root,
+}

@@ -1,0 +1,113 @@
+"""A notebook of Jupyter -> the tables that its outputs show, from the last to the first, and the text of its Markdown cells.
+
+Enters: text.  Leaves: `Document`, None for any other text.  Code is neither run nor read: no number comes from it.
+Used by `read_document.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from itertools import groupby
+from typing import Any
+
+from coursework.grading.reading.documents.document import Document, place_of
+from coursework.grading.reading.documents.json_text import JsonObject, read_json
+from coursework.grading.reading.documents.markdown import add_markdown
+from coursework.grading.reading.files.html_text import text_of
+
+_MOST_CELLS, _MOST_OUTPUTS = 2000, 200
+_LEVELS = 12  # of what surrounds the texts in a notebook; nothing deeper is looked at
+_ANSI = re.compile(r"\x1b\[[0-9;]*[A-Za-z]")
+
+
+def is_notebook(text: str) -> bool:
+    """Return whether a text looks like a notebook."""
+    return text.lstrip("\ufeff \r\n\t").startswith("{") and '"cells"' in text and '"nbformat"' in text
+
+
+def document_of_notebook(text: str, kind: str) -> Document:
+    """Return what a notebook shows.  Raises `Refused` where it is damaged or nested beyond all bounds."""
+    document = Document(kind, first_counts=True)
+    whole = read_json(text, _LEVELS)
+    cells = _items(whole, "cells")[:_MOST_CELLS]
+    for number, cell in enumerate(cells, start=1):
+        if _text(cell, "cell_type") in {"markdown", "raw"}:
+            place = place_of("cell", number=number)
+            add_markdown(document, _joined(_value(cell, "source")), lambda line, place=place: place)  # type: ignore[misc]
+    shown = [
+        (output, place_of("cell", number=number))
+        for number, cell in enumerate(cells, start=1)
+        if _text(cell, "cell_type") == "code"
+        for output in _outputs(cell)
+    ]
+    for output, place in reversed(shown[-_MOST_OUTPUTS:]):
+        document.texts.append((output, place))
+        for line in output.split("\n"):
+            if "=" in line and "\t" not in line:
+                document.add_line(line, place)
+    return document
+
+
+def _outputs(cell: Any) -> Iterator[str]:
+    """Give the texts that a cell shows; what is printed piece by piece is one text."""
+    for is_printed, group in groupby(_items(cell, "outputs"), lambda output: _text(output, "output_type") == "stream"):
+        if is_printed:
+            yield unwrapped(_ANSI.sub("", "".join(_joined(_value(output, "text")) for output in group)))
+            continue
+        for output in group:
+            data = _value(output, "data")
+            page, plain = _joined(_value(data, "text/html")), _joined(_value(data, "text/plain"))
+            formula = _joined(_value(data, "text/latex"))
+            if formula:
+                yield formula
+            elif "<table" in page.lower():
+                yield text_of(page)
+            elif plain:
+                yield unwrapped(_ANSI.sub("", plain))
+
+
+def unwrapped(text: str) -> str:
+    r"""Return a printed table whose columns did not fit on a line, as pandas breaks it, in one piece.
+
+    >>> unwrapped("   t  phi1  \\\n0  0  1.63   \n1  1  1.65   \n\n    w1  \n0  2.0  \n1  2.1  ")
+    '   t  phi1      w1\n0  0  1.63     2.0\n1  1  1.65     2.1'
+    """
+    if "\\\n" not in text:
+        return text
+    blocks = [block.split("\n") for block in re.split(r"\n[ \t]*\n", text.strip("\n"))]
+    out: list[list[str]] = []
+    goes_on = False
+    for block in blocks:
+        ends = block[0].rstrip().endswith("\\")
+        rows = [block[0].rstrip().removesuffix("\\"), *block[1:]]
+        if goes_on and out and len(out[-1]) == len(rows):
+            width = max(map(len, out[-1]))
+            marks = [len(row) - len(row.lstrip("0123456789")) for row in rows[1:]]
+            label = max(marks, default=0)  # the numbers of the rows stand before each part
+            out[-1] = [before.ljust(width) + row[label:].rstrip() for before, row in zip(out[-1], rows, strict=True)]
+        else:
+            out.append(rows)
+        goes_on = ends
+    return "\n\n".join("\n".join(rows) for rows in out)
+
+
+def _value(of: Any, name: str) -> Any:
+    return of.value(name) if isinstance(of, JsonObject) else None
+
+
+def _text(of: Any, name: str) -> str:
+    found = _value(of, name)
+    return found if isinstance(found, str) else ""
+
+
+def _items(of: Any, name: str) -> list[Any]:
+    found = _value(of, name)
+    return found if isinstance(found, list) else []
+
+
+def _joined(value: Any) -> str:
+    """Return a text of a notebook, which may be kept line by line."""
+    if isinstance(value, str):
+        return value
+    return "".join(part for part in value if isinstance(part, str)) if isinstance(value, list) else ""

@@ -1,0 +1,79 @@
+"""Word's equations (OMML, also as RTF carries them) -> text on a line.
+
+Enters: a `FormulaNode`, names without prefix.  Leaves: text.  Source: ECMA-376, part 1, section 22.1.
+Used by `docx.py` and `rtf.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from coursework.grading.reading.documents.formula_text import (
+    accented,
+    applied,
+    enclosed,
+    fraction,
+    index,
+    power,
+    root,
+    rows_of,
+)
+from coursework.grading.reading.documents.formula_tree import FormulaNode
+
+# The elements that mean something; all others are looked through.
+ELEMENTS = frozenset({
+    "oMath", "r", "t", "e", "f", "num", "den", "sSub", "sSup", "sSubSup", "sPre", "sub", "sup", "rad", "deg", "d", "dPr",
+    "begChr", "endChr", "func", "fName", "acc", "accPr", "chr", "nary", "eqArr", "m", "mr", "bar", "limLow", "limUpp", "lim",
+    "br",
+})  # fmt: skip
+
+
+def text_of_omml(node: FormulaNode) -> str:
+    """Return a formula as text, the rows of a system apart."""
+    special = _WAYS.get(node.name)
+    return special(node) if special else _inside(node)
+
+
+def _inside(node: FormulaNode | None) -> str:
+    if node is None:
+        return ""
+    return "".join(part if isinstance(part, str) else text_of_omml(part) for part in node.inside)
+
+
+def _part(node: FormulaNode, name: str) -> str:
+    return _inside(node.child(name))
+
+
+def _property(node: FormulaNode, group: str, name: str, otherwise: str) -> str:
+    """Return a sign that a part's properties name."""
+    properties = node.child(group)
+    found = properties.child(name) if properties else None
+    return otherwise if found is None else found.values.get("val", "")[:4]
+
+
+def _delimited(node: FormulaNode) -> str:
+    parts = [_inside(part) for part in node.children if part.name == "e"]
+    return enclosed(_property(node, "dPr", "begChr", "("), ", ".join(parts), _property(node, "dPr", "endChr", ")"))
+
+
+def _matrix(node: FormulaNode) -> str:
+    return rows_of([" ".join(_inside(part) for part in row.children) for row in node.children if row.name == "mr"])
+
+
+_WAYS: dict[str, Callable[[FormulaNode], str]] = {
+    "f": lambda node: fraction(_part(node, "num"), _part(node, "den")),
+    "sSub": lambda node: index(_part(node, "e"), _part(node, "sub")),
+    "sSup": lambda node: power(_part(node, "e"), _part(node, "sup")),
+    "sSubSup": lambda node: power(index(_part(node, "e"), _part(node, "sub")), _part(node, "sup")),
+    "sPre": lambda node: power(index(_part(node, "e"), _part(node, "sub")), _part(node, "sup")),
+    "rad": lambda node: root(_part(node, "e"), _part(node, "deg")),
+    "d": _delimited,
+    "func": lambda node: applied(_part(node, "fName"), _part(node, "e")),
+    "acc": lambda node: accented(_part(node, "e"), _property(node, "accPr", "chr", "\u0302")),
+    "nary": lambda node: f" ∑({_inside(node)}) ",
+    "eqArr": lambda node: rows_of([_inside(part) for part in node.children if part.name == "e"]),
+    "m": _matrix,
+    "br": lambda node: "\n",
+    "dPr": lambda node: "",
+    "accPr": lambda node: "",
+}

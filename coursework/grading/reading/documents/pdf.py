@@ -1,0 +1,157 @@
+"""A PDF with text -> its tables and lines, by pdfplumber (extra `pdf`), bounded in pages, letters, inflated bytes and time.
+
+Enters: bytes.  Leaves: `Document`.  Raises `Refused`; without the extra it says which command installs it.
+Used by `read_document.py`, and by the batch, whose results depend on whether the extra is there.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import importlib
+import importlib.util
+import io
+import itertools
+import logging
+import threading
+import zlib
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import cache
+from typing import Any
+
+from coursework.grading.reading.documents.document import Document, place_of
+from coursework.grading.reading.documents.pdf_lines import Letter, lines_of, tables_in
+from coursework.grading.reading.files.cells import Cell
+from coursework.grading.reading.limits import CELL_CHARACTERS, INFLATED_BYTES, Refused, doubtful, unreadable
+from coursework.grading.reading.student_work import Trouble
+from coursework.words.sentences import say
+
+EXTRA = "pdfplumber"
+PAGES, SECONDS, LETTERS = 30, 5.0, 150_000
+_FEWEST = 20  # letters below which a PDF has no text: a scan, photographs
+
+
+def is_pdf(content: bytes) -> bool:
+    """Return whether a file is a PDF; a few bytes may stand before its mark."""
+    return b"%PDF-" in content[:1024] and not content.startswith(b"PK")
+
+
+@cache
+def is_readable() -> bool:
+    """Return whether the library that reads PDFs is installed."""
+    return importlib.util.find_spec(EXTRA) is not None
+
+
+def document_of_pdf(content: bytes, most_rows: int, most_columns: int) -> Document:
+    """Return what stands in a PDF."""
+    if not is_readable():
+        raise doubtful("no_pdf_reader", command='pip install "coursework[pdf]"')
+    try:
+        with _bounded():
+            return _read(content, most_rows, most_columns)
+    except _Stopped as stopped:
+        raise stopped.refused from None
+    except (Refused, MemoryError):
+        raise
+    except Exception as error:  # a library of others, on bytes that anybody may have written
+        raise unreadable("pdf_password") if "Password" in repr(error) else refused_as_pdf("pdf_damaged") from error
+
+
+def _read(content: bytes, most_rows: int, most_columns: int) -> Document:
+    import pdfplumber
+
+    document = Document("pdf")
+    letters = 0
+    with pdfplumber.open(io.BytesIO(content)) as pdf:
+        if len(pdf.pages) > PAGES:
+            raise unreadable("pdf_long", pages=len(pdf.pages), limit=PAGES)
+        for number, page in enumerate(pdf.pages, start=1):
+            found = list(itertools.islice(_letters(page), LETTERS + 1))
+            letters += sum(not letter.text.isspace() for letter in found)
+            if letters > LETTERS:
+                raise unreadable("too_large_open")
+            lines = lines_of(found)
+            for start, rows in tables_in(lines):
+                cells = ([Cell(text[:CELL_CHARACTERS]) for text in row[:most_columns]] for row in rows[:most_rows])
+                document.add_table(cells, place_of("page_line", page=number, line=start + 1))
+            for place, line in enumerate(lines, start=1):
+                document.add_line(line.text, place_of("page_line", page=number, line=place))
+            page.close()
+    if letters < _FEWEST:
+        raise refused_as_pdf("pdf_scan")
+    return document
+
+
+def refused_as_pdf(key: str) -> Refused:
+    """Return the refusal of a PDF that is none that can be read."""
+    return Refused(Trouble("unreadable", "other_kind", say(f"reading.trouble.{key}")))
+
+
+def _letters(page: Any) -> Iterator[Letter]:
+    """Give the letters of a page that stand upright."""
+    for char in page.chars:
+        if char["upright"] and char["text"]:
+            yield Letter(
+                char["text"][:4], float(char["x0"]), float(char["x1"]), float(char["matrix"][5]), float(char["size"]) or 1.0
+            )
+
+
+class _Stopped(BaseException):
+    """A bound was met inside the library, which would catch an ordinary exception."""
+
+    def __init__(self, code: str = "pdf_slow") -> None:
+        super().__init__(code)
+        self.refused = unreadable(code, seconds=SECONDS)
+
+
+class _CountedZlib:
+    """`zlib` with all inflated bytes counted, as the library asks for it."""
+
+    error = zlib.error
+
+    def __init__(self) -> None:
+        self.left = INFLATED_BYTES
+
+    def decompress(self, data: bytes) -> bytes:
+        inflater = zlib.decompressobj()
+        out = inflater.decompress(data, self.left + 1)
+        self._count(len(out))
+        if not inflater.eof:
+            raise zlib.error("the stream goes on")
+        return out
+
+    def decompressobj(self) -> _CountedZlib._Inflater:
+        return self._Inflater(self)
+
+    def _count(self, size: int) -> None:
+        self.left -= size
+        if self.left < 0:
+            raise _Stopped("too_large_open")
+
+    class _Inflater:
+        def __init__(self, counted: _CountedZlib) -> None:
+            self._counted, self._inflater = counted, zlib.decompressobj()
+
+        def decompress(self, data: bytes) -> bytes:
+            out = self._inflater.decompress(data, self._counted.left + 1)
+            self._counted._count(len(out))
+            return out
+
+
+@contextmanager
+def _bounded() -> Iterator[None]:
+    """Let the library inflate no more than a submission may, and stop it in time; it offers neither bound itself."""
+    pdftypes: Any = importlib.import_module("pdfminer.pdftypes")
+    logging.getLogger("pdfminer").setLevel(logging.CRITICAL)
+    thread = ctypes.c_ulong(threading.get_ident())
+    raise_in = ctypes.pythonapi.PyThreadState_SetAsyncExc
+    timer = threading.Timer(SECONDS, raise_in, (thread, ctypes.py_object(_Stopped)))
+    timer.daemon = True
+    usual, pdftypes.zlib = pdftypes.zlib, _CountedZlib()
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
+        raise_in(thread, None)  # one that was sent while the last page ended
+        pdftypes.zlib = usual

@@ -1,0 +1,190 @@
+"""The letters of a PDF's page -> its lines, words and rows of cells, by where they stand.
+
+Enters: letters with their boxes, base lines and sizes.  Leaves: `PageLine`s.  A letter set higher becomes a power.
+Used by `pdf.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from coursework.grading.reading.documents.signs import plain_signs
+from coursework.grading.reading.numbers import looks_numeric
+
+_SAME_LINE, _ATTACHED, _SMALLER = 0.12, 0.6, 0.88  # of the size of letters: base lines alike, an index's, its size
+_WORD_GAP, _CELL_GAP = 0.17, 0.62  # of the size: between words, between cells
+
+
+class Letter(NamedTuple):
+    """One letter: its text, left and right edge, base line (upwards) and size in points."""
+
+    text: str
+    left: float
+    right: float
+    base: float
+    size: float
+
+
+@dataclass(slots=True)
+class Word:
+    """Letters without a gap; `text` has powers as ^2."""
+
+    text: str
+    left: float
+    right: float
+
+
+@dataclass(slots=True)
+class PageLine:
+    """One line: its words from left to right."""
+
+    words: list[Word]
+    base: float
+    size: float
+
+    @property
+    def text(self) -> str:
+        """Return the words with blanks between them."""
+        return " ".join(word.text for word in self.words)
+
+    @property
+    def is_numbers(self) -> bool:
+        """Return whether the line is a row of a table: two numbers or more, hardly anything else."""
+        count = sum(looks_numeric(word.text) for word in self.words)
+        return count >= 2 and 2 * count >= len(self.words)
+
+
+@dataclass(slots=True)
+class _Row:
+    base: float
+    size: float
+    letters: list[Letter] = field(default_factory=list)
+
+
+def lines_of(letters: Iterable[Letter]) -> list[PageLine]:
+    """Return the lines of a page from above."""
+    rows: list[_Row] = []
+    for letter in sorted(letters, key=lambda letter: (-letter.base, letter.left)):
+        if not rows or rows[-1].base - letter.base > _SAME_LINE * max(letter.size, rows[-1].size):
+            rows.append(_Row(letter.base, letter.size))
+        rows[-1].letters.append(letter)
+    for row in rows:
+        row.size = max(Counter(round(letter.size, 1) for letter in row.letters).items(), key=lambda entry: (entry[1], entry[0]))[
+            0
+        ]
+    return [_line(row) for row in _attached(rows) if any(letter.text.strip() for letter in row.letters)]
+
+
+def _attached(rows: list[_Row]) -> list[_Row]:
+    """Return the rows with those of indices and powers put into the line beside which they stand."""
+    kept: list[_Row] = []
+    given: list[list[Letter]] = [[] for _ in rows]
+    for place, row in enumerate(rows):
+        near = [other for other in (*range(max(place - 4, 0), place), *range(place + 1, min(place + 5, len(rows))))
+                if row.size < _SMALLER * rows[other].size
+                and abs(row.base - rows[other].base) < _ATTACHED * rows[other].size
+                and _is_beside(row, rows[other])]  # fmt: skip
+        if near:
+            given[min(near, key=lambda other: abs(rows[other].base - row.base))] += row.letters
+        else:
+            kept.append(row)
+    for place, row in enumerate(rows):
+        row.letters = sorted([*row.letters, *given[place]], key=lambda letter: letter.left)
+    return kept
+
+
+def _is_beside(row: _Row, line: _Row) -> bool:
+    """Return whether the first letter of a row stands behind a letter of the line."""
+    first = min(letter.left for letter in row.letters)
+    return any(-0.5 * line.size < first - letter.right < 0.7 * line.size for letter in line.letters)
+
+
+def _line(row: _Row) -> PageLine:
+    words: list[Word] = []
+    before: Letter | None = None
+    was = 0
+    for letter in row.letters:
+        if not letter.text.strip():
+            before = None
+            continue
+        offset = (letter.base - row.base) / row.size
+        place = 0 if letter.size > _SMALLER * row.size and abs(offset) < _SAME_LINE else (1 if offset > 0.1 else -1)
+        text = letter.text
+        if before is None or not words or letter.left - before.right > _WORD_GAP * row.size:
+            words.append(Word(text, letter.left, letter.right))
+        else:
+            word = words[-1]
+            if place == 1 and was != 1 and re.match(r"[\d−-]", text):
+                text = f"^{text}"
+            elif was == -1 and place == 0 and text.isalnum():
+                text = f" {text}"
+            word.text, word.right = word.text + text, max(word.right, letter.right)
+        before, was = letter, place
+    for word in words:
+        word.text = plain_signs(word.text)
+    return PageLine(words, row.base, row.size)
+
+
+def tables_in(lines: Sequence[PageLine]) -> list[tuple[int, list[list[str]]]]:
+    """Return the tables of a page as rows of texts, each with the line (from 0) it begins in.
+
+    Rows of numbers belong together as long as hardly any other line stands between them; a few lines above are their heads.
+    """
+    numbers = [place for place, line in enumerate(lines) if line.is_numbers]
+    runs: list[list[int]] = []
+    for place in numbers:
+        if runs and place - runs[-1][-1] <= 3:
+            runs[-1].append(place)
+        else:
+            runs.append([place])
+    tables = []
+    end = 0
+    for run in runs:
+        if len(run) > 1:
+            start = max(run[0] - 4, end)
+            tables.append((start, _rows(lines[start : run[-1] + 1])))
+        end = run[-1] + 1
+    return tables
+
+
+def _rows(lines: Sequence[PageLine]) -> list[list[str]]:
+    """Return lines as rows below each other: each word goes into the column of numbers that it stands over or under."""
+    widths = Counter(len(line.words) for line in lines if line.is_numbers)
+    usual = max(widths, key=lambda width: (widths[width], width))
+    whole = [line.words for line in lines if line.is_numbers and len(line.words) == usual]
+    spans = [(min(words[at].left for words in whole), max(words[at].right for words in whole)) for at in range(usual)]
+    rows = []
+    for line in lines:
+        if line.is_numbers and len(line.words) == usual:
+            rows.append([word.text for word in line.words])
+        else:
+            rows.append(_below(_cells(line), spans))
+    return rows
+
+
+def _cells(line: PageLine) -> list[Word]:
+    """Return the words of a line put together where only a blank parts them; numbers stay apart."""
+    cells: list[Word] = []
+    for word in line.words:
+        last = cells[-1] if cells else None
+        apart = last is None or word.left - last.right > _CELL_GAP * line.size
+        if apart or last is None or (looks_numeric(word.text) and looks_numeric(last.text)):
+            cells.append(Word(word.text, word.left, word.right))
+        else:
+            last.text, last.right = f"{last.text} {word.text}", word.right
+    return cells
+
+
+def _below(cells: Sequence[Word], spans: Sequence[tuple[float, float]]) -> list[str]:
+    row = [""] * len(spans)
+    for cell in cells:
+        over = [at for at, (left, right) in enumerate(spans) if cell.left < right and left < cell.right]
+        middle = (cell.left + cell.right) / 2
+        nearest = min(range(len(spans)), key=lambda at: abs((spans[at][0] + spans[at][1]) / 2 - middle))
+        for at in over or [nearest]:
+            row[at] = f"{row[at]} {cell.text}".strip()
+    return row

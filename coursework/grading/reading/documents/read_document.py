@@ -1,0 +1,124 @@
+"""One file -> the document in it, and what that holds: tables on the assigned grid, equations, answers.
+
+Enters: bytes, an `Archive` or a decoded text.  Leaves: `Document`; of one, `Table`s and `Lines`.  Raises `Refused`.
+Used by `read_submission.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+from coursework.grading.reading.documents.document import Document
+from coursework.grading.reading.documents.docx import document_of_docx, main_part
+from coursework.grading.reading.documents.joined_tables import joined
+from coursework.grading.reading.documents.json_data import document_of_json
+from coursework.grading.reading.documents.json_text import is_json
+from coursework.grading.reading.documents.markdown import document_of_markdown, is_markdown
+from coursework.grading.reading.documents.notebook import document_of_notebook, is_notebook
+from coursework.grading.reading.documents.odt import document_of_odt, is_odt
+from coursework.grading.reading.documents.pdf import document_of_pdf, is_pdf
+from coursework.grading.reading.documents.rtf import document_of_rtf, is_rtf
+from coursework.grading.reading.equations.equations import names_in, read_line, spellings_for
+from coursework.grading.reading.equations.lines import Lines, read_lines
+from coursework.grading.reading.equations.names_in_text import BUILT_IN
+from coursework.grading.reading.expected import Expected, Grid
+from coursework.grading.reading.files.archive import Archive
+from coursework.grading.reading.files.cells import Sheet
+from coursework.grading.reading.files.encoding import Decoded
+from coursework.grading.reading.limits import Refused, columns_read, rows_read
+from coursework.grading.reading.student_work import EquationLine, EquationReading, Table
+from coursework.grading.reading.table.table import Origin, read_sheets
+from coursework.grading.reading.table.tables_of_file import table_of_text
+
+_MOST_TEXTS = 200
+_TRIED = re.compile("[=:≈]")  # equations and answers
+
+
+def document_of_bytes(content: bytes, grid: Grid) -> Document | None:
+    """Return the document of an RTF file or a PDF, None for any other file."""
+    if is_rtf(content):
+        return document_of_rtf(content, rows_read(grid.rows), columns_read(grid.rows))
+    return document_of_pdf(content, rows_read(grid.rows), columns_read(grid.rows)) if is_pdf(content) else None
+
+
+def document_of_archive(archive: Archive, grid: Grid) -> Document | None:
+    """Return the document of a Word file or an OpenDocument text, None for any other archive."""
+    if part := main_part(archive):
+        return document_of_docx(archive, part, rows_read(grid.rows), columns_read(grid.rows))
+    return document_of_odt(archive, rows_read(grid.rows), columns_read(grid.rows)) if is_odt(archive) else None
+
+
+def is_document(archive: Archive) -> bool:
+    """Return whether an archive is a Word file or an OpenDocument text."""
+    return main_part(archive) is not None or is_odt(archive)
+
+
+def document_of_text(decoded: Decoded, grid: Grid) -> Document | None:
+    """Return the document of a notebook, of JSON or of Markdown, None for any other text."""
+    if is_notebook(decoded.text):
+        return document_of_notebook(decoded.text, decoded.encoding)
+    if is_json(decoded.text):
+        return document_of_json(decoded.text, decoded.encoding, rows_read(grid.rows), columns_read(grid.rows))
+    return document_of_markdown(decoded.text, decoded.encoding) if is_markdown(decoded.text) else None
+
+
+def tables_of_document(document: Document, name: str, grid: Grid) -> tuple[list[Table], Refused | None]:
+    """Return the tables on the grid, and why the largest of those that could not be read was refused.
+
+    A document without tables of cells may have one as text, line by line.
+    """
+    columns = tuple((column.name, column.unit) for column in grid.columns)
+    found: list[Table] = []
+    refused: list[tuple[int, Refused]] = []
+    for table in joined(document.tables, columns):
+        try:
+            if read := read_sheets([Sheet(None, table.rows)], Origin(name, document.kind, "cells"), grid):
+                found.append(replace(read, place=table.place))
+        except Refused as error:
+            refused.append((len(table.rows), error))
+    texts = document.texts[:_MOST_TEXTS]
+    if not found and not texts and not document.tables:
+        texts = [("\n".join(line.text for line in document.lines), document.lines[0].place)] if document.lines else []
+    for text, place in texts:
+        try:
+            if read := table_of_text(Decoded(text, document.kind, False), name, grid):
+                found.append(replace(read, place=place))
+        except Refused as error:
+            refused.append((text.count("\n"), error))
+    if document.first_counts:
+        found = sorted(found, key=lambda table: -table.cells)[:1]
+    return found, max(refused, key=lambda entry: entry[0])[1] if refused else None
+
+
+def lines_of_document(document: Document, name: str, expected: Expected) -> Lines:
+    """Return the equations and answers of a document; its prose is passed over.
+
+    Lines are numbered as they were taken out.  A report is full of "=": an equation is what names a velocity that is sought and
+    something beside it, or what cannot be read and names two symbols of the variant.
+    """
+    has_blocks = any("\\begin" in line.text for line in document.lines)
+    tried = (line.text if has_blocks or line.is_formula or _TRIED.search(line.text) else "" for line in document.lines)
+    lines = read_lines("\n".join(tried), name, expected)
+    found = ((_with_bullet(line, expected), document.lines[line.line - 1]) for line in lines.equations)
+    lines.equations = [replace(line, place=at.place) for line, at in found if _is_equation(line, at.is_formula, expected)]
+    return lines
+
+
+def _with_bullet(line: EquationLine, expected: Expected) -> EquationLine:
+    """Return a line that begins with a minus and a blank: that may be the sign of a list."""
+    if not line.text.startswith("- "):
+        return line
+    bare = read_line(line.text[2:], line.file, line.line, expected)
+    if bare.left is None or bare.right is None:
+        return line
+    other = EquationReading(bare.left, bare.right, bare.repaired or bare.text)
+    return replace(line, others=(*line.others, other)) if line.left is not None else replace(bare, text=line.text)
+
+
+def _is_equation(line: EquationLine, is_formula: bool, expected: Expected) -> bool:
+    sought = {*expected.variant.sought}
+    if line.left is None or line.right is None:
+        return line.relates and (is_formula or bool(names_in(line.text, spellings_for(expected)) & sought))
+    names = {node.name for side in (line.left, line.right) for node in side.walk() if node.op == "name"} - {*BUILT_IN}
+    return len(names) > 1 and bool(names & sought)
