@@ -92,7 +92,7 @@ def feedback_page(grade: Grade, student: str, name: str | None, final: Mapping[s
             if all(text != entry["text"] for entry in final["reasons"])
         ],
         table=_table(grade, grade.table, words) if grade.table else None,
-        equations=_equations(grade, lettered, words),
+        equations=_equations(grade, words),
         answers=_answers(grade, words),
     )
 
@@ -126,9 +126,9 @@ def _page(
 def _status(final: Mapping[str, Any]) -> str:
     """Return the state as its student is told it: notes that ask nothing are none."""
     status = str(final["status"]).replace("-", "_")
-    if status == "graded_with_notes" and not final.get("overrides") and all(note["code"] in _QUIET for note in final["notes"]):
-        return "graded"
-    return status
+    told = {entry["text"] for entry in final["reasons"]}
+    asks = any(note["code"] not in _QUIET and note["text"] not in told for note in final["notes"])
+    return status if asks else status.replace("graded_with_notes", "graded")
 
 
 def _why(reasons: Iterable[Mapping[str, str]], lettered: Callable[[str], str], words: Phrases) -> list[dict[str, Any]]:
@@ -137,7 +137,10 @@ def _why(reasons: Iterable[Mapping[str, str]], lettered: Callable[[str], str], w
     return [
         {
             "name": words.said(f"feedback.part.{part}"),
-            "reasons": [{"kind": entry["kind"], "text": lettered(entry["text"])} for entry in entries],
+            "reasons": [
+                {"kind": entry["kind"], "text": lettered(entry["text"]) if part == "table" else entry["text"]}
+                for entry in entries
+            ],
         }
         for part, entries in groupby(of_parts, key=lambda entry: entry["part"])
     ]
@@ -237,7 +240,7 @@ def typeset(text: str) -> str:
     return _NEGATIVE.sub("−", text)
 
 
-def _equations(grade: Grade, lettered: Callable[[str], str], words: Phrases) -> dict[str, Any] | None:
+def _equations(grade: Grade, words: Phrases) -> dict[str, Any] | None:
     if grade.equations is None:
         return None
     marks = grade.equations
@@ -245,7 +248,7 @@ def _equations(grade: Grade, lettered: Callable[[str], str], words: Phrases) -> 
         {
             "line": mark.line.line, "place": clean(words.written(mark.line.place), LONGEST_TEXT) if mark.line.place else "",
             "text": clean(mark.line.text, LONGEST_TEXT), "sign": _VERDICT_SIGNS[mark.verdict],
-            "why": lettered(why_of_line(mark, asked=marks.unread is not None)),
+            "why": why_of_line(mark, asked=marks.unread is not None),
         }
         for mark in marks.marks
     ]  # fmt: skip

@@ -84,8 +84,6 @@ def summary(grade: Grade) -> list[Sentence | str]:
     found: list[Sentence | str] = []
     if grade.verdicts.equations == "right":
         found.append(say("marking.verdict.equations.right"))
-    elif grade.equations is None and grade.table and grade.rubric.weights["equations"]:
-        found.append(say("marking.verdict.equations.none"))
     if grade.table:
         found.append(follows_euler(grade.key, grade.table))
         if not grade.table.cells.wrong.any():
