@@ -139,7 +139,8 @@ def _panel(context: PageContext, rows: Rows) -> Panel:
     is_known = len(rows.curve) and rows.name in (extremes := run.scene.extremes)
     ends = extremes[rows.name] if is_known else (float(rows.values.min()), float(rows.values.max()))
     low, high = (context.quantity(value, unit, 4) for value in ends)
-    alt = words("graphs.alt" if is_known else "graphs.alt_rows", symbol=symbol.text, low=low, high=high)
+    spread = "graphs.alt" if is_known else "graphs.alt_rows"
+    alt = words(spread if low != high else "graphs.alt_constant", symbol=symbol.text, low=low, high=high)
     return Panel(rows.name, sheet(field, inside), alt)
 
 
