@@ -258,6 +258,22 @@ def listing(words: Iterable[str]) -> Sentence:
     return say("join.listing", words=tuple(words))
 
 
+def ranges(numbers: Iterable[int], most: int = 8) -> tuple[str, ...]:
+    """Return whole numbers in order as a person writes them, of many the first.
+
+    >>> ranges([4, 7, 8, 9, 12])
+    ('4', '7–9', '12')
+    """
+    runs: list[list[int]] = []
+    for number in numbers:
+        if runs and number == runs[-1][-1] + 1:
+            runs[-1].append(number)
+        else:
+            runs.append([number])
+    told = tuple(str(run[0]) if len(run) == 1 else f"{run[0]}–{run[-1]}" for run in runs)
+    return told if len(told) <= most else (*told[:most], "…")
+
+
 def either(words: Sequence[str]) -> str:
     """Return "a, b or c"."""
     *first, last = words

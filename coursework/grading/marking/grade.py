@@ -117,7 +117,7 @@ class Grade:
         return empty | {
             "rows": sum(self.table.table.rows_present),
             "first_wrong": f"row {first.row} {first.column}" if first else None,
-            "wrong_cells": int(cells.wrong.sum()), "missing_cells": int(cells.missing.sum()),
+            "wrong_cells": int(cells.wrong.sum()), "missing_cells": int((cells.missing & cells.counted).sum()),
             "carried_cells": int(cells.carried.sum()),
             "decimals": {column.name: column.decimals for column in self.table.table.columns},
             "computed_to": cells.computed_to,
@@ -186,7 +186,7 @@ class Marker:
             hidden = self._hidden(cells.student)
             found = explanations(self.key, cells, self.confusions, self.others, hidden, equations)
         earned = best_rule(self.key, self.rubric, cells, points, found, self.others)
-        return TableMarks(table, cells, points, first_wrong(self.key, cells), found.named, earned, hidden)
+        return TableMarks(table, cells, points, first_wrong(self.key, cells, table), found.named, earned, hidden)
 
     def _hidden(self, student: StudentTable) -> tuple[str, ...]:
         """Return what columns of these digits cannot tell; a class prints with few sorts of digits."""
@@ -219,7 +219,7 @@ class Marker:
         found: list[Note] = []
         if table is not None:
             cells = table.cells
-            if count := int(cells.too_coarse.sum()):
+            if count := int((cells.too_coarse & cells.counted).sum()):
                 found.append(note("too_coarse", count=count, least=self.key.least_decimals))
             if count := fewer_decimals(self.key, cells):
                 found.append(note("fewer_decimals", count=count, least=self.key.least_decimals))

@@ -93,9 +93,9 @@ class Cells:
 
     @property
     def counted(self) -> Flags:
-        """Return which cells count: all but start values, of which a wrong one is a wrong cell like any other."""
+        """Return which cells count: all but the start values, which are the task's."""
         found = np.ones(self.marks.shape, dtype=bool)
-        found[0, : self.starts] = self.wrong[0, : self.starts]
+        found[:1, : self.starts] = False
         return found
 
     @property

@@ -15,10 +15,10 @@ from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import KEY, MISSING, SLACK, STEP, STEP_TRUE, Cells
 from coursework.system.arrays import Array, Flags
 
-# Rows whose velocities are all shown and right, below which steps made with them prove nothing.
-ENOUGH_ROWS = 0.6
+# Rows whose velocities are all shown and right, below which steps made with them prove nothing; right cells below each other,
+# fewer of which are chance.
+ENOUGH_ROWS, RUN = 0.6, 5
 _CONSTANT = 1e-9
-_RUN = 5
 # Of a step: the part of the largest one-step gap to spare, the coordinates of a row that must be near, the rows that must follow.
 _SPARE, _MOST, _FOLLOWING = 0.25, 0.66, 0.75
 
@@ -32,13 +32,14 @@ class TablePoints:
 
     `shut` counts the cells that are right and do not count, by the gate that closed: row 1 is wrong ("start"), a step was made
     with a velocity that is wrong or not there ("used_velocity"), too few rows have all velocities right ("rows"), the row
-    belongs to no motion ("motion"), single right cells are chance ("chance").
+    belongs to no motion ("motion"), single right cells are chance ("chance").  `uncounted` (n, m + r) is where they stand.
     """
 
     share: float
     cells: int
     start_right: bool
     shut: Mapping[str, int] = field(default_factory=dict)
+    uncounted: Flags | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,13 +84,17 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
     }
     credit = np.where(cells.carried, carried, np.where(right, 1.0, 0.0))
     counts: dict[str, int] = {}
+    uncounted = np.zeros_like(right)
     for gate, closed in shut.items():
-        if lost := int((closed & (credit > 0)).sum()):
-            counts[gate] = lost
+        lost = closed & (credit > 0)
+        counts |= {gate: int(lost.sum())} if lost.any() else {}
+        uncounted |= lost
         credit[closed] = 0.0
     count = int(counted.sum())
     start_right = not cells.wrong[:1].any()
-    return TablePoints(float(credit.sum()) / count if count else 0.0, count, start_right, counts)
+    # The start values are given and earn nothing; one that is copied wrong is a wrong cell like any other.
+    earned = max(float(credit.sum()) - int(cells.wrong[:1, :m].sum()), 0.0)
+    return TablePoints(earned / count if count else 0.0, count, start_right, counts, uncounted)
 
 
 def _begins_wrong(cells: Cells, m: int) -> bool:
@@ -156,11 +161,11 @@ def _following(q: Array, near: Flags, moves: Flags) -> Flags:
 
 def _in_a_run(right: Flags) -> Flags:
     """Return where a cell (n, k) is one of several right ones below each other; fewer are right by chance."""
-    if len(right) < _RUN:
+    if len(right) < RUN:
         return right
-    whole: Flags = np.asarray(np.lib.stride_tricks.sliding_window_view(right, _RUN, axis=0).all(axis=-1))
+    whole: Flags = np.asarray(np.lib.stride_tricks.sliding_window_view(right, RUN, axis=0).all(axis=-1))
     run = np.zeros_like(right)
-    for place in range(_RUN):
+    for place in range(RUN):
         run[place : place + len(whole)] |= whole
     return run
 

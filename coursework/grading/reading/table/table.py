@@ -25,6 +25,7 @@ from coursework.grading.reading.table.headers import INDEX, TIME
 from coursework.grading.reading.table.layout import Layout, lay_out
 from coursework.grading.reading.table.rows import Rows, place_rows
 from coursework.grading.reading.table.units import factor_of, unit_of_column, whole_turns
+from coursework.words.sentences import ranges
 
 _UNCOMPUTED = 0.2  # share of formulas without a value from which a file is sent back instead of marked
 _EMPTY = PrintedNumber("", math.nan, 0, 0, "missing")
@@ -138,8 +139,8 @@ def _notes(layout: Layout, places: Places, rows: Rows, read: list[TableColumn], 
         notes.append(note("transposed"))
     if rows.is_sorted:
         notes.append(note("rows_sorted"))
-    if missing := tuple(str(place + 1) for place, row in enumerate(rows.of_grid) if row is None):
-        notes.append(note("rows_missing", number=len(missing), rows=missing[:12]))
+    if missing := [place + 1 for place, row in enumerate(rows.of_grid) if row is None]:
+        notes.append(note("rows_missing", number=len(missing), rows=ranges(missing)))
     if rows.extra:
         notes.append(note("rows_extra", number=rows.extra))
     by_position = tuple(column.name for column in read if column.by == "position")
