@@ -12,6 +12,7 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from coursework.grading.marking.grade import GRADED, rounded_points
+from coursework.grading.marking.reasons.reasons import after_decision, decided
 from coursework.grading.marking.rubric import PARTS, Rubric
 from coursework.grading.platforms.cells_of_csv import read_cells
 from coursework.grading.platforms.names import same_key
@@ -74,10 +75,14 @@ def overridden(grade: Mapping[str, Any], overrides: Iterable[Override], rubric: 
 
     One about the total gives a number to what had none, and so do those about the parts that had no points, once none is left.
     """
+    overrides = tuple(overrides)
     changed = {**grade, "overrides": [override.plain() for override in overrides]}
     counted = [part for part in PARTS if rubric.weights[part]]
     had_all = _have_points(changed, counted)
     for override in overrides:
+        most = rubric.points if override.check == "total" else rubric.most(override.check)
+        said = decided(override.plain(), rounded_points(most))
+        changed["reasons"] = after_decision(changed.get("reasons", []), said)
         if override.check == "total":
             changed["score"], changed["proposed"] = rounded_points(override.points), None
             if changed["status"] not in GRADED:
@@ -90,6 +95,8 @@ def overridden(grade: Mapping[str, Any], overrides: Iterable[Override], rubric: 
         parts = [changed[part] for part in PARTS if changed[part]]
         number = "score" if changed["status"] in GRADED else "proposed"
         changed[number] = rounded_points(sum(part.get("score") or 0.0 for part in parts))
+    if changed["score"] is not None:
+        changed["reasons"] = [entry for entry in changed.get("reasons", []) if entry["kind"] != "state"]
     return changed
 
 

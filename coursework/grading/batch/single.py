@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from coursework.grading.marking.reasons.reasons import told
 from coursework.grading.marking.rubric import PARTS
 from coursework.grading.platforms.autograder import Outcome, PartOutcome, gradescope, prairielearn, results_json
 from coursework.system.whole_files import write_bytes
@@ -25,18 +26,19 @@ def autograder_results(grade: Mapping[str, Any], platform: str, path: Path, lang
         for part in PARTS
         if (found := grade[part]) and (found.get("max") or found.get("score"))
     ]
-    notes = "\n".join(entry["text"] for entry in grade["notes"])
-    problems = [grade["reason"]] if grade["reason"] else []
-    outcome = Outcome(grade["status"], grade["score"], float(grade["max"]), notes, parts, problems)
+    output = "\n".join([told(grade, words, "total"), *(entry["text"] for entry in grade["notes"])]).strip()
+    problems = [text] if (text := told(grade, words, "")) else []
+    outcome = Outcome(grade["status"], grade["score"], float(grade["max"]), output, parts, problems)
     write_bytes(path, results_json(PLATFORMS[platform](outcome, language)))
 
 
 def _told(grade: Mapping[str, Any], part: str, words: Phrases) -> str:
-    """Return what a student reads about a part."""
-    if part == "table":
-        return grade["first_wrong"]["sentence"] if grade["first_wrong"] else ""
+    """Return what a student reads about a part: why it has the points it has, then line by line what each is."""
+    lines = [told(grade, words, part)]
     if part == "equations":
-        return "\n".join(
-            f"{item['line']}: {words.said('feedback.equation.' + item['verdict'])}" for item in grade["equations"]["items"]
-        )
-    return "\n".join(f"{item['name']}: {words.said('feedback.answer.' + item['verdict'])}" for item in grade["answers"]["items"])
+        asked = {"unreadable": "asked"} if grade["status"] == "needs-review" else {}  # a line nobody could read is a question
+        verdicts = [(item["line"], asked.get(item["verdict"], item["verdict"])) for item in grade[part]["items"]]
+        lines += [f"{line}: {words.said(f'feedback.equation.{verdict}')}" for line, verdict in verdicts]
+    if part == "answers":
+        lines += [f"{item['name']}: {words.said('feedback.answer.' + item['verdict'])}" for item in grade[part]["items"]]
+    return "\n".join(line for line in lines if line)

@@ -15,6 +15,7 @@ from typing import Any
 
 from coursework.grading.batch.decisions import Override, overridden
 from coursework.grading.marking.grade import blank_grade
+from coursework.grading.marking.reasons.reasons import state_reason
 from coursework.grading.marking.rubric import read_rubric
 from coursework.grading.reading.submission import Submission
 from coursework.system.plain_lines import plain_of
@@ -23,7 +24,7 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import ENGLISH, load_phrases
 
 # Raised whenever marks may come out otherwise: a second run then grades everything anew.
-GRADING_VERSION = 3
+GRADING_VERSION = 4
 
 
 @dataclass(frozen=True)
@@ -98,7 +99,8 @@ def failed(task: Task, setup: Setup, status: str, reason: Sentence) -> Outcome:
     """Return the outcome of a submission that could not be graded; it has no number, and is no zero."""
     rubric = read_rubric(setup.rubric)
     words = load_phrases(setup.language)
-    grade = overridden(blank_grade(status, words.written(reason), rubric), task.overrides, rubric)
+    why = {"reasons": [state_reason(reason).plain()], "hidden": []}
+    grade = words.throughout(overridden(blank_grade(status, reason, rubric) | why, task.overrides, rubric))
     from coursework.grading.pages.feedback import short_page
 
     page = short_page(task.submission.id, task.submission.name, grade, words) if setup.pages else ""

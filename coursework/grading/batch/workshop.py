@@ -16,6 +16,7 @@ from coursework.grading.batch.decisions import overridden
 from coursework.grading.batch.work import Outcome, Setup, Task, VariantSource, failed
 from coursework.grading.marking.grade import Grade, Marker
 from coursework.grading.marking.key import key_of
+from coursework.grading.marking.reasons.reasons import reasons
 from coursework.grading.marking.rubric import Rubric, read_rubric
 from coursework.grading.pages.feedback import feedback_page
 from coursework.grading.reading.expected import Expected, grid_of
@@ -55,7 +56,10 @@ class Workshop:
             grade = self.grade(submission, source, task.accepted_decimals)
         except MemoryError:
             return failed(task, self.setup, "unreadable", say("grading.memory"))
-        plain = self.words.throughout(overridden(grade.plain(), task.overrides, self.rubric))
+        why = [reason.plain() for reason in reasons(grade)]
+        hidden = list((grade.table.hidden if grade.table else None) or ())
+        marked = grade.plain() | {"reasons": why, "hidden": hidden}
+        plain = self.words.throughout(overridden(marked, task.overrides, self.rubric))
         page = feedback_page(grade, submission.id, submission.name, plain, self.words) if self.setup.pages else ""
         return Outcome(submission.id, plain, page)
 

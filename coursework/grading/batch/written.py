@@ -13,6 +13,7 @@ from typing import Any
 
 from coursework.grading.batch.class_list import ClassList, Place
 from coursework.grading.batch.gradebook import Graded, page_name
+from coursework.grading.marking.reasons.reasons import told
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.pages.class_facts import ClassFacts
 from coursework.grading.pages.class_page import class_page
@@ -29,13 +30,21 @@ COLUMNS = (
     "misconception", "sentence", "page",
 )  # fmt: skip
 FORMAT = 1
+_NOT_IN_JSON = {"reason", "reasons", "hidden"}
 
 
-def submission_record(place: Place, grade: Mapping[str, Any], page: str) -> dict[str, Any]:
+def submission_record(place: Place, grade: Mapping[str, Any], page: str, words: Phrases) -> dict[str, Any]:
     """Return one submission as grades.json says it."""
-    told = {key: value for key, value in grade.items() if key != "reason"}
+    kept = {key: value for key, value in grade.items() if key not in _NOT_IN_JSON}
     head = {"id": place.id, "name": place.name, "variant": place.variant}
-    return {**head, **told, "overrides": grade.get("overrides", []), "page": page_name(place.id) if page else None}
+    notes = [*grade["notes"], *([_not_looked_for(grade["hidden"], words)] if grade.get("hidden") else [])]
+    page_of = {"overrides": grade.get("overrides", []), "page": page_name(place.id) if page else None}
+    return {**head, **kept, "notes": notes, **page_of}
+
+
+def _not_looked_for(codes: Sequence[str], words: Phrases) -> dict[str, str]:
+    """Return the note about misconceptions that the printed digits cannot tell: for who reads grades.json, not for the page."""
+    return {"code": "too_coarse", "text": words.said("reading.note.not_looked_for", codes=", ".join(codes))}
 
 
 def write_gradebook(
@@ -50,9 +59,9 @@ def write_gradebook(
     records: list[str] = []
     for entry in graded.entries():
         place = places[entry.id]
-        record = submission_record(place, entry.grade, entry.page)
+        record = submission_record(place, entry.grade, entry.page, words)
         facts.add(record, entry.grade["reason"])
-        lines.append(_line(record, _told(entry.grade, words)))
+        lines.append(_line(record, told(entry.grade, words)))
         records.append(json.dumps(record, ensure_ascii=False, allow_nan=False))
     strangers = [
         {"name": file_list.name or file_list.folder or file_list.id, "files": [name for name, _ in file_list.files]}
@@ -75,23 +84,6 @@ def write_gradebook(
         write_bytes(out / "feedback.zip", feedback_zip(_pages(out, listed, graded)))
         written.append("feedback.zip")
     return written
-
-
-def _told(grade: Mapping[str, Any], words: Phrases) -> str:
-    """Return the one sentence about a submission: why it has no number, else the first number or equation that is wrong."""
-    if grade["score"] is None:
-        return str(grade["reason"])
-    if first := grade["first_wrong"]:
-        return str(first["sentence"])
-    decided = {override["check"] for override in grade.get("overrides", [])}
-    equations = grade["equations"] if not decided & {"equations", "total"} else None
-    for item in equations["items"] if equations else ():
-        if item["verdict"] == "wrong":
-            hint = words.said(f"feedback.hint.{item['hint']['kind']}", **item["hint"]) if item["hint"] else ""
-            return words.said("feedback.line_wrong", line=item["line"], hint=hint).rstrip()
-    if equations and equations["independent"] < equations["needed"]:
-        return words.said("feedback.independent", independent=equations["independent"], needed=equations["needed"])
-    return ""
 
 
 def _line(record: Mapping[str, Any], sentence: str) -> list[str]:
@@ -126,11 +118,7 @@ def _marks(listed: ClassList, graded: Graded, words: Phrases) -> dict[int, tuple
     marks: dict[int, tuple[float | None, str]] = {}
     for entry in graded.entries():
         if (row := rows.get(entry.id)) is not None:
-            comment = _told(entry.grade, words)
-            if entry.grade["score"] is not None and not entry.grade["first_wrong"]:
-                decided = [str(override["reason"]) for override in entry.grade.get("overrides", [])]
-                comment = " ".join(decided or [comment])
-            marks[row.record] = entry.grade["score"], comment
+            marks[row.record] = entry.grade["score"], told(entry.grade, words)
     return marks
 
 

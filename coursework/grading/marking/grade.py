@@ -17,11 +17,11 @@ from coursework.grading.marking.answers import AnswerMarks, mark_answers
 from coursework.grading.marking.equations.equations import EquationMarks, Judge
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.rubric import Rubric
-from coursework.grading.marking.table.cells import HALF, Cells, StudentTable, mark_cells
+from coursework.grading.marking.table.cells import HALF, Cells, OwnRows, StudentTable, mark_cells
+from coursework.grading.marking.table.earning import best_rule
 from coursework.grading.marking.table.first_wrong import FirstWrong, first_wrong
-from coursework.grading.marking.table.misconceptions import Misconception, find_misconception, indistinct, looked_for
-from coursework.grading.marking.table.own_equations import own_share
-from coursework.grading.marking.table.points import TablePoints, stands_still, table_points
+from coursework.grading.marking.table.misconceptions import Found, Misconception, explanations, indistinct, looked_for
+from coursework.grading.marking.table.points import Earned, TablePoints, table_points
 from coursework.grading.marking.verdicts import Verdicts, verdicts
 from coursework.grading.reading.student_work import StudentWork, Table
 from coursework.grading.reading.submission import Note, note
@@ -38,7 +38,7 @@ GRADED = ("graded", "graded-with-notes")
 
 @dataclass(frozen=True)
 class TableMarks:
-    """Everything about a marked table; `share` of its points after the floors.
+    """Everything about a marked table; `earned` says which share of its points it has and how they came about.
 
     `hidden` are the misconceptions that its digits cannot tell, None where none was looked for.
     """
@@ -48,8 +48,13 @@ class TableMarks:
     points: TablePoints
     first: FirstWrong | None
     misconception: Misconception | None
-    share: float
+    earned: Earned
     hidden: tuple[str, ...] | None = None
+
+    @property
+    def share(self) -> float:
+        """Return the share of the table's points."""
+        return self.earned.share
 
 
 @dataclass(frozen=True)
@@ -112,7 +117,7 @@ class Grade:
         return empty | {
             "rows": sum(self.table.table.rows_present),
             "first_wrong": f"row {first.row} {first.column}" if first else None,
-            "wrong_cells": int(cells.wrong.sum()), "missing_cells": int(cells.missing.sum()),
+            "wrong_cells": int(cells.wrong.sum()), "missing_cells": int((cells.missing & cells.counted).sum()),
             "carried_cells": int(cells.carried.sum()),
             "decimals": {column.name: column.decimals for column in self.table.table.columns},
             "computed_to": cells.computed_to,
@@ -173,20 +178,13 @@ class Marker:
 
     def _table(self, table: Table, equations: EquationMarks | None) -> TableMarks:
         cells = mark_cells(self.key, student_of(self.key, table))
-        earned = table_points(self.key, cells, self.rubric.carried)
-        named = hidden = None
-        if looked_for(self.key, cells, earned.cells):
+        points = table_points(self.key, cells, self.rubric.carried)
+        found, hidden = Found(), None
+        if looked_for(self.key, cells, points.cells):
             hidden = self._hidden(cells.student)
-            named = find_misconception(self.key, cells, self.confusions, self.others, hidden)
-        fit = named.share if named and not named.code.startswith("variant_") else 0.0
-        own = own_share(self.key, cells, equations) if equations else 0.0
-        floor = (
-            0.0
-            if stands_still(self.key, cells)
-            else max(self.rubric.misconception_floor * fit, self.rubric.own_equations_floor * own)
-        )
-        share = max(earned.share, floor)
-        return TableMarks(table, cells, earned, first_wrong(self.key, cells), named, share, hidden)
+            found = explanations(self.key, cells, self.confusions, self.others, hidden, equations)
+        earned = best_rule(self.key, self.rubric, cells, points, found, self.others)
+        return TableMarks(table, cells, points, first_wrong(self.key, cells, table), found.named, earned, hidden)
 
     def _hidden(self, student: StudentTable) -> tuple[str, ...]:
         """Return what columns of these digits cannot tell; a class prints with few sorts of digits."""
@@ -217,7 +215,7 @@ class Marker:
         found: list[Note] = []
         if table is not None:
             cells = table.cells
-            if count := int(cells.too_coarse.sum()):
+            if count := int((cells.too_coarse & cells.counted).sum()):
                 found.append(note("too_coarse", count=count, least=self.key.least_decimals))
             if count := fewer_decimals(self.key, cells):
                 found.append(note("fewer_decimals", count=count, least=self.key.least_decimals))
@@ -250,12 +248,24 @@ def _empty_table(most: float) -> dict[str, Any]:
 
 def student_of(key: Key, table: Table) -> StudentTable:
     """Return a table as it was read, with a column of its own for everything the key has."""
-    values = np.full(key.table.shape, np.nan)
-    units = np.full(key.table.shape, np.nan)
+    values, units, turns = np.full(key.table.shape, np.nan), np.full(key.table.shape, np.nan), np.zeros(len(key.names))
     for place, name in enumerate(key.names):
         if column := table.column(name):
             values[:, place], units[:, place] = column.values[: len(values)], column.last_place[: len(values)]
-    return StudentTable(values, units)
+            turns[place] = column.turns
+    return StudentTable(values, units, turns, _own_rows(key, table))
+
+
+def _own_rows(key: Key, table: Table) -> OwnRows | None:
+    """Return all rows of a table whose own times are those of another step."""
+    if table.own is None:
+        return None
+    rows = len(next(iter(table.own.columns.values()))[0])
+    values, units = np.full((rows, len(key.names)), np.nan), np.full((rows, len(key.names)), np.nan)
+    for place, name in enumerate(key.names):
+        if name in table.own.columns:
+            values[:, place], units[:, place] = table.own.columns[name]
+    return OwnRows(table.own.step, values, units)
 
 
 def fewer_decimals(key: Key, cells: Cells) -> int:

@@ -16,10 +16,15 @@ _DEGREE = Formula("/", (named("pi"), number(180)))
 
 
 def misread(variant: Variant, code: str) -> Variant | None:
-    """Return the variant with the signs of its drive turned ("sign_drive") or degrees taken for radians ("degree_mode")."""
+    """Return the variant with the signs of its drive turned ("sign_drive") or degrees taken for radians: in all ("degree_mode"),
+    in what is a function of time ("degree_drive"), in what is one of the position ("degree_geometry").
+    """
     if code == "sign_drive":
         return _with_drive_turned(variant)
-    return None if variant.groups else _in_degrees(variant)  # a group's closed form has its sines inside
+    if code != "degree_drive" and variant.groups:
+        return None  # a group's closed form has its sines inside
+    changed = _in_degrees(variant, drive=code != "degree_geometry", geometry=code != "degree_drive")
+    return None if changed == variant else changed
 
 
 def _with_drive_turned(variant: Variant) -> Variant:
@@ -37,26 +42,30 @@ def _with_drive_turned(variant: Variant) -> Variant:
     )
 
 
-def _in_degrees(variant: Variant) -> Variant:
+def _in_degrees(variant: Variant, *, drive: bool, geometry: bool) -> Variant:
     """Return the variant as a calculator set to degrees sees it: every argument of a sine is taken for degrees."""
 
     def laws(found: Sequence[Law]) -> tuple[Law, ...]:
-        return tuple(
-            replace(
-                law,
-                formula=_degrees(law.formula) if law.formula else None,
-                pieces=tuple((begin, _degrees(piece)) for begin, piece in law.pieces),
-            )
-            for law in found
-        )
+        return tuple(_law(law) if (geometry if law.of in positions else drive) else law for law in found)
 
+    positions = {coordinate.name for coordinate in variant.coordinates}
+    changed = replace(variant, drive=laws(variant.drive), functions=laws(variant.functions))
+    if not geometry:
+        return changed
     return replace(
-        variant,
-        drive=laws(variant.drive),
-        functions=laws(variant.functions),
+        changed,
         constraints=tuple(replace(c, left=_degrees(c.left), right=_degrees(c.right)) for c in variant.constraints),
         points=tuple((name, _degrees(point)) for name, point in variant.points),
         holds=tuple(_degrees(hold) for hold in variant.holds),
+    )
+
+
+def _law(law: Law) -> Law:
+    """Return a law in degrees."""
+    return replace(
+        law,
+        formula=_degrees(law.formula) if law.formula else None,
+        pieces=tuple((begin, _degrees(piece)) for begin, piece in law.pieces),
     )
 
 

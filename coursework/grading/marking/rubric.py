@@ -17,6 +17,7 @@ from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say
 
 PARTS = ("table", "equations", "answers")
+FLOORS = ("carried", "start_floor", "start_floor_several", "misconception_floor", "own_equations_floor")
 READING_TOLERANCE = 0.05  # of the largest value of its kind in the row: what a drawing of this size allows
 
 
@@ -47,6 +48,8 @@ class Rubric:
     missing_part: str = "review"
     weights: Mapping[str, float] = field(default_factory=lambda: {"table": 60.0, "equations": 40.0, "answers": 0.0})
     carried: float = 1.0
+    start_floor: float = 0.95
+    start_floor_several: float = 0.6
     misconception_floor: float = 0.4
     own_equations_floor: float = 0.5
     answers: tuple[Answer, ...] = ()
@@ -66,10 +69,7 @@ class Rubric:
         """Return the rubric as it was used, for grades.json."""
         return {
             "points": self.points, "missing_part": self.missing_part, "parts": dict(self.weights),
-            "table": {
-                "carried": self.carried, "misconception_floor": self.misconception_floor,
-                "own_equations_floor": self.own_equations_floor,
-            },
+            "table": {name: getattr(self, name) for name in FLOORS},
             "answers": {entry.name: {"of": entry.of, "row": entry.row, "tolerance": entry.tolerance} for entry in self.answers},
             "confusion": [{"datum": c.datum, "value": c.value, "because": c.because} for c in self.confusions],
         }  # fmt: skip
@@ -87,7 +87,7 @@ def read_rubric(text: str, name: str = "rubric.toml") -> Rubric:
     known = ("points", "missing_part", "parts", "table", "answers", "confusion")
     _refuse_unknown(found, known, "", name, faults)
     parts = _section(found, "parts", PARTS, name, faults)
-    table = _section(found, "table", ("carried", "misconception_floor", "own_equations_floor"), name, faults)
+    table = _section(found, "table", FLOORS, name, faults)
     default = Rubric()
     weights = {part: _number(parts, part, default.weights[part], f"parts.{part}", name, faults, most=1e6) for part in PARTS}
     points = _number(found, "points", default.points, "points", name, faults, most=1e6)
@@ -98,10 +98,7 @@ def read_rubric(text: str, name: str = "rubric.toml") -> Rubric:
         faults.append(Fault(say("fault.G035", missing=missing), name, place="missing_part"))
     answers = tuple(_answers(found.get("answers", {}), name, faults))
     confusions = tuple(_confusions(found.get("confusion", []), name, faults))
-    floors = {
-        key: _number(table, key, getattr(default, key), f"table.{key}", name, faults, most=1.0)
-        for key in ("carried", "misconception_floor", "own_equations_floor")
-    }
+    floors = {key: _number(table, key, getattr(default, key), f"table.{key}", name, faults, most=1.0) for key in FLOORS}
     if weights["answers"] and not answers:
         faults.append(Fault(say("fault.G036"), name, place="parts.answers"))
     if faults:

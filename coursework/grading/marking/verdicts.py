@@ -1,6 +1,6 @@
 """Equations, integration, arithmetic: what was understood and what was only slipped, told apart.
 
-Enters: marks.  Leaves: `Verdicts` and the sentence that follows from the three.  Used by `grade.py`.
+Enters: marks.  Leaves: `Verdicts`.  Used by `grade.py`, and by what says how many steps are Euler's.
 """
 
 from __future__ import annotations
@@ -15,8 +15,6 @@ from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import Cells
 from coursework.grading.marking.table.misconceptions import FEWEST, FEWEST_SHARE, Misconception
 from coursework.grading.marking.table.points import TablePoints, true_steps
-from coursework.words.sentence import Sentence
-from coursework.words.sentences import joined, say
 
 # Steps that follow from the row before, from which on the integration is right; rows below which nobody can tell.
 FOLLOWED, LEAST_ROWS = 0.93, 3
@@ -29,13 +27,6 @@ class Verdicts:
     equations: Literal["right", "wrong", "none"]
     integration: Literal["right", "wrong", "unknown"]
     arithmetic: Literal["right", "slip", "unknown"]
-
-    @property
-    def sentence(self) -> Sentence:
-        """Return what the three mean together."""
-        return joined(
-            [say(f"marking.verdict.{name}.{getattr(self, name)}") for name in ("equations", "integration", "arithmetic")]
-        )
 
 
 def verdicts(
@@ -51,14 +42,21 @@ def verdicts(
     return Verdicts(first, _integration(key, cells), _arithmetic(cells, points, named))
 
 
-def _integration(key: Key, cells: Cells) -> Literal["right", "wrong", "unknown"]:
+def euler_steps(key: Key, cells: Cells) -> tuple[int, int]:
+    """Return how many steps of the coordinates are Euler's from the printed row before, and of how many that can be told."""
     m = len(key.coordinates)
     there = np.isfinite(cells.student.values)
-    rows = int(np.all(there[:, :m], axis=1).sum())
     speaks = there[1:, :m] & there[:-1, :m] & there[:-1, m : 2 * m]
-    if rows < LEAST_ROWS or not speaks.any():
+    return int((true_steps(key, cells) & speaks).sum()), int(speaks.sum())
+
+
+def _integration(key: Key, cells: Cells) -> Literal["right", "wrong", "unknown"]:
+    m = len(key.coordinates)
+    rows = int(np.all(np.isfinite(cells.student.values[:, :m]), axis=1).sum())
+    held, spoken = euler_steps(key, cells)
+    if rows < LEAST_ROWS or not spoken:
         return "unknown"
-    return "right" if float(true_steps(key, cells)[speaks].mean()) >= FOLLOWED else "wrong"
+    return "right" if held / spoken >= FOLLOWED else "wrong"
 
 
 def _arithmetic(cells: Cells, points: TablePoints, named: Misconception | None) -> Literal["right", "slip", "unknown"]:

@@ -9,9 +9,10 @@ import statistics
 from collections import Counter
 from collections.abc import Mapping, Sequence
 
+from coursework.grading.marking.reasons.misconception import misconception_sentence
 from coursework.grading.pages.bars import bars
 from coursework.grading.pages.class_facts import PARTS, ClassFacts
-from coursework.grading.pages.feedback import misconception_sentence, shown_points
+from coursework.grading.pages.feedback import shown_points
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import Phrases, joined, say
 from coursework.words.templates import clean, filled

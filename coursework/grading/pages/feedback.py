@@ -1,4 +1,4 @@
-"""The page a student gets: points, the first wrong cell, how the file was read, the table, the equations, the curves.
+"""The page a student gets: points and why, the table, the equations, the curves, how the file was read.
 
 Enters: a `Grade`, the words of a language.  Leaves: HTML without script, all that came from the student escaped.
 Used by the children of a batch.
@@ -7,28 +7,51 @@ Used by the children of a batch.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import asdict
+from itertools import groupby
 from typing import Any
 
 import numpy as np
 
 from coursework.grading.marking.grade import Grade, TableMarks
 from coursework.grading.marking.key import Key
+from coursework.grading.marking.reasons.equations import why_of_line
+from coursework.grading.marking.reasons.reasons import summary
+from coursework.grading.marking.reasons.table import counts
 from coursework.grading.marking.table.cells import CARRIED, GIVEN, KEY, MISSING, WRONG
 from coursework.grading.pages.curves import panel
 from coursework.report.text.symbols import symbol
 from coursework.report.text.text_runs import spelt
-from coursework.words.sentence import Sentence
-from coursework.words.sentences import Phrases, joined, load_phrases, say, say_count
+from coursework.words.sentences import Phrases, say
 from coursework.words.templates import clean, filled
 
 # Longer tables show their first rows and those with wrong cells: the page stays one that a person reads.
 FIRST_ROWS, MOST_ROWS = 25, 60
 LONGEST_TEXT = 300
 _NEGATIVE = re.compile(r"(?<![\w.-])-(?=\d)")
-LONGEST_CELL = 24
+# A cell of more characters is rounded to so many digits on the page; one that is no number is cut.
+LONGEST_NUMBER, DIGITS, LONGEST_CELL = 10, 6, 16
+_DECIMAL = re.compile(r"[-+−]?\d+[.,]\d+(?:[eE][-+]?\d+)?")
+# From so many columns on the table is set smaller on paper.
+WIDE = 9
+# Notes about how a file was read that ask nothing of the student; repairs of spelling stand beside each line.
+_QUIET = {
+    "repaired",
+    "encoding",
+    "degrees",
+    "rpm",
+    "rows_sorted",
+    "transposed",
+    "turns",
+    "coarse_work",
+    "bit_identical",
+    "from_pdf",
+}
+_BESIDE_LINES = {"repaired"}
 _RATES = {"1/s": "rad/s"}  # as the heads of the table say it
-# The sign of a mark and the class of its cell.
+# The sign of a mark and the class of its cell; that of a right cell that does not count.
+_SHUT = ("○", "carried")
 _SIGNS = {
     WRONG: ("✗", "wrong"), MISSING: ("–", ""), KEY: ("", ""), GIVEN: ("", ""),
     **dict.fromkeys(CARRIED, ("→", "carried")),
@@ -37,77 +60,92 @@ _VERDICT_SIGNS = {"right": "✓", "rounded": "✓", "closure": "✓", "half": "�
 
 
 def feedback_page(grade: Grade, student: str, name: str | None, final: Mapping[str, Any], words: Phrases) -> str:
-    """Return the page of a grade; `final` is the grade as grades.json says it after the instructor's decisions."""
+    """Return the page of a grade; `final` is the grade as grades.json says it after the instructor's decisions, with reasons."""
+    decided = {entry["check"] for entry in final.get("overrides", ())}
+    open_parts = {"equations"} if grade.equations and grade.equations.unread and not decided & {"equations", "total"} else set()
     parts = [
         {
             "name": say(f"feedback.part.{part}"),
-            "points": shown_points((final[part] or {}).get("score"), words),
+            "points": shown_points(None if part in open_parts else (final[part] or {}).get("score"), words),
             "most": shown_points(most, words),
         }
         for part in grade.parts
         if grade.rubric.weights[part]
         for _, most in [grade.part(part)]
     ]
+
+    def lettered(text: str) -> str:
+        return _lettered(grade.key, typeset(words.written(text)))
+
     return _page(
         final,
         student,
         name,
         words,
+        lettered,
         variant=grade.key.variant.in_language(words.language).title,
         parts=parts,
-        verdict=grade.verdicts.sentence if grade.table or grade.equations else "",
-        notes=[_lettered(grade.key, clean(words.written(entry.text), LONGEST_TEXT)) for entry in grade.notes],
+        summary=[lettered(sentence) for sentence in summary(grade)] if "total" not in decided else [],
+        notes=[
+            lettered(clean(text, LONGEST_TEXT))
+            for text in (words.written(entry.text) for entry in grade.notes if entry.code not in _BESIDE_LINES)
+            if all(text != entry["text"] for entry in final["reasons"])
+        ],
         table=_table(grade, grade.table, words) if grade.table else None,
-        equations=_equations(grade, words),
+        equations=_equations(grade, lettered),
         answers=_answers(grade, words),
-        misconception=_misconception(grade, words),
     )
 
 
 def short_page(student: str, name: str | None, final: Mapping[str, Any], words: Phrases) -> str:
     """Return the page of a submission that nobody could look into."""
-    nothing = {"variant": "", "parts": [], "verdict": "", "notes": []}
-    return _page(final, student, name, words, **nothing, table=None, equations=None, answers=None, misconception=None)
+    nothing = {"variant": "", "parts": [], "summary": [], "notes": []}
+    return _page(final, student, name, words, typeset, **nothing, table=None, equations=None, answers=None)
 
 
-def _page(final: Mapping[str, Any], student: str, name: str | None, words: Phrases, **content: Any) -> str:
-    reason = final["reason"] if final["score"] is None else ""
+def _page(
+    final: Mapping[str, Any], student: str, name: str | None, words: Phrases, lettered: Callable[[str], str], **content: Any
+) -> str:
+    reasons = final["reasons"]
     return filled(
         "feedback.html.j2",
         say=words.said,
         language=words.language,
         student="" if name and student.startswith(name) else clean(student, LONGEST_TEXT),
         name=clean(name or student, LONGEST_TEXT),
-        status=words.said(f"feedback.status.{final['status'].replace('-', '_')}"),
-        reason=clean(reason, 2 * LONGEST_TEXT),
+        status=words.said(f"feedback.status.{_status(final)}"),
+        state=[clean(entry["text"], 2 * LONGEST_TEXT) for entry in reasons if entry["kind"] == "state"],
         points=shown_points(final["score"], words),
         most=shown_points(final["max"], words),
-        overrides=[_decision(entry, words) for entry in final.get("overrides", ())],
+        why=_why(reasons, lettered, words),
+        counted=any(entry["part"] == "table" and entry["kind"] == "rule" for entry in reasons),
         **words.throughout(content),
     )
 
 
-def _decision(entry: Mapping[str, Any], words: Phrases) -> dict[str, str]:
-    part = entry["check"]
-    return {
-        "check": words.said(f"feedback.part.{part}"), "points": shown_points(entry["points"], words),
-        "reason": clean(entry["reason"], LONGEST_TEXT),
-    }  # fmt: skip
+def _status(final: Mapping[str, Any]) -> str:
+    """Return the state as its student is told it: notes that ask nothing are none."""
+    status = str(final["status"]).replace("-", "_")
+    if status == "graded_with_notes" and not final.get("overrides") and all(note["code"] in _QUIET for note in final["notes"]):
+        return "graded"
+    return status
+
+
+def _why(reasons: Iterable[Mapping[str, str]], lettered: Callable[[str], str], words: Phrases) -> list[dict[str, Any]]:
+    """Return why there are not all points, part by part."""
+    of_parts = [entry for entry in reasons if entry["kind"] != "state"]
+    return [
+        {
+            "name": words.said(f"feedback.part.{part}"),
+            "reasons": [{"kind": entry["kind"], "text": lettered(entry["text"])} for entry in entries],
+        }
+        for part, entries in groupby(of_parts, key=lambda entry: entry["part"])
+    ]
 
 
 def shown_points(value: float | None, words: Phrases) -> str:
     """Return points as a person writes them, "–" for none."""
     return "–" if value is None else words.number(round(value, 2), ".10g")
-
-
-def misconception_sentence(code: str) -> Sentence | str:
-    """Return what a code means, with the name it carries (datum, velocity, variant) filled in."""
-    for stem in ("rounded_omega", "confusion", "variant", "origin", "datum", "swap", "sign"):
-        if code.startswith(f"{stem}_") and code != "sign_drive":
-            name = clean(code.removeprefix(f"{stem}_").replace("_", ", " if stem == "swap" else "_"), LONGEST_TEXT)
-            return say(f"feedback.misconception.{stem}", name=name)
-    key = f"feedback.misconception.{code}"
-    return say(key) if load_phrases().has(key) else code
 
 
 def _symbol(name: str) -> str:
@@ -117,23 +155,6 @@ def _symbol(name: str) -> str:
 def _lettered(key: Key, text: str) -> str:
     """Return a sentence with the names of columns and data as the pages of the report print them."""
     return spelt(text, (*key.names, *(given.name for given in key.variant.given)))
-
-
-def _misconception(grade: Grade, words: Phrases) -> dict[str, Any] | None:
-    """Return what was looked for and found, None where a table gave no reason to look."""
-    if grade.table is None or grade.table.hidden is None:
-        return None
-    named = grade.table.misconception
-
-    def told(code: str) -> str:
-        return _lettered(grade.key, words.written(misconception_sentence(code)))
-
-    return {
-        "told": told(named.code) if named else "",
-        "share": str(int(100 * named.share + 1e-9)) if named else "",  # 100 only where it is all of the table
-        "ties": [told(code) for code in named.ties] if named else [],
-        "hidden": [told(code) for code in grade.table.hidden],
-    }
 
 
 def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
@@ -146,11 +167,12 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
     columns = [marked.table.column(name) for name in key.names]
     digits = max(len(f"{t:.6g}".partition(".")[2]) for t in key.t.tolist())
     times = [words.number(t, f".{digits}f") for t in key.t.tolist()]
-    rows = []
+    rows: list[dict[str, Any]] = []
+    uncounted = np.zeros_like(cells.wrong) if marked.points.uncounted is None else marked.points.uncounted
     for row in chosen:
         entries = [
-            (clean(column.texts[row], LONGEST_CELL) if column else "", *_SIGNS[mark])
-            for column, mark in zip(columns, cells.marks[row].tolist(), strict=True)
+            (cell_text(column.texts[row]) if column else "", *(_SHUT if shut else _SIGNS[mark]))
+            for column, mark, shut in zip(columns, cells.marks[row].tolist(), uncounted[row].tolist(), strict=True)
         ]
         rows.append({"number": row + 1, "t": times[row], "cells": entries})
     m = len(key.coordinates)
@@ -172,18 +194,36 @@ def _table(grade: Grade, marked: TableMarks, words: Phrases) -> dict[str, Any]:
         for name, entry in reading.columns.items()
     ]
     return {
-        "first": _lettered(key, typeset(words.written(marked.first.sentence))) if marked.first else "",
-        "counts": {
-            "wrong": int(cells.wrong.sum()), "missing": int(cells.missing.sum()), "carried": int(cells.carried.sum()),
-            "cells": marked.points.cells,
-        },
+        "counts": asdict(counts(key, marked)), "shut": bool(uncounted.any()), "wide": len(key.names) >= WIDE,
+        "rounded": any(_is_long(column.texts[row]) for column in columns if column for row in chosen),
         "file": clean(reading.file, LONGEST_TEXT), "reading": reading, "read": read,
+        "present": sum(marked.table.rows_present), "needed": len(key.table),
         "names": [_symbol(name) for name in key.names],
         "second": words.unit("s"),
-        "units": [words.unit(key.variant.unit_of(name)) for name in key.names], "rows": rows,
-        "left_out": len(key.table) - len(chosen), "end": words.number(key.t[-1], ".6g"),
+        "units": [
+            words.unit(column.shown_unit if column else key.variant.unit_of(name))
+            for name, column in zip(key.names, columns, strict=True)
+        ], "rows": rows,
+        "left_out": len(key.table) - len(chosen), "left_out_wrong": len({*wrong_rows} - {*chosen}),
+        "end": words.number(key.t[-1], ".6g"),
         "panels": panels, "least": key.least_decimals,
     }  # fmt: skip
+
+
+def _is_long(text: str) -> bool:
+    return len(text) > LONGEST_NUMBER and _DECIMAL.fullmatch(text.strip()) is not None
+
+
+def cell_text(text: str) -> str:
+    """Return a cell as handed in, a long number rounded, other long text cut.
+
+    >>> [cell_text(text) for text in ("-0.5123", "0,180000000000012", "1.23456789012345E-17", "#VALUE!")]
+    ['-0.5123', '0,18', '1.23457e-17', '#VALUE!']
+    """
+    if not _is_long(text):
+        return clean(text, LONGEST_CELL)
+    mark = "," if "," in text else "."
+    return f"{float(text.replace(',', '.').replace('−', '-')):.{DIGITS}g}".replace(".", mark)
 
 
 def typeset(text: str) -> str:
@@ -195,29 +235,19 @@ def typeset(text: str) -> str:
     return _NEGATIVE.sub("−", text)
 
 
-def _equations(grade: Grade, words: Phrases) -> dict[str, Any] | None:
+def _equations(grade: Grade, lettered: Callable[[str], str]) -> dict[str, Any] | None:
     if grade.equations is None:
         return None
-    items = []
-    for mark in grade.equations.marks:
-        hint = ""
-        if mark.hint:
-            text = clean(words.written(mark.hint.text), LONGEST_TEXT)
-            hint = say(f"feedback.hint.{mark.hint.kind}", text=text, column=mark.hint.column, others=mark.hint.others)
-        items.append(
-            {
-                "line": mark.line.line, "text": clean(mark.line.text, LONGEST_TEXT), "sign": _VERDICT_SIGNS[mark.verdict],
-                "verdict": say(f"feedback.equation.{mark.verdict}"), "hint": hint,
-            }
-        )  # fmt: skip
     marks = grade.equations
-    dependent = _dependent(marks.dependent)
-    count = say("feedback.independent", independent=marks.independent, needed=marks.needed)
-    return {"items": items, "count": count, "dependent": dependent}
-
-
-def _dependent(lines: Sequence[int]) -> str:
-    return say_count("feedback.dependent", len(lines), lines=joined(map(str, lines), "join.comma")) if lines else ""
+    items = [
+        {
+            "line": mark.line.line, "text": clean(mark.line.text, LONGEST_TEXT), "sign": _VERDICT_SIGNS[mark.verdict],
+            "why": lettered(why_of_line(mark, asked=marks.unread is not None)),
+        }
+        for mark in marks.marks
+    ]  # fmt: skip
+    key = "feedback.earned.unread" if marks.unread else "feedback.independent"
+    return {"items": items, "count": say(key, independent=marks.independent, needed=marks.needed)}
 
 
 def _answers(grade: Grade, words: Phrases) -> list[dict[str, Any]] | None:

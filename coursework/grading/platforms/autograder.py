@@ -97,8 +97,11 @@ def results_json(results: dict[str, Any]) -> bytes:
 
 
 def _not_marked(outcome: Outcome, language: str) -> str:
-    state = say(f"feedback.state.{outcome.status.replace('-', '_')}")
-    return load_phrases(language).said("platform.not_marked", status=state)
+    """Return what a state without a number means: what nobody could mark is handed in again, anything else looked at."""
+    status = outcome.status.replace("-", "_")
+    if outcome.status in _NOT_GRADABLE:
+        return load_phrases(language).said("platform.not_marked", status=say(f"feedback.state.{status}"))
+    return load_phrases(language).said(f"feedback.status.{status}")
 
 
 def _summing(values: Sequence[float], total: float) -> list[float]:

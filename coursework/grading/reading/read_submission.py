@@ -179,7 +179,7 @@ def _one_table(found: _Found) -> tuple[Table | None, Trouble | None]:
         instead = found.refused or ([] if found.equations or found.answers else found.attached)
         if instead:
             return None, instead[0]
-        return None, Trouble("missing", "missing", say("reading.trouble.missing"))
+        return None, Trouble("missing", "missing", say(f"reading.trouble.{'missing' if found.entries else 'no_files'}"))
     ordered = sorted(found.tables, key=_cells, reverse=True)
     best, others = ordered[0], ordered[1:]
     equal = [other for other in others if _cells(other) == _cells(best) and _texts(other) != _texts(best)]

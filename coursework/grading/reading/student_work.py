@@ -39,6 +39,11 @@ class TableColumn:
     decimals: int
     turns: int = 0
 
+    @property
+    def shown_unit(self) -> str:
+        """Return the unit as sentences and pages write it."""
+        return "rad/s" if self.unit == "1/s" else self.unit
+
 
 @dataclass(frozen=True, slots=True)
 class Reading:
@@ -65,13 +70,25 @@ class Reading:
 
 
 @dataclass(frozen=True, slots=True)
+class OwnTimes:
+    """All rows of a table whose times have a `step` (s) of their own: values and units of the last place by column, in SI."""
+
+    step: float
+    columns: Mapping[str, tuple[tuple[float, ...], tuple[float, ...]]]
+
+
+@dataclass(frozen=True, slots=True)
 class Table:
-    """A student's table on the assigned grid; `columns` in the order of the file, without those nobody handed in."""
+    """A student's table on the assigned grid; `columns` in the order of the file, without those nobody handed in.
+
+    `own` has every row where the times are not the grid's, in the order of time.
+    """
 
     reading: Reading
     columns: tuple[TableColumn, ...]
     rows_present: tuple[bool, ...]
     notes: tuple[Note, ...]
+    own: OwnTimes | None = None
 
     def column(self, name: str) -> TableColumn | None:
         """Return a column by the key's name, None where it is missing."""

@@ -5,22 +5,33 @@ Enters: both texts and a column of the second.  Leaves: a column of the first.  
 
 from __future__ import annotations
 
+import re
 from difflib import SequenceMatcher
 
 _MINUS = "-−–—‐‑－"
 _ALIKE = str.maketrans(dict.fromkeys(_MINUS, "-") | {"·": "*", "⋅": "*", "×": "*", "＋": "+", "（": "(", "）": ")"})
+# What a line and its reading have one by one, in the same order: signs of terms, names and functions.
+_SIGNS = re.compile(f"[{_MINUS}+＋]")
+_WORDS = re.compile(r"\\?[^\W\d_][^\W_]*(?:_\{?\w+\}?)?")
+_COMMANDS = {r"\frac", r"\dfrac", r"\tfrac", r"\cdot", r"\left", r"\right", r"\quad", r"\dot", r"\times", r"\mathrm", r"\text"}
+_LABEL = 2  # words that a line may have before its equation
 
 
 def column_as_handed_in(typed: str, read: str, column: int, *, is_sign: bool = False) -> int:
-    """Return the column (from 1) in the line as typed; of a term whose sign is meant, that of the sign, where it has one.
+    r"""Return the column (from 1) in the line as typed; of a term whose sign is meant, that of the sign, where it has one.
 
     >>> column_as_handed_in("(16) 2r3 ω3 − 0,5 r3 ω4 = 0", "2 * r3 * w3 - 0.5 * r3 * w4 = 0", 15, is_sign=True)
     13
+    >>> column_as_handed_in(r"$r_3 \dot\varphi_3 + r_1 \omega_1 = 0$", "r3*w3 + r1*w1 = 0", 7, is_sign=True)
+    20
     """
     if is_sign:
         column = _sign_before(read, column)
     if typed == read:
         return column
+    for pattern in (_SIGNS, _WORDS):
+        if place := _same_token(typed, read, column, pattern):
+            return place
     whole, part = typed.translate(_ALIKE), read.translate(_ALIKE)
     place, best = column - 1, 0
     for block in SequenceMatcher(None, whole, part, autojunk=False).get_matching_blocks():
@@ -29,6 +40,16 @@ def column_as_handed_in(typed: str, read: str, column: int, *, is_sign: bool = F
         if block.size and block.b + block.size <= place:
             best = block.a + block.size
     return min(best + 1, max(len(typed), 1))
+
+
+def _same_token(typed: str, read: str, column: int, pattern: re.Pattern[str]) -> int:
+    """Return where the sign or word at a column of the reading stands in the line as typed, 0 where they do not go one by one."""
+    own = [found for found in pattern.finditer(typed) if found[0] not in _COMMANDS]
+    others = list(pattern.finditer(read))
+    at = next((place for place, found in enumerate(others) if found.start() + 1 == column), -1)
+    before = len(own) - len(others)
+    fits = 0 <= before <= (_LABEL if pattern is _WORDS else 0)
+    return own[at + before].start() + 1 if at >= 0 and fits else 0
 
 
 def _sign_before(text: str, column: int) -> int:

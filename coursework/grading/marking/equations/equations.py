@@ -16,6 +16,7 @@ import numpy as np
 
 from coursework.grading.marking.equations.columns import column_as_handed_in
 from coursework.grading.marking.equations.edits import Edit, Values, applied, edits
+from coursework.grading.marking.equations.lacks import lack_of
 from coursework.grading.marking.equations.linear import Linear, linear, rank, says_more
 from coursework.grading.marking.equations.numbers import NoValue, real, size_of
 from coursework.grading.marking.equations.probe import Probe, exact_probe, kinds, random_probe
@@ -23,6 +24,7 @@ from coursework.grading.marking.key import Key
 from coursework.grading.reading.student_work import EquationLine
 from coursework.variant.formula.tree import Formula, number, spelled
 from coursework.words.errors import Fault
+from coursework.words.sentence import Sentence
 
 Verdict = Literal["right", "rounded", "closure", "wrong", "unreadable"]
 # Residual over the sum of its terms: round-off; data printed with three or four digits; the exact motion's own accuracy.
@@ -48,11 +50,17 @@ class Hint:
 
 @dataclass(frozen=True, slots=True)
 class EquationMark:
-    """One line: its verdict, and a hint where there is one; `mended` is left - right after the edit, for a wrong line."""
+    """One line: its verdict, a hint where there is one, and what it lacks where it earns nothing and no slip is found."""
 
     line: EquationLine
     verdict: Verdict
     hint: Hint | None = None
+    lack: Sentence | str = ""
+
+    @property
+    def hint_of_slip(self) -> Hint | None:
+        """Return the hint of a wrong line."""
+        return self.hint if self.verdict == "wrong" else None
 
     def plain(self) -> dict[str, Any]:
         """Return the record as grades.json writes it."""
@@ -112,7 +120,16 @@ class Judge:
         marks = tuple(self._mark(line) for line in lines)
         counted = [mark for mark in marks if mark.verdict in COUNTED]
         independent, dependent = self._independent(counted)
+        marks = tuple(self._with_lack(mark, counted, dependent) for mark in marks)
         return EquationMarks(marks, independent, len(self.key.variant.sought), dependent)
+
+    def _with_lack(self, mark: EquationMark, counted: Sequence[EquationMark], dependent: Sequence[int]) -> EquationMark:
+        """Return a mark with what the line lacks, where it is right and adds nothing, or wrong by no single slip."""
+        if mark.verdict == "unreadable" or mark.hint_of_slip or (mark.verdict in COUNTED and mark.line.line not in dependent):
+            return mark
+        others = [(other.line.line, difference(other.line)) for other in counted if other is not mark]
+        variant = self.key.variant
+        return replace(mark, lack=lack_of(difference(mark.line), mark.verdict, others, variant, self.off_closure))
 
     def _independent(self, counted: Sequence[EquationMark]) -> tuple[int, tuple[int, ...]]:
         """Return how many lines are independent, and the numbers of those that follow from lines before them.

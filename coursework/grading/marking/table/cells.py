@@ -34,11 +34,26 @@ CARRIED = (ANGLES, EARLIER, STEP, STEP_TRUE)
 
 
 @dataclass(frozen=True)
+class OwnRows:
+    """All rows of a table that was made with another `step` (s): `values` and `units` (rows, m + r) as in `StudentTable`."""
+
+    step: float
+    values: Array
+    units: Array
+
+
+@dataclass(frozen=True)
 class StudentTable:
-    """A student's table on the grid of the key: `values` (n, m + r) SI, NaN where missing; `units` of the last place, alike."""
+    """A student's table on the grid of the key: `values` (n, m + r) SI, NaN where missing; `units` of the last place, alike.
+
+    `turns` (m + r,) whole turns that the reader took off each column, None for none; `own` the table on the student's own rows,
+    where these are those of another step.
+    """
 
     values: Array
     units: Array
+    turns: Array | None = None
+    own: OwnRows | None = None
 
 
 @dataclass(frozen=True)
@@ -59,8 +74,9 @@ class Way:
 class Cells:
     """The marks of a table: `marks` (n, m + r) is the name of the way that holds, or "wrong", "missing", "given".
 
-    `given` marks the start values of row 1 where they are right; `ways` in the order tried; `too_coarse` where digits were
-    too few to show anything; `computed_to` decimals where the work is coarser than its print, None where it is not.
+    `given` marks the `starts` first cells of row 1, the start values, where they are right; `ways` in the order tried;
+    `too_coarse` where digits were too few to show anything; `computed_to` decimals where the work is coarser than its print,
+    None where it is not.
     """
 
     student: StudentTable
@@ -68,11 +84,19 @@ class Cells:
     ways: tuple[Way, ...]
     too_coarse: Flags
     computed_to: int | None
+    starts: int
 
     @property
     def wrong(self) -> Flags:
         """Return where a shown cell is right in no way."""
         return np.asarray(self.marks == WRONG)
+
+    @property
+    def counted(self) -> Flags:
+        """Return which cells count: all but the start values, which are the task's."""
+        found = np.ones(self.marks.shape, dtype=bool)
+        found[:1, : self.starts] = False
+        return found
 
     @property
     def missing(self) -> Flags:
@@ -85,13 +109,14 @@ class Cells:
         return np.isin(self.marks, CARRIED)
 
 
-def mark_cells(key: Key, student: StudentTable) -> Cells:
-    """Return the marks of every cell."""
+def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> Cells:
+    """Return the marks of every cell; `table` (n, m + r) is what stands for the key's where the motion begins elsewhere."""
+    table = key.table if table is None else table
     m = len(key.coordinates)
     steps, coarse, computed_to = _steps(key, student)
     own = _own_angles(key, student, coarse)
     ways = (
-        Way(KEY, key.table, HALF * student.units + SLACK * key.ranges),
+        Way(KEY, table, HALF * student.units + SLACK * key.ranges),
         own,
         _own_velocities(key, student, coarse),
         steps,
@@ -102,11 +127,11 @@ def mark_cells(key: Key, student: StudentTable) -> Cells:
     marks = np.full(student.values.shape, WRONG, dtype="<U16")
     for way in reversed(ways):
         marks[way.holds(student.values)] = way.name
-    start = Way(START, key.table[:1, :m], HALF * student.units[:1, :m] + _ROUND_OFF)
+    start = Way(START, table[:1, :m], HALF * student.units[:1, :m] + _ROUND_OFF)
     marks[:1, :m] = np.where(start.holds(student.values[:1, :m]), GIVEN, WRONG)
     marks[~shown] = MISSING
     too_coarse = ~shown & np.isfinite(student.values)
-    return Cells(student, marks, ways, too_coarse, computed_to)
+    return Cells(student, marks, ways, too_coarse, computed_to, m)
 
 
 def _steps(key: Key, student: StudentTable) -> tuple[Way, float, int | None]:

@@ -17,7 +17,7 @@ from coursework.grading.marking.table.cells import HALF, LEAST, SLACK, StudentTa
 from coursework.system.arrays import Array
 
 # A hypothesis is worth a closer look where this part of the velocities lies within this many of Euler's tolerances.
-_NEARLY, _NEAR = 0.85, 60.0
+_NEARLY, _NEAR = 0.6, 60.0
 
 
 @dataclass(frozen=True)
@@ -26,6 +26,7 @@ class Claim:
 
     `euler` names what it leaves to Euler's rules: "steps", "velocities", "all" or nothing.  `student` is the table it speaks
     about where it is not the one handed in (columns put back, origins taken off); `is_whole` where the start is claimed too.
+    `names` are the columns, starts or equations that it speaks of.
     """
 
     code: str
@@ -34,6 +35,7 @@ class Claim:
     euler: str = ""
     student: StudentTable | None = None
     is_whole: bool = False
+    names: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -135,15 +137,23 @@ class TableUnderTest:
             close = np.abs(self.student.values[:, self.m :] - found) <= tolerance
         return bool(there.any()) and float(close[there].mean()) >= _NEARLY
 
-    def velocity_claim(self, code: str, at: Callable[[Array], Array], found: Array | None = None) -> Iterator[Claim]:
+    def velocity_claim(
+        self, code: str, at: Callable[[Array], Array], found: Array | None = None, names: tuple[str, ...] = ()
+    ) -> Iterator[Claim]:
         """Yield the claim that the velocities are `at` the printed angles, where they are nearly so."""
         found = at(self.q) if found is None else found
         if self.nearly(found):
-            yield self.claim(code, None, self.velocities(found, self.spread(at)))
+            yield self.claim(code, None, self.velocities(found, self.spread(at)), names)
 
-    def claim(self, code: str, step: tuple[Array, Array] | None = None, velocities: tuple[Array, Array] | None = None) -> Claim:
+    def claim(
+        self,
+        code: str,
+        step: tuple[Array, Array] | None = None,
+        velocities: tuple[Array, Array] | None = None,
+        names: tuple[str, ...] = (),
+    ) -> Claim:
         """Return a claim; what a hypothesis does not change is left to Euler."""
         left = "steps" if step is None else "velocities" if velocities is None else ""
         q, q_tolerance = step or (None, None)
         w, w_tolerance = velocities or (None, None)
-        return Claim(code, self.whole(q, w), self.whole(q_tolerance, w_tolerance), left)
+        return Claim(code, self.whole(q, w), self.whole(q_tolerance, w_tolerance), left, names=names)

@@ -1,10 +1,11 @@
 """The first wrong cell in the order of work, explained with the student's own numbers.
 
-Enters: `Cells`.  Leaves: `FirstWrong` or None.  Used by `grade.py`.
+Enters: `Cells`, the table as it was read.  Leaves: `FirstWrong` or None.  Used by `grade.py`.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,9 +13,15 @@ import numpy as np
 
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import ANGLES, EARLIER, KEY, START, STEP, STEP_TRUE, Cells
+from coursework.grading.reading.student_work import Table
+from coursework.grading.reading.table.headers import PRINTED
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
 
+# The rate that goes with a coordinate in one sum: angles in degrees step with degrees a second.
+_RATE_OF = {"rad": "rad/s", "deg": "deg/s", "m": "m/s", "mm": "mm/s", "cm": "cm/s"}
+_MOST_DIGITS = 12  # of a number in a sentence
+_TURN = 2 * math.pi
 _SAID = {KEY: "key", ANGLES: "own angles", EARLIER: "own velocities", STEP: "step", STEP_TRUE: "step", START: "start"}
 
 
@@ -39,36 +46,79 @@ class FirstWrong:
         }  # fmt: skip
 
 
-def first_wrong(key: Key, cells: Cells) -> FirstWrong | None:
-    """Return the first wrong cell: rows downwards; in a row angles, then velocities block by block, driven rates last."""
+@dataclass(frozen=True, slots=True)
+class _Shown:
+    """How a column was handed in: its unit, what one of it is in SI, the whole turns that were taken off."""
+
+    unit: str
+    factor: float
+    turns: int
+
+    def number(self, value: float) -> float:
+        """Return a value (SI) as the student's file has it."""
+        return (value + self.turns * _TURN) / self.factor
+
+
+def first_wrong(key: Key, cells: Cells, table: Table | None = None) -> FirstWrong | None:
+    """Return the first wrong cell: rows downwards; in a row angles, then velocities block by block, driven rates last.
+
+    It speaks of the numbers as they stand in `table`, of those in SI where none is given.
+    """
     wrong = cells.wrong
     for row in np.flatnonzero(wrong.any(axis=1)).tolist():
         place = next(place for place in key.order if wrong[row, place])
-        return _explained(key, cells, row, place)
+        return _explained(key, cells, table, row, place)
     return None
 
 
-def _explained(key: Key, cells: Cells, row: int, place: int) -> FirstWrong:
+def _shown(key: Key, table: Table | None, name: str) -> _Shown:
+    si = key.variant.unit_of(name)
+    column = table.column(name) if table else None
+    if column is None:
+        return _Shown(si, 1.0, 0)
+    known = PRINTED.get(si.replace("rad/s", "1/s"), {})
+    return _Shown(column.shown_unit, known.get(column.unit, 1.0), column.turns)
+
+
+def _explained(key: Key, cells: Cells, table: Table | None, row: int, place: int) -> FirstWrong:
     found = float(cells.student.values[row, place])
-    m = len(key.coordinates)
-    if row == 0 and place < m:
-        nearest = START, float(key.table[0, place]), float(0.5 * cells.student.units[0, place])
-    else:
-        said = [(way.name, float(way.expected[row, place]), float(way.tolerance[row, place])) for way in cells.ways]
-        said = [entry for entry in said if np.isfinite(entry[1])]
-        closest = min(abs(found - expected) for _, expected, _ in said)
-        # Where the key and the student's own cells say the same, the student's own numbers explain more.
-        near = [entry for entry in said if abs(found - entry[1]) <= closest + entry[2]]
-        nearest = next((entry for entry in near if entry[0] != KEY), near[0])
-    way, expected, tolerance = nearest
+    way, expected, tolerance = _nearest(key, cells, row, place)
     name = key.names[place]
-    values: dict[str, object] = {"row": row + 1, "name": name, "found": found, "expected": expected, "before": row}
-    values["unit"] = key.variant.unit_of(name)
+    shown = _shown(key, table, name)
+    off = tolerance / shown.factor
+    places = 1 - math.floor(math.log10(off)) if off > 0 else _MOST_DIGITS  # a tenth of the tolerance is still told
+
+    def number(value: float, as_shown: _Shown = shown) -> float:
+        return float(f"{round(as_shown.number(value), places):.{_MOST_DIGITS}g}")
+
+    values: dict[str, object] = {
+        "row": row + 1, "name": name, "found": number(found), "expected": number(expected), "tolerance": float(f"{off:.2g}"),
+        "unit": shown.unit, "before": row,
+    }  # fmt: skip
+    said = _SAID[way].replace(" ", "_")
     if way in {STEP, STEP_TRUE}:
-        used = cells.student.values[row - 1]
-        values |= {"start": float(used[place]), "rate": float(used[m + place]), "step": key.step}
-        values["rate_name"] = key.velocities[place]
-    sentence = say(f"marking.first.{_SAID[way].replace(' ', '_')}", **values)
-    if way == STEP_TRUE and not np.isfinite(values["rate"]):  # type: ignore[call-overload]
-        sentence = say("marking.first.step_alone", **values)
+        m = len(key.coordinates)
+        rate = _shown(key, table, key.velocities[place])
+        if way == STEP_TRUE:
+            said = "step_true"
+        elif rate.unit != _RATE_OF.get(shown.unit):
+            said = "step_alone"
+        else:
+            used = cells.student.values[row - 1]
+            speed = rate.number(float(used[m + place]))
+            values |= {"start": number(float(used[place])), "rate": float(f"{speed:.{_MOST_DIGITS}g}"), "step": key.step}
+    sentence = say(f"marking.first.{said}", **values)
     return FirstWrong(float(key.t[row]), row + 1, name, found, expected, tolerance, _SAID[way], sentence)
+
+
+def _nearest(key: Key, cells: Cells, row: int, place: int) -> tuple[str, float, float]:
+    """Return the way that comes nearest to a cell: its name, what it expects, its tolerance."""
+    if row == 0 and place < len(key.coordinates):
+        return START, float(key.table[0, place]), float(0.5 * cells.student.units[0, place])
+    found = float(cells.student.values[row, place])
+    said = [(way.name, float(way.expected[row, place]), float(way.tolerance[row, place])) for way in cells.ways]
+    said = [entry for entry in said if np.isfinite(entry[1])]
+    closest = min(abs(found - expected) for _, expected, _ in said)
+    # Where the key and the student's own cells say the same, the student's own numbers explain more.
+    near = [entry for entry in said if abs(found - entry[1]) <= closest + entry[2]]
+    return next((entry for entry in near if entry[0] != KEY), near[0])

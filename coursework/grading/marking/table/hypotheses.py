@@ -11,8 +11,10 @@ from functools import partial
 
 import numpy as np
 
+from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.table.claims import Claim, TableUnderTest
-from coursework.grading.marking.table.other_data import other_columns, other_data, other_tables
+from coursework.grading.marking.table.other_data import other_columns, other_data, other_tables, shifted_rows
+from coursework.grading.marking.table.own_equations import equation_claims
 from coursework.motion.schemes import SCHEMES, Scheme
 from coursework.system.arrays import Array
 
@@ -20,13 +22,23 @@ from coursework.system.arrays import Array
 SCHEMES_TRIED = ("heun", "midpoint", "rk4")
 STEPS = (0.1, 0.5, 2.0, 10.0)
 ROUNDED_TO = (1, 2, 3)
+_WHOLE = 0.01
+MISREAD = ("sign_drive", "degree_mode", "degree_drive", "degree_geometry")
 
 
-def claims(printed: TableUnderTest, confusions: Mapping[str, float], others: Mapping[str, Array]) -> Iterator[Claim]:
+def claims(
+    printed: TableUnderTest,
+    confusions: Mapping[str, float],
+    others: Mapping[str, Array],
+    equations: EquationMarks | None = None,
+) -> Iterator[Claim]:
     """Yield every hypothesis but Euler's own.
 
-    `confusions` gives data by name with another value (rubric); `others` tables (n, m + r) of other variants by name.
+    `confusions` gives data by name with another value (rubric); `others` tables (n, m + r) of other variants by name;
+    `equations` those that were handed in.
     """
+    if printed.closely:
+        yield from shifted_rows(printed)
     yield from _schemes(printed)
     yield from _shifted_rows(printed)
     yield from _steps(printed)
@@ -34,6 +46,8 @@ def claims(printed: TableUnderTest, confusions: Mapping[str, float], others: Map
     yield from other_data(printed, confusions)
     yield from other_tables(printed, others)
     yield from other_columns(printed)
+    if printed.closely:
+        yield from equation_claims(printed, equations)
 
 
 def _schemes(printed: TableUnderTest) -> Iterator[Claim]:
@@ -76,13 +90,26 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
         if np.nanmax(np.where(units > 0, units, np.nan), initial=0.0) < 10.0**-decimals * 0.99:
             rounded = np.round(printed.w, decimals)
             yield printed.claim(f"rounded_omega_{decimals}", printed.steps(h * rounded, np.zeros_like(units)))
-    for part in STEPS:
+    own = printed.student.own
+    for part in (*STEPS, *([own.step / h] if own else [])):
         step = printed.steps(part * h * printed.w, part * h * units)
         yield printed.claim("other_step", step)
         at = printed.slopes(t=printed.key.t * part)
         if printed.nearly(found := at(printed.q)):
             spread = printed.spread(at)
             yield printed.claim("other_step", step, printed.velocities(found, spread))
+        if (times := round(1 / part)) > 1 and abs(times * part - 1) < _WHOLE:
+            made = partial(_small_steps, printed, times)
+            yield printed.claim("other_step", printed.steps(made(printed.q), printed.spread(made)))
+
+
+def _small_steps(printed: TableUnderTest, times: int, q: Array) -> Array:
+    """Return the increments (n, m) of each row in so many steps in the place of one."""
+    h, m, t = printed.key.step / times, printed.m, np.tile(printed.key.t, len(q) // len(printed.key.t))
+    moved = q
+    for place in range(times):
+        moved = moved + h * printed.key.velocities_at(t + place * h, moved)[:, :m]
+    return moved - q
 
 
 def _velocities(printed: TableUnderTest) -> Iterator[Claim]:
@@ -111,6 +138,6 @@ def _velocities(printed: TableUnderTest) -> Iterator[Claim]:
         turned = found.copy()
         turned[:, place] *= -1
         yield printed.claim(f"sign_{name}", None, (turned, tolerance))
-    for code in ("sign_drive", "degree_mode"):
+    for code in MISREAD:
         if velocities := key.misread(code):
             yield from printed.velocity_claim(code, printed.stacked(velocities))

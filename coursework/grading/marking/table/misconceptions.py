@@ -1,20 +1,25 @@
-"""Which hypothesis explains a wrong table, named only where the printed digits prove it.
+"""Which hypothesis explains a wrong table: named only where the printed digits prove it, worth what it explains.
 
-Enters: a `Key`, marked cells.  Leaves: `Misconception` or None.  Used by `grade.py`.
+Enters: a `Key`, marked cells.  Leaves: `Found`.  Used by `earning.py` and `grade.py`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Container, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import ANGLES, EARLIER, KEY, STEP, STEP_TRUE, Cells, StudentTable, mark_cells
 from coursework.grading.marking.table.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.hypotheses import claims
+from coursework.grading.marking.table.own_equations import OWN
+from coursework.grading.marking.table.own_rows import on_own_rows
+from coursework.grading.marking.table.points import explained_share
+from coursework.grading.marking.table.starts import cells_from_own_start, other_starts
 from coursework.system.arrays import Array, Flags
 
 # Named from this share on, if it explains this much more than Euler's rules do; nearly as good ones are ties.
@@ -24,22 +29,51 @@ FEWEST, FEWEST_SHARE = 2, 0.02
 # A hypothesis whose own table Euler's rules explain so well is not told from them by the printed digits.
 ALIKE = 0.98
 _ROUND_OFF = 1e-9
+OTHER_STEP, ROWS_SHIFTED = "other_step", "rows_shifted"
 _STEPS, _VELOCITIES = (STEP, STEP_TRUE), (KEY, ANGLES, EARLIER)
 
 
 @dataclass(frozen=True, slots=True)
 class Misconception:
-    """`code` explains `share` of the cells it speaks about, Euler's rules `euler_share` of theirs; `ties` explain as much."""
+    """`code` explains `share` of the cells it speaks about, Euler's rules `euler_share` of theirs; `ties` explain as much.
+
+    `names` are the columns exchanged, the starts or the equations that it speaks of, () for most.
+    """
 
     code: str
     share: float
     euler_share: float
     ties: tuple[str, ...]
+    names: tuple[str, ...] = ()
 
     def plain(self) -> dict[str, Any]:
         """Return the record as grades.json writes it."""
         shares = {"share": round(self.share, 4), "euler_share": round(self.euler_share, 4)}
-        return asdict(self) | shares | {"ties": list(self.ties)}
+        return {"code": self.code, **shares, "ties": list(self.ties)}
+
+
+@dataclass(frozen=True, slots=True)
+class Fit:
+    """A hypothesis and the share of the table's cells that it or the key explains, behind the gates of the points.
+
+    Of "other_step" only velocities: its steps are wrong, whichever rows of it stand on the grid.
+    """
+
+    code: str
+    share: float
+    names: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """What is `named` with ground, and what explains anything at all, one `Fit` a code.
+
+    `from_own_start` are the cells marked against Euler's table from the student's own start, None where that explains nothing.
+    """
+
+    named: Misconception | None = None
+    fits: tuple[Fit, ...] = ()
+    from_own_start: Cells | None = None
 
 
 def looked_for(key: Key, cells: Cells, count: int) -> bool:
@@ -58,26 +92,59 @@ def find_misconception(
     others: Mapping[str, Array] | None = None,
     hidden: Container[str] = (),
 ) -> Misconception | None:
-    """Return what explains a table, None where nothing does with ground; `hidden` are the codes the digits cannot tell.
+    """Return what explains a table, None where nothing does with ground; `hidden` are the codes the digits cannot tell."""
+    return explanations(key, cells, confusions, others, hidden).named
+
+
+def explanations(
+    key: Key,
+    cells: Cells,
+    confusions: Mapping[str, float] | None = None,
+    others: Mapping[str, Array] | None = None,
+    hidden: Container[str] = (),
+    equations: EquationMarks | None = None,
+) -> Found:
+    """Return what explains a table, as far as it explains more than Euler's rules do.
 
     A table that begins elsewhere may follow Euler's rules in every row; what says the whole table is then held against the key.
     """
     printed = TableUnderTest(key, cells.student)
     explained, spoken = euler_cells(key, cells)
     euler_share = _share(explained, spoken)
+    euler_fit = explained_share(key, cells, explained)
     by_key = _share(np.asarray(cells.marks == KEY) & spoken, spoken) if _begins_elsewhere(key, cells) else euler_share
-    named: dict[str, tuple[float, float]] = {}
-    for claim in claims(printed, confusions or {}, others or {}):
+    named: dict[str, tuple[float, float, tuple[str, ...]]] = {}
+    fits: dict[str, Fit] = {}
+    for claim in claims(printed, confusions or {}, others or {}, equations):
         if claim.code in hidden:
             continue
-        share, against = claim_share(key, cells, claim, explained, spoken), by_key if claim.is_whole else euler_share
-        if share >= NAMED and share > against + BETTER and share > named.get(claim.code, (0.0,))[0]:
-            named[claim.code] = share, against
+        put_right, holds, says = _claimed(key, cells, claim, explained, spoken)
+        share, against = _share(holds, says), by_key if claim.is_whole else euler_share
+        known = named.get(claim.code)
+        if share >= NAMED and share > against + BETTER and (known is None or share > known[0]) and claim.code != OWN:
+            named[claim.code] = share, against, claim.names
+        fit = explained_share(key, put_right, holds, only_velocities=claim.code == OTHER_STEP)
+        if fit > euler_fit + BETTER and (claim.code not in fits or fit > fits[claim.code].share):
+            fits[claim.code] = Fit(claim.code, fit, claim.names)
+    if own := on_own_rows(key, cells.student):
+        right, says = euler_cells(own.key, own.cells)
+        if OTHER_STEP not in hidden and _share(right, says) >= NAMED and _share(right, says) > euler_share + BETTER:
+            named.setdefault(OTHER_STEP, (_share(right, says), euler_share, ()))
+        fit = own.filled * explained_share(own.key, own.cells, right, only_velocities=True)
+        if fit > euler_fit + BETTER and (OTHER_STEP not in fits or fit > fits[OTHER_STEP].share):
+            fits[OTHER_STEP] = Fit(OTHER_STEP, fit)
+    own_start = cells_from_own_start(key, cells) if _begins_elsewhere(key, cells) else None
+    if own_start:
+        share, starts = _share(*euler_cells(key, own_start)), other_starts(key, cells)
+        if share >= NAMED and share > by_key + BETTER:
+            named[f"start_{starts[0]}"] = share, by_key, starts
+    found = tuple(fits.values())
     if not named:
-        return None
-    best = max(share for share, _ in named.values())
-    tied = [code for code, (share, _) in named.items() if share >= best - TIE]
-    return Misconception(tied[0], *named[tied[0]], tuple(tied[1:]))
+        return Found(None, found, own_start)
+    best = max(share for share, _, _ in named.values())
+    tied = [code for code, (share, _, _) in named.items() if share >= best - TIE]
+    share, against, names = named[tied[0]]
+    return Found(Misconception(tied[0], share, against, tuple(tied[1:]), names), found, own_start)
 
 
 def indistinct(key: Key, units: Array, confusions: Mapping[str, float] | None = None) -> tuple[str, ...]:
@@ -119,12 +186,16 @@ def euler_cells(key: Key, cells: Cells) -> tuple[Flags, Flags]:
     return explained & spoken, spoken
 
 
-def claim_share(key: Key, cells: Cells, claim: Claim, explained: Flags, spoken: Flags) -> float:
-    """Return which share of the cells it speaks about a claim explains; `explained` and `spoken` are Euler's."""
+def _claimed(key: Key, cells: Cells, claim: Claim, explained: Flags, spoken: Flags) -> tuple[Cells, Flags, Flags]:
+    """Return the cells that a claim speaks about, which of them it explains, which it says anything of.
+
+    `explained` and `spoken` are Euler's.
+    """
     m = len(key.coordinates)
     if claim.student is not None:
         put_right = mark_cells(key, claim.student)
-        return _share(*euler_cells(key, put_right))
+        follows, speaks = euler_cells(key, put_right)
+        return put_right, follows | (speaks & (put_right.marks == KEY)), speaks
     with np.errstate(invalid="ignore"):
         holds = np.abs(cells.student.values - claim.expected) <= claim.tolerance
     says = np.isfinite(claim.expected) & spoken
@@ -132,7 +203,7 @@ def claim_share(key: Key, cells: Cells, claim: Claim, explained: Flags, spoken: 
     for part, columns in (("steps", slice(0, m)), ("velocities", slice(m, None))):
         if claim.euler == part:
             says[:, columns], holds[:, columns] = spoken[:, columns], explained[:, columns]
-    return _share(holds, says)
+    return cells, holds, says
 
 
 def _share(explained: Flags, spoken: Flags) -> float:

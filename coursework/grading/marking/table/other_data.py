@@ -8,16 +8,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from itertools import combinations
 
 import numpy as np
 
+from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import HALF, SLACK, StudentTable
 from coursework.grading.marking.table.claims import Claim, TableUnderTest
+from coursework.grading.marking.table.shifted import put_back
 from coursework.system.arrays import Array
 
 FACTORS = (10.0, 0.1, 2.0, 0.5, -1.0)
-# Columns count as exchanged where, put back, this part of them is the key's.
-_LIKE_KEY = 0.8
+# Columns count as exchanged where, put back, this part of them is the key's, or where the start values are.
+_LIKE_KEY = 0.5
+_TURN = 2 * np.pi
 
 
 def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iterator[Claim]:
@@ -53,24 +57,17 @@ def other_tables(printed: TableUnderTest, others: Mapping[str, Array]) -> Iterat
         yield Claim("branch", table, HALF * units + SLACK * np.ptp(table, axis=0), is_whole=True)
 
 
+def shifted_rows(printed: TableUnderTest) -> Iterator[Claim]:
+    """A row that stands twice or is left out, and every row after it beside another time."""
+    student = put_back(printed)
+    if student is not None:
+        yield _as_euler("rows_shifted", student)
+
+
 def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
     """Two columns of one kind exchanged; an angle counted from another axis or the other way round."""
+    yield from _exchanged(printed)
     key, student, m = printed.key, printed.student, printed.m
-    tolerance = HALF * np.nan_to_num(student.units) + SLACK * key.ranges
-    width = len(key.names)
-    unit = [key.variant.unit_of(name) for name in key.names]
-    for first in range(width):
-        for second in range(first + 1, width):
-            if unit[first] != unit[second] or (first < m) != (second < m):
-                continue
-            order = list(range(width))
-            order[first], order[second] = second, first
-            values = student.values[:, order]
-            with np.errstate(invalid="ignore"):
-                close = np.abs(values - key.table) <= tolerance[:, order]
-            if close[:, [first, second]].mean() > _LIKE_KEY:
-                put_back = StudentTable(values, student.units[:, order])
-                yield _as_euler("swapped_columns", put_back)
     for place in range(m):
         if key.variant.coordinates[place].unit != "rad":
             continue
@@ -84,7 +81,41 @@ def other_columns(printed: TableUnderTest) -> Iterator[Claim]:
             yield _as_euler(f"origin_{key.names[place]}", replace(student, values=values))
 
 
-def _as_euler(code: str, student: StudentTable) -> Claim:
+def _exchanged(printed: TableUnderTest) -> Iterator[Claim]:
+    """Two columns of one kind exchanged; whole turns are taken off after they are put back."""
+    key, student, m = printed.key, printed.student, printed.m
+    turns = np.zeros(len(key.names)) if student.turns is None else student.turns
+    tolerance = HALF * np.nan_to_num(student.units) + SLACK * key.ranges
+    with np.errstate(invalid="ignore"):
+        as_it_is = np.abs(student.values - key.table) <= tolerance
+    for first, second in combinations(range(len(key.names)), 2):
+        if key.variant.unit_of(key.names[first]) != key.variant.unit_of(key.names[second]) or (first < m) != (second < m):
+            continue
+        order = list(range(len(key.names)))
+        order[first], order[second] = second, first
+        values = (student.values + _TURN * turns)[:, order]
+        for place in (first, second):
+            values[:, place] -= _turns(key, place, values[:, place])
+        for place in set(range(len(key.names))) - {first, second}:
+            values[:, place] = student.values[:, place]
+        with np.errstate(invalid="ignore"):
+            close = np.abs(values - key.table) <= tolerance[:, order]
+        pair = [first, second]
+        begins = first < m and close[0, pair].all() and not as_it_is[0, pair].any()
+        if begins or close[:, pair].mean() > max(_LIKE_KEY, as_it_is[:, pair].mean()):
+            names = (key.names[first], key.names[second])
+            yield _as_euler("swapped_columns", StudentTable(values, student.units[:, order]), names)
+
+
+def _turns(key: Key, place: int, values: Array) -> float:
+    """Return the whole turns (rad) that a column stands beside the key's from its first value on, 0 where it is no angle."""
+    off = (values - key.table[:, place])[np.isfinite(values)]
+    if key.variant.unit_of(key.names[place]) != "rad" or not len(off):
+        return 0.0
+    return float(_TURN * np.round(off[0] / _TURN))
+
+
+def _as_euler(code: str, student: StudentTable, names: tuple[str, ...] = ()) -> Claim:
     """Return the claim that a table put right is Euler's."""
     blank = np.full(student.values.shape, np.nan)
-    return Claim(code, blank, blank, "all", student)
+    return Claim(code, blank, blank, "all", student, names=names)

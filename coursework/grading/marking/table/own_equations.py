@@ -1,53 +1,139 @@
-"""A table made from the student's own, slightly wrong equations: how much of it follows from them.
+"""A table made from slightly wrong equations: which single slip in which equation it follows from, handed in or not.
 
-Enters: marked equations, a `Key`, the student's table.  Leaves: a share of cells.  Used by `grade.py`.
-A slip in one equation spoils every number after it; whoever then solves and steps without fault has done that work.
+Enters: a table as hypotheses see it, marked equations.  Leaves: `Claim`s.  Used by `hypotheses.py`.
+A slip in one equation spoils every number after it; whoever then solves and steps without fault has done that work.  Each
+equation is tried by itself on the student's own numbers, so that slips in several are found as well as one.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
+from coursework.grading.marking.equations.edits import Edit, Values, applied, edits
 from coursework.grading.marking.equations.equations import EquationMarks, difference
-from coursework.grading.marking.equations.numbers import NoValue, real, value_of
-from coursework.grading.marking.equations.probe import names_at
+from coursework.grading.marking.equations.numbers import NoValue, real, size_of, value_of
+from coursework.grading.marking.equations.probe import kinds, names_at
 from coursework.grading.marking.key import Key, sensitivity
-from coursework.grading.marking.table.cells import Cells, velocity_tolerance
+from coursework.grading.marking.table.cells import HALF, SLACK
 from coursework.grading.marking.table.claims import Claim, TableUnderTest
-from coursework.grading.marking.table.misconceptions import claim_share, euler_cells
 from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula
 
+# A line was used as it stands where it holds in this part of the rows, and with a slip where that holds in so many more.
+_HOLDS, _BETTER = 0.9, 0.2
+_SINGULAR = 1e-9
+OWN = "own_equations"
 
-def own_share(key: Key, cells: Cells, equations: EquationMarks) -> float:
-    """Return the share of cells that follow the student's own equations; 0 where these cannot speak for the student.
 
-    They can where each wrong line is a single edit from a right one and the whole system determines the velocities.
-    """
-    if not equations.wrong or any(mark.hint is None for mark in equations.wrong):
-        return 0.0
-    trees = [difference(mark.line) for mark in equations.marks if mark.verdict != "unreadable"]
-    printed = TableUnderTest(key, cells.student)
+@dataclass(frozen=True, slots=True)
+class Line:
+    """One line of a system: its name, left - right, every single edit of it; `is_wrong` where it was handed in so."""
 
-    def at(q: Array) -> Array:
-        return _solved(key, trees, np.tile(key.t, len(q) // len(key.t)), q)
+    name: str
+    tree: Formula
+    edits: tuple[Edit, ...]
+    is_wrong: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Used:
+    """A line as a table uses it, `holds` in which part of its rows; `slip` is its name where it is wrong, "" where not."""
+
+    tree: Formula
+    holds: float
+    slip: str
+
+
+def equation_claims(printed: TableUnderTest, marks: EquationMarks | None) -> Iterator[Claim]:
+    """Yield the claims that the velocities solve the equations of the task, or those handed in, with slips in single lines."""
+    yield from _claim(printed, "equation", _used(printed, _task_lines(printed.key)))
+    if marks is None or any(mark.hint is None for mark in marks.wrong):
+        return
+    alike = kinds(printed.key.variant)
+    own = [
+        Line(str(mark.line.line), tree, tuple(edits(tree, alike)), mark.verdict == "wrong")
+        for mark in marks.marks
+        if mark.verdict != "unreadable"
+        for tree in [difference(mark.line)]
+    ]
+    yield from _claim(printed, OWN, _used(printed, own))
+
+
+def _task_lines(key: Key) -> tuple[Line, ...]:
+    """Return the equations of the task, written or derived from its geometry, without those with terms that have no name."""
+
+    def found() -> tuple[Line, ...]:
+        equations, alike = key.model.equations, kinds(key.variant)
+        known = {*key.variant.names, "pi", *(name for name, _ in key.variant.points)}
+        trees = [(one.name, Formula("-", one.shown(equations.order))) for one in equations.equations]
+        return tuple(Line(name, tree, tuple(edits(tree, alike))) for name, tree in trees if {*tree.names()} <= known)
+
+    return key.model.equations.once("lines and their single edits", found)
+
+
+def _claim(printed: TableUnderTest, code: str, used: Sequence[Used]) -> Iterator[Claim]:
+    slips = tuple(dict.fromkeys(line.slip for line in used if line.slip))
+    if not slips:
+        return
+    trees = [line.tree for line in sorted(used, key=lambda line: -line.holds)]
+
+    def at(t: Array, q: Array) -> Array:
+        return _solved(printed.key, trees, t, q)
 
     try:
-        found = at(printed.q)
-        spread = sensitivity(at, printed.q, printed.q_units)
+        name = code if code == OWN else f"{code}_{slips[0]}"
+        yield from printed.velocity_claim(name, printed.stacked(at), names=slips)
     except NoValue:
-        return 0.0
-    if not np.isfinite(found).any():
-        return 0.0
-    tolerance = velocity_tolerance(key, printed.w_units, found, spread)
-    claim = Claim("own_equations", printed.whole(None, found), printed.whole(None, tolerance), "steps")
-    return claim_share(key, cells, claim, *euler_cells(key, cells))
+        return
+
+
+def _used(printed: TableUnderTest, lines: Sequence[Line]) -> list[Used]:
+    """Return each line as the table uses it: as it stands, or with the single slip that explains more of its rows."""
+    key, m, student = printed.key, printed.m, printed.student
+
+    def named(cells: Array) -> dict[str, Any]:
+        names = names_at(key, np.tile(key.t, len(cells) // len(key.t)), cells[:, :m])
+        return {**names, **dict(zip(key.velocities, cells[:, m:].T, strict=True))}
+
+    def residuals(cells: Array) -> Array:
+        names = named(cells)
+        return np.column_stack([real(value_of(line.tree, names), len(cells)) for line in lines])
+
+    try:
+        names = named(student.values)
+        rows = np.isfinite(here := residuals(student.values))
+        sizes = np.column_stack([real(size_of(line.tree, names), len(rows)) for line in lines])
+        allowed = HALF * sensitivity(residuals, student.values, student.units) + SLACK * sizes
+    except NoValue:
+        return []
+    found = []
+    for place, line in enumerate(lines):
+        there, limit = rows[:, place], allowed[:, place]
+        if not there.any():
+            continue
+        holds = float(np.mean(np.abs(here[there, place]) <= limit[there]))
+        best, used = holds, Used(line.tree, holds, line.name if line.is_wrong else "")
+        values = Values(line.tree, names) if holds < _HOLDS else None
+        closest = np.inf
+        for edit in line.edits if values else ():
+            after = values.after(edit) if values else None
+            if after is None or np.iscomplexobj(after):
+                continue
+            off = np.abs(np.broadcast_to(after, there.shape)[there]) / limit[there]
+            share, middle = float(np.mean(off <= 1.0)), float(np.median(off))
+            if share > holds + _BETTER and (share, -middle) > (best, -closest):
+                best, closest = share, middle
+                used = Used(applied(line.tree, edit), share, line.name)
+        found.append(used)
+    return found
 
 
 def _solved(key: Key, trees: Sequence[Formula], t: Array, q: Array) -> Array:
-    """Return the velocities (n, r) that the student's equations give, NaN where they are singular or do not fit together."""
+    """Return the velocities (n, r) that the first independent ones of some equations give, NaN where these are singular."""
     sought = key.variant.sought
     names = names_at(key, t, q)
     rows, count = len(t), len(sought)
@@ -56,20 +142,32 @@ def _solved(key: Key, trees: Sequence[Formula], t: Array, q: Array) -> Array:
         known = {**names, **dict(zip(sought, velocities, strict=True))}
         return np.column_stack([real(value_of(tree, known), rows) for tree in trees])
 
-    zero = np.zeros(count)
-    rest = residuals(zero)
+    rest = residuals(np.zeros(count))
     matrix = np.stack([residuals(np.eye(count)[place]) - rest for place in range(count)], axis=-1)
     found = np.full((rows, len(key.velocities)), np.nan)
-    usable = np.isfinite(matrix).all(axis=(1, 2)) & np.isfinite(rest).all(axis=1)
-    if not usable.any() or len(trees) < count:
+    usable = np.flatnonzero(np.isfinite(matrix).all(axis=(1, 2)) & np.isfinite(rest).all(axis=1))
+    taken = _independent(matrix[usable])
+    if len(taken) < count:
         return found
-    inverse = np.linalg.pinv(matrix[usable], rcond=1e-9)
-    solved = -np.einsum("nij,nj->ni", inverse, rest[usable])
-    left = np.max(np.abs(np.einsum("nij,nj->ni", matrix[usable], solved) + rest[usable]), axis=1)
-    regular = np.linalg.matrix_rank(matrix[usable], tol=1e-9) == count
-    fits = regular & (left <= 1e-6 * (1e-300 + np.max(np.abs(rest[usable]), axis=1)))
-    places = [key.velocities.index(name) for name in sought]
-    found[np.ix_(np.flatnonzero(usable)[fits], places)] = solved[fits]
+    matrix, rest = matrix[usable][:, taken], rest[usable][:, taken]
+    sizes = np.linalg.svd(matrix, compute_uv=False)
+    regular = sizes[:, -1] > _SINGULAR * sizes[:, 0]
+    solved = np.linalg.solve(matrix[regular], -rest[regular][..., None])[..., 0]
+    for place, name in enumerate(sought):
+        found[usable[regular], key.velocities.index(name)] = solved[:, place]
     for rate in key.variant.known_rates:
         found[:, key.velocities.index(rate)] = names[rate]
     return found
+
+
+def _independent(matrix: Array) -> list[int]:
+    """Return the places of the first independent lines of a matrix (n, lines, k), as most of a few of its points see them."""
+    if not len(matrix):
+        return []
+    points = matrix[np.linspace(0, len(matrix) - 1, 5).round().astype(int)]
+    taken: list[int] = []
+    for place in range(points.shape[1]):
+        ranks = np.linalg.matrix_rank(points[:, [*taken, place]], tol=None)
+        if np.median(ranks) > len(taken):
+            taken.append(place)
+    return taken

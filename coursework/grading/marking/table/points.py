@@ -1,59 +1,130 @@
 """Marked cells -> the share of the table's points, with the gates that give nothing for nonsense.
 
-Enters: `Cells`.  Leaves: `TablePoints`.  Used by `grade.py`.
+Enters: `Cells`.  Leaves: `TablePoints`, `Earned`.  Used by `earning.py` and what it asks.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
 
 import numpy as np
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.cells import GIVEN, KEY, SLACK, STEP, STEP_TRUE, Cells
+from coursework.grading.marking.table.cells import KEY, MISSING, SLACK, STEP, STEP_TRUE, Cells
 from coursework.system.arrays import Array, Flags
 
-# Rows whose velocities are all shown and right, below which steps made with them prove nothing.
-ENOUGH_ROWS = 0.6
+# Rows whose velocities are all shown and right, below which steps made with them prove nothing; right cells below each other,
+# fewer of which are chance.
+ENOUGH_ROWS, RUN = 0.6, 5
 _CONSTANT = 1e-9
-_RUN = 5
 # Of a step: the part of the largest one-step gap to spare, the coordinates of a row that must be near, the rows that must follow.
 _SPARE, _MOST, _FOLLOWING = 0.25, 0.66, 0.75
 
 
+Rule = Literal["cells", "start", "misconception", "own_equations"]
+
+
 @dataclass(frozen=True, slots=True)
 class TablePoints:
-    """`share` of the table earned by its cells; how many cells count; whether row 1 is right."""
+    """`share` of the table earned by its cells; how many cells count; whether row 1 is right.
+
+    `shut` counts the cells that are right and do not count, by the gate that closed: row 1 is wrong ("start"), a step was made
+    with a velocity that is wrong or not there ("used_velocity"), too few rows have all velocities right ("rows"), the row
+    belongs to no motion ("motion"), single right cells are chance ("chance").  `uncounted` (n, m + r) is where they stand.
+    """
 
     share: float
     cells: int
     start_right: bool
+    shut: Mapping[str, int] = field(default_factory=dict)
+    uncounted: Flags | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Earned:
+    """How the points of a table came about: the best of what several rules give.
+
+    `share` of the points by `rule`; `of_cells` the share by cells alone; `explained` the share of cells that the rule's
+    explanation covers (0 for "cells") and `worth` the number of the rubric it was multiplied by (1 for "cells"); `cause` the code
+    of the misconception or start, or the number of the student's own equation, "" for "cells"; `shut` as in `TablePoints`.
+    """
+
+    share: float
+    rule: Rule
+    of_cells: float
+    explained: float
+    worth: float
+    cause: str
+    shut: Mapping[str, int]
 
 
 def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
     """Return the points of a table; `carried` is the worth of a cell that is right from the student's own cells only."""
-    m, r = len(key.coordinates), len(key.velocities)
-    rows = len(key.table)
-    count = rows * (m + r) - m
-    marks = cells.marks
-    right = ~cells.wrong & ~cells.missing
-    start_right = bool(np.all(~cells.wrong[0])) if rows else False
-    rows_enough = bool(np.mean(np.all(right[:, m:], axis=1)) >= ENOUGH_ROWS) if rows else False
-    credit = np.where(marks == KEY, 1.0, 0.0)
+    m = len(key.coordinates)
+    marks, counted = cells.marks, cells.counted
+    right = ~cells.wrong & ~cells.missing & counted
+    rows_enough = bool(np.mean(np.all(right[:, m:], axis=1)) >= ENOUGH_ROWS) if len(marks) else False
     follows = rows_that_follow(key, cells)
-    if start_right:
-        credit[cells.carried] = carried
-        steps = np.isin(marks[:, :m], (STEP, STEP_TRUE))
-        open_gate = np.zeros_like(steps)
-        open_gate[1:] = right[:-1, m : 2 * m] & (_moves(cells.student.values[:, :m]) | ~_moves(key.table[:, :m]))
-        credit[:, :m][steps & ~(open_gate & rows_enough)] = 0.0
-        credit[:, m:][cells.carried[:, m:] & ~follows[:, None]] = 0.0
+    works = rows_enough and bool(follows[1:].any())
+    steps = np.zeros_like(right)
+    steps[:, :m] = np.isin(marks[:, :m], (STEP, STEP_TRUE))
+    used = np.zeros_like(right)
+    used[1:, :m] = right[:-1, m : 2 * m] & (_moves(cells.student.values[:, :m]) | ~_moves(key.table[:, :m]))
+    velocities = cells.carried & ~steps
     # What never changes is right in any row, whatever else stands there.
-    credit[:, key.ranges <= _CONSTANT * np.max(np.abs(key.table), axis=0)] *= follows[:, None]
-    if not (rows_enough and follows[1:].any()):
-        credit[~_in_a_run(marks == KEY)] = 0.0
-    credit[marks == GIVEN] = 0.0
-    return TablePoints(float(credit.sum()) / count if count else 0.0, count, start_right)
+    still = right & (key.ranges <= _CONSTANT * np.max(np.abs(key.table), axis=0))
+    shut = {
+        "start": cells.carried & (_begins_wrong(cells, m) or (bool(cells.wrong[0, m:].any()) and not works)),
+        "used_velocity": steps & ~used,
+        "rows": steps & (not rows_enough),
+        "motion": (velocities | still) & ~follows[:, None],
+        "chance": right & ~_in_a_run(marks == KEY) & (not works),
+    }
+    credit = np.where(cells.carried, carried, np.where(right, 1.0, 0.0))
+    counts: dict[str, int] = {}
+    uncounted = np.zeros_like(right)
+    for gate, closed in shut.items():
+        lost = closed & (credit > 0)
+        counts |= {gate: int(lost.sum())} if lost.any() else {}
+        uncounted |= lost
+        credit[closed] = 0.0
+    count = int(counted.sum())
+    start_right = not cells.wrong[:1].any()
+    # The start values are given and earn nothing; one that is copied wrong is a wrong cell like any other.
+    earned = max(float(credit.sum()) - int(cells.wrong[:1, :m].sum()), 0.0)
+    return TablePoints(earned / count if count else 0.0, count, start_right, counts, uncounted)
+
+
+def _begins_wrong(cells: Cells, m: int) -> bool:
+    """Return whether a start value is wrong and the table was made with it: the first value below it is not the key's."""
+    for place in np.flatnonzero(cells.wrong[0, :m]).tolist():
+        below = np.flatnonzero(cells.marks[1:, place] != MISSING)
+        if not len(below) or cells.marks[1 + below[0], place] != KEY:
+            return True
+    return False
+
+
+def explained_share(key: Key, cells: Cells, holds: Flags, *, only_velocities: bool = False) -> float:
+    """Return the share of the cells that count of which some explanation `holds` (n, m + r), or the key does.
+
+    The gates are those of the points: a step counts where its velocity is explained too, a velocity where its row belongs to
+    the motion that the explained steps make, a right cell without either where several stand below each other.
+    """
+    m = len(key.coordinates)
+    q, by_key = cells.student.values[:, :m], cells.marks == KEY
+    holds = (holds | by_key) & ~cells.missing & cells.counted
+    moves = _moves(q) | ~_moves(key.table[:, :m])
+    steps = holds[1:, :m] & holds[:-1, m : 2 * m] & moves
+    counts = np.zeros_like(holds)
+    counts[1:, :m] = steps
+    counts[:, m:] = holds[:, m:] & _following(q, steps, np.asarray(moves.any(axis=1)))[:, None]
+    still = key.ranges <= _CONSTANT * np.max(np.abs(key.table), axis=0)
+    counts |= by_key & cells.counted & _in_a_run(by_key) & ~still
+    if only_velocities:
+        counts[:, :m] = False
+    return float(counts.sum()) / max(int(cells.counted.sum()), 1)
 
 
 def rows_that_follow(key: Key, cells: Cells) -> Flags:
@@ -70,7 +141,13 @@ def rows_that_follow(key: Key, cells: Cells) -> Flags:
         own = np.minimum(h / 2 * np.abs(np.diff(w, axis=0)), largest)
         spare = _SPARE * largest + SLACK * key.ranges[:m] + np.fmax(units[1:, :m], h * units[1:, m : 2 * m])
         near = np.abs(np.diff(q, axis=0) - h / 2 * (w[1:] + w[:-1])) <= own + spare
-    moves = _moves(q).any(axis=1) | ~_moves(key.table[:, :m]).any(axis=1)
+    steps = np.isin(cells.marks[1:, :m], (STEP, STEP_TRUE)) & ~cells.wrong[:-1, m : 2 * m]
+    moves = np.asarray(_moves(q).any(axis=1) | ~_moves(key.table[:, :m]).any(axis=1))
+    return _following(q, near | steps, moves)
+
+
+def _following(q: Array, near: Flags, moves: Flags) -> Flags:
+    """Return which rows follow where steps (n - 1, m) are `near` enough and rows (n - 1,) move."""
     joined = (np.mean(near, axis=1) >= _MOST) & moves
     follows = np.zeros(len(q), dtype=bool)
     follows[1:] |= joined
@@ -84,11 +161,11 @@ def rows_that_follow(key: Key, cells: Cells) -> Flags:
 
 def _in_a_run(right: Flags) -> Flags:
     """Return where a cell (n, k) is one of several right ones below each other; fewer are right by chance."""
-    if len(right) < _RUN:
+    if len(right) < RUN:
         return right
-    whole: Flags = np.asarray(np.lib.stride_tricks.sliding_window_view(right, _RUN, axis=0).all(axis=-1))
+    whole: Flags = np.asarray(np.lib.stride_tricks.sliding_window_view(right, RUN, axis=0).all(axis=-1))
     run = np.zeros_like(right)
-    for place in range(_RUN):
+    for place in range(RUN):
         run[place : place + len(whole)] |= whole
     return run
 

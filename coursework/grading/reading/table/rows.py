@@ -18,6 +18,7 @@ from coursework.grading.reading.table.columns import Places
 from coursework.grading.reading.table.headers import INDEX, PRINTED, TIME
 from coursework.grading.reading.table.layout import Layout
 
+_FEWEST, _OTHER = 3, 0.05  # rows that show a step, and by what part it is another than the grid's
 _NEAR = 0.3  # of a step: how far a printed time may be from the row's
 
 
@@ -25,7 +26,8 @@ _NEAR = 0.3  # of a step: how far a printed time may be from the row's
 class Rows:
     """For each row of the grid (from 0) the row of the file, None where there is none; what was odd about them.
 
-    `extra` counts rows of the file that stand on no row of the grid, `recovered` times that a spreadsheet had spoilt.
+    `extra` counts rows of the file that stand on no row of the grid, `recovered` times that a spreadsheet had spoilt; `own` are
+    the rows of the file in the order of times that have a step of their own, `own_step` in s, () and 0 where it is the grid's.
     """
 
     of_grid: tuple[int | None, ...]
@@ -33,17 +35,22 @@ class Rows:
     extra: int
     recovered: int
     time_unit: str
+    own: tuple[int, ...] = ()
+    own_step: float = 0.0
 
 
 def place_rows(layout: Layout, places: Places, grid: Grid) -> Rows:
     """Return which row of the file belongs to which row of the grid: by the time, else by row numbers, else in order."""
     count = len(layout.body)
     unit, recovered = "s", 0
+    own: tuple[int, ...] = ()
+    step = 0.0
     if TIME in places.places:
         at = places.places[TIME].at
         cells = [row[at] for row in layout.body]
         unit = _time_unit(layout.heads[at].unit, cells, grid)
         times, recovered = _times(cells, PRINTED["s"][unit])
+        own, step = _own_step(times, grid)
         targets = _by_time(times, _coarse(cells) * PRINTED["s"][unit], grid)
     elif INDEX in places.places and (numbers := _row_numbers(layout, places.places[INDEX].at)):
         targets = [number if 0 <= number < grid.rows else None for number in numbers]
@@ -52,7 +59,19 @@ def place_rows(layout: Layout, places: Places, grid: Grid) -> Rows:
     of_grid = _unique(layout, places, targets, grid.rows)
     on_grid = [target for target in targets if target is not None]
     is_sorted = any(later < earlier for earlier, later in pairwise(on_grid))
-    return Rows(of_grid, is_sorted, targets.count(None), recovered, unit)
+    return Rows(of_grid, is_sorted, targets.count(None), recovered, unit, own, step)
+
+
+def _own_step(times: Sequence[float], grid: Grid) -> tuple[tuple[int, ...], float]:
+    """Return the rows of a file in the order of their times and the step of these, where it is another than the grid's."""
+    order = sorted((time, place) for place, time in enumerate(times) if math.isfinite(time))
+    if len(order) < _FEWEST:
+        return (), 0.0
+    step = (order[-1][0] - order[0][0]) / (len(order) - 1)
+    if step <= 0 or abs(step / grid.step - 1) < _OTHER or abs(order[0][0]) > _NEAR * step:
+        return (), 0.0
+    even = all(abs(time - number * step) < _NEAR * step for number, (time, _) in enumerate(order))
+    return (tuple(place for _, place in order), step) if even else ((), 0.0)
 
 
 def _coarse(cells: Sequence[PrintedNumber]) -> float:

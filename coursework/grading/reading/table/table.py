@@ -17,7 +17,7 @@ from coursework.grading.reading.expected import Grid, GridColumn
 from coursework.grading.reading.files.cells import Sheet
 from coursework.grading.reading.limits import unreadable
 from coursework.grading.reading.numbers import PrintedNumber
-from coursework.grading.reading.student_work import Reading, Table, TableColumn
+from coursework.grading.reading.student_work import OwnTimes, Reading, Table, TableColumn
 from coursework.grading.reading.submission import Note, note
 from coursework.grading.reading.table.columns import Place, Places, find_columns
 from coursework.grading.reading.table.digits import last_places
@@ -77,7 +77,20 @@ def _table(sheet: Sheet, layout: Layout, origin: Origin, grid: Grid) -> Table:
         tuple(head.text for head in layout.heads) if layout.has_heads else (), units, len(layout.body), order,  # type: ignore[arg-type]
     )  # fmt: skip
     present = tuple(row is not None for row in rows.of_grid)
-    return Table(reading, tuple(read), present, origin.notes + tuple(_notes(layout, places, rows, read, grid)))
+    notes = origin.notes + tuple(_notes(layout, places, rows, read, grid))
+    return Table(reading, tuple(read), present, notes, _own_times(grid, places, layout, rows, read) if rows.own else None)
+
+
+def _own_times(grid: Grid, places: Places, layout: Layout, rows: Rows, read: Sequence[TableColumn]) -> OwnTimes:
+    """Return every row of a table that has times of its own, in the units and turns that its columns were read with."""
+    columns = {}
+    units = {column.name: column for column in grid.columns}
+    for column in read:
+        cells = [layout.body[row][places.places[column.name].at] for row in rows.own]
+        factor, turn = factor_of(units[column.name], column.unit), 2 * math.pi * column.turns
+        values = tuple(cell.value * factor - turn for cell in cells)
+        columns[column.name] = values, tuple(step * factor for step in last_places(cells)[1])
+    return OwnTimes(rows.own_step, columns)
 
 
 def _column(column: GridColumn, place: Place, layout: Layout, rows: Rows) -> TableColumn:

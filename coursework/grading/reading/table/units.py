@@ -27,8 +27,10 @@ def unit_of_column(column: GridColumn, head: str, values: Sequence[float]) -> st
     if column.unit == "1/s" and head in {"deg", "rad"}:
         return {"deg": "deg/s", "rad": "1/s"}[head]
     ratios = _ratios(column.values, values)
-    # What begins as the task begins is in that unit; a wrong table may grow to any multiple of the right one later.
-    for seen in (ratios, _ratios(_increments(column.values), _increments(values)), ratios[:1]):
+    # What begins as the task begins is in that unit; a wrong table may grow to any multiple of the right one later.  A velocity
+    # that begins at 57 times the right one shows a calculator in degrees as well as a unit.
+    begins = ratios[:1] if column.unit == "rad" else []
+    for seen in (ratios, _ratios(_increments(column.values), _increments(values)), begins):
         for unit, factor in known.items():
             if seen and _in_unit(seen, factor):
                 return unit

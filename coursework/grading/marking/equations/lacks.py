@@ -1,0 +1,47 @@
+"""What a line lacks that earns nothing although no slip of the pen is in it: it names no velocity, or says what others say.
+
+Enters: marked lines, a `Probe`.  Leaves: a `Sentence` a line.  Used by `equations.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from coursework.grading.marking.equations.linear import Linear, linear, rank
+from coursework.grading.marking.equations.numbers import NoValue
+from coursework.grading.marking.equations.probe import Probe
+from coursework.variant.formula.tree import Formula
+from coursework.variant.record.variant import Variant
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
+
+ON_CLOSURE = "closure"
+
+
+def lack_of(tree: Formula, verdict: str, others: Sequence[tuple[int, Formula]], variant: Variant, probe: Probe) -> Sentence | str:
+    """Return what a line (`left - right`) lacks, "" where nobody can tell; `others` are the counted lines with their numbers."""
+    named = {node.name for node in tree.walk() if node.op == "name"}
+    driven = {"t", *variant.known_rates, *(law.name for law in variant.drive)}
+    try:
+        line = linear(tree, probe)
+        if not named & {*variant.sought}:
+            if verdict == "right" and not named & driven:
+                return say("feedback.lack.any_motion")
+            key = "position" if verdict == ON_CLOSURE else "no_velocity"
+            return say(f"feedback.lack.{key}", names=tuple(variant.sought))
+        if not line.is_affine:
+            return say("feedback.lack.not_linear")
+        if not np.any(line.directions):
+            return say("feedback.lack.any_motion")
+        if verdict == "wrong":
+            return ""
+        same = [number for number, other in others if _is_the_same(line, linear(other, probe))]
+    except NoValue:
+        return ""
+    return say("feedback.lack.repeats", line=same[0]) if same else say("feedback.lack.follows")
+
+
+def _is_the_same(line: Linear, other: Linear) -> bool:
+    return bool(np.any(other.directions)) and rank([line, other]) < 2

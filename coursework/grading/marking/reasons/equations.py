@@ -1,0 +1,66 @@
+"""Why equations and measured values have the points they have: the lines that are not right, those nobody could read, the sum.
+
+Enters: marks, the points.  Leaves: `Reason`s, in order.  Used by `reasons.py`, and line by line by the page.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from coursework.grading.marking.answers import AnswerMarks
+from coursework.grading.marking.equations.equations import COUNTED, EquationMark, EquationMarks
+from coursework.grading.marking.reasons.reason import LONGEST, Reason
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say
+from coursework.words.templates import clean
+
+MOST_LINES = 6
+
+
+def why_of_line(mark: EquationMark, *, asked: bool = False) -> Sentence:
+    """Return the verdict on a line with its reason; `asked` where lines that nobody could read are a question to the teacher."""
+    verdict = "asked" if asked and mark.verdict == "unreadable" and mark.line.relates else mark.verdict
+    return joined([say(f"feedback.equation.{verdict}"), mark.lack, _hint(mark)])
+
+
+def _hint(mark: EquationMark) -> Sentence | str:
+    if mark.hint is None or not (mark.hint.text or mark.hint.kind != "reader"):
+        return ""
+    text = mark.hint.text if isinstance(mark.hint.text, Sentence) else clean(mark.hint.text, LONGEST)
+    return say(f"feedback.hint.{mark.hint.kind}", text=text, column=mark.hint.column)
+
+
+def equation_reasons(marked: EquationMarks, points: float | None, most: float) -> Iterator[Reason]:
+    """Give why equations have fewer points than there are; of lines that a person has to look at there is no sum yet."""
+    troubled = [mark for mark in marked.marks if mark.verdict == "wrong" or (mark.verdict in COUNTED and mark.lack)]
+    missing = marked.independent < marked.needed
+    unread = [mark for mark in marked.marks if missing and mark.verdict == "unreadable" and mark.line.relates]
+    for mark in (*troubled, *unread)[:MOST_LINES]:
+        yield Reason("equations", "finding", _line(mark))
+    if (more := len(troubled) + len(unread) - MOST_LINES) > 0:
+        yield Reason("equations", "finding", say("feedback.more_lines", number=more))
+    if points is None:
+        return
+    if marked.unread is not None:
+        yield Reason("equations", "rule", say("feedback.earned.unread", independent=marked.independent, needed=marked.needed))
+        return
+    wrong = len(marked.wrong)
+    known = {"independent": marked.independent, "needed": marked.needed, "wrong": wrong, "points": points, "most": most}
+    among = max(marked.needed, marked.independent + wrong)
+    yield Reason("equations", "rule", say("feedback.earned.equations", **known, among=among))
+
+
+def _line(mark: EquationMark) -> Sentence:
+    key = {"wrong": "wrong", "unreadable": "unread"}.get(mark.verdict, "adds_nothing")
+    hint = _hint(mark) if mark.verdict not in COUNTED else ""
+    return joined([say(f"feedback.line_{key}", line=mark.line.line), mark.lack, hint])
+
+
+def answer_reasons(marked: AnswerMarks, points: float, most: float) -> Iterator[Reason]:
+    """Give why measured values have fewer points than there are."""
+    for mark in marked.marks:
+        if mark.verdict != "right":
+            verdict = say(f"feedback.answer.{mark.verdict}")
+            yield Reason("answers", "finding", say("feedback.answer_of", name=clean(mark.name, LONGEST), verdict=verdict))
+    known = {"right": marked.share * len(marked.marks), "all": len(marked.marks), "points": points, "most": most}
+    yield Reason("answers", "rule", say("feedback.earned.answers", **known))

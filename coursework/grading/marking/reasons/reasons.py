@@ -1,0 +1,99 @@
+"""Why a grade is what it is: the sentences, in order, that the page, grades.csv and every platform say.
+
+Enters: a `Grade`; the grade as grades.json says it, with what was decided.  Leaves: `Reason`s; sentences.
+Used by `workshop.py`, `work.py`, `decisions.py`, `written.py`, `single.py`, `feedback.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from coursework.grading.marking.grade import GRADED, Grade
+from coursework.grading.marking.reasons.equations import answer_reasons, equation_reasons
+from coursework.grading.marking.reasons.reason import LONGEST, Part, Reason
+from coursework.grading.marking.reasons.table import follows_euler, table_reasons
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import Phrases, say
+from coursework.words.templates import clean
+
+# Sentences that name another person or number are for the teacher; a student reads these in their place.
+_FOR_STUDENTS = ("same_id", "other_variant")
+# Notes about cells that are not there, which cost their points.
+_COSTS = ("rows_missing", "too_coarse", "date_cell", "error_cell")
+
+
+def reasons(grade: Grade) -> list[Reason]:
+    """Return why a submission has not all points: first why it has no number, then part by part; none where it has all."""
+    found = []
+    if grade.status not in GRADED and grade.reason:
+        found.append(state_reason(grade.reason))
+    for part in grade.parts:
+        points, most = grade.part(part)
+        if points is None or points < most:
+            found += _of_part(grade, part, points, most)
+    return found
+
+
+def state_reason(reason: Sentence | str) -> Reason:
+    """Return why there is no number, as its student reads it."""
+    key = reason.key.removeprefix("reading.review.") if isinstance(reason, Sentence) else ""
+    return Reason("", "state", say(f"feedback.review.{key}") if key in _FOR_STUDENTS else reason)
+
+
+def _of_part(grade: Grade, part: str, points: float | None, most: float) -> Iterator[Reason]:
+    if part == "table" and grade.table and points is not None:
+        yield from (Reason("table", "note", note.text) for note in grade.notes if note.code in _COSTS)
+        yield from table_reasons(grade.key, grade.table, grade.rubric.carried, points, most)
+    elif part == "equations" and grade.equations:
+        yield from equation_reasons(grade.equations, points, most)
+    elif part == "answers" and grade.answers and points is not None:
+        yield from answer_reasons(grade.answers, points, most)
+    if points is not None and not _is_there(grade, part):
+        yield Reason(_part(part), "rule", say("reading.note.no_part", part=say(f"feedback.part.{part}")))
+
+
+def _is_there(grade: Grade, part: str) -> bool:
+    """Return whether something of a part was handed in."""
+    return {"table": grade.work.table, "equations": grade.work.equations, "answers": grade.work.answers}[part] not in (None, ())
+
+
+def _part(name: str) -> Part:
+    return name  # type: ignore[return-value]
+
+
+def decided(entry: Mapping[str, Any], most: float) -> Reason:
+    """Return what the instructor decided about a part, in the place of all that was found in it."""
+    part = say(f"feedback.part.{entry['check']}")
+    key = "feedback.override_why" if entry["reason"] else "feedback.override"
+    reason = clean(str(entry["reason"]), LONGEST)
+    return Reason(entry["check"], "decided", say(key, check=part, points=float(entry["points"]), most=most, reason=reason))
+
+
+def after_decision(found: list[dict[str, str]], reason: Reason) -> list[dict[str, str]]:
+    """Return the reasons of a grade after a decision: that about the total speaks for all."""
+    if reason.part == "total":
+        return [reason.plain()]
+    place = next((place for place, entry in enumerate(found) if entry["part"] == reason.part), len(found))
+    kept = [entry for entry in found if entry["part"] != reason.part]
+    return [*kept[:place], reason.plain(), *kept[place:]]
+
+
+def summary(grade: Grade) -> list[Sentence | str]:
+    """Return what is right about a submission, and what the steps of its table show."""
+    found: list[Sentence | str] = []
+    if grade.verdicts.equations == "right":
+        found.append(say("marking.verdict.equations.right"))
+    elif grade.equations is None and grade.table and grade.rubric.weights["equations"]:
+        found.append(say("marking.verdict.equations.none"))
+    if grade.table:
+        found.append(follows_euler(grade.key, grade.table))
+        if not grade.table.cells.wrong.any():
+            found.append(say(f"marking.verdict.arithmetic.{'present' if grade.table.cells.missing.any() else 'right'}"))
+    return [sentence for sentence in found if sentence]
+
+
+def told(grade: Mapping[str, Any], words: Phrases, part: str | None = None) -> str:
+    """Return why a grade as it stands after all decisions is what it is, of one `part` or of all, in one text."""
+    found = [entry["text"] for entry in grade["reasons"] if part is None or entry["part"] == part]
+    return words.template("join.sentences").join(found)

@@ -1,0 +1,135 @@
+"""Why a table has the points it has: its first wrong cell, what seems to have happened, and the sum.
+
+Enters: a `Key`, `TableMarks`, the points.  Leaves: `Reason`s, in order.  Used by `reasons.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import groupby
+
+from coursework.grading.marking.grade import TableMarks
+from coursework.grading.marking.key import Key
+from coursework.grading.marking.reasons.misconception import misconception_sentence
+from coursework.grading.marking.reasons.reason import Reason, in_sum
+from coursework.grading.marking.table.odd_rows import Shift, repeated_rows, shifted_rows
+from coursework.grading.marking.table.points import ENOUGH_ROWS, RUN, Earned
+from coursework.grading.marking.verdicts import euler_steps
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, listing, say, say_count
+
+# Several cells wrong, for which nothing usual is the cause, are worth a word from this part of the table on.
+_MANY = 0.1
+# What says that the table is right once it is read otherwise: its steps are then not those of the columns as handed in.
+_READ_OTHERWISE = ("swapped_columns", "origin", "clockwise", "sign_drive")
+_MOST_RUNS = 6
+
+
+@dataclass(frozen=True, slots=True)
+class Counts:
+    """The cells that count, which are all but the start values, by their marks; `start` start values that are not the task's."""
+
+    cells: int
+    wrong: int
+    missing: int
+    carried: int
+    start: int
+
+
+def counts(key: Key, marked: TableMarks) -> Counts:
+    """Return the counts of a table, of which right, carried, wrong and missing cells make up all."""
+    cells = marked.cells
+    wrong, missing, carried = (int((found & cells.counted).sum()) for found in (cells.wrong, cells.missing, cells.carried))
+    return Counts(marked.points.cells, wrong, missing, carried, int(cells.wrong[0, : len(key.coordinates)].sum()))
+
+
+def table_reasons(key: Key, marked: TableMarks, carried: float, points: float, most: float) -> Iterator[Reason]:
+    """Give why a table has fewer points than there are; `carried` is the worth of a cell right from the student's own only."""
+    if marked.first:
+        yield Reason("table", "first", marked.first.sentence)
+    yield from _causes(key, marked)
+    yield from _odd_rows(key, marked)
+    if absent := tuple(name for name in key.names if marked.table.column(name) is None):
+        yield Reason("table", "finding", say("feedback.columns_missing", names=absent))
+    for gate, number in marked.earned.shut.items():
+        limits = {"share": round(100 * ENOUGH_ROWS), "run": RUN}
+        yield Reason("table", "finding", say_count(f"feedback.shut.{gate}", number, **limits))
+    found = counts(key, marked)
+    less = say("feedback.carried_worth", worth=carried) if found.carried and carried != 1 else ""
+    total = _sum(marked.earned, found.cells, points, most)
+    yield Reason("table", "rule", joined([_counted(found), less, total]))
+
+
+def _causes(key: Key, marked: TableMarks) -> Iterator[Reason]:
+    """Give what seems to have happened, and what explains as much; that nothing usual does, where many cells are wrong."""
+    named = marked.misconception
+    if named:
+        share = str(int(100 * named.share + 1e-9))  # 100 only where it is all of the table
+        told = say("feedback.misconception.share", share=share)
+        yield Reason("table", "cause", joined([told, _told(marked, named.code)]))
+        if named.ties:
+            ties = [_told(marked, code) for code in named.ties]
+            yield Reason("table", "finding", joined([say("feedback.misconception.ties"), *ties]))
+    elif marked.earned.rule == "cells" and marked.hidden is not None and _many(key, marked):
+        yield Reason("table", "finding", say("feedback.misconception.none"))
+
+
+def _many(key: Key, marked: TableMarks) -> bool:
+    found = counts(key, marked)
+    return found.wrong > _MANY * found.cells
+
+
+def _told(marked: TableMarks, code: str) -> Sentence | str:
+    named = marked.misconception
+    if named and code == named.code and code == "swapped_columns":
+        return say("feedback.misconception.swapped", names=named.names)
+    return misconception_sentence(code, for_student=True)
+
+
+def _odd_rows(key: Key, marked: TableMarks) -> Iterator[Reason]:
+    """Give the rows that stand twice, and those that stand elsewhere than they belong."""
+    if rows := repeated_rows(key, marked.cells):
+        yield Reason("table", "finding", say_count("feedback.rows.repeated", len(rows), rows=_runs(rows)))
+    for shift in shifted_rows(key, marked.cells)[:_MOST_RUNS]:
+        yield Reason("table", "finding", _shifted(shift))
+
+
+def _shifted(shift: Shift) -> Sentence:
+    return say(
+        "feedback.rows.shifted",
+        first=shift.first, last=shift.last, begin=shift.first + shift.by, end=shift.last + shift.by,
+    )  # fmt: skip
+
+
+def _runs(rows: tuple[int, ...]) -> Sentence:
+    """Return rows as a person writes them: 4, 7–9 and 12."""
+    runs = [[row for _, row in run] for _, run in groupby(enumerate(rows), key=lambda entry: entry[1] - entry[0])]
+    told = [str(run[0]) if len(run) == 1 else f"{run[0]}–{run[-1]}" for run in runs]
+    return listing([*told[:_MOST_RUNS], "…"] if len(told) > _MOST_RUNS else told)
+
+
+def _counted(found: Counts) -> Sentence:
+    start = say("feedback.counts_start", number=found.start) if found.start else ""
+    told = say("feedback.counts", cells=found.cells, wrong=found.wrong, missing=found.missing, carried=found.carried)
+    return joined([told, start])
+
+
+def _sum(earned: Earned, cells: int, points: float, most: float) -> Sentence:
+    """Return the sum that the points come from."""
+    known = {"points": points, "most": most, "worth": in_sum(earned.worth), "explained": in_sum(earned.explained)}
+    if earned.rule == "cells":
+        return say("feedback.earned.cells", counted=in_sum(earned.of_cells * cells), cells=cells, points=points, most=most)
+    key = "own_line" if earned.rule == "own_equations" and earned.cause.isdigit() else earned.rule
+    alone = round(earned.of_cells * most, 2)
+    return say(f"feedback.earned.{key}", **known, alone=alone, line=earned.cause)
+
+
+def follows_euler(key: Key, marked: TableMarks) -> Sentence | str:
+    """Return how many steps of the angles are Euler's, "" where the columns mean something else than their heads say."""
+    named = marked.misconception
+    if named and named.code.startswith(_READ_OTHERWISE):
+        return ""
+    held, spoken = euler_steps(key, marked.cells)
+    verdict = "unknown" if not spoken else "right" if held == spoken else "wrong"
+    return say(f"marking.verdict.integration.{verdict}", held=held, steps=spoken)

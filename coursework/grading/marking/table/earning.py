@@ -1,0 +1,74 @@
+"""The points of a table: the best of what its cells, its own start, a misconception or own equations give.
+
+Enters: marked cells, what explains them, the rubric.  Leaves: `Earned`.  Used by `grade.py`.
+Better work never earns less: each rule counts right cells too, and none depends on what was handed in beside the table.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+
+from coursework.grading.marking.key import Key
+from coursework.grading.marking.rubric import Rubric
+from coursework.grading.marking.table.cells import HALF, SLACK, Cells
+from coursework.grading.marking.table.misconceptions import OTHER_STEP, ROWS_SHIFTED, Found
+from coursework.grading.marking.table.own_equations import OWN
+from coursework.grading.marking.table.points import Earned, Rule, TablePoints, stands_still, table_points
+from coursework.grading.marking.table.starts import other_starts
+from coursework.system.arrays import Array
+
+
+def best_rule(key: Key, rubric: Rubric, cells: Cells, points: TablePoints, found: Found, others: Mapping[str, Array]) -> Earned:
+    """Return what earns most; of equal ones the cells, then the first.  `others` are tables of other variants by name."""
+    by_cells = Earned(points.share, "cells", points.share, 0.0, 1.0, "", points.shut)
+    if stands_still(key, cells):
+        return by_cells
+    rules = [
+        by_cells,
+        *_by_start(key, rubric, cells, points, found.from_own_start, others),
+        *_by_explanation(rubric, points, found),
+    ]
+    return max(rules, key=lambda earned: earned.share)
+
+
+def _by_start(
+    key: Key, rubric: Rubric, cells: Cells, points: TablePoints, own: Cells | None, others: Mapping[str, Array]
+) -> Iterator[Earned]:
+    """Give what a table earns that was made without fault from another start; nothing to one that is another student's."""
+    if own is not None and not any(_is_row(key, cells, table) for table in others.values()):
+        starts = other_starts(key, cells)
+        explained = table_points(key, own, rubric.carried).share
+        worth = rubric.start_floor if len(starts) == 1 else rubric.start_floor_several
+        yield _earned("start", points, explained, worth, f"start_{starts[0]}")
+
+
+def _is_row(key: Key, cells: Cells, table: Array) -> bool:
+    """Return whether row 1 is that of another table."""
+    if table.shape != key.table.shape:
+        return False
+    with np.errstate(invalid="ignore"):
+        off = np.abs(cells.student.values[0] - table[0]) > HALF * cells.student.units[0] + SLACK * key.ranges
+    return not off.any()
+
+
+def _by_explanation(rubric: Rubric, points: TablePoints, found: Found) -> Iterator[Earned]:
+    """Give what each explanation earns; the table of another variant is no work of the student's."""
+    for fit in found.fits:
+        if fit.code == OWN:
+            yield _earned("own_equations", points, fit.share, rubric.own_equations_floor, fit.names[0])
+        elif not fit.code.startswith("variant_"):
+            yield _earned("misconception", points, fit.share, _worth(rubric, fit.code), fit.code)
+
+
+def _worth(rubric: Rubric, code: str) -> float:
+    """Return what a cell is worth that a misconception explains: one sign less than a wrong method, a right velocity all."""
+    if code in {OTHER_STEP, ROWS_SHIFTED}:
+        return 1.0
+    one_sign = code == "sign_drive" or code.startswith("equation_")
+    return rubric.own_equations_floor if one_sign else rubric.misconception_floor
+
+
+def _earned(rule: Rule, points: TablePoints, explained: float, worth: float, cause: str) -> Earned:
+    return Earned(worth * explained, rule, points.share, explained, worth, cause, points.shut)

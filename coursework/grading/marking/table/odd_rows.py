@@ -1,0 +1,71 @@
+"""Rows of a table that are the row before once more, and rows that belong elsewhere.
+
+Enters: a `Key`, marked cells.  Leaves: numbers of rows (from 1), runs of rows.  Used by `table.py`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from coursework.grading.marking.key import Key
+from coursework.grading.marking.table.cells import HALF, SLACK, Cells
+from coursework.system.arrays import Array, Flags
+
+# Rows that must follow each other shifted by as much, before anybody speaks of a shift; how far one is looked for.
+FEWEST_SHIFTED, FARTHEST = 3, 3
+
+
+@dataclass(frozen=True, slots=True)
+class Shift:
+    """Rows `first` to `last` (from 1) hold what belongs `by` rows below (above where negative)."""
+
+    first: int
+    last: int
+    by: int
+
+
+def repeated_rows(key: Key, cells: Cells) -> tuple[int, ...]:
+    """Return the rows (from 1) whose printed numbers are those of the row before, where the key's are others."""
+    values = cells.student.values
+    there = np.isfinite(values[1:]) & np.isfinite(values[:-1])
+    same = (values[1:] == values[:-1]) & there
+    moves = np.abs(np.diff(key.table, axis=0)) > _tolerance(key, cells)[1:]
+    whole = np.all(same | ~there, axis=1) & (there.sum(axis=1) > there.shape[1] / 2)
+    return tuple((np.flatnonzero(whole & (moves & there).any(axis=1)) + 2).tolist())
+
+
+def shifted_rows(key: Key, cells: Cells) -> tuple[Shift, ...]:
+    """Return the runs of rows that are rows of the key, but others than where they stand."""
+    count = len(key.table)
+    at_home = _rows_alike(key, cells, 0)
+    found: list[Shift] = []
+    for by in sorted(range(-FARTHEST, FARTHEST + 1), key=abs):
+        if by and count > abs(by):
+            found += _runs(_rows_alike(key, cells, by) & ~at_home, by)
+    return tuple(sorted(found, key=lambda shift: shift.first))
+
+
+def _rows_alike(key: Key, cells: Cells, by: int) -> Flags:
+    """Return which rows (n,) are the key's row `by` below, in every cell that is there."""
+    values = cells.student.values
+    expected = np.full(values.shape, np.nan)
+    if by >= 0:
+        expected[: len(expected) - by] = key.table[by:]
+    else:
+        expected[-by:] = key.table[:by]
+    there = np.isfinite(values) & np.isfinite(expected)
+    with np.errstate(invalid="ignore"):
+        alike = np.abs(values - expected) <= _tolerance(key, cells)
+    return np.asarray(np.all(alike | ~there, axis=1) & (there.sum(axis=1) > there.shape[1] / 2))
+
+
+def _tolerance(key: Key, cells: Cells) -> Array:
+    return HALF * np.nan_to_num(cells.student.units) + SLACK * key.ranges
+
+
+def _runs(rows: Flags, by: int) -> list[Shift]:
+    """Return the runs of at least `FEWEST_SHIFTED` rows."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], rows, [False]]).astype(int))).reshape(-1, 2)
+    return [Shift(first + 1, last, by) for first, last in edges.tolist() if last - first >= FEWEST_SHIFTED]

@@ -1,0 +1,37 @@
+"""A table made with another step, seen on its own rows: all of them, whichever of them stand on the task's grid.
+
+Enters: a `Key`, a student's table.  Leaves: that table marked as if its own step were the task's.  Used by `misconceptions.py`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from coursework.grading.marking.key import Key, key_of
+from coursework.grading.marking.table.cells import Cells, StudentTable, mark_cells
+from coursework.words.errors import CourseworkError
+
+
+@dataclass(frozen=True)
+class OnOwnRows:
+    """The `key` of the student's own step, the `cells` marked by it, how much of the task's table or time (0 to 1) they fill."""
+
+    key: Key
+    cells: Cells
+    filled: float
+
+
+def on_own_rows(key: Key, student: StudentTable) -> OnOwnRows | None:
+    """Return a table on its own rows, None where these are the task's."""
+    own = student.own
+    if own is None:
+        return None
+    rows = len(own.values)
+    try:
+        made = key_of(key.variant.timed(step=own.step, end=(rows - 1) * own.step))
+    except CourseworkError:
+        return None
+    rows = min(rows, len(made.table))
+    cells = mark_cells(made, StudentTable(own.values[:rows], own.units[:rows]))
+    filled = min(1.0, max(rows, 1 + (rows - 1) * own.step / key.step) / len(key.table))
+    return OnOwnRows(made, cells, filled)

@@ -1,0 +1,54 @@
+"""A table that is right but for one row too many or too few: a row stands twice, is left out, or stands before the first.
+
+Enters: a table as hypotheses see it.  Leaves: the table with its rows put back.  Used by `other_data.py`.
+From the slip on every row stands beside another time, and nothing follows any more; put back, the slip costs the row.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from coursework.grading.marking.table.cells import HALF, SLACK, StudentTable
+from coursework.grading.marking.table.claims import TableUnderTest
+from coursework.system.arrays import Array
+
+# The rows are looked at closer where shifted ones have so large a part of their cells right, and this much more than before.
+_ENOUGH, _GAINED = 0.5, 0.1
+
+
+def put_back(printed: TableUnderTest) -> StudentTable | None:
+    """Return the table without the row that is too many, or with an empty row where one is left out; None where neither is."""
+    student, count = printed.student, len(printed.student.values)
+    as_it_is, late, early = (_right(printed, by) for by in (0, -1, 1))
+    best, made = as_it_is.sum() + _GAINED * student.values.size, None
+    for place in range(1, count):
+        before = as_it_is[:place].sum()
+        if before + late[place:].sum() > best:
+            best = before + late[place:].sum()
+            gone = place if as_it_is[place - 1] >= late[place] else place - 1
+            made = [*(row for row in range(count) if row != gone), None]
+    for place in range(count):
+        if as_it_is[:place].sum() + early[place:].sum() > best:
+            best = as_it_is[:place].sum() + early[place:].sum()
+            made = [*range(place), None, *range(place, count - 1)]
+    if made is None or best < _ENOUGH * student.values.size:
+        return None
+    values, units = np.full_like(student.values, np.nan), np.full_like(student.units, np.nan)
+    for row, of in enumerate(made):
+        if of is not None:
+            values[row], units[row] = student.values[of], student.units[of]
+    return StudentTable(values, units)
+
+
+def _right(printed: TableUnderTest, by: int) -> Array:
+    """Return how many cells of each row (n,) are those of the row `by` further on: the key's, or velocities of own angles."""
+    key, m, values = printed.key, printed.m, printed.student.values
+    last = key.table[-1:, :m] + key.step * key.table[-1:, m : 2 * m]
+    t = np.asarray(key.t + by * key.step)
+    after = np.hstack([last, key.velocities_at(t[-1:], last)])
+    table = np.vstack([np.full_like(after, np.nan), key.table, after])[1 + by : 1 + by + len(values)]
+    with np.errstate(invalid="ignore"):
+        right = np.abs(values - table) <= HALF * printed.student.units + SLACK * key.ranges
+        own = np.abs(values[:, m:] - key.velocities_at(t, printed.q)) <= printed.true_velocities[1]
+    right[:, m:] |= own & (t >= 0)[:, None]
+    return np.asarray(right.sum(axis=1), dtype=float)

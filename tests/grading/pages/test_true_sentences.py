@@ -1,0 +1,235 @@
+"""Every sentence of a class with a known truth: counts are those of the files, what is named was changed, no one else is."""
+
+from __future__ import annotations
+
+import csv
+import html
+import io
+import json
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from coursework.grading.batch.journal import Journal
+from coursework.grading.batch.single import autograder_results
+from tests.grading.batch.classroom import EQUATIONS, NAMES
+from tests.grading.batch.test_batch import grade
+from tests.grading.marking import students
+from tests.grading.pages.truths import RIGHT, ROWS, VARIANT, Case, cases
+
+PARTS = {"table": 60.0, "equations": 40.0}
+COUNTS = re.compile(r"Of (\d+) cells that count, wrong: (\d+); missing or with too few digits: (\d+); right from .*?: (\d+)\.")
+SUM = re.compile(r"(Table|Equations): ([\d.]+) of ([\d.]+) points")
+FACTORS = re.compile(r"\(([\d.]+) · ([\d.]+) ([·/]) ([\d.]+)\)")
+START = re.compile(r"Start values in row 1 that are not those of the task: (\d+)\.")
+SHUT = re.compile(r"(?:but do not count).*?: (\d+)\.")
+
+
+@dataclass
+class Seen:
+    """What was said of one student in each place."""
+
+    row: dict[str, str]
+    page: str
+    raw: str
+    comment: str
+    platform: str
+
+
+def records(path: Path) -> list[dict[str, str]]:
+    return list(csv.DictReader(io.StringIO(path.read_text(encoding="utf-8-sig"), newline="")))
+
+
+def plain(page: str) -> str:
+    """The words of a page, names of columns and minus signs as in the files."""
+    text = html.unescape(re.sub(r"<style>.*?</style>|<[^>]*>", " ", page, flags=re.DOTALL))
+    text = re.sub(r"([φω])([₀-₉])", lambda found: {"φ": "phi", "ω": "w"}[found[1]] + str("₀₁₂₃₄₅₆₇₈₉".index(found[2])), text)
+    text = re.sub(r"([rV])([₀-₉])", lambda found: found[1] + str("₀₁₂₃₄₅₆₇₈₉".index(found[2])), text)
+    return re.sub(r"\s+", " ", text.replace("−", "-"))
+
+
+@pytest.fixture(scope="module")
+def handed_in() -> dict[str, Case]:
+    return cases()
+
+
+@pytest.fixture(scope="module")
+def seen(handed_in, tmp_path_factory) -> dict[str, Seen]:
+    root = tmp_path_factory.mktemp("truth")
+    text = VARIANT.read_text(encoding="utf-8")
+    for name, amplitude in (("s01", "4.5"), ("s02", "4.0")):
+        (root / f"{name}.toml").write_text(text.replace('V1    = "4.5 m/s"', f'V1    = "{amplitude} m/s"'), encoding="utf-8")
+    (root / "rubric.toml").write_text('[[confusion]]\ndatum = "r1"\nvalue = "0.8 m"\n', encoding="utf-8")
+    roster = ["id,name,email,variant", "zz-other,Zed Zzyzx,z@x.edu,s02.toml"]
+    sheet = [
+        "Identifier,Full name,Email address,Status,Grade,Maximum Grade,Grade can be changed,Last modified (submission),"
+        "Last modified (grade),Feedback comments"
+    ]
+    for number, (student, (files, _)) in enumerate(handed_in.items(), 7001):
+        folder = root / "in" / f"Person {number}_{number}_assignsubmission_file_"
+        folder.mkdir(parents=True)
+        for name, content in files.items():
+            (folder / name).write_bytes(content)
+        roster.append(f"id-{student},Person {number},p{number}@x.edu,s01.toml")
+        sheet.append(f"Participant {number},Person {number},p{number}@x.edu,x,,100.00,Yes,-,-,")
+    for name, lines in (("roster.csv", roster), ("sheet.csv", sheet)):
+        (root / name).write_text("\n".join(lines) + "\n", encoding="utf-8")
+    out = root / "out"
+    options = ("--roster", root / "roster.csv", "--worksheet", root / "sheet.csv", "--rubric", root / "rubric.toml")
+    done = grade(root / "in", out, *options)
+    assert done.exit_code == 0, done.output
+    found = {row["id"]: row for row in records(out / "grades.csv")}
+    comments = {row["Full name"]: row["Feedback comments"] for row in records(out / "worksheet.csv")}
+    results = {}
+    with Journal(out) as journal:
+        for place in journal.places()[1].values():
+            entry = journal.read(place)
+            autograder_results(entry.grade, "gradescope", root / "results.json", "en")
+            results[entry.id] = (root / "results.json").read_text(encoding="utf-8")
+    pages = {student: (out / "feedback" / f"{student}.html").read_text(encoding="utf-8") for student in found}
+    return {
+        student.removeprefix("id-"): Seen(
+            row, plain(pages[student]), pages[student], html.unescape(comments.get(row["name"], "")), results[student]
+        )
+        for student, row in found.items()
+        if student != "zz-other"
+    }
+
+
+def test_every_state_below_full_points_says_why_in_every_place(seen):
+    for student, told in seen.items():
+        assert len(told.raw.encode()) <= 40_000, student
+        if told.row["points"] == "100.00":
+            assert told.row["sentence"] == told.comment == "", student
+            continue
+        assert told.row["sentence"], student
+        assert told.comment == told.row["sentence"], student
+        for sentence in re.split(r"(?<=[.:”]) (?=[A-Z])", told.row["sentence"]):
+            assert plain(html.escape(sentence)).strip(" ’'") in told.page.replace(" .", "."), (student, sentence)
+        for part, most in PARTS.items():
+            if told.row[part] and float(told.row[part]) < most and told.row["status"].startswith("graded"):
+                assert f"{part.title()}: {float(told.row[part]):g} of {most:g} points" in told.row["sentence"], student
+        texts = json.loads(told.platform)
+        said = " ".join([texts["output"], *(test["output"] for test in texts["tests"])])
+        assert all(word in said for word in told.row["sentence"].split()), student
+
+
+def test_counts_are_those_of_the_files(seen, handed_in):
+    start = {(0, column) for column in range(3)}
+    counted = 0
+    for student, (_, truth) in handed_in.items():
+        for cells, wrong, missing, _ in COUNTS.findall(seen[student].row["sentence"]):
+            counted += 1
+            assert int(cells) == ROWS * 7 - 3
+            if truth.wrong is not None and truth.counted:
+                assert int(wrong) == len(truth.wrong - start), student
+            if truth.counted:
+                assert int(missing) == len(truth.absent - start), student
+    assert counted > 20
+    assert not COUNTS.search(seen["right"].row["sentence"])
+    assert "Start values in row 1 that are not those of the task: 1." in seen["start"].row["sentence"]
+
+
+def test_cells_right_from_own_numbers_are_those_off_the_key(seen):
+    """Counted here: what is neither the key's to the last printed place nor wrong."""
+    slack = 0.505e-4 + 2e-4 * np.ptp(RIGHT, axis=0)
+    for student, table in (("slip", students.slip(10, 1, 1.05)), ("m-heun", students.table(students.heun))):
+        off = np.abs(np.round(table, 4) - RIGHT) > slack
+        _, wrong, _, carried = map(int, COUNTS.search(seen[student].row["sentence"]).groups())
+        assert wrong + carried == int(off[1:].sum() + off[0, 3:].sum()), student
+
+
+def test_sums_give_the_points_and_name_every_cell_that_does_not_count(seen):
+    sums = 0
+    for student, told in seen.items():
+        text = told.row["sentence"]
+        for part, points, most in SUM.findall(text):
+            sums += 1
+            assert float(points) == float(told.row[part.lower()]), student
+            first, second, sign, third = FACTORS.search(text[text.index(f"{part}: {points} of") :]).groups()
+            value = float(first) * float(second) * (float(third) if sign == "·" else 1 / float(third))
+            assert float(first) == float(most)
+            assert value == pytest.approx(float(points), abs=0.0051), student
+        if found := re.search(r"of the (\d+) cells ([\d.]+) count", text):
+            _, wrong, missing, _ = map(int, COUNTS.search(text).groups())
+            shut = sum(map(int, SHUT.findall(text)))
+            start = sum(map(int, START.findall(text)))
+            assert int(found[1]) - wrong - missing - shut - start == int(found[2]), student
+    assert sums > 30
+
+
+def test_what_is_named_was_changed(seen, handed_in):
+    for student, (_, truth) in handed_in.items():
+        told = seen[student].row
+        cell = re.match(r"row (\d+) (\w+)", told["first_wrong"])
+        named = re.search(r"Row (\d+): .*?\b(phi\d|w\d)\b", told["sentence"])
+        if truth.wrong:
+            place = (int(cell[1]) - 1, NAMES.index(cell[2]))
+            assert place in truth.wrong, student
+            assert place[0] == min(row for row, _ in truth.wrong), student
+        elif truth.wrong is not None:
+            assert not told["first_wrong"], student
+        if cell:
+            assert f"Row {cell[1]}: " in told["sentence"]
+            assert cell[2] in told["sentence"]
+            assert named, student
+        for sentence in truth.said:
+            assert sentence in told["sentence"] or sentence in seen[student].page, (student, sentence)
+        if truth.code:
+            assert told["misconception"] == truth.code or truth.code in seen[student].page or told["misconception"], student
+    assert "columns phi1 and phi2 were exchanged." in seen["m-swapped-columns"].row["sentence"]
+
+
+def test_lines_and_signs_are_those_that_were_changed(seen, handed_in):
+    for student, (files, truth) in handed_in.items():
+        told = seen[student].row["sentence"]
+        for key, lines in (("is not right", truth.lines), ("earns nothing", truth.idle), ("could not be read", truth.unread)):
+            found = re.findall(rf"Line (\d+) of the equations {key}", told)
+            assert tuple(map(int, found)) == lines, (student, key)
+        if truth.sign:
+            line, column = truth.sign
+            assert f"Line {line} of the equations is not right. A sign at column {column} would make it right" in told, student
+            assert files["equations.txt"].decode().split("\n")[line - 1].strip("$ ")[column - 1] in "+-"
+
+
+def test_steps_said_to_follow_euler_do(seen, handed_in):
+    """Counted here from the printed numbers: a step is the angle before and the step times the velocity before."""
+    said = re.compile(r"All (\d+) steps|Of (\d+) steps of the coordinates (\d+) follow")
+    for student, (files, _) in handed_in.items():
+        if (
+            student.startswith(("degrees", "long", "no-"))
+            or "table.csv" not in files
+            or not (found := said.search(seen[student].page))
+        ):
+            continue
+        rows = [line.replace(",", ".").split(";")[1:] for line in files["table.csv"].decode().splitlines()[1:]]
+        table = np.array(rows, dtype=float)
+        decimals = len(rows[1][0].partition(".")[2])
+        speeds = np.maximum(np.abs(table[:-1, 3:6]), 0.05 * np.ptp(RIGHT[:, 3:6], axis=0))
+        allowed = 0.505 * (2 + students.H) * 10.0**-decimals + 2e-4 * students.H * speeds
+        follow = np.abs(table[1:, :3] - table[:-1, :3] - students.H * table[:-1, 3:6]) <= allowed + 1e-12
+        steps, held = int(found[1] or found[2]), int(found[1] or found[3])
+        assert (held, steps) == (int(follow.sum()), follow.size), student
+
+
+def test_nobody_else_is_named(seen):
+    for student, told in seen.items():
+        others = {f"id-{other}" for other in seen if other != student} | {"zz-other", "Zed", "Zzyzx", "s02"}
+        others |= {seen[other].row["name"] for other in seen if other != student}
+        for place in (told.raw, told.row["sentence"], told.comment, told.platform):
+            assert [other for other in others if re.search(rf"(?<![\w-]){re.escape(other)}(?![\w-])", place)] == [], student
+    assert "the table belongs to another variant of the class" in seen["another"].page
+    assert seen["another"].row["misconception"] == "variant_s02"
+
+
+def test_what_was_never_said_truly_is_gone(seen):
+    for student, told in seen.items():
+        for phrase in ("too many to be slips", "slips of the pen", "rows of the task.", "do not follow Euler", "too few to show"):
+            assert phrase not in told.page, (student, phrase)
+        assert ("None of the usual causes" in told.page) == (student in {"forty", "zeros", "repeated"}), student
+    assert "are not marked yet" in seen["unread"].page
+    assert "of the 4 needed" not in seen["unread"].page
+    assert EQUATIONS[0] in seen["unread"].page
