@@ -125,8 +125,9 @@ def _panel(context: PageContext, rows: Rows) -> Panel:
     symbol = context.symbol(rows.name)
     stop = [np.array([run.stop.time])] if run.stop is not None else []
     field = field_for(SIZE, [rows.t, rows.curve_t, *stop], [rows.values, rows.curve], context.numbers)
-    label = letters(symbol) + (f", {escape(unit)}" if unit else "")
-    inside = axes(field, context.numbers, label, context.unit("s"))
+    label = letters(symbol) + escape(context.words.behind(unit))
+    time = letters(context.symbol("t")) + escape(context.words.behind(context.unit("s")))
+    inside = axes(field, context.numbers, label, time)
     if run.stop is not None:
         x = field.x(run.stop.time)
         inside += f'<path {STOP_PEN} d="M{x:.2f} {graph_paper.TOP:g}V{field.height - graph_paper.BOTTOM:g}"/>'
