@@ -26,8 +26,8 @@ def joined(tables: Sequence[DocumentTable], columns: Sequence[tuple[str, str]]) 
     """Return the tables with those put together that are one."""
     out: list[DocumentTable] = []
     for table in tables:
-        body = [row for row in table.rows if _is_body(row)]
-        if out and body and _same_heads(out[-1].rows, table.rows, columns) and _goes_on(out[-1].rows, body):
+        body = [row for row in table.rows if _is_body(row)] if out else []
+        if body and _same_heads(out[-1].rows, table.rows, columns) and _goes_on(out[-1].rows, body):
             out[-1] = replace(out[-1], rows=(*out[-1].rows, *body))
         else:
             out.append(table)

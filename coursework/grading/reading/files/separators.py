@@ -92,6 +92,10 @@ def _between_blanks(lines: list[str], most: int) -> tuple[tuple[str, ...], ...]:
     numeric = [bool(row) and all(map(looks_numeric, row)) for row in rows]
     widths = Counter(len(row) for row, is_numeric in zip(rows, numeric, strict=True) if is_numeric)
     usual = max(widths, key=lambda width: (widths[width], width), default=0)
+    first = [row[0] for row, is_numeric in zip(rows, numeric, strict=True) if is_numeric and len(row) == usual]
+    if usual > 2 and len(first) > 1 and any(first == [str(k + start) for k in range(len(first))] for start in (0, 1)):
+        # A printed data frame numbers its rows and has no head above the numbers.
+        rows = [row if is_numeric or len(row) != usual - 1 else ("", *row) for row, is_numeric in zip(rows, numeric, strict=True)]
     if len(widths) < 2 or usual < 3:
         return tuple(rows)
     whole = [matches for matches, row, is_numeric in zip(found, rows, numeric, strict=True) if is_numeric and len(row) == usual]
