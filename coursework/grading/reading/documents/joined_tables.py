@@ -60,10 +60,11 @@ def _goes_on(first: Sequence[_Row], second: Sequence[_Row]) -> bool:
     """Return whether one of the first two columns rises in steps and the second table begins one step after the first ends."""
     for place in (0, 1):
         before = [value for row in first if _is_body(row) for value in _number(row, place)]
-        after = [value for row in second[:1] for value in _number(row, place)]
-        if len(before) < 2 or not after:
+        after = [value for row in second for value in _number(row, place)]
+        steps = [later - earlier for numbers in (before, after) for earlier, later in pairwise(numbers)]
+        if not before or not after or not steps:
             continue
-        step = median(later - earlier for earlier, later in pairwise(before))
+        step = median(steps)
         if step > 0 and abs(after[0] - before[-1] - step) <= _STEP * step:
             return True
     return False

@@ -39,9 +39,12 @@ class _Reader:
             self.document.add_table(
                 (row[: self.most_columns] for row in rows[: self.most_rows]), place_of("entry", name=path[:80] or "[]")
             )
-        elif isinstance(value, JsonObject):
+        if isinstance(value, JsonObject):
             for name, inner in value.pairs[:_MOST_RECORDS]:
-                self._named(name, inner, f"{path}.{name}" if path else name)
+                if not rows or _is_texts(inner):
+                    self._named(name, inner, f"{path}.{name}" if path else name)
+        elif rows:
+            return
         elif isinstance(value, list):
             for number, inner in enumerate(value[:_MOST_RECORDS], start=1):
                 self._named("", inner, f"{path}[{number}]")
@@ -55,7 +58,7 @@ class _Reader:
             self.document.add_line(f"{name} = {value}" if name else "", place)
         elif isinstance(value, str):
             for line in value.split("\n"):
-                self.document.add_line(line if "=" in line else f"{name} = {line}", place)
+                self.document.add_line(f"{name} = {line}" if name and "=" not in line else line, place)
 
     def _rows(self, value: Any) -> list[Sequence[Cell]]:
         """Return a value as rows of cells, a head first where there is one; nothing where it is no table."""
@@ -71,8 +74,9 @@ class _Reader:
 
     def _columns(self, value: JsonObject) -> list[Sequence[Cell]]:
         """Return columns by name: each a list, or numbered entries; records by number are the same the other way round."""
-        columns = [(name, inner) for name, inner in value.pairs if isinstance(inner, (list, JsonObject)) and _flat(inner)]
-        if len(columns) < 2 or len(columns) < sum(isinstance(inner, (list, JsonObject)) for _, inner in value.pairs):
+        found = [(name, inner) for name, inner in value.pairs if isinstance(inner, (list, JsonObject)) and not _is_texts(inner)]
+        columns = [(name, inner) for name, inner in found if _flat(inner)]
+        if len(columns) < 2 or len(columns) < len(found):
             return []
         if all(isinstance(inner, JsonObject) for _, inner in columns):
             first: Any = columns[0][1]
@@ -104,6 +108,12 @@ def _records(records: list[Any]) -> list[Sequence[Cell]]:
 def _lists(rows: list[Any]) -> list[Sequence[Cell]]:
     found = [[_cell(entry) for entry in row] for row in rows[:_MOST_RECORDS] if isinstance(row, list) and _flat(row)]
     return list(found) if len(found) > 1 and len(found) == len(rows[:_MOST_RECORDS]) else []
+
+
+def _is_texts(value: Any) -> bool:
+    """Return whether a value is a text or a list of texts that holds an equation."""
+    texts = value if isinstance(value, list) else [value]
+    return any(isinstance(text, str) and not isinstance(text, JsonNumber) and "=" in text for text in texts)
 
 
 def _flat(value: Any) -> bool:
