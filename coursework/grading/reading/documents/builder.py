@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field
 
-from coursework.grading.reading.documents.document import Document, place_of
+from coursework.grading.reading.documents.document import MOST_LINES, Document, place_of
 from coursework.grading.reading.documents.formula_text import equations_in, on_one_line
 from coursework.grading.reading.documents.signs import plain_signs
 from coursework.grading.reading.files.cells import BlankRows, Cell
@@ -67,6 +67,8 @@ class DocumentBuilder:
             return
         if not self._tables:
             self._number += 1
+            if self._number > MOST_LINES:
+                return
             add_lines(self.document, pieces, place_of("paragraph", number=self._number))
             return
         table = self._tables[-1]

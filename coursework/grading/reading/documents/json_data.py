@@ -15,7 +15,7 @@ from coursework.grading.reading.files.cells import Cell
 from coursework.grading.reading.limits import CELL_CHARACTERS
 
 LEVELS = 6
-_MOST_RECORDS = 10_000
+_MOST_VALUES, _MOST_RECORDS, _MOST_NAMES = 20_000, 10_000, 1000
 _NOT_NUMBERS = {"NaN", "Infinity", "-Infinity"}
 
 
@@ -31,9 +31,13 @@ class _Reader:
 
     def __init__(self, document: Document, most_rows: int, most_columns: int) -> None:
         self.document, self.most_rows, self.most_columns = document, most_rows, most_columns
+        self.visited = 0
 
     def read(self, value: Any, path: str) -> None:
         """Add what stands in a value; `path` are the names that lead to it."""
+        self.visited += 1
+        if self.visited > _MOST_VALUES:
+            return
         rows = self._rows(value)
         if rows:
             self.document.add_table(
@@ -51,12 +55,16 @@ class _Reader:
 
     def _named(self, name: str, value: Any, path: str) -> None:
         """Add a text that may be an equation, a named number that may be an answer, or what is inside."""
-        place = place_of("entry", name=path[:80])
+        self.visited += 1
         if isinstance(value, (JsonObject, list)):
             self.read(value, path)
-        elif isinstance(value, JsonNumber):
+            return
+        if not isinstance(value, str) or self.visited > _MOST_VALUES:
+            return
+        place = place_of("entry", name=path[:80])
+        if isinstance(value, JsonNumber):
             self.document.add_line(f"{name} = {value}" if name else "", place)
-        elif isinstance(value, str):
+        else:
             for line in value.split("\n"):
                 self.document.add_line(f"{name} = {line}" if name and "=" not in line else line, place)
 
@@ -83,10 +91,10 @@ class _Reader:
             inner_names = [name for name, _ in first.pairs]
             if all(name.isdecimal() for name, _ in columns) or not all(_is_label(name) for name in inner_names):
                 return _records([inner for _, inner in columns])
-        lists = [[_cell(entry) for entry in _entries(inner)[: self.most_rows]] for _, inner in columns]
+        lists = [[_cell(entry) for entry in _entries(inner)[: self.most_rows]] for _, inner in columns[: self.most_columns]]
         longest = max(map(len, lists))
         padded = [column + [Cell("")] * (longest - len(column)) for column in lists]
-        return [[Cell(name[:CELL_CHARACTERS]) for name, _ in columns], *map(list, zip(*padded, strict=True))]
+        return [[Cell(name[:CELL_CHARACTERS]) for name, _ in columns[: self.most_columns]], *map(list, zip(*padded, strict=True))]
 
 
 def _records(records: list[Any]) -> list[Sequence[Cell]]:
@@ -98,6 +106,8 @@ def _records(records: list[Any]) -> list[Sequence[Cell]]:
         row = [Cell("")] * len(names)
         for name, value in record.pairs[:_MOST_RECORDS]:
             seen[name] = seen.get(name, 0) + 1
+            if len(names) >= _MOST_NAMES and (name, seen[name]) not in names:
+                continue
             at = names.setdefault((name, seen[name]), len(names))
             row += [Cell("")] * (at + 1 - len(row))
             row[at] = _cell(value)
