@@ -1,4 +1,4 @@
-"""Euler-scheme teaching tool for two-degree-of-freedom mechanism coursework.
+"""Teaching tool for coursework on plane mechanisms: velocity equations, a table by a scheme, checks, report.
 
     import coursework
     run = coursework.solve("31")        # Run: .table (pandas), .checks, .stop

@@ -92,7 +92,7 @@ def _tell(key: str) -> None:
 @click.group(cls=Program, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(package_name="coursework", prog_name="coursework")
 def main() -> None:
-    """Euler-scheme coursework of two-degree-of-freedom mechanisms: table, plots, checks, report."""
+    """Coursework on plane mechanisms: velocity equations, a table by a scheme, checks, plots, report."""
 
 
 @main.command("run", cls=CommandWithTemplates)

@@ -240,6 +240,8 @@ def summary_lines(ordered: Sequence[Outcome]) -> Iterator[str]:
         yield f"{each.item.folder:<{width}}  {each.status:>6}  {each.rows:>6}  {counts}{why}"
     counted = Counter(each.status for each in ordered)
     found = [say("screen.counted", count=counted[status], status=status) for status in sorted(counted)]
+    if [*counted] == [0]:
+        found = [say("screen.all_counted", count=len(ordered))]
     yield say("screen.summary", count=len(ordered), counts=joined(found, "join.comma"))
 
 

@@ -33,7 +33,7 @@ const panels = {
       svg("rect", { width: WIDE, height: HIGH, fill: "#fff" }, panel);
       panel.dataset.box = `${LEFT} ${TOP} ${RIGHT} ${BOTTOM}`;
       panel.dataset.time = `0 ${data.end}`;
-      const told = [label(name), data.unit_words[name]].filter(Boolean).join(", ");
+      const told = label(name) + data.behind[name];
       panel.setAttribute("aria-label", told);
       const title = svg("text", { x: LEFT + 4, y: 17, class: "live-title" }, panel);
       symbolic(title, told);
@@ -47,7 +47,7 @@ const panels = {
       }
       svg("path", { d: path }, axes);
       const time = svg("text", { x: RIGHT, y: HIGH - 5, "text-anchor": "end", class: "live-title" }, panel);
-      symbolic(time, `${label("t")}, ${data.unit_words.t}`);
+      symbolic(time, label("t") + data.behind.t);
       const scale = svg("g", {}, axes);
       const clip = svg("svg", { x: 0, y: TOP - 3, width: WIDE, height: BOTTOM - TOP + 6, viewBox: `0 ${TOP - 3} ${WIDE} ${BOTTOM - TOP + 6}` }, panel);
       const line = svg("path", { class: "live-true" }, clip), rows = svg("path", { class: "live-table" }, clip);

@@ -138,6 +138,7 @@ class _Inset:
                 tips.append((tip, image(end) if kind == "absolute" else image(start) + image(end)))
         for tip, name in tips:
             sheet.label((name, "", ""), [(tip, tip - pole, 0.8)], ITALIC)
+        sheet.words.append((corner.real, corner.imag, right, bottom))  # no word of the plan beside it crosses its border
 
 
 def _pole(plan: str, still: str) -> Word:

@@ -96,7 +96,8 @@ def _folded(parts: list[Piece]) -> str:
     lines: list[list[str]] = [[]]
     room = LINE
     for width, source in parts:
-        if lines[-1] and width > room:
+        # A left side no wider than the indent stays: below it the line would be no shorter.
+        if lines[-1] and width > room and (len(lines) > 1 or LINE - room > INDENT):
             lines.append([])
             room = LINE - INDENT
         lines[-1].append(source)

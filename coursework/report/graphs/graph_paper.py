@@ -158,8 +158,8 @@ def words(x: float, y: float, inside: str, anchor: str = "start", more: str = ""
     return f'<text x="{x:.2f}" y="{y:.2f}" text-anchor="{anchor}"{more}>{inside}</text>'
 
 
-def axes(field: Field, numbers: Numbers, label: str, unit: str) -> str:
-    """Return frame, ticks, zero line and the words of a graph; `label` stands above, t and its `unit` at the end of its axis."""
+def axes(field: Field, numbers: Numbers, label: str, time: str) -> str:
+    """Return frame, ticks, zero line and the words of a graph; `label` stands above, `time` at the end of its axis."""
     left, right, top, bottom = field.left, field.width - RIGHT, TOP, field.height - BOTTOM
     parts = [f'<path class="axis" fill="none" stroke="{INK}" stroke-width="0.2" d="M{left:g} {top}V{bottom}H{right}"/>']
     if field.low < 0 < field.high:
@@ -175,7 +175,7 @@ def axes(field: Field, numbers: Numbers, label: str, unit: str) -> str:
         parts.append(f'<path class="axis" stroke="{INK}" stroke-width="0.2" d="M{x:.2f} {bottom}v{TICK}"/>')
         if x + 0.95 * len(text) <= right - TIME_ROOM:
             parts.append(words(x, bottom + TICK + 3.0, text, "middle"))
-    parts.append(words(right, bottom + TICK + 3.0, f'<tspan font-style="italic">t</tspan>, {escape(unit)}', "end"))
+    parts.append(words(right, bottom + TICK + 3.0, time, "end"))
     parts.append(words(left + 1.2, TOP - 2.2, label))
     return "".join(parts)
 

@@ -23,8 +23,8 @@ from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import title_of
 from coursework.report.graphs.graph_paper import SCHEME_INK
 from coursework.report.graphs.moving_shape import Shape, draw_ground
-from coursework.report.text.numbers import unit_text
 from coursework.report.text.symbols import Symbol, symbol
+from coursework.report.text.words import Words
 from coursework.scene.scene_run import SceneRun
 from coursework.words.data_folders import folder
 from coursework.words.errors import InputError
@@ -99,7 +99,7 @@ def moving_picture(run: SceneRun, exact: Motion, phrases: Phrases) -> bytes:
         FigureCanvasAgg(figure)
         field, graph = figure.add_axes((0.01, 0.02, 0.6, 0.9)), figure.add_axes((0.7, 0.15, 0.28, 0.62))
         size = _window(field, outline, poses)
-        cursor = _graph(graph, run, table, exact)
+        cursor = _graph(graph, run, table, exact, Words(phrases))
         draw_ground(field, outline, poses, size)
         shapes = [Shape(field, outline, each, size) for each in poses]
         scheme = phrases.written(title_of(run.tableau)) if run.tableau else table.scheme
@@ -139,7 +139,7 @@ def _window(field: Axes, outline: Outline, poses: tuple[Poses, Poses]) -> float:
     return size
 
 
-def _graph(axes: Axes, run: SceneRun, table: Motion, exact: Motion) -> Line2D:
+def _graph(axes: Axes, run: SceneRun, table: Motion, exact: Motion, words: Words) -> Line2D:
     """Draw the coordinate whose table is farthest from the motion, and return the cursor."""
     gaps = [
         np.max(np.abs(np.interp(exact.t, table.t, a) - b)) for a, b in zip(table.coordinates.T, exact.coordinates.T, strict=True)
@@ -147,7 +147,8 @@ def _graph(axes: Axes, run: SceneRun, table: Motion, exact: Motion) -> Line2D:
     name = table.coordinate_names[int(np.argmax(gaps))]
     axes.plot(exact.t, exact.column(name), color="black", linewidth=1.4)
     axes.plot(table.t, table.column(name), color=SCHEME_INK, marker="o", markersize=3, linewidth=0.8)
-    axes.set_title(f"{label_text(symbol(name))}, {unit_text(run.variant.unit_of(name))}", fontsize=9, loc="left")
-    axes.set_xlabel(f"t, {unit_text(run.variant.unit_of('t'))}", fontsize=8)
+    behind, in_time = (words.behind(words.unit(run.variant.unit_of(column))) for column in (name, "t"))
+    axes.set_title(label_text(symbol(name)) + behind, fontsize=9, loc="left")
+    axes.set_xlabel(f"t{in_time}", fontsize=8)
     axes.tick_params(labelsize=7)
     return axes.axvline(0.0, color=ORANGE, linewidth=1.0)

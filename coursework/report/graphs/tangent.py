@@ -52,8 +52,9 @@ def tangent_figure(context: PageContext, step: LocalError) -> Figure | None:
         return None
     unit = context.unit(step.unit)
     symbol = context.symbol(step.column)
-    label = letters(symbol) + (f", {escape(unit)}" if unit else "")
-    inside = axes(field, context.numbers, label, context.unit("s"))
+    label = letters(symbol) + escape(context.words.behind(unit))
+    time = letters(context.symbol("t")) + escape(context.words.behind(context.unit("s")))
+    inside = axes(field, context.numbers, label, time)
     inside += f'<path {EXACT_PEN} d="{field.path(t, curve)}"/>'
     line = field.path(np.array([foot[0], top[0]]), np.array([foot[1], top[1]]))
     inside += f'<path {TANGENT_PEN} d="{line}"/>'

@@ -17,6 +17,7 @@ from coursework.report.live.functions import live_functions
 from coursework.report.live.numbers import live_numbers
 from coursework.report.live.script import embedded, hash_of, script_of
 from coursework.report.live.sliders import sliders_of
+from coursework.report.text.words import Words
 from coursework.scene.scene_run import SceneRun
 from coursework.words.line_ends import marked
 from coursework.words.sentences import Phrases, load_phrases
@@ -89,13 +90,15 @@ def _said(
     """Return the outline and the words of the page."""
     variant = run.variant
     names = ["t", *variant.columns, *variant.values, *drawn.data["shown_points"]]
+    units = {name: unit(variant.unit_of(name)) for name in ("t", *variant.columns)}
     words = {key: marked(words) for key, words in _words(phrases).items()} | {
         f"scheme_{scheme.name}": phrases.written(title_of(scheme)) for scheme in SCHEMES.values()
     }
     return drawn.data | {
         "words": words,
         "labels": {name: text for name in names if (text := label(name)) != name},
-        "unit_words": {name: unit(variant.unit_of(name)) for name in ("t", *variant.columns)},
+        "unit_words": units,
+        "behind": {name: Words(phrases).behind(text) for name, text in units.items()},
         "decimal": phrases.template("decimal"),
         "language": phrases.language,
     }

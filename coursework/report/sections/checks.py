@@ -101,7 +101,7 @@ def _lines(context: PageContext, check: Finding) -> tuple[list[str], list[list[C
         table: list[list[Cell]] = []
         for head in rows:
             unit = context.unit(context.told(next(iter(units[head]))))
-            label = [*_label(context, head), *([{"t": f", {unit}"}] if unit else [])]
+            label = [*_label(context, head), *([{"t": context.words.behind(unit)}] if unit else [])]
             table.append([label, *(values[head, tail] for tail in columns)])
         return ["", *(clean(column) for column in columns)], table
     kept = [check.rows[index] for index in thinned(len(check.rows), most=MOST_LINES)]

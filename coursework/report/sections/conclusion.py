@@ -159,7 +159,7 @@ def _extremes(context: PageContext) -> list[Part]:
         place = exact.coordinate_names.index(coordinate.name)
         ends = [TurningPoint(float(exact.t[row]), float(exact.coordinates[row, place]), tuple(exact.coordinates[row].tolist()))
                 for row in (0, -1)]  # fmt: skip
-        line: list[Cell] = [context.symbol_runs([coordinate.name], f", {context.unit(coordinate.unit)}")]
+        line: list[Cell] = [context.symbol_runs([coordinate.name], context.words.behind(context.unit(coordinate.unit)))]
         for extreme in (min, max):
             point = extreme([*points, *ends], key=lambda one: one.value)
             line.append(numeral(context.numbers.scalar(point.value, DIGITS)))

@@ -125,8 +125,9 @@ def _panel(context: PageContext, rows: Rows) -> Panel:
     symbol = context.symbol(rows.name)
     stop = [np.array([run.stop.time])] if run.stop is not None else []
     field = field_for(SIZE, [rows.t, rows.curve_t, *stop], [rows.values, rows.curve], context.numbers)
-    label = letters(symbol) + (f", {escape(unit)}" if unit else "")
-    inside = axes(field, context.numbers, label, context.unit("s"))
+    label = letters(symbol) + escape(context.words.behind(unit))
+    time = letters(context.symbol("t")) + escape(context.words.behind(context.unit("s")))
+    inside = axes(field, context.numbers, label, time)
     if run.stop is not None:
         x = field.x(run.stop.time)
         inside += f'<path {STOP_PEN} d="M{x:.2f} {graph_paper.TOP:g}V{field.height - graph_paper.BOTTOM:g}"/>'
@@ -139,7 +140,8 @@ def _panel(context: PageContext, rows: Rows) -> Panel:
     is_known = len(rows.curve) and rows.name in (extremes := run.scene.extremes)
     ends = extremes[rows.name] if is_known else (float(rows.values.min()), float(rows.values.max()))
     low, high = (context.quantity(value, unit, 4) for value in ends)
-    alt = words("graphs.alt" if is_known else "graphs.alt_rows", symbol=symbol.text, low=low, high=high)
+    spread = "graphs.alt" if is_known else "graphs.alt_rows"
+    alt = words(spread if low != high else "graphs.alt_constant", symbol=symbol.text, low=low, high=high)
     return Panel(rows.name, sheet(field, inside), alt)
 
 

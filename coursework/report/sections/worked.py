@@ -17,6 +17,7 @@ from coursework.equations.reduction.symbolic import expanded, symbol
 from coursework.equations.reduction.tidy import as_sum, product, quotient
 from coursework.motion.geometry.time_derivatives import acceleration_rest, compile_rows, derivative, second_rate
 from coursework.report.formulas.display import display
+from coursework.report.text.numbers import THIN
 from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Display, Equations, Paragraph, Part
 from coursework.scene.quantities import ACCELERATIONS, ANALOGS, INVARIANTS, POINTS
@@ -106,7 +107,7 @@ def _coriolis(context: PageContext, rests: list[Any]) -> list[str]:
     turns = [c.rate for c in variant.coordinates if c.unit == "rad"]
     terms = [term for rest in rests for term in rest.expand().as_ordered_terms()]
     found = [(u, w) for u in slides for w in turns if any({symbol(u), symbol(w)} <= term.free_symbols for term in terms)]
-    return [f"2{context.lettering(u)}{context.lettering(w)}" for u, w in found]
+    return [THIN.join(("2", context.lettering(w), context.lettering(u))) for u, w in found]
 
 
 def _points(context: PageContext, extra: ExtraTable) -> list[Part]:

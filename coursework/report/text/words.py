@@ -52,6 +52,12 @@ class Words:
         """Return a unit such as "rad/s" as this language writes it, "рад/с"."""
         return unit_text(self.phrases.unit(unit))
 
+    def behind(self, unit: str) -> str:
+        """Return what stands behind a symbol at an axis or in a head: ", rad/s" or "/(rad/s)"; nothing without a unit."""
+        join = self("join.unit")
+        whole = f"({unit})" if "/" in join and "/" in unit else unit
+        return join + whole if unit else ""
+
     def amount(self, number: str, unit: str) -> str:
         """Return a number with its unit behind it, as this language writes it."""
         return self("amount.percent", value=number) if unit == "%" else with_unit(number, self.phrases.unit(unit))

@@ -151,6 +151,15 @@ def test_a_long_sum_continues_on_the_next_line() -> None:
     draw([source])
 
 
+def test_a_left_side_no_wider_than_the_indent_is_no_line_of_its_own() -> None:
+    """A product that just does not fit would be no shorter below it; below a longer left side it is."""
+    wide = parse("0.06*9.42478^2*sin(1.309)*1.98834*0.115662*0.278389*1.41421356*2.71828")
+    assert display._width(wide, typst_math.Setter(typst=False)) > display.LINE - 4
+    for name, left in (("w4", "ω_4"), ("r1*w4", "r_1 ω_4")):
+        assert display.math_equation(parse(name), wide).startswith(f"& {left} = ")
+    assert display.math_equation(parse("r1*w4 + r3"), wide).startswith(r"& r_1 ω_4 + r_3 \ & quad = ")
+
+
 def test_a_wide_quotient_becomes_a_short_one_before_brackets(reading: ModuleType) -> None:
     terms = " + ".join(f"r{i}*w{i}*cos(phi{i} - phi{i + 1})*sin(alpha)" for i in range(1, 9))
     tree = parse(f"-r1*({terms})/(r2*sin(phi1 - phi2))")

@@ -17,7 +17,9 @@ from click.testing import CliRunner
 
 import coursework
 from coursework.commands.cli import main
+from coursework.report.formulas.display import marked
 from coursework.report.pages import build_model, render_html
+from coursework.report.text.parts import Display
 from coursework.words.sentences import load_phrases, say
 from tests.report.words_missing import languages, read
 
@@ -57,23 +59,22 @@ CYRILLIC = ("ru", "uk")
 # A number and a unit in Latin letters; "h" of a step, what is typed and what is code are no units.
 _LATIN_UNIT = re.compile(r"\d[\u00a0 ](?:m|s|mm|rad|deg|rpm|m/s|rad/s|1/s|m/s²|rad/s²)(?![\w/=.])")
 _WRONG = {
-    "ru": ("из полюс ", "само движение", "точка смены", "привод", "проекция Ньютона", "решает округление", "доля схемы", "1/с"),
-    "uk": ("із полюс ", "пришвидшен", "сам рух", "точка зміни", "привод", "проекці", "зі зустрінутих", "1/с"),
-    "zh": (
-        "格式",
-        "变体",
-        "标度",
-        "精确运动",
-        "真实运动",
-        "装配形式",
-        "装配方式",
-        "导轨",
-        "滑道",
-        "驱动",
-        "阿苏尔杆组基本",
-        "幻灯片",
+    "ru": (
+        "из полюс ", "само движение", "точка смены", "привод", "проекция Ньютона", "решает округление", "доля схемы", "1/с",
+        "истинн", "гармоники несут", "лишь грубо", "Звенья сходятся", "таблицы Эйлера", "вместе с периодом", "по подобию",
+        "наименьшей длины", "чертежа. Его", "не близка к движению", "плеч (звено",
     ),
-}
+    "uk": (
+        "із полюс ", "пришвидшен", "сам рух", "точка зміни", "привод", "проекці", "зі зустрінутих", "1/с", "істинн",
+        "гармоніки несуть", "лише грубо", "Ланки сходяться", "таблиці Ейлера", "разом із періодом", "за подібністю",
+        "найменшої довжини", "креслення. Його", "не близька до руху", "плечей (ланка", "у мить рядка", "слідує за", "в'яз",
+        "в'яж",
+    ),
+    "zh": (
+        "格式", "变体", "标度", "精确运动", "真实运动", "装配形式", "装配方式", "导轨", "滑道", "驱动", "阿苏尔杆组基本",
+        "幻灯片", "科里奥利", "首行", "末行", "作图校核", "粗略的意义", "转得最快的角", "水平坐标", "主动点",
+    ),
+}  # fmt: skip
 
 
 def text_of(page: str) -> str:
@@ -106,7 +107,9 @@ def test_no_page_says_what_no_professor_says(name: str, language: str) -> None:
 def test_the_words_themselves_do_not_say_it_either(language: str) -> None:
     file_formats = {"fault.C015", "fault.W011", "new.format"}  # a format of a file is one
     said = {key: text for key, text in read(language).items() if key not in file_formats and not key.startswith("sheet.part")}
-    found = {key: wrong for key, text in said.items() for wrong in _WRONG[language] if re.search(rf"{wrong}(?!ит|ят)", text)}
+    found = {
+        key: wrong for key, text in said.items() for wrong in _WRONG[language] if re.search(rf"{re.escape(wrong)}(?!ит|ят)", text)
+    }
     assert found == {}
 
 
@@ -174,3 +177,76 @@ def test_a_function_in_cyrillic_letters_is_told_in_latin(language: str, said: st
     with pytest.raises(coursework.InputError) as refused:
         coursework.parse_variant(SHAPER.replace('w1 = "w"', 'w1 = "w*син(t)"'))
     assert said in refused.value.told(load_phrases(language).written)
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("ru", "проекции плеч звена 3 взаимно уничтожаются"), ("uk", "проєкції плечей ланки 3 взаємно знищуються"),
+        ("ru", "наибольшая погрешность 70 % размаха (0,2 рад) у φ1"), ("uk", "найбільша похибка 70 % розмаху (0,2 рад) у φ1"),
+        ("zh", "最大误差为基准范围（0.2 rad）的 70%（φ1，第 20 行）"),
+        ("ru", "с прежним шагом (погрешность 0,005 %)"), ("uk", "з попереднім кроком (похибка 0,005 %)"), ("zh", "步长不变"),
+        ("ru", "Вариант 31. Катящееся"), ("uk", "Варіант 31. Колесо"),
+    ],
+)  # fmt: skip
+def test_cases_and_order_behind_a_gap_are_those_of_the_language(language: str, said: str) -> None:
+    assert said in " ".join(report("31", language).split())
+
+
+@pytest.mark.parametrize("language", ["en", "ru", "uk", "zh"])
+def test_what_the_harmonics_carry_is_one_figure_wherever_it_is_said(language: str) -> None:
+    page = report("31", language).replace("\u00a0", " ")
+    spaced = {"en": "99.68 %", "ru": "99,68 %", "uk": "99,68 %", "zh": "99.68%"}[language]
+    assert page.count(spaced) >= 2  # in the list of checks and in its sentence
+
+
+@pytest.mark.parametrize("language", CYRILLIC)
+@pytest.mark.parametrize("name", ["example-4", "shaper"])
+def test_every_decimal_of_a_row_worked_through_has_a_comma(name: str, language: str) -> None:
+    chosen = coursework.parse_variant(SHAPER) if name == "shaper" else coursework.load(name)
+    asked = ["table", "accelerations", "points", "analogs"]
+    page = render_html(build_model(coursework.solve(chosen, quantities=asked), language))
+    spoken = [html.unescape(label) for label in re.findall(r'aria-label="([^"]*)"', page)]
+    assert any("²" in label and "," in label for label in spoken)
+    assert [label for label in spoken if re.search(r"\d\.\d", label)] == []
+
+
+def test_a_point_within_a_longer_number_is_no_decimal_sign() -> None:
+    shown = marked(Display("a = 2.5^(2) b", "a = 2.5² b, 1.2.3, 0.5"), ",")
+    assert shown.text == "a = 2,5² b, 1.2.3, 0,5" and '"2,5"^(2)' in shown.math
+
+
+@pytest.mark.parametrize("language", ["ru", "uk", "zh"])
+def test_a_run_names_no_code_and_says_which_equation(language: str, tmp_path: Path) -> None:
+    args = ["run", "31", "--language", language, "--format", "csv", "--verbose", "--out", str(tmp_path)]
+    told = CliRunner().invoke(main, args).stdout
+    assert not re.search(r"\b(DRIFT|STOP|PASS|COARSE|ACCURACY)\b", told)
+    assert {"ru": "уравнение 12, строка 1", "uk": "рівняння 12, рядок 1", "zh": "方程 12，第 1 行"}[language] in told
+    assert {"ru": "(не менее 6)", "uk": "(не менше 6)", "zh": "（至少 6）"}[language] in told
+    assert " （" not in told
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [("ru", "кулиса направлена от C к ползуну"), ("uk", "куліса спрямована від C до повзуна"), ("zh", "导杆由 C 指向滑块")],
+)
+def test_a_new_shaper_is_explained_in_the_words_of_its_structure(
+    language: str, said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    args = ["new", "mine", "--groups", "crank,RPR,RRP", "--language", language]
+    assert CliRunner().invoke(main, args).exit_code == 0
+    written = (tmp_path / "mine.toml").read_text(encoding="utf-8")
+    assert said in written and not re.search("камня|каменя|摆杆", written)
+
+
+@pytest.mark.parametrize("language", ["ru", "uk", "zh"])
+def test_a_column_in_degrees_is_told_with_their_sign(language: str, tmp_path: Path) -> None:
+    run = coursework.solve("31")
+    names = ["t", *run.table.columns]
+    turned = [[t, *(row[:3] * 57.29577951308232), *row[3:]] for t, row in zip(run.table.index, run.table.to_numpy(), strict=True)]
+    lines = [",".join(names), *(",".join(f"{value:.6f}" for value in row) for row in turned)]
+    (tmp_path / "table.csv").write_text("\n".join(lines), encoding="utf-8")
+    args = ["precheck", str(tmp_path / "table.csv"), "--variant", "31", "--language", language]
+    told = CliRunner().invoke(main, args).stdout
+    assert "°" in told and "deg" not in told

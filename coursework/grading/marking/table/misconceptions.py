@@ -126,11 +126,10 @@ def explanations(
         fit = explained_share(key, put_right, holds, only_velocities=claim.code == OTHER_STEP)
         if fit > euler_fit + BETTER and (claim.code not in fits or fit > fits[claim.code].share):
             fits[claim.code] = Fit(claim.code, fit, claim.names)
-    if own := on_own_rows(key, cells.student):
-        right, says = euler_cells(own.key, own.cells)
-        if OTHER_STEP not in hidden and _share(right, says) >= NAMED and _share(right, says) > euler_share + BETTER:
-            named.setdefault(OTHER_STEP, (_share(right, says), euler_share, ()))
-        fit = own.filled * explained_share(own.key, own.cells, right, only_velocities=True)
+    if own := _other_step(key, cells):
+        share, fit = own
+        if OTHER_STEP not in hidden and share >= NAMED and share > euler_share + BETTER:
+            named.setdefault(OTHER_STEP, (share, euler_share, ()))
         if fit > euler_fit + BETTER and (OTHER_STEP not in fits or fit > fits[OTHER_STEP].share):
             fits[OTHER_STEP] = Fit(OTHER_STEP, fit)
     own_start = cells_from_own_start(key, cells) if _begins_elsewhere(key, cells) else None
@@ -145,6 +144,15 @@ def explanations(
     tied = [code for code, (share, _, _) in named.items() if share >= best - TIE]
     share, against, names = named[tied[0]]
     return Found(Misconception(tied[0], share, against, tuple(tied[1:]), names), found, own_start)
+
+
+def _other_step(key: Key, cells: Cells) -> tuple[float, float] | None:
+    """Return which share of the rows of the student's own times Euler's rule explains, and which of the velocities are right."""
+    own = on_own_rows(key, cells.student)
+    if own is None:
+        return None
+    right, says = euler_cells(own.key, own.cells)
+    return _share(right, says), own.filled * explained_share(own.key, own.cells, right, only_velocities=True)
 
 
 def indistinct(key: Key, units: Array, confusions: Mapping[str, float] | None = None) -> tuple[str, ...]:

@@ -22,7 +22,7 @@ class OnOwnRows:
 
 
 def on_own_rows(key: Key, student: StudentTable) -> OnOwnRows | None:
-    """Return a table on its own rows, None where these are the task's."""
+    """Return a table on its own rows, None where its times are the task's."""
     own = student.own
     if own is None:
         return None

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field
 
-from coursework.grading.reading.documents.document import Document, place_of
+from coursework.grading.reading.documents.document import MOST_LINES, Document, place_of
 from coursework.grading.reading.documents.formula_text import equations_in, on_one_line
 from coursework.grading.reading.documents.signs import plain_signs
 from coursework.grading.reading.files.cells import BlankRows, Cell
@@ -62,16 +62,20 @@ class DocumentBuilder:
         """End the paragraph that is open."""
         if not self._paragraphs:
             return
-        paragraph = self._paragraphs.pop()
-        self._number += bool(paragraph.pieces) and not self._tables
-        if not paragraph.pieces:
+        pieces = self._paragraphs.pop().pieces
+        if not pieces:
             return
-        table = self._tables[-1] if self._tables else None
-        place = table.place if table else place_of("paragraph", number=self._number)
-        if table:
-            table.cell.append(on_one_line("".join(text for text, _ in paragraph.pieces)).strip())
-        if table is None or any("=" in text for text, _ in paragraph.pieces):
-            add_lines(self.document, paragraph.pieces, place)
+        if not self._tables:
+            self._number += 1
+            if self._number > MOST_LINES:
+                return
+            add_lines(self.document, pieces, place_of("paragraph", number=self._number))
+            return
+        table = self._tables[-1]
+        text = pieces[0][0] if len(pieces) == 1 else "".join([text for text, _ in pieces])
+        table.cell.append(text)
+        if "=" in text:
+            add_lines(self.document, pieces, table.place)
 
     def text(self, text: str, position: str = "") -> None:
         """Add text; `position` is "sub" or "super" where it is set lower or higher."""
@@ -80,6 +84,9 @@ class DocumentBuilder:
         paragraph = self._paragraphs[-1]
         paragraph.length += len(text)
         if not text or paragraph.length > LINE_CHARACTERS:
+            return
+        if not position and not paragraph.is_below:
+            paragraph.pieces.append((text, False))
             return
         if position == "super" and _EXPONENT.fullmatch(text.strip()):
             text = f"^{text.strip()}"
@@ -108,14 +115,18 @@ class DocumentBuilder:
         if not self._tables:
             return
         table = self._tables[-1]
-        text = plain_signs(" ".join(part for part in table.cell if part))[:CELL_CHARACTERS].strip()
+        text = table.cell[0] if len(table.cell) == 1 else " ".join(table.cell)
+        text = on_one_line(plain_signs(text[:CELL_CHARACTERS])).strip()
         at = len(table.row)
         cell = Cell(text)
         if continued and not text and table.rows and at < len(table.rows[-1]):
             cell = table.rows[-1][at]
         if beside and not text and table.row:
             cell = table.row[-1]
-        table.row += [cell] * min(max(columns, 1), self._most_columns - at)
+        if columns == 1 and at < self._most_columns:
+            table.row.append(cell)
+        else:
+            table.row += [cell] * min(columns, self._most_columns - at)
         table.cell = []
 
     def close_row(self, times: int = 1) -> None:

@@ -68,8 +68,8 @@ class Document:
             self.lines.append(DocumentLine(text, place, is_formula))
 
     def add_table(self, rows: Iterable[Sequence[Cell]], place: Sentence) -> None:
-        """Add a table with at least two rows and two columns."""
+        """Add a table with at least two columns; a single row may be where the table before goes on."""
         kept = tuple(tuple(row) for row in rows)
         self.cells += sum(map(len, kept))
-        if len(kept) > 1 and max(map(len, kept)) > 1 and len(self.tables) < MOST_TABLES and self.cells <= MOST_CELLS:
+        if max(map(len, kept), default=0) > 1 and len(self.tables) < MOST_TABLES and self.cells <= MOST_CELLS:
             self.tables.append(DocumentTable(kept, place))

@@ -7,6 +7,7 @@ Used by `read_document.py`.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 from coursework.grading.reading.documents import omml
 from coursework.grading.reading.documents.builder import DocumentBuilder
@@ -18,9 +19,10 @@ from coursework.grading.reading.files.xml_events import stream
 
 _MAIN = re.compile(r"word/document\d*\.xml")
 _SKIPPED = {"Fallback", "del", "moveFrom"}  # what stands there twice, and what was taken out
-_WANTED = omml.ELEMENTS | _SKIPPED | {
-    "p", "tab", "cr", "tbl", "tr", "tc", "gridSpan", "vMerge", "gridBefore", "vertAlign", "noBreakHyphen", "sym",
-}  # fmt: skip
+_WITH_ATTRIBUTES = {"tab", "br", "cr", "gridSpan", "vMerge", "gridBefore", "vertAlign", "sym", "begChr", "endChr", "chr"}
+_WANTED = dict.fromkeys(omml.ELEMENTS | _SKIPPED | {"p", "tbl", "tr", "tc", "noBreakHyphen"}, False)
+_WANTED |= dict.fromkeys(_WITH_ATTRIBUTES, True)
+_ONE = (1, False)  # a cell of one column that does not go on from above
 _POSITIONS = {"superscript": "super", "subscript": "sub"}
 
 
@@ -46,31 +48,36 @@ class _Reader:
         self.is_text = False
         self.position = ""
         self.cells: list[tuple[int, bool]] = []  # for each open cell: the columns it spans, whether the one above goes on
+        # What begins and ends most often is looked up: a table has a thousand of each.
+        self.begins: dict[str, Callable[[], None]] = {
+            "t": self._begin_text, "r": self._begin_run, "p": builder.open_paragraph, "tc": self._begin_cell,
+            "tr": builder.open_row, "tbl": builder.open_table,
+        }  # fmt: skip
+        self.ends: dict[str, Callable[[], None]] = {
+            "t": self._end_text, "p": builder.close_paragraph, "tc": self._end_cell, "tr": builder.close_row,
+            "tbl": builder.close_table,
+        }  # fmt: skip
 
     def begin(self, name: str, attributes: dict[str, str]) -> None:
-        if self.skipping or name in _SKIPPED:
-            self.skipping += name in _SKIPPED
-        elif self.formula is not None:
-            self.is_text = name == "t"
-            self.formulas += name == "oMath"
-            if name in omml.ELEMENTS:
-                self.formula.begin(name, attributes)
-        elif name == "t":
-            self.is_text = True
-        elif name == "r":
-            self.position = ""
-        elif name == "p":
-            self.builder.open_paragraph()
-        elif name == "tc":
-            self.cells.append((1, False))
-        elif name == "tr":
-            self.builder.open_row()
+        if self.skipping or self.formula is not None:
+            self._begin_inside(name, attributes)
+        elif act := self.begins.get(name):
+            act()
+        elif name in _SKIPPED:
+            self.skipping = 1
         elif name == "oMath":
             self.formula, self.formulas = FormulaTree(name), 1
-        elif name == "tbl":
-            self.builder.open_table()
         else:
             self._detail(name, attributes)
+
+    def _begin_inside(self, name: str, attributes: dict[str, str]) -> None:
+        """Meet an element inside a formula or inside what is skipped."""
+        if self.skipping or name in _SKIPPED:
+            self.skipping += name in _SKIPPED
+        elif self.formula is not None and name in omml.ELEMENTS:
+            self.is_text = name == "t"
+            self.formulas += name == "oMath"
+            self.formula.begin(name, attributes)
 
     def _detail(self, name: str, attributes: dict[str, str]) -> None:
         value = attributes.get("val", "")
@@ -99,26 +106,40 @@ class _Reader:
                 self.builder.text(text, self.position)
 
     def end(self, name: str) -> None:
+        if self.skipping or self.formula is not None:
+            self._end_inside(name)
+        elif act := self.ends.get(name):
+            act()
+
+    def _end_inside(self, name: str) -> None:
         if self.skipping:
             self.skipping -= name in _SKIPPED
             return
+        assert self.formula is not None
         if name == "t":
             self.is_text = False
-        if self.formula is not None:
-            self.formulas -= name == "oMath"
-            if not self.formulas:
-                self.builder.formula(omml.text_of_omml(self.formula.top))
-                self.formula = None
-            elif name in omml.ELEMENTS:
-                self.formula.end()
-        elif name == "p":
-            self.builder.close_paragraph()
-        elif name == "tc" and self.cells:
+        self.formulas -= name == "oMath"
+        if not self.formulas:
+            self.builder.formula(omml.text_of_omml(self.formula.top))
+            self.formula = None
+        elif name in omml.ELEMENTS:
+            self.formula.end()
+
+    def _begin_text(self) -> None:
+        self.is_text = True
+
+    def _end_text(self) -> None:
+        self.is_text = False
+
+    def _begin_run(self) -> None:
+        self.position = ""
+
+    def _begin_cell(self) -> None:
+        self.cells.append(_ONE)
+
+    def _end_cell(self) -> None:
+        if self.cells:
             self.builder.close_cell(*self.cells.pop())
-        elif name == "tr":
-            self.builder.close_row()
-        elif name == "tbl":
-            self.builder.close_table()
 
 
 def _whole(text: str, otherwise: int) -> int:

@@ -20,7 +20,7 @@ _PRIMES = {"'", "′", "’"}
 
 def on_one_line(text: str) -> str:
     """Return a part without line breaks."""
-    return " ".join(text.split("\n"))
+    return text.replace("\n", " ")
 
 
 def fraction(above: str, below: str) -> str:

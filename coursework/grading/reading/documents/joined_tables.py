@@ -18,7 +18,7 @@ from coursework.grading.reading.numbers import looks_numeric, plain_text
 from coursework.grading.reading.table.headers import read_head
 
 _Row = tuple[Cell, ...]
-_LOOKED_AT = 8  # rows in which heads are looked for
+_LOOKED_AT = 8  # rows in which heads are looked for, and how the time goes on
 _STEP = 0.3  # of a step that rounding may take
 
 
@@ -26,8 +26,8 @@ def joined(tables: Sequence[DocumentTable], columns: Sequence[tuple[str, str]]) 
     """Return the tables with those put together that are one."""
     out: list[DocumentTable] = []
     for table in tables:
-        body = [row for row in table.rows if _is_body(row)]
-        if out and body and _same_heads(out[-1].rows, table.rows, columns) and _goes_on(out[-1].rows, body):
+        body = [row for row in table.rows if _is_body(row)] if out else []
+        if body and _same_heads(out[-1].rows, table.rows, columns) and _goes_on(out[-1].rows, body):
             out[-1] = replace(out[-1], rows=(*out[-1].rows, *body))
         else:
             out.append(table)
@@ -59,11 +59,12 @@ def _heads(rows: Sequence[_Row], columns: Sequence[tuple[str, str]]) -> list[tup
 def _goes_on(first: Sequence[_Row], second: Sequence[_Row]) -> bool:
     """Return whether one of the first two columns rises in steps and the second table begins one step after the first ends."""
     for place in (0, 1):
-        before = [value for row in first if _is_body(row) for value in _number(row, place)]
-        after = [value for row in second[:1] for value in _number(row, place)]
-        if len(before) < 2 or not after:
+        before = [value for row in first[-_LOOKED_AT:] if _is_body(row) for value in _number(row, place)]
+        after = [value for row in second[:_LOOKED_AT] for value in _number(row, place)]
+        steps = [later - earlier for numbers in (before, after) for earlier, later in pairwise(numbers)]
+        if not before or not after or not steps:
             continue
-        step = median(later - earlier for earlier, later in pairwise(before))
+        step = median(steps)
         if step > 0 and abs(after[0] - before[-1] - step) <= _STEP * step:
             return True
     return False

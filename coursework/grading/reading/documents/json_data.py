@@ -15,7 +15,7 @@ from coursework.grading.reading.files.cells import Cell
 from coursework.grading.reading.limits import CELL_CHARACTERS
 
 LEVELS = 6
-_MOST_RECORDS = 10_000
+_MOST_VALUES, _MOST_RECORDS, _MOST_NAMES = 20_000, 10_000, 1000
 _NOT_NUMBERS = {"NaN", "Infinity", "-Infinity"}
 
 
@@ -31,31 +31,42 @@ class _Reader:
 
     def __init__(self, document: Document, most_rows: int, most_columns: int) -> None:
         self.document, self.most_rows, self.most_columns = document, most_rows, most_columns
+        self.visited = 0
 
     def read(self, value: Any, path: str) -> None:
         """Add what stands in a value; `path` are the names that lead to it."""
+        self.visited += 1
+        if self.visited > _MOST_VALUES:
+            return
         rows = self._rows(value)
         if rows:
             self.document.add_table(
                 (row[: self.most_columns] for row in rows[: self.most_rows]), place_of("entry", name=path[:80] or "[]")
             )
-        elif isinstance(value, JsonObject):
+        if isinstance(value, JsonObject):
             for name, inner in value.pairs[:_MOST_RECORDS]:
-                self._named(name, inner, f"{path}.{name}" if path else name)
+                if not rows or _is_texts(inner):
+                    self._named(name, inner, f"{path}.{name}" if path else name)
+        elif rows:
+            return
         elif isinstance(value, list):
             for number, inner in enumerate(value[:_MOST_RECORDS], start=1):
                 self._named("", inner, f"{path}[{number}]")
 
     def _named(self, name: str, value: Any, path: str) -> None:
         """Add a text that may be an equation, a named number that may be an answer, or what is inside."""
-        place = place_of("entry", name=path[:80])
+        self.visited += 1
         if isinstance(value, (JsonObject, list)):
             self.read(value, path)
-        elif isinstance(value, JsonNumber):
+            return
+        if not isinstance(value, str) or self.visited > _MOST_VALUES:
+            return
+        place = place_of("entry", name=path[:80])
+        if isinstance(value, JsonNumber):
             self.document.add_line(f"{name} = {value}" if name else "", place)
-        elif isinstance(value, str):
+        else:
             for line in value.split("\n"):
-                self.document.add_line(line if "=" in line else f"{name} = {line}", place)
+                self.document.add_line(f"{name} = {line}" if name and "=" not in line else line, place)
 
     def _rows(self, value: Any) -> list[Sequence[Cell]]:
         """Return a value as rows of cells, a head first where there is one; nothing where it is no table."""
@@ -71,18 +82,19 @@ class _Reader:
 
     def _columns(self, value: JsonObject) -> list[Sequence[Cell]]:
         """Return columns by name: each a list, or numbered entries; records by number are the same the other way round."""
-        columns = [(name, inner) for name, inner in value.pairs if isinstance(inner, (list, JsonObject)) and _flat(inner)]
-        if len(columns) < 2 or len(columns) < sum(isinstance(inner, (list, JsonObject)) for _, inner in value.pairs):
+        found = [(name, inner) for name, inner in value.pairs if isinstance(inner, (list, JsonObject)) and not _is_texts(inner)]
+        columns = [(name, inner) for name, inner in found if _flat(inner)]
+        if len(columns) < 2 or len(columns) < len(found):
             return []
         if all(isinstance(inner, JsonObject) for _, inner in columns):
             first: Any = columns[0][1]
             inner_names = [name for name, _ in first.pairs]
             if all(name.isdecimal() for name, _ in columns) or not all(_is_label(name) for name in inner_names):
                 return _records([inner for _, inner in columns])
-        lists = [[_cell(entry) for entry in _entries(inner)[: self.most_rows]] for _, inner in columns]
+        lists = [[_cell(entry) for entry in _entries(inner)[: self.most_rows]] for _, inner in columns[: self.most_columns]]
         longest = max(map(len, lists))
         padded = [column + [Cell("")] * (longest - len(column)) for column in lists]
-        return [[Cell(name[:CELL_CHARACTERS]) for name, _ in columns], *map(list, zip(*padded, strict=True))]
+        return [[Cell(name[:CELL_CHARACTERS]) for name, _ in columns[: self.most_columns]], *map(list, zip(*padded, strict=True))]
 
 
 def _records(records: list[Any]) -> list[Sequence[Cell]]:
@@ -94,6 +106,8 @@ def _records(records: list[Any]) -> list[Sequence[Cell]]:
         row = [Cell("")] * len(names)
         for name, value in record.pairs[:_MOST_RECORDS]:
             seen[name] = seen.get(name, 0) + 1
+            if len(names) >= _MOST_NAMES and (name, seen[name]) not in names:
+                continue
             at = names.setdefault((name, seen[name]), len(names))
             row += [Cell("")] * (at + 1 - len(row))
             row[at] = _cell(value)
@@ -104,6 +118,12 @@ def _records(records: list[Any]) -> list[Sequence[Cell]]:
 def _lists(rows: list[Any]) -> list[Sequence[Cell]]:
     found = [[_cell(entry) for entry in row] for row in rows[:_MOST_RECORDS] if isinstance(row, list) and _flat(row)]
     return list(found) if len(found) > 1 and len(found) == len(rows[:_MOST_RECORDS]) else []
+
+
+def _is_texts(value: Any) -> bool:
+    """Return whether a value is a text or a list of texts that holds an equation."""
+    texts = value if isinstance(value, list) else [value]
+    return any(isinstance(text, str) and not isinstance(text, JsonNumber) and "=" in text for text in texts)
 
 
 def _flat(value: Any) -> bool:

@@ -13,7 +13,7 @@ from typing import Any
 
 from coursework.grading.reading.limits import unreadable
 
-_LEVELS = re.compile(r'"(?:[^"\\]|\\.)*"|[\[{]|[\]}]', re.DOTALL)
+_SIGN = re.compile(r'"(?:[^"\\]++|\\.)*+"?|[\[{]|[\]}]', re.DOTALL)
 
 
 class JsonNumber(str):
@@ -41,8 +41,8 @@ def is_json(text: str) -> bool:
 def read_json(text: str, levels: int) -> Any:
     """Return what a text holds.  Raises `Refused` where it is damaged, or has more than `levels` levels of brackets."""
     depth = 0
-    for found in _LEVELS.finditer(text):
-        sign = found[0]
+    for found in _SIGN.finditer(text):
+        sign = found[0][0]
         depth += 1 if sign in "[{" else -1 if sign in "]}" else 0
         if depth > levels:
             raise unreadable("json_deep", levels=levels)

@@ -15,9 +15,9 @@ from coursework.grading.reading.files.cells import Cell
 from coursework.grading.reading.limits import CELL_CHARACTERS, LINE_CHARACTERS
 from coursework.words.sentence import Sentence
 
-_RULE = re.compile(r"[ \t]*\|?[ \t]*:?-+:?[ \t]*(?:\|[ \t]*:?-+:?[ \t]*)*\|?[ \t]*")
+_RULE = re.compile(r"\|?:?-+:?(?:\|:?-+:?)*\|?")  # of a line without its blanks
 _DISPLAYED, _INLINE = re.compile(r"\$\$([^$]{1,4000})\$\$"), re.compile(r"(?<![\\$])\$([^$\n]{1,2000})\$")
-_MARKUP = re.compile(r"^[ \t]*(?:(?:#{1,6}[ \t]+|>[ \t]?|[*+][ \t]+(?=\S))+)?(?:\*\*)?|\*\*[ \t]*$|`+\w*$|`")
+_MARKUP = re.compile(r"^[ \t]*(?:(?:#{1,6}[ \t]+|>[ \t]?|[*+][ \t]+(?=\S))+)?(?:\*\*)?|\*\*[ \t]*$|`{1,3}\w{0,20}$|`")
 _ESCAPED = re.compile(r"\\(?=[*_#|<>\[\]()+-])")
 _CELL = re.compile(r"(?<!\\)\|")
 _MOST_COLUMNS = 1000
@@ -30,7 +30,12 @@ def is_markdown(text: str) -> bool:
 
 
 def _has_table(text: str) -> bool:
-    return any("|" in line and _RULE.fullmatch(line) for line in text.split("\n") if "-" in line and len(line) < LINE_CHARACTERS)
+    return any("|" in line and _is_rule(line) for line in text.split("\n"))
+
+
+def _is_rule(line: str) -> bool:
+    """Return whether a line parts the heads of a pipe table from its rows."""
+    return "-" in line and len(line) <= LINE_CHARACTERS and bool(_RULE.fullmatch("".join(line.split())))
 
 
 def document_of_markdown(text: str, kind: str) -> Document:
@@ -46,7 +51,7 @@ def add_markdown(document: Document, text: str, place: Callable[[int], Sentence]
     at = 0
     kept: list[str] = []
     while at < len(lines):
-        if at + 1 < len(lines) and "|" in lines[at] and "-" in lines[at + 1] and _RULE.fullmatch(lines[at + 1]):
+        if at + 1 < len(lines) and "|" in lines[at] and _is_rule(lines[at + 1]):
             end = at + 2
             while end < len(lines) and "|" in lines[end]:
                 end += 1

@@ -22,9 +22,13 @@ _KIND = b"application/vnd.oasis.opendocument.text"
 _SKIPPED = {"annotation", "note", "tracked-changes", "image"}  # `annotation` outside a formula is somebody's remark
 _PARAGRAPHS = {"p", "h"}
 _CELLS = {"table-cell", "covered-table-cell"}
-_WANTED = mathml.ELEMENTS | _SKIPPED | _PARAGRAPHS | _CELLS | {
-    "span", "s", "tab", "line-break", "table", "table-row", "object", "style", "text-properties",
+_WITH_ATTRIBUTES = {
+    "table-cell", "covered-table-cell", "table-row", "span", "object", "style", "text-properties", "annotation", "mfenced",
+    "mspace",
 }  # fmt: skip
+_PLAIN = {*_SKIPPED, *_PARAGRAPHS, "s", "tab", "line-break", "table"}
+_WANTED = dict.fromkeys(mathml.ELEMENTS | _PLAIN, False) | dict.fromkeys(_WITH_ATTRIBUTES, True)
+_FORMULA = {name: name in _WITH_ATTRIBUTES for name in mathml.ELEMENTS}
 
 
 def is_odt(archive: Archive) -> bool:
@@ -54,7 +58,7 @@ class _Reader:
         self.style = ""
         self.positions: dict[str, str] = {}  # styles of letters that are set lower or higher
         self.spans: list[str] = []
-        self.cells: list[dict[str, str]] = []
+        self.cells: list[tuple[str, dict[str, str]]] = []
         self.rows: list[int] = []
         self.covered = 0  # cells to come that the last one covers beside it
 
@@ -70,7 +74,7 @@ class _Reader:
         elif name == "span":
             self.spans.append(self.positions.get(attributes.get("style-name", ""), ""))
         elif name in _CELLS:
-            self.cells.append(attributes | {"": name})
+            self.cells.append((name, attributes))
         elif name == "table-row":
             self.rows.append(_times(attributes, "number-rows-repeated"))
             self.covered = 0
@@ -100,7 +104,7 @@ class _Reader:
         self.formulas += 1
         if part in self.archive.parts and part != CONTENT and self.formulas <= _MOST_FORMULAS:
             found = _Formula()
-            stream(self.archive.chunks(part), found, mathml.ELEMENTS)
+            stream(self.archive.chunks(part), found, _FORMULA)
             if found.tree is not None:
                 self.builder.formula(mathml.text_of_mathml(found.tree.top))
 
@@ -126,15 +130,15 @@ class _Reader:
         elif name == "span" and self.spans:
             self.spans.pop()
         elif name in _CELLS and self.cells:
-            self._close_cell(self.cells.pop())
+            self._close_cell(*self.cells.pop())
         elif name == "table-row" and self.rows:
             self.builder.close_row(self.rows.pop())
         elif name == "table":
             self.builder.close_table()
 
-    def _close_cell(self, cell: dict[str, str]) -> None:
+    def _close_cell(self, name: str, cell: dict[str, str]) -> None:
         """End a cell; what a merged one covers beside it is there already, what it covers below is the one above."""
-        if cell[""] == "covered-table-cell":
+        if name == "covered-table-cell":
             repeated = _times(cell, "number-columns-repeated")
             beside = min(self.covered, repeated)
             self.covered -= beside
@@ -168,5 +172,5 @@ class _Formula:
 
 
 def _times(attributes: dict[str, str], name: str) -> int:
-    text = attributes.get(name, "1")
-    return min(int(text), 1000) if re.fullmatch("[0-9]{1,8}", text) else 1
+    text = attributes.get(name)
+    return min(int(text), 1000) if text and re.fullmatch("[0-9]{1,8}", text) else 1

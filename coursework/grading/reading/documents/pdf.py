@@ -20,6 +20,7 @@ from functools import cache
 from typing import Any
 
 from coursework.grading.reading.documents.document import Document, place_of
+from coursework.grading.reading.documents.pdf_fractions import MOST_BARS, Bar, with_fractions
 from coursework.grading.reading.documents.pdf_lines import Letter, lines_of, tables_in
 from coursework.grading.reading.files.cells import Cell
 from coursework.grading.reading.limits import CELL_CHARACTERS, INFLATED_BYTES, Refused, doubtful, unreadable
@@ -28,6 +29,7 @@ from coursework.words.sentences import say
 
 EXTRA = "pdfplumber"
 PAGES, SECONDS, LETTERS = 30, 5.0, 150_000
+_THIN, _LONGEST = 1.5, 400.0  # points: the height of a bar, its length
 _FEWEST = 20  # letters below which a PDF has no text: a scan, photographs
 
 
@@ -70,7 +72,7 @@ def _read(content: bytes, most_rows: int, most_columns: int) -> Document:
             letters += sum(not letter.text.isspace() for letter in found)
             if letters > LETTERS:
                 raise unreadable("too_large_open")
-            lines = lines_of(found)
+            lines = lines_of(with_fractions(found, _bars(page)))
             for start, rows in tables_in(lines):
                 cells = ([Cell(text[:CELL_CHARACTERS]) for text in row[:most_columns]] for row in rows[:most_rows])
                 document.add_table(cells, place_of("page_line", page=number, line=start + 1))
@@ -80,6 +82,16 @@ def _read(content: bytes, most_rows: int, most_columns: int) -> Document:
     if letters < _FEWEST:
         raise refused_as_pdf("pdf_scan")
     return document
+
+
+def _bars(page: Any) -> list[Bar]:
+    """Return the thin bars of a page that may part a fraction."""
+    drawn = itertools.islice(itertools.chain(page.lines, page.rects, page.curves), MOST_BARS + 1)
+    return [
+        Bar(float(bar["x0"]), float(bar["x1"]), (float(bar["y0"]) + float(bar["y1"])) / 2)
+        for bar in drawn
+        if abs(bar["y1"] - bar["y0"]) < _THIN and _THIN < bar["x1"] - bar["x0"] < _LONGEST
+    ]
 
 
 def refused_as_pdf(key: str) -> Refused:

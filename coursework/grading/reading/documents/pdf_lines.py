@@ -144,7 +144,7 @@ def tables_in(lines: Sequence[PageLine]) -> list[tuple[int, list[list[str]]]]:
     tables = []
     end = 0
     for run in runs:
-        if len(run) > 1:
+        if len(run) > 1 or len(lines[run[0]].words) > 2:  # one row may be all that found room on a page
             start = max(run[0] - 4, end)
             tables.append((start, _rows(lines[start : run[-1] + 1])))
         end = run[-1] + 1

@@ -92,14 +92,33 @@ def _between_blanks(lines: list[str], most: int) -> tuple[tuple[str, ...], ...]:
     numeric = [bool(row) and all(map(looks_numeric, row)) for row in rows]
     widths = Counter(len(row) for row, is_numeric in zip(rows, numeric, strict=True) if is_numeric)
     usual = max(widths, key=lambda width: (widths[width], width), default=0)
-    if len(widths) < 2 or usual < 3:
+    if usual < 3:
         return tuple(rows)
     whole = [matches for matches, row, is_numeric in zip(found, rows, numeric, strict=True) if is_numeric and len(row) == usual]
     spans = [(min(m[at].start() for m in whole), max(m[at].end() for m in whole)) for at in range(usual)]
+    numbers = [_token(matches[0][0]) for matches in whole]
+    if len(numbers) > 1 and any(numbers == [str(k + start) for k in range(len(numbers))] for start in (0, 1)):
+        rows = [
+            row if is_numeric else _headed(matches, row, spans)
+            for matches, row, is_numeric in zip(found, rows, numeric, strict=True)
+        ]
+    if len(widths) < 2:
+        return tuple(rows)
     return tuple(
         _below(matches, row, spans) if is_numeric and 1 < len(row) < usual else row
         for matches, row, is_numeric in zip(found, rows, numeric, strict=True)
     )
+
+
+def _headed(matches: list[re.Match[str]], row: tuple[str, ...], spans: list[tuple[int, int]]) -> tuple[str, ...]:
+    """Return the heads of a printed data frame: each ends where its column does, and none is above the numbers of the rows."""
+    if not matches or matches[0].start() < spans[0][1] or matches[-1].end() != spans[-1][1]:
+        return row
+    cells = [""] * len(spans)
+    for match, text in zip(matches, row, strict=True):
+        at = next(at for at, (_, end) in enumerate(spans) if match.end() <= end)
+        cells[at] = f"{cells[at]} {text}".strip()
+    return tuple(cells)
 
 
 def _below(matches: list[re.Match[str]], row: tuple[str, ...], spans: list[tuple[int, int]]) -> tuple[str, ...]:

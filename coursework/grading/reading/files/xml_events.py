@@ -6,13 +6,14 @@ Used by `xlsx.py`, `ods.py` and the readers of documents.
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable
+from collections.abc import Iterable, Mapping
 from typing import Protocol
 from xml.parsers import expat
 
 from coursework.grading.reading.limits import Refused, unreadable
 
 _MOST_NESTED = 200
+_NONE: dict[str, str] = {}
 
 
 class Handler(Protocol):
@@ -32,36 +33,48 @@ class Enough(Exception):
     """A handler has what it wants."""
 
 
-def stream(chunks: Iterable[bytes], handler: Handler, wanted: Container[str] | None = None) -> None:
-    """Send the elements of a document to a handler until it has enough; `wanted` are the names it looks at, all where None."""
+class _BareNames(dict[str, str]):
+    """Names without their prefix, "" for those nobody wants."""
+
+    def __init__(self, wanted: Mapping[str, bool] | None) -> None:
+        super().__init__()
+        self.wanted = wanted
+
+    def __missing__(self, name: str) -> str:
+        short = name.rpartition(":")[2]
+        self[name] = short if self.wanted is None or short in self.wanted else ""
+        return self[name]
+
+
+def stream(chunks: Iterable[bytes], handler: Handler, wanted: Mapping[str, bool] | None = None) -> None:
+    """Send the elements of a document to a handler until it has enough.
+
+    `wanted` are the names it looks at, and whether their attributes too; all where None.
+    """
     parser = expat.ParserCreate()
     depth = 0
-    bare: dict[str, str] = {}  # a document of a word processor has fifty names and ten thousand elements
-
-    def bare_name(name: str) -> str:
-        short = name.rpartition(":")[2]
-        bare[name] = short if wanted is None or short in wanted else ""
-        return bare[name]
+    meet, leave = handler.begin, handler.end
+    bare = _BareNames(wanted)  # a document of a word processor has fifty names and ten thousand elements
 
     def begin(name: str, attributes: dict[str, str]) -> None:
         nonlocal depth
         depth += 1
         if depth > _MOST_NESTED:
             raise unreadable("damaged")
-        short = bare.get(name)
-        if short is None:
-            short = bare_name(name)
+        short = bare[name]
         if not short:
             return
-        if attributes and ":" in "".join(attributes):
+        if wanted is not None and not wanted[short]:
+            attributes = _NONE
+        elif attributes and ":" in "".join(attributes):
             attributes = {key.rpartition(":")[2]: value for key, value in attributes.items()}
-        handler.begin(short, attributes)
+        meet(short, attributes)
 
     def end(name: str) -> None:
         nonlocal depth
         depth -= 1
         if short := bare[name]:
-            handler.end(short)
+            leave(short)
 
     def doctype(*_: object) -> None:
         raise unreadable("doctype")

@@ -1,0 +1,86 @@
+"""Right work is 100 points in every kind of document, whatever its heads and its decimal mark are."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+import coursework
+from coursework.grading.batch.work import Setup, VariantSource
+from coursework.grading.batch.workshop import Workshop
+from coursework.grading.marking.grade import Grade
+from coursework.grading.reading.submission import Submission, submitted_file
+from tests.grading.marking import students
+from tests.grading.reading.documents.papers import MAKERS, Rows
+
+LATEX = (
+    r"V_{My} - 2 r_3 \omega_3 \cos\varphi_3 - r_3 \omega_3 \sin\varphi_3 = 0",
+    r"2 r_3 \omega_3 \sin\varphi_3 - r_3 \omega_3 \cos\varphi_3 + \frac{1}{2} r_3 \omega_4 = 0",
+    r"-0.5 r_3 \omega_4 + r_3 \omega_3 \cos\varphi_3 + r_2 \omega_2 \sin\varphi_2 + r_1 \omega_1 \sin\varphi_1 = 0",
+    r"r_3 \omega_3 \sin\varphi_3 - r_2 \omega_2 \cos\varphi_2 - r_1 \omega_1 \cos\varphi_1 = 0",
+)
+PLAIN = ["t", "phi1", "phi2", "phi3", "w1", "w2", "w3", "w4"]
+GREEK = ["t, с", "φ₁, рад", "φ₂, рад", "φ₃, рад", "ω₁, 1/с", "ω₂, 1/с", "ω₃, 1/с", "ω₄, 1/с"]
+
+
+def rows(table: np.ndarray, decimals: int = 4, mark: str = ".") -> Rows:
+    return [
+        [text.replace(".", mark) for text in (f"{k * students.H:.2f}", *(f"{value:.{decimals}f}" for value in row))]
+        for k, row in enumerate(table)
+    ]
+
+
+@cache
+def workshop(rubric: str = "") -> Workshop:
+    return Workshop(Setup(rubric, pages=False))
+
+
+def graded(files: dict[str, bytes], variant: str = "31", rubric: str = "") -> Grade:
+    handed = Submission("one", None, tuple(submitted_file(name, content) for name, content in files.items()))
+    path = coursework.load(variant).path
+    assert path is not None
+    return workshop(rubric).grade(handed, VariantSource(variant, path.read_bytes()))
+
+
+@pytest.mark.parametrize("kind", MAKERS)
+@pytest.mark.parametrize(("heads", "mark"), [(PLAIN, "."), (GREEK, ",")])
+def test_right_work_is_worth_all_points(kind: str, heads: list[str], mark: str) -> None:
+    name, made = MAKERS[kind]
+    grade = graded({name: made(heads, rows(students.table(), mark=mark), LATEX)})
+    assert grade.status in {"graded", "graded-with-notes"}, (grade.reason, grade.work.trouble)
+    assert grade.total == 100.0, [(mark.verdict, mark.line.text) for mark in grade.equations.marks] if grade.equations else None
+    assert grade.work.files[0].kinds == ("table", "equations")
+    assert all(mark.line.place for mark in grade.equations.marks) if grade.equations else False
+
+
+@pytest.mark.parametrize("kind", MAKERS)
+def test_a_slip_is_found_where_it_stands(kind: str) -> None:
+    name, made = MAKERS[kind]
+    wrong = (*LATEX[:3], LATEX[3].replace("- r_1", "+ r_1"))
+    grade = graded({name: made(PLAIN, rows(students.slip(10, 1, 1.05)), wrong)})
+    assert grade.table is not None and grade.table.first is not None and grade.equations is not None
+    assert (grade.table.first.row, grade.table.first.column) == (11, "w2")
+    assert [mark.verdict for mark in grade.equations.marks] == ["right"] * 3 + ["wrong"]
+    assert grade.equations.marks[3].hint is not None and grade.equations.marks[3].hint.kind == "sign"
+
+
+@pytest.mark.parametrize("kind", ["word by pandoc", "opendocument", "rtf", "markdown", "pdf, bare", "json, records"])
+def test_a_name_says_nothing(kind: str) -> None:
+    _, made = MAKERS[kind]
+    content = made(PLAIN, rows(students.table()), LATEX)
+    for name in ("table.csv", "work", "answer.xlsx", "photo.jpg"):
+        assert graded({name: content}).total == 100.0, name
+
+
+def test_a_report_beside_the_table_repeats_it() -> None:
+    name, made = MAKERS["word by pandoc"]
+    report = made(GREEK, rows(students.table(), 3, ","), LATEX)
+    exact = "\n".join(";".join(row) for row in [PLAIN, *rows(students.table(), 6)]).encode()
+    grade = graded({name: report, "table.csv": exact})
+    assert grade.total == 100.0
+    assert grade.work.table is not None and grade.work.table.reading.file == "table.csv"
+    other = made(GREEK, rows(students.table(students.heun), 3, ","), LATEX)
+    doubtful = graded({name: other, "table.csv": exact})
+    assert doubtful.status == "needs-review" and "table 1" in str(doubtful.reason)

@@ -1,0 +1,29 @@
+"""On paper figures have their numbers in the order in which they stand, also where a plan fits before a turned sheet.
+
+A quick-return mechanism of the catalogue, in which it does, and a chain that is in no file.
+"""
+
+import re
+
+import pymupdf
+import pytest
+
+from tests.command import call
+from tests.report.text.test_units_behind import OFFSET
+
+HELD = OFFSET + '\n[frame]\nhinges = ["O"]\nrails = [{ through = "B", angle = "0" }]\n'
+
+
+@pytest.mark.parametrize("name", ["whitworth", "own"])
+@pytest.mark.parametrize("language", ["en", "ru"])
+def test_numbers_of_figures_grow_on_paper(tmp_path, name, language):
+    (tmp_path / "own.toml").write_text(HELD, encoding="utf-8")
+    told = call("run", name if name != "own" else tmp_path / "own.toml", "--quantities", "table,plots,checks,graph_check,plans",
+                "--language", language, "--format", "pdf", "--out", tmp_path / "out")  # fmt: skip
+    assert told.exit_code in (0, 1), told.output
+    word = {"en": r"Figure (\d+)\.", "ru": r"Рисунок (\d+)\b"}[language]
+    numbers = [
+        int(found) for page in pymupdf.open(tmp_path / "out" / "report.pdf") for found in re.findall(word, page.get_text())
+    ]
+    assert len(numbers) >= 5
+    assert numbers == [*range(1, len(numbers) + 1)]
