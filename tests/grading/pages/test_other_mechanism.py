@@ -74,7 +74,7 @@ def slider() -> VariantSource:
 def test_a_slider_in_millimetres_is_told_in_millimetres(slider):
     rows = table()
     rows[6, 2] += 0.004
-    grade, said, page = marked(
+    grade, said, _ = marked(
         slider, table_csv=csv(rows), equations_txt=b"a*u*cos(q) + b*v*cos(s) = 0\ny + a*u*sin(q) = b*v*sin(s)\n"
     )
     assert grade["first_wrong"]["row"] == 7
