@@ -71,13 +71,14 @@ class Task:
 
     def key(self, setup: Setup) -> str:
         """Return the content a journal knows this work by, one hash a reason to grade anew; never a path or a clock."""
-        looks = (GRADING_VERSION, VERSION, pdf.is_readable(), setup.pages, sorted(setup.pieces.items()), setup.language)
+        looks = (GRADING_VERSION, VERSION, setup.pages, sorted(setup.pieces.items()), setup.language)
+        missing = () if pdf.is_readable() else (pdf.EXTRA,)  # with another extra a file may be read that could not be
         parts = {
             "files": json.dumps(plain_of(self.submission), sort_keys=True),
             "variant": " ".join(str(part) for part in (self.variant.sha256, self.accepted_decimals) if part is not None),
             "rubric": setup.rubric,
             "overrides": json.dumps([override.plain() for override in self.overrides]),
-            "version": " ".join(map(str, looks)),
+            "version": " ".join(map(str, (*looks, *missing))),
         }
         return " ".join(hashlib.sha256(text.encode()).hexdigest()[:_DIGITS] for text in parts.values())
 

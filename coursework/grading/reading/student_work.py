@@ -114,7 +114,8 @@ class EquationLine:
 
     `repaired` is the text that was read in its place, "" where nothing needed mending; `others` are further ways to read the
     line, of which one that is right is what was meant; `relates` says of a line nobody could read that it names two symbols of
-    the variant: it is an equation, and no prose.  `place` is where the line stands in a document, for a person.
+    the variant: it is an equation, and no prose.  `place` is where the line stands in a document, for a person;
+    one that `may_be_datum`, as "w1 = 6.5" in a report, is an equation only where it is right.
     """
 
     file: str
@@ -127,6 +128,7 @@ class EquationLine:
     others: tuple[EquationReading, ...] = ()
     relates: bool = False
     place: Sentence | None = None
+    may_be_datum: bool = False
 
     @property
     def where(self) -> Sentence:

@@ -3,6 +3,7 @@
 from coursework.grading.batch import work
 from coursework.grading.batch.decisions import Override
 from coursework.grading.batch.work import Setup, Task, VariantSource
+from coursework.grading.reading.documents import pdf
 from coursework.grading.reading.submission import Submission, note, submitted_file
 from coursework.words.sentences import say
 
@@ -10,6 +11,7 @@ from coursework.words.sentences import say
 def test_the_key_of_a_work_is_what_it_was(monkeypatch):
     monkeypatch.setattr(work, "VERSION", "0")
     monkeypatch.setattr(work, "GRADING_VERSION", 2)
+    monkeypatch.setattr(pdf, "is_readable", lambda: True)
     files = (
         submitted_file("table.csv", b"t;phi1\r\n\xff\x00"),
         submitted_file("скан.pdf", b"%PDF", say("feedback.part.table"), 9_000_000),

@@ -117,7 +117,7 @@ class Judge:
 
     def mark(self, lines: Sequence[EquationLine]) -> EquationMarks:
         """Return the marks of all lines."""
-        marks = tuple(self._mark(line) for line in lines)
+        marks = tuple(mark for mark in map(self._mark, lines) if mark.verdict in COUNTED or not mark.line.may_be_datum)
         counted = [mark for mark in marks if mark.verdict in COUNTED]
         independent, dependent = self._independent(counted)
         marks = tuple(self._with_lack(mark, counted, dependent) for mark in marks)

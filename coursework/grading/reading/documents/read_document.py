@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from coursework.grading.reading.documents.document import Document
+from coursework.grading.reading.documents.document import Document, DocumentLine
 from coursework.grading.reading.documents.docx import document_of_docx, main_part
 from coursework.grading.reading.documents.joined_tables import joined
 from coursework.grading.reading.documents.json_data import document_of_json
@@ -94,14 +94,14 @@ def tables_of_document(document: Document, name: str, grid: Grid) -> tuple[list[
 def lines_of_document(document: Document, name: str, expected: Expected) -> Lines:
     """Return the equations and answers of a document; its prose is passed over.
 
-    Lines are numbered as they were taken out.  A report is full of "=": an equation is what names a velocity that is sought and
-    something beside it, or what cannot be read and names two symbols of the variant.
+    Lines are numbered as they were taken out.  A report is full of "=": an equation is what names a velocity that is sought, or
+    what cannot be read and names two symbols of the variant; where it names nothing else it may be a datum.
     """
     has_blocks = any("\\begin" in line.text for line in document.lines)
     tried = (line.text if has_blocks or line.is_formula or _TRIED.search(line.text) else "" for line in document.lines)
     lines = read_lines("\n".join(tried), name, expected)
     found = ((_with_bullet(line, expected), document.lines[line.line - 1]) for line in lines.equations)
-    lines.equations = [replace(line, place=at.place) for line, at in found if _is_equation(line, at.is_formula, expected)]
+    lines.equations = [placed for line, at in found if (placed := _placed(line, at, expected))]
     return lines
 
 
@@ -116,9 +116,11 @@ def _with_bullet(line: EquationLine, expected: Expected) -> EquationLine:
     return replace(line, others=(*line.others, other)) if line.left is not None else replace(bare, text=line.text)
 
 
-def _is_equation(line: EquationLine, is_formula: bool, expected: Expected) -> bool:
+def _placed(line: EquationLine, at: DocumentLine, expected: Expected) -> EquationLine | None:
+    """Return an equation with its place, None for a line that is none."""
     sought = {*expected.variant.sought}
     if line.left is None or line.right is None:
-        return line.relates and (is_formula or bool(names_in(line.text, spellings_for(expected)) & sought))
+        is_one = line.relates and (at.is_formula or bool(names_in(line.text, spellings_for(expected)) & sought))
+        return replace(line, place=at.place) if is_one else None
     names = {node.name for side in (line.left, line.right) for node in side.walk() if node.op == "name"} - {*BUILT_IN}
-    return len(names) > 1 and bool(names & sought)
+    return replace(line, place=at.place, may_be_datum=len(names) < 2) if names & sought else None

@@ -84,13 +84,24 @@ def word_two_pages(heads: Sequence[str], rows: Rows, equations: Sequence[str]) -
         cells = numbered.add_row().cells
         cells[0].text, cells[1].text = text, f"({number})"
     middle = len(rows) // 2
-    for part in (rows[:middle], rows[middle:]):
+    _add_tables(document, [heads, *rows[:middle]], [heads, *rows[middle:]])
+    return _saved(document)
+
+
+def word_tables(*tables: Rows) -> bytes:
+    """Word: several tables, each with its heads."""
+    document = docx.Document()
+    _add_tables(document, *tables)
+    return _saved(document)
+
+
+def _add_tables(document: docx.document.Document, *tables: Rows) -> None:
+    for rows in tables:
         document.add_paragraph("Continued")
-        table = document.add_table(rows=0, cols=len(heads))
-        for texts in (heads, *part):
+        table = document.add_table(rows=0, cols=len(rows[0]))
+        for texts in rows:
             for cell, text in zip(table.add_row().cells, texts, strict=True):
                 cell.text = text
-    return _saved(document)
 
 
 def _saved(document: docx.document.Document) -> bytes:
