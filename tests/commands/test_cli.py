@@ -139,7 +139,10 @@ WRONG = {
     "no argument": (["run"], "C052 VARIANT... is missing."),
     "no option": (["run", "31", "--nope"], "C051 there is no option --nope."),
     "no command": (["rnu"], 'C053 there is no command "rnu". Did you mean "run"?'),
-    "new name of the catalogue": (["new", "V102"], '"V102" is a variant of the catalogue, and that one would run.'),
+    "new name of the catalogue": (
+        ["new", "V102"],
+        '"V102" is a variant of the catalogue, and a file of that name would stand for it in this folder.',
+    ),
     "copy of nothing": (["new", "mine", "--from", "v10"], 'there is no variant "v10" in the catalogue'),
     "new name": (["new", "a/b"], '"a/b" cannot be the name of a variant: letters, digits, _ and - only.'),
 }

@@ -52,6 +52,11 @@ def choose(equations: VelocityEquations, start: Sequence[float], *, numbers: boo
     kept = _kept(base)
     names = [equation.name for equation in listed]
     sames, conflicts = _judge_dropped(matrix, right, kept, names)
+    if conflicts:
+        # Nobody can mend what follows from the geometry: of what contradicts each other that is told which is written.
+        order = sorted(range(len(listed)), key=lambda place: listed[place].written is not None)
+        kept = [order[place] for place in _kept(base[order])]
+        sames, conflicts = _judge_dropped(matrix, right, kept, names)
     if conflicts or len(kept) < len(equations.unknowns):
         raise InputError([_fault(equations, base, kept, sames, conflicts, rows, owner)])
     notes = tuple(say("equation.redundant", same=_same(names)) for names in sames)

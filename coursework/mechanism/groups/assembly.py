@@ -56,7 +56,7 @@ class CannotAssemble(ValueError):
 
 
 class AtDeadPoint(ValueError):
-    """The determinant is zero and velocities are not defined; `row` the first row, `rows` all, from 0.
+    """The determinant is zero and velocities are not defined; `row` the first row, `rows` all, from 0, `reason` why.
 
     >>> from coursework.procedures import AtDeadPoint, Pair, rrr
     >>> try:
@@ -66,8 +66,9 @@ class AtDeadPoint(ValueError):
     (1,)
     """
 
-    def __init__(self, sentence: str, rows: tuple[int, ...] = (0,)) -> None:
-        super().__init__(sentence, rows)
+    def __init__(self, sentence: str, rows: tuple[int, ...] = (0,), reason: str = "") -> None:
+        super().__init__(sentence, rows, reason)
+        self.reason = reason or sentence
         self.rows = rows
         self.row = rows[0]
 
@@ -100,9 +101,9 @@ def at(value: ArrayLike, row: int) -> float:
     return float(entries[row if len(entries) > 1 else 0])
 
 
-def metres(value: float) -> str:
+def metres(value: float) -> Sentence:
     """Return a length for a sentence; a small one is never rounded to a false zero."""
-    return f"{value:.4f} m" if abs(value) >= 0.001 or value == 0.0 else f"{value:.3g} m"
+    return say("group.metres" if abs(value) >= 0.001 or value == 0.0 else "group.small", metres=value)
 
 
 def refuse(group: str, rows: tuple[int, ...], reason: Sentence, shortage: float) -> CannotAssemble:
@@ -116,7 +117,7 @@ def refuse(group: str, rows: tuple[int, ...], reason: Sentence, shortage: float)
 def dead(group: str, rows: tuple[int, ...], found: Sentence, *, placed: bool = True) -> AtDeadPoint:
     """Return the error for a dead point; `placed` says whether the positions at least are defined there."""
     tail = say("group.dead.placed") if placed else say("group.dead.nowhere")
-    return AtDeadPoint(say("group.dead.point", group=group, row=rows[0], found=found, tail=tail), rows)
+    return AtDeadPoint(say("group.dead.point", group=group, row=rows[0], found=found, tail=tail), rows, found)
 
 
 def require_crossing(group: str, sine: Array, turned: Array, gap: Array, data: tuple[Vectors, Vectors], lines: str) -> None:
@@ -134,8 +135,8 @@ def require_crossing(group: str, sine: Array, turned: Array, gap: Array, data: t
     if apart.any():
         rows = rows_where(apart, n)
         short = at(np.abs(gap), rows[0])
-        raise refuse(group, rows, say("group.parallel", lines=say(lines), apart=metres(short)), short)
-    raise dead(group, rows_where(parallel, n), say("group.coincide", lines=say(lines)), placed=False)
+        raise refuse(group, rows, say("group.parallel", lines=say(lines, **TEXTBOOK), apart=metres(short)), short)
+    raise dead(group, rows_where(parallel, n), say("group.coincide", lines=say(lines, **TEXTBOOK)), placed=False)
 
 
 def require_mode(group: str, mode: int, modes: Mapping[int, str]) -> None:

@@ -64,7 +64,7 @@ def rpr(
         apart_at, offset = metres(at(apart, rows[0])), metres(at(np.abs(e0), rows[0]))
         raise refuse("RPR", rows, say("group.offset", **TEXTBOOK, apart=apart_at, offset=offset, short=metres(short)), short)
     if (apart <= rounding).any():
-        raise dead("RPR", rows_where(apart <= rounding, n), say("group.dead.on_pivot"), placed=False)
+        raise dead("RPR", rows_where(apart <= rounding, n), say("group.dead.on_pivot", **TEXTBOOK), placed=False)
     limit = spare <= rounding
     s = mode * np.sqrt(np.where(limit, 0.0, spare * (apart + np.abs(e0))))
     e = v * (s - 1j * e0)
@@ -77,7 +77,7 @@ def rpr(
     if positions_only:
         return solved(meets=(meets, None, None))
     if limit.any():
-        raise dead("RPR", rows_where(limit, n), say("group.dead.level"))
+        raise dead("RPR", rows_where(limit, n), say("group.dead.level", **TEXTBOOK))
 
     # a [theta'; s'] = right side; the columns of a are i v and e
     (v_b, a_b), (v_d, a_d) = b.motion("RPR, pair B"), d.motion("RPR, pair D")

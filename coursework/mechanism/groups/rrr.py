@@ -60,7 +60,7 @@ def rrr(b: Pair, d: Pair, *, lengths: tuple[Length, Length], mode: int, position
     if (spare < -rounding).any():
         raise _out_of_reach(rows_where(spare < -rounding, n), apart, r_i, r_j)
     if (apart <= rounding).any():  # only equal links pass the line above: they may point anywhere
-        raise dead("RRR", rows_where(apart <= rounding, n), say("group.dead.equal"), placed=False)
+        raise dead("RRR", rows_where(apart <= rounding, n), say("group.dead.equal", **TEXTBOOK), placed=False)
     limit = spare <= rounding
 
     # Heron's product keeps the digits that r_i^2 - x^2 loses near a dead point
@@ -80,7 +80,7 @@ def rrr(b: Pair, d: Pair, *, lengths: tuple[Length, Length], mode: int, position
     if limit.any():
         rows = rows_where(limit, n)
         how = "group.dead.stretched" if at(stretched, rows[0]) < at(folded, rows[0]) else "group.dead.folded"
-        raise dead("RRR", rows, say(how))
+        raise dead("RRR", rows, say(how, **TEXTBOOK))
 
     # a [theta_i'; theta_j'] = right side; the columns of a are i u_i and -i u_j
     (v_b, a_b), (v_d, a_d) = b.motion("RRR, pair B"), d.motion("RRR, pair D")

@@ -130,10 +130,10 @@ def _faults(
             suspects -= {first + place for place in np.flatnonzero(culprits).tolist()}
         found = [written[place - first] for place in sorted(suspects)]
         if not found:
-            return [Fault(say("fault.V301"), file, written[0].line)]
+            return [Fault(say("fault.V301", sections=_sections(equations)), file, written[0].line)]
         if len(found) > 1:
             names = "; ".join(f"{each.name} (:{each.line})" for each in found)
-            return [Fault(say("fault.V303", names=names), file, found[0].line)]
+            return [Fault(say("fault.V303", names=names, sections=_sections(equations)), file, found[0].line)]
         alone = sorted(suspects)
     faults = []
     for place in alone:
@@ -141,8 +141,13 @@ def _faults(
         rows = every[:, [*range(first), place]]
         bound = next((bound.name for bound in equations.bound if bound.name in one.coefficients), "")
         about = _of_bound(bound, equations, rows) if bound else ""
-        faults.append(Fault(say("fault.V302", name=one.name, about=about), file, one.line))
+        faults.append(Fault(say("fault.V302", name=one.name, about=about, sections=_sections(equations)), file, one.line))
     return faults
+
+
+def _sections(equations: VelocityEquations) -> tuple[str, str]:
+    """Return the sections of a file that tell its geometry."""
+    return "[points]", "[closure]" if equations.from_closure else "[[group]]" if equations.variant.groups else "closure = …"
 
 
 def _of_bound(name: str, equations: VelocityEquations, rows: Array) -> Sentence:

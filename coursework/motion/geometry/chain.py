@@ -64,9 +64,12 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
             mode = _mode(equations, group, q[:1])
             assert mode is not None  # else the file has been refused
             found = dyad(equations.symbols, group, mode, values).coordinates
-        except groups.CannotAssemble as error:
+        except (groups.CannotAssemble, groups.AtDeadPoint) as error:
             named = ", ".join(map(spelled, group.start_points))
-            known = {"kind": group.kind, "time": float(times[error.row]), "reason": _in_letters_of(group, error.reason)}
+            reason = _in_letters_of(group, error.reason)
+            if isinstance(error, groups.AtDeadPoint):  # of a place that is none the position is left open
+                reason = say("group.dead.undecided", found=reason)
+            known = {"kind": group.kind, "time": float(times[error.row]), "reason": reason}
             told = say("fault.V306", **known, letters=named) if named else say("fault.V305", **known)
             raise _fault(told, number, group, variant) from error
         except ValueError as error:
@@ -87,7 +90,8 @@ def _in_letters_of(group: Group, reason: str) -> str:
     """Return why a group does not close with the points of the file in the place of the textbook's letters."""
     if not isinstance(reason, Sentence):
         return reason
-    return say(reason.key, **{**reason.values, **letters_of(group_kind(group.kind).shape, group)})
+    inner = {name: _in_letters_of(group, value) for name, value in reason.values.items() if isinstance(value, Sentence)}
+    return say(reason.key, **{**reason.values, **inner, **letters_of(group_kind(group.kind).shape, group)})
 
 
 def _continued(angles: Array, start: float | None) -> Array:

@@ -257,10 +257,11 @@ def require_start(closure: Closure | None) -> None:
         return
     variant = closure.equations.variant
     listed = ", ".join(f"{name} {value:.6g}" for name, value in zip(closure.names, residual, strict=True))
-    told = say("fault.V312", residuals=listed)
+    unit = ", ".join(dict.fromkeys(one.unit for one in closure.equations.positions if one.name in closure.names))
+    told = say("fault.V312", residuals=listed, unit=unit)
     if closed is not None:
         values = ", ".join(f"{c.name} = {_typed(c, q)}" for c, q in zip(variant.coordinates, closed.tolist(), strict=True))
-        told = say("fault.V313", residuals=listed, nearest=values)
+        told = say("fault.V313", residuals=listed, unit=unit, nearest=values)
     raise InputError([Fault(told, variant.file, variant.line_of("coordinates"))])
 
 

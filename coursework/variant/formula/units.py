@@ -170,9 +170,10 @@ def unknown(text: str, unit: str, wanted: str = "") -> Sentence:
     """
     found = text[:40]
     if re.match(r"\s*[-+−]?\d+,\d", text):
-        return say("fault.V106", found=found)
+        return say("fault.V106", found=found, advised=found.replace(",", ".", 1).strip())
     if not unit or not re.search(r"[^\W\d_]|°", unit):
-        return say("fault.V107", found=found)
+        last = text.split()[-1:] or [""]
+        return say("fault.V107", found=found, unit=last[0] if last[0] in UNITS else wanted or "m")
     if unit.lower() in _HERTZ:
         return say("fault.V108", found=found)
     meant = _nearest(unit, (wanted,) if wanted else tuple(KINDS))

@@ -179,7 +179,7 @@ class Parts:
                 # Looking for the closest name takes time; after so many faults nobody reads the advice.
                 few = len(self.faults) < _ADVISED
                 allowed = [known for known, its in self.names.kinds.items() if its in _SCOPES[scope]] if few else []
-                advice = closest(name, [*allowed, "t", "pi"]) or say("fault.part.declare")
+                advice = closest(name, [*allowed, "t", "pi"]) or say(f"fault.part.declare.{scope}")
                 self.undeclared(path, _SCOPES[scope], say("fault.V053", name=tree.name[:40], hint=advice), tree.column)
         return tree if name == tree.name else Formula("name", (), name, tree.column)
 
