@@ -13,6 +13,7 @@ import numpy as np
 
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.motion.geometry.closure import Closure
+from coursework.motion.geometry.drive import resolution
 from coursework.motion.integration.following import follow_closure
 from coursework.motion.integration.loops import generate_loop
 from coursework.motion.integration.motion import Motion
@@ -42,19 +43,26 @@ def refine(rates: Rates, start: Sequence[float], times: Array) -> tuple[Array, f
     """Return positions (n, m) by the precise scheme, the sum of the differences that are left, and the steps taken.
 
     Where eight and sixteen steps of an interval do not agree it is halved, so that a dead point ahead costs its own interval
-    only.  No step reaches across a time at which the drive changes its formula.
+    only.  No step reaches across a time at which the drive changes its formula, nor one interval over what it does in less.
     """
     loop = generate_loop(PRECISE, rates)
+    cells = resolution(rates.equations, float(times[-1])).edges
     rows = [np.array(start, dtype=float)]
     gap, steps = 0.0, 0
     for begin, end in itertools.pairwise(times.tolist()):
-        edges = [begin, *[b for b in rates.breaks if begin < b < end], end]
+        edges = [begin, *sorted({*[b for b in rates.breaks if begin < b < end], *_quick(cells, begin, end)}), end]
         q = rows[-1]
         for a, b in itertools.pairwise(edges):
             q, left, taken = _halved(loop, a, min(b, rates.may_look_until(b)), q)
             gap, steps = gap + left, steps + taken
         rows.append(q)
     return np.array(rows), gap, steps
+
+
+def _quick(cells: Array, begin: float, end: float) -> list[float]:
+    """Return the times inside an interval (s) at which stretches end that are shorter than it."""
+    first, last = np.searchsorted(cells, (begin, end), side="right")
+    return [float(at) for at in cells[first:last] if begin < at < end] if last - first > 1 else []
 
 
 def _halved(

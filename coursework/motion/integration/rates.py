@@ -37,7 +37,7 @@ class Rates:
 
     `evaluate(t, *q)` -> velocities then determinants, floats; `rows` the same over arrays (n,).  `coordinates` integrated;
     `velocities` returned (rates of the coordinates first); `blocks` indices evaluated; `body` the program behind them;
-    `breaks` the times (s) at which the drive changes its formula.
+    `equations` what it was made from; `breaks` the times (s) at which the drive changes its formula.
     """
 
     coordinates: tuple[str, ...]
@@ -46,6 +46,7 @@ class Rates:
     evaluate: Callable[..., tuple[float, ...]]
     rows: Callable[..., Any]
     body: Bound
+    equations: VelocityEquations
     breaks: tuple[float, ...] = ()
 
     def may_look_until(self, end: float) -> float:
@@ -97,7 +98,7 @@ def compile_rates(equations: VelocityEquations, reduction: Reduction, wanted: Se
     return Rates(
         parts.coordinates, parts.velocities, parts.blocks,
         compile_function("rates", arguments, body, parts.results),
-        compile_later("rates", arguments, body, parts.results, numpy=True), body, breaks(equations.variant),
+        compile_later("rates", arguments, body, parts.results, numpy=True), body, equations, breaks(equations.variant),
     )  # fmt: skip
 
 

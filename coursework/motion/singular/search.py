@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from coursework.motion.geometry.drive import resolution
 from coursework.motion.integration.passage import Passage
 from coursework.motion.singular.event import Event
 from coursework.motion.singular.peaks import Peaks
@@ -49,7 +50,8 @@ def search_event(
     """
     if not len(flow.largest):
         return Search(None)  # every velocity is given, so nothing can become singular
-    walk = Walk(flow, np.array([*start, 0.0], dtype=float), end, tolerance)
+    cells = resolution(flow.equations, end).edges
+    walk = Walk(flow, np.array([*start, 0.0], dtype=float), end, cells, tolerance)
     event = None
     for goal in [*(b for b in breaks if 0 < b < end), end]:
         event = event or walk.at_start() or walk.until(goal)

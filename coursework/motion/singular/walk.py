@@ -13,6 +13,7 @@ Source: numerics.md 3.1.
 from __future__ import annotations
 
 import math
+from bisect import bisect_right
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -47,13 +48,15 @@ TOGETHER = 1e-6
 ROOT = 1e-13
 MAX_STEPS = 20_000
 _HALVINGS = 30
+# Of a step that reaches too far the part that does not: the pace of the clock changes on the way.
+_SHORT = 0.9
 
 
 class Walk:
     """A walk along the flow: `state` (position, then t), `scaled` determinants there, `length` of the next step in s."""
 
-    def __init__(self, flow: Flow, state: Array, end: float, tolerance: float) -> None:
-        self.flow, self.state, self.end, self.tolerance = flow, state, end, tolerance
+    def __init__(self, flow: Flow, state: Array, end: float, cells: Array, tolerance: float) -> None:
+        self.flow, self.state, self.end, self.cells, self.tolerance = flow, state, end, cells.tolist(), tolerance
         self.scaled = self._determinants(state)
         self.slope = state
         self.length = 0.0
@@ -133,6 +136,9 @@ class Walk:
         slope = self.slope = clock.slope(self.state)
         allowed = [self.tolerance * (1.0 + abs(value)) for value in self.state.tolist()]
         allowed[-1] = self.tolerance * self.end
+        # A step that sees nothing of a pulse between its points has no error: none reaches beyond the next stretch.
+        beyond = bisect_right(self.cells, t) + 1
+        most = self.cells[beyond] - t if beyond < len(self.cells) else math.inf
         while True:
             try:
                 after, error = clock.step(self.state, slope, self.length)
@@ -148,10 +154,13 @@ class Walk:
                 raise NotFollowed(say("fault.V512", time=t, reason=why), t, ahead) from fault
             shares = [abs(off) / most for off, most in zip(error, allowed, strict=True)]
             ratio = math.inf if math.isnan(sum(shares)) else max(shares)
-            if ratio <= 1.0:
+            if (far := float(after[-1]) - t) > most * (1 + AT_END):
+                self.length *= most / far * _SHORT
+            elif ratio <= 1.0:
                 self.peaks.see(Piece(self.state, slope, clock, self.length))
                 return after, self.length, next_length(self.length, ratio, 8)
-            self.length = next_length(self.length, min(ratio, 1e10), 8)
+            else:
+                self.length = next_length(self.length, min(ratio, 1e10), 8)
 
     def _reached(self, clock: Clock, part: float) -> Array:
         return clock.step(self.state, self.slope, part)[0]

@@ -8,18 +8,28 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from coursework.motion.geometry.drive import resolution
 from coursework.results.checks.evidence import Evidence
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 
 @dataclass(frozen=True, slots=True)
 class Need:
-    """`met` by the evidence, or the check is skipped with the sentence of the key `otherwise`."""
+    """`met` by the evidence, or the check is skipped with the sentence `otherwise`; `headline` is what the summary then begins with."""
 
     met: Callable[[Evidence], bool]
-    otherwise: str
+    otherwise: Callable[[Evidence], Sentence]
+    headline: Callable[[Evidence], str] = lambda evidence: ""
 
 
-ROW = Need(lambda evidence: len(evidence.motion.t) > 0, "check.no_row")
-WHOLE = Need(lambda evidence: not evidence.restricted, "check.only_some")
-EXACT = Need(lambda evidence: evidence.exact is not None and len(evidence.exact.t) > 0, "check.unknown")
-CLOSURE = Need(lambda evidence: evidence.closure is not None, "check.DRIFT.skip")
+def _open_integral(evidence: Evidence) -> Sentence:
+    found = resolution(evidence.equations)
+    return say("check.unresolved", time=found.place)
+
+
+ROW = Need(lambda evidence: len(evidence.motion.t) > 0, lambda _: say("check.no_row"))
+WHOLE = Need(lambda evidence: not evidence.restricted, lambda _: say("check.only_some"))
+EXACT = Need(lambda evidence: evidence.exact is not None and len(evidence.exact.t) > 0, lambda _: say("check.unknown"))
+CLOSURE = Need(lambda evidence: evidence.closure is not None, lambda _: say("check.DRIFT.skip"))
+RESOLVED = Need(lambda evidence: resolution(evidence.equations).met, _open_integral, _open_integral)
