@@ -142,6 +142,8 @@ class WayToMotion:
 
         at = (event.block, event.time, event.position.tolist())
         branches = branches_at(self.flow, *at) if event.kind == "change point" else ()
+        if branches is None:
+            event, branches = replace(event, kind="dead point", demanded=None), ()
         return explain(event, self.equations, self.reduction, self.variant.time.step, branches)
 
     @computed("search", "equations", "reduction", "start")

@@ -14,7 +14,7 @@ import numpy as np
 
 from coursework.equations.codegen.tabulated import TableLaw
 from coursework.system.arrays import Array, Flags
-from coursework.variant.formula.tree import Formula
+from coursework.variant.formula.tree import Formula, factors, product_of
 from coursework.variant.record.variant import Law
 
 # The disc about a stretch has so many times its half length for a radius.
@@ -128,6 +128,11 @@ def _absolute(a: Enclosure) -> Enclosure:
     return _checked(low, a.size, np.abs(a.middle), np.where(np.abs(a.middle) > a.radius, a.radius, np.inf))
 
 
+def _sign(a: Enclosure) -> Enclosure:
+    low, high = np.where(a.low < 0, -1.0, 1.0), np.where(a.high > 0, 1.0, -1.0)
+    return Enclosure(low, high, np.sign(a.middle), np.where(np.abs(a.middle) > a.radius, 0.0, np.inf))
+
+
 def _arcsine(a: Enclosure) -> Enclosure:
     room = (1 - a.middle - a.radius) * (1 + a.middle - a.radius)
     inside = np.abs(a.middle) + a.radius < 1
@@ -210,10 +215,19 @@ class Laws:
             case "*":
                 return _power(args[0], 2.0) if tree.args[0] == tree.args[1] else _times(*args)
             case "/":
-                return _times(args[0], _inverse(args[1]))
+                return self._quotient(tree, args, begin, end)
             case "^":
                 return _power(args[0], float(args[1].middle[0])) if len(begin) else args[0]
         return _angle(*args) if tree.name == "atan2" else _CALLS[tree.name](args[0])
+
+    def _quotient(self, tree: Formula, args: list[Enclosure], begin: Array, end: Array) -> Enclosure:
+        """Return a quotient; u/abs(u), as a sign is written, lies between -1 and 1 also where u is zero."""
+        above, below = list(factors(tree.args[0])), tree.args[1]
+        if below.op == "call" and below.name == "abs" and (below.args[0], 1) in above:
+            above.remove((below.args[0], 1))
+            rest = self._formula(product_of([factor for factor, _ in above]), begin, end)
+            return _times(rest, _sign(self._formula(below.args[0], begin, end)))
+        return _times(args[0], _inverse(args[1]))
 
     def _name(self, name: str, begin: Array, end: Array) -> Enclosure:
         if name == "t":

@@ -29,6 +29,7 @@ AGREEMENT = 1e-13
 # With half the step the error is smaller by this and 1: what is left of the difference of two results.
 _GAIN = 2**PRECISE.order - 1
 _MOST_HALVINGS = 30
+_JUMP = 1e-9  # of an interval
 
 
 class NoVelocities(ArithmeticError):
@@ -60,9 +61,15 @@ def refine(rates: Rates, start: Sequence[float], times: Array) -> tuple[Array, f
 
 
 def _quick(cells: Array, begin: float, end: float) -> list[float]:
-    """Return the times inside an interval (s) at which stretches end that are shorter than it."""
+    """Return the times inside an interval (s) at which stretches end that are shorter than it, none as short as a jump is long."""
     first, last = np.searchsorted(cells, (begin, end), side="right")
-    return [float(at) for at in cells[first:last] if begin < at < end] if last - first > 1 else []
+    if last - first < 2:
+        return []
+    found, nearest = [begin], _JUMP * (end - begin)
+    for at in cells[first:last].tolist():
+        if found[-1] + nearest < at < end - nearest:
+            found.append(at)
+    return found[1:]
 
 
 def _halved(

@@ -24,7 +24,7 @@ class Event:
     block: int
     time: float
     position: Array
-    demanded: float
+    demanded: float | None
     together: tuple[int, ...] = ()
 
 

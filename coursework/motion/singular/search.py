@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from coursework.motion.geometry.drive import resolution
+from coursework.motion.geometry.oscillation import turns_repeat
 from coursework.motion.integration.passage import Passage
 from coursework.motion.singular.event import Event
 from coursework.motion.singular.peaks import Peaks
@@ -20,6 +21,7 @@ from coursework.motion.singular.walk import Walk
 
 # The event time is wanted to 1e-8 s; the local tolerance leaves three digits for the sum of all steps.
 TOLERANCE = 1e-12
+_BACK = 1e-8
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,6 +55,17 @@ def search_event(
     cells = resolution(flow.equations, end).edges
     walk = Walk(flow, np.array([*start, 0.0], dtype=float), end, cells, tolerance)
     event = None
-    for goal in [*(b for b in breaks if 0 < b < end), end]:
+    turn = turns_repeat(flow.equations)
+    for goal in sorted({*(b for b in (*breaks, turn, 2 * turn) if 0 < b < end), end}):
         event = event or walk.at_start() or walk.until(goal)
+        if event is None and goal < end and goal in (turn, 2 * turn) and _is_back(flow, walk.state[:-1], start):
+            return Search(None, walk.peaks, goal, tuple(walk.passages))  # it moves on as it has moved
     return Search(event, walk.peaks, end, tuple(walk.passages))
+
+
+def _is_back(flow: Flow, position: Array, start: Sequence[float]) -> bool:
+    """Return whether a position (m,) is that of the start but for whole turns of its angles."""
+    gap = position - np.asarray(start)
+    angles = np.array([coordinate.unit == "rad" for coordinate in flow.equations.variant.coordinates])
+    gap[angles] -= 2 * np.pi * np.round(gap[angles] / (2 * np.pi))
+    return bool(np.max(np.abs(gap), initial=0.0) < _BACK)

@@ -47,6 +47,8 @@ TOGETHER = 1e-6
 # A part of the first determinant, or of the run: positions are right to it, the time of a fold to its square.
 ROOT = 1e-13
 MAX_STEPS = 20_000
+# A coordinate (rad or m) that has got so far turns for ever, or has no end: a hundred million revolutions.
+BOUNDLESS = 1e9
 _HALVINGS = 30
 # Of a step that reaches too far the part that does not: the pace of the clock changes on the way.
 _SHORT = 0.9
@@ -102,12 +104,19 @@ class Walk:
             if part or state[-1] >= goal:
                 self._arrive(clock, part or reach, goal)
                 return None
+            if max(map(abs, state[:-1].tolist())) > BOUNDLESS:
+                raise self._boundless(state)
             nearer = abs(after[block]) < min(abs(self.scaled[block]), self.near)
             self.state, self.scaled, self.length = state, after, following
             self.way.append(self.state)
             if nearer and (event := self._at_rest(block)) is not None and not (event.time < latest and self._pass(event, goal)):
                 return event if event.time < latest else None
         raise NotFollowed(say("fault.V511", time=float(self.state[-1])), float(self.state[-1]))
+
+    def _boundless(self, state: Array) -> NotFollowed:
+        place = int(np.argmax(np.abs(state[:-1])))
+        name = self.flow.equations.variant.coordinates[place].name
+        return NotFollowed(say("fault.V526", name=name, time=float(state[-1])), float(state[-1]))
 
     def _pass(self, event: Event, goal: float) -> bool:
         """Go on behind a change point where one motion only does; return whether there is one."""
@@ -275,4 +284,5 @@ class Walk:
         sizes = self.flow.scaled(time, position.tolist())
         together = tuple(k for k, size in enumerate(sizes) if abs(size) < TOGETHER or k == block)
         demanded = self.flow.demand(time, position.tolist(), together[0])
-        return Event(kind, together[0], time, position, demanded, together)
+        # A start that is singular itself is so at once, whatever the search for the point has made of round-off.
+        return Event(kind, together[0], time if time > ROOT * self.end else 0.0, position, demanded, together)
