@@ -61,7 +61,7 @@ def refine(rates: Rates, start: Sequence[float], times: Array) -> tuple[Array, f
 
 
 def _quick(cells: Array, begin: float, end: float) -> list[float]:
-    """Return the times inside an interval (s) at which stretches end that are shorter than it, none as short as a jump is long."""
+    """Return the times inside an interval (s) at which shorter stretches end, but none within a jump."""
     first, last = np.searchsorted(cells, (begin, end), side="right")
     if last - first < 2:
         return []

@@ -18,6 +18,7 @@ from coursework.motion.singular.event import Event
 from coursework.motion.singular.peaks import Peaks
 from coursework.motion.singular.scaled_flow import Flow
 from coursework.motion.singular.walk import Walk
+from coursework.system.arrays import Array
 
 # The event time is wanted to 1e-8 s; the local tolerance leaves three digits for the sum of all steps.
 TOLERANCE = 1e-12

@@ -16,7 +16,7 @@ from coursework.words.sentences import say
 
 @dataclass(frozen=True, slots=True)
 class Need:
-    """`met` by the evidence, or the check is skipped with the sentence `otherwise`; `headline` is what the summary then begins with."""
+    """`met` by the evidence, or skipped with the sentence `otherwise`; `headline` then begins the summary."""
 
     met: Callable[[Evidence], bool]
     otherwise: Callable[[Evidence], Sentence]
