@@ -19,7 +19,6 @@ from coursework.equations.reduction.system import compile_values
 from coursework.motion.geometry.enclosures import Laws
 from coursework.motion.geometry.quadrature import POINTS, Resolution, resolve
 from coursework.system.arrays import Array
-from coursework.variant.formula.tree import Formula
 from coursework.variant.record.variant import MAX_ROWS, Law, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
@@ -103,19 +102,23 @@ def resolution(equations: VelocityEquations, end: float = 0.0) -> Resolution:
 def _resolution(equations: VelocityEquations, end: float) -> Resolution:
     variant, inner = equations.variant, _joints(equations)
     laws = Laws(variant.values, {law.name: law for law in (*variant.drive, *variant.functions)}, equations.tables)
-    moving = [law.name for law in variant.drive if law.table or any("t" in formula.names() for formula in _behind(law, laws))]
+    drives = {law.name for law in variant.drive}
+    moving = [name for name, law in laws.laws.items() if (name in drives or law.of in {"", "t"}) and _is_of_time(law, laws)]
     edges = np.unique(np.concatenate([[0.0, end], inner[(inner > 0) & (inner < end)]]))
     if not moving or end <= 0:
         return Resolution(edges, 0.0, 0.0, True)
     return resolve(lambda begin, end: [laws.over(name, begin, end) for name in moving], edges)
 
 
-def _behind(law: Law, laws: Laws) -> list[Formula]:
-    """Return the formulas of a law and of those it is written with."""
-    found = list(law.formulas)
-    for name in {name for formula in law.formulas for name in formula.names()} & laws.laws.keys():
-        found += _behind(laws.laws[name], laws)
-    return found
+def _is_of_time(law: Law, laws: Laws) -> bool:
+    """Return whether a law changes with time, and with nothing else."""
+    if law.table:
+        return law.of == "t"
+    used = {name for formula in law.formulas for name in formula.names()}
+    inner = [laws.laws[name] for name in used & laws.laws.keys()]
+    constant = {*laws.values, "pi", "t", *laws.laws}
+    moves = "t" in used or len(law.pieces) > 1 or any(_is_of_time(one, laws) for one in inner)
+    return moves and used <= constant
 
 
 def _joints(equations: VelocityEquations) -> Array:

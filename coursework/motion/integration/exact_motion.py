@@ -30,6 +30,11 @@ AGREEMENT = 1e-13
 _GAIN = 2**PRECISE.order - 1
 _MOST_HALVINGS = 30
 _JUMP = 1e-9  # of an interval
+# Steps that a refined motion may take, some three seconds, beside those of a row; of the longest table a row takes fewer.
+_MOST_STEPS, _LONG = 400_000, 20_000
+_COUNT, _FEW = 8, 2
+# Results that are further apart altogether (rad or m) are two motions.
+_LOST = 1e-6
 
 
 class NoVelocities(ArithmeticError):
@@ -40,12 +45,19 @@ class NoVelocities(ArithmeticError):
         self.times, self.position = times, position
 
 
+class OutOfReach(ArithmeticError):
+    """A refined motion takes more steps than are made, or its results do not come to agree."""
+
+
 def refine(rates: Rates, start: Sequence[float], times: Array) -> tuple[Array, float, int]:
     """Return positions (n, m) by the precise scheme, the sum of the differences that are left, and the steps taken.
 
     Where eight and sixteen steps of an interval do not agree it is halved, so that a dead point ahead costs its own interval
     only.  No step reaches across a time at which the drive changes its formula, nor one interval over what it does in less.
+    Raises `OutOfReach` where that takes too many steps.
     """
+    count = _COUNT if len(times) <= _LONG else _FEW
+    most = _MOST_STEPS + 3 * count * len(times)
     loop = generate_loop(PRECISE, rates)
     cells = resolution(rates.equations, float(times[-1])).edges
     rows = [np.array(start, dtype=float)]
@@ -54,8 +66,10 @@ def refine(rates: Rates, start: Sequence[float], times: Array) -> tuple[Array, f
         edges = [begin, *sorted({*[b for b in rates.breaks if begin < b < end], *_quick(cells, begin, end)}), end]
         q = rows[-1]
         for a, b in itertools.pairwise(edges):
-            q, left, taken = _halved(loop, a, min(b, rates.may_look_until(b)), q)
+            q, left, taken = _halved(loop, a, min(b, rates.may_look_until(b)), q, count)
             gap, steps = gap + left, steps + taken
+            if steps > most:
+                raise OutOfReach
         rows.append(q)
     return np.array(rows), gap, steps
 
@@ -73,11 +87,11 @@ def _quick(cells: Array, begin: float, end: float) -> list[float]:
 
 
 def _halved(
-    loop: Callable[..., tuple[float, ...]], begin: float, end: float, q: Array, depth: int = 0
+    loop: Callable[..., tuple[float, ...]], begin: float, end: float, q: Array, count: int, depth: int = 0
 ) -> tuple[Array, float, int]:
     """Return the position after an interval, extrapolated from two results, their difference and the steps."""
     try:
-        coarse, fine = (np.array(loop(begin, count, (end - begin) / count, *q.tolist())) for count in (8, 16))
+        coarse, fine = (np.array(loop(begin, count, (end - begin) / count, *q.tolist())) for count in (count, 2 * count))
         gap = float(np.max(np.abs(fine - coarse), initial=0.0)) / _GAIN
     except (ArithmeticError, ValueError):
         coarse = fine = q
@@ -85,11 +99,11 @@ def _halved(
     if gap < AGREEMENT or depth >= _MOST_HALVINGS:
         if not np.isfinite(gap):
             raise NoVelocities((begin, end), q.tolist())
-        return fine + (fine - coarse) / _GAIN, gap, 24
+        return fine + (fine - coarse) / _GAIN, gap, 3 * count
     middle = (begin + end) / 2
-    q, left, steps = _halved(loop, begin, middle, q, depth + 1)
-    after, right, more = _halved(loop, middle, end, q, depth + 1)
-    return after, left + right, steps + more + 24
+    q, left, steps = _halved(loop, begin, middle, q, count, depth + 1)
+    after, right, more = _halved(loop, middle, end, q, count, depth + 1)
+    return after, left + right, steps + more + 3 * count
 
 
 def passing_motion(
@@ -129,18 +143,22 @@ def exact_motion(
 ) -> Motion:  # fmt: skip
     """Return the exact motion at `times` (rows up to a dead point only).
 
-    Raises `NotReached` where a closure cannot be followed although no dead point was found before.
+    Raises `NotReached` where a closure cannot be followed although no dead point was found before, `OutOfReach` where a motion
+    without positions in closed form takes too long.
     """
     if chain is not None:
         positions, label = chain(times), say("exact.groups")
     elif closure is not None and closure.complete:
         positions, label = follow_closure(closure, rates, times), say("exact.closure")
     else:
-        return _refined(rates, times, *refine(rates, start, times))
+        positions, gap, steps = refine(rates, start, times)
+        if gap > _LOST:
+            raise OutOfReach
+        return _refined(rates, times, positions, gap, steps)
     return rates.motion(times, positions, EXACT, _step(times), label=label)
 
 
 def no_rows(rates: Rates) -> Motion:
-    """Return the exact motion of a mechanism that cannot begin to move."""
+    """Return the exact motion of a mechanism that cannot begin to move, or of one that is not known."""
     q, velocities, determinants = (np.zeros((0, len(names))) for names in (rates.coordinates, rates.velocities, rates.blocks))
     return rates.motion(np.zeros(0), q, EXACT, 0.0, known=(velocities, determinants), label=say("exact.nothing"))

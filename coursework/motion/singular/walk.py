@@ -22,7 +22,7 @@ from coursework.equations.codegen.tabulated import OutsideTable
 from coursework.motion.integration.adaptive import next_length
 from coursework.motion.integration.passage import Passage
 from coursework.motion.singular.change_point import nearest_change_point
-from coursework.motion.singular.event import Event, NotFollowed
+from coursework.motion.singular.event import Event, GivenUp, NotFollowed
 from coursework.motion.singular.passing import passage_at
 from coursework.motion.singular.peaks import Peaks, Piece
 from coursework.motion.singular.scaled_flow import Clock, Flow
@@ -67,6 +67,7 @@ class Walk:
         self.peaks = Peaks.of(len(state) - 1)
         self.way, self.since = [state], 0.0  # the states that may be begun from again; the last break of the drive
         self.passages: list[Passage] = []
+        self.taken = 0
 
     def at_start(self) -> Event | None:
         """Return the event of a start, of the run or behind a break of the drive, that is singular itself."""
@@ -82,7 +83,8 @@ class Walk:
 
     def _until(self, goal: float) -> Event | None:
         latest = goal * (1 + AT_END) if goal == self.end else goal
-        for _ in range(MAX_STEPS):
+        while self.taken < MAX_STEPS:
+            self.taken += 1
             sizes = [abs(size) for size in self.scaled]
             block = sizes.index(min(sizes))
             self.length = self.length or self.end / 200 / sizes[block]
@@ -111,7 +113,7 @@ class Walk:
             self.way.append(self.state)
             if nearer and (event := self._at_rest(block)) is not None and not (event.time < latest and self._pass(event, goal)):
                 return event if event.time < latest else None
-        raise NotFollowed(say("fault.V511", time=float(self.state[-1])), float(self.state[-1]))
+        raise GivenUp(float(self.state[-1]))
 
     def _boundless(self, state: Array) -> NotFollowed:
         place = int(np.argmax(np.abs(state[:-1])))

@@ -30,6 +30,9 @@ def _open_integral(evidence: Evidence) -> Sentence:
 
 ROW = Need(lambda evidence: len(evidence.motion.t) > 0, lambda _: say("check.no_row"))
 WHOLE = Need(lambda evidence: not evidence.restricted, lambda _: say("check.only_some"))
-EXACT = Need(lambda evidence: evidence.exact is not None and len(evidence.exact.t) > 0, lambda _: say("check.unknown"))
+EXACT = Need(
+    lambda evidence: evidence.exact is not None and len(evidence.exact.t) > 0,
+    lambda evidence: say("check.unknown" if evidence.stop is not None else "check.out_of_reach"),
+)
 CLOSURE = Need(lambda evidence: evidence.closure is not None, lambda _: say("check.DRIFT.skip"))
 RESOLVED = Need(lambda evidence: resolution(evidence.equations).met, _open_integral, _open_integral)

@@ -86,6 +86,8 @@ def peak(evidence: Evidence) -> Finding:
     A wheel whose angle nobody adds up may turn faster: no row steps over anything with it.
     """
     variant, step = evidence.variant, evidence.motion.step
+    if evidence.given_up is not None:
+        return skipped(evidence.say("check.PEAK.given_up", time=evidence.given_up))
     if evidence.stop is not None or not evidence.fastest:
         return skipped(evidence.say("check.PEAK.stopped"))
     turning = [
