@@ -120,6 +120,8 @@ class WayToMotion:
             found = search_event(self.flow, start, horizon, breaks=breaks(self.variant))
             if found.passages and horizon < time.end:  # each of them must be known
                 found = search_event(self.flow, start, time.end, breaks=breaks(self.variant))
+            if found.given_up is not None:
+                refuse_endless(self.equations, found.given_up)
             return found
         except NotFollowed as error:
             refuse_endless(self.equations, error.time)

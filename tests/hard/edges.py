@@ -20,7 +20,7 @@ Columns = dict[str, mp.mpf]
 
 @dataclass(frozen=True)
 class Edge:
-    """`text` of a variant; `true(t)` all its columns; `apart`: by how much (relative) it misses a dead point, below 0: goes beyond;
+    """`text` of a variant; `true(t)` all its columns; `apart`: by how much (relative) it misses a dead point, beyond it below 0;
     `ends` (s) when it then stops; `digits` that the data leave of sixteen.
     """
 
@@ -49,7 +49,9 @@ def closing(v: mp.mpc, w: mp.mpc, long: mp.mpf, other: mp.mpf, p: mp.mpf, q: mp.
     return (gap * mp.expj(-q)).real / (long * cross) * 1, (gap * mp.expj(-p)).real / (other * cross) * 1
 
 
-def of_four_bar(lengths: tuple[mp.mpf, ...], law: Law, rate: Callable[[mp.mpf], mp.mpf], start: mp.mpf) -> Callable[[mp.mpf], Columns]:
+def of_four_bar(
+    lengths: tuple[mp.mpf, ...], law: Law, rate: Callable[[mp.mpf], mp.mpf], start: mp.mpf
+) -> Callable[[mp.mpf], Columns]:
     a, b, c, d = lengths
 
     def true(t: mp.mpf) -> Columns:
@@ -72,7 +74,7 @@ def rate_of(law: Law) -> Callable[[mp.mpf], mp.mpf]:
         later = mp.mpf(float(first) + float(width))
         return lambda t: data["a"] if first <= t < later else data["b"]
     code = compile(law.drive.replace("^", "**"), "drive", "eval")
-    return lambda t: mp.mpf(eval(code, {}, names | data | {"t": t}))  # noqa: S307  the tests' own texts
+    return lambda t: mp.mpf(eval(code, {}, names | data | {"t": t}))
 
 
 def quick(random: Random) -> Edge:
@@ -93,7 +95,9 @@ def as_equations(text: str, start: Columns) -> str:
     """Return a four-bar with its groups replaced by two velocity equations and start values."""
     text = text.split("[points]")[0]
     for name, rate in (("th2", "w2"), ("th3", "w3")):
-        text = text.replace(f'{name} = {{ rate = "{rate}", unit', f'{name} = {{ start = "{float(start[name])!r} rad", rate = "{rate}", unit')
+        text = text.replace(
+            f'{name} = {{ rate = "{rate}", unit', f'{name} = {{ start = "{float(start[name])!r} rad", rate = "{rate}", unit'
+        )
     return text + (
         '[[constraint]]\nname = "1"\nequation = "l1*w1*sin(th1) + l2*w2*sin(th2) - l3*w3*sin(th3) = 0"\n'
         '[[constraint]]\nname = "2"\nequation = "l1*w1*cos(th1) + l2*w2*cos(th2) - l3*w3*cos(th3) = 0"\n'
@@ -183,7 +187,12 @@ def turns(random: Random) -> Edge:
     law = Law("steady", "n", {"n": given["n"]}, lambda t: n * t)
     rate: Callable[[mp.mpf], mp.mpf] = lambda t: n  # noqa: E731
     if not steady:
-        law = Law("two", "n + 0.3*n*sin(k*t) + 0.2*n*cos(m*t)", given, lambda t: n * (t + 0.3 * (1 - mp.cos(k * t)) / k + mp.mpf(0.2) * mp.sin(m * t) / m))
+        law = Law(
+            "two",
+            "n + 0.3*n*sin(k*t) + 0.2*n*cos(m*t)",
+            given,
+            lambda t: n * (t + 0.3 * (1 - mp.cos(k * t)) / k + mp.mpf(0.2) * mp.sin(m * t) / m),
+        )
         rate = lambda t: n * (1 + mp.mpf(0.3) * mp.sin(k * t) + mp.mpf(0.2) * mp.cos(m * t))  # noqa: E731
     text = four_bar(law, scheme=random.choice(["exact", "euler", "rk4"]), end=end, step=end / rows)
     true = of_four_bar(tuple(mp.mpf(float(one)) for one in ("0.4", "1.0", "0.7", "1.2")), law, rate, mp.mpf(0))
@@ -222,7 +231,9 @@ def dependent(random: Random) -> Edge:
     def true(t: mp.mpf) -> Columns:
         return {f"x{i}": mp.mpf(0.5) + rates[i] * t for i in range(k)} | {f"u{i}": rates[i] for i in range(k)}
 
-    return Edge("dependent", f"{k} equations, condition {mp.nstr(number, 2)}", "\n".join(lines), true, digits=16 - float(mp.log10(number)))
+    return Edge(
+        "dependent", f"{k} equations, condition {mp.nstr(number, 2)}", "\n".join(lines), true, digits=16 - float(mp.log10(number))
+    )
 
 
 FAMILIES = (quick, dead, far, turns, dependent)

@@ -39,6 +39,7 @@ def _gauss_legendre(count: int) -> tuple[Array, Array]:
 # Gauss-Legendre with 12 points is exact to round-off for a sinusoid over a tenth of its period.
 _POINTS, _WEIGHTS = _gauss_legendre(POINTS)
 _PIECES_PER_RUN = 240
+_MANY_TURNS = 1e3  # rad
 _REMEMBERED = 32  # scenes and times of which it is known where their drives change quickly
 # This part of the run beside a moment, and so many times its usual size, tell that a drive grows beyond bounds there.
 _NEAR, _BEYOND = 1e-6, 1e4
@@ -82,7 +83,9 @@ def integrals(equations: VelocityEquations, names: Sequence[str], times: Array) 
         told = say("fault.V321", name=name, time=float(at[place[0], place[1]]))
         raise InputError([Fault(told, variant.file, variant.line_of("drive", name))])
     pieces = np.tensordot(values, _WEIGHTS, axes=(1, 0)) * half[:, None]
-    total = np.vstack([np.zeros(len(names)), np.cumsum(pieces, axis=0)])
+    # Of thousands of turns the digits behind the point are lost in a sum of doubles.
+    kind = np.longdouble if np.abs(pieces).sum() > _MANY_TURNS else np.float64
+    total = np.vstack([np.zeros(len(names)), np.cumsum(pieces.astype(kind), axis=0).astype(np.float64)])
     return np.asarray(total[np.searchsorted(fine, times)])
 
 

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     import sympy as sp
 
 # Part of its time by which a step ends before a break of the drive: its last slope must still see the old formula.
+_SOLVED = 25  # formulas that a block solved by numbers takes as long as
 _BEFORE_BREAK = 1e-13
 
 
@@ -63,6 +64,11 @@ class Rates:
         size = len(self.coordinates)
         latest = np.array([self.may_look_until(end) for end in ends.tolist()]) if self.breaks else np.inf
         return lambda t, q: self.table(np.minimum(t, latest), q)[0][:, :size]
+
+    @property
+    def weight(self) -> float:
+        """Return what a slope costs, 1 where all velocities are formulas: a block that is solved by numbers is far dearer."""
+        return float(sum(_SOLVED if "_solve(" in line.text else 0 for line in self.body.lines)) or 1.0
 
     def table(self, t: Array, q: Array) -> tuple[Array, Array]:
         """Return velocities (n, k) and determinants (n, blocks) for rows of coordinates (n, m)."""

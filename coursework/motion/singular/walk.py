@@ -46,7 +46,7 @@ BEFORE_BREAK, AT_END = 1e-12, 1e-9
 TOGETHER = 1e-6
 # A part of the first determinant, or of the run: positions are right to it, the time of a fold to its square.
 ROOT = 1e-13
-MAX_STEPS = 20_000
+MAX_STEPS = 15_000
 # A coordinate (rad or m) that has got so far turns for ever, or has no end: a hundred million revolutions.
 BOUNDLESS = 1e9
 _HALVINGS = 30

@@ -14,7 +14,7 @@ from coursework.results.checks import advice
 from coursework.results.checks.close_to_motion import closeness, continuity, drift, long_run, period, rows, sinusoid
 from coursework.results.checks.computed_right import beginning, conditioning, digits, equations, quotes
 from coursework.results.checks.evidence import Evidence
-from coursework.results.checks.needs import CLOSURE, EXACT, RESOLVED, ROW, WHOLE, Need
+from coursework.results.checks.needs import CLOSURE, DIGITS, EXACT, RESOLVED, ROW, WHOLE, Need
 from coursework.results.checks.result import Finding, Group, skipped
 from coursework.words.sentences import say
 
@@ -42,11 +42,11 @@ CHECKS: tuple[Check, ...] = (
     Check("AGREEMENT", "computation", equations.agreement, (), is_least=True),
     Check("QUOTE", "computation", quotes.quote),
     Check("TABLE-DIGITS", "computation", digits.table_digits),
-    Check("ACCURACY", "motion", closeness.accuracy, (ROW, RESOLVED, EXACT)),
-    Check("PERIOD-POSITION", "motion", period.position, (ROW, RESOLVED, EXACT)),
-    Check("PERIOD-VELOCITY", "motion", period.velocity, (ROW, RESOLVED, EXACT)),
+    Check("ACCURACY", "motion", closeness.accuracy, (ROW, RESOLVED, EXACT, DIGITS)),
+    Check("PERIOD-POSITION", "motion", period.position, (ROW, RESOLVED, EXACT, DIGITS)),
+    Check("PERIOD-VELOCITY", "motion", period.velocity, (ROW, RESOLVED, EXACT, DIGITS)),
     Check("PERIOD-ASSEMBLY", "motion", period.assembly, (ROW, RESOLVED)),
-    Check("CONTINUITY", "motion", continuity.continuity, (ROW, RESOLVED, EXACT)),
+    Check("CONTINUITY", "motion", continuity.continuity, (ROW, RESOLVED, EXACT, DIGITS)),
     Check("SINUSOID", "motion", sinusoid.sinusoid, (ROW, RESOLVED, EXACT), is_least=True),
     Check("STEP", "motion", rows.enough, is_least=True),
     Check("PEAK", "motion", conditioning.peak, (ROW, RESOLVED)),
