@@ -27,8 +27,8 @@ from coursework.system.arrays import Array
 if TYPE_CHECKING:
     import sympy as sp
 
-# Part of its time by which a step ends before a break of the drive: its last slope must still see the old formula.
 _SOLVED = 25  # formulas that a block solved by numbers takes as long as
+# Part of its time by which a step ends before a break of the drive: its last slope must still see the old formula.
 _BEFORE_BREAK = 1e-13
 
 
