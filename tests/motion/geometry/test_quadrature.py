@@ -7,10 +7,12 @@ import numpy as np
 import pytest
 
 import coursework
+from coursework.motion.geometry import quadrature
 from coursework.motion.geometry.drive import integrals, resolution
 from coursework.motion.geometry.enclosures import Enclosure
 from coursework.motion.geometry.quadrature import MOST, WANTED, resolve
 from coursework.variant.reading.reader import parse_variant
+from coursework.words.errors import InputError
 from tests.hard.drives import END, KINDS, STEP, Law, drawn, four_bar
 
 mp.mp.dps = 50
@@ -40,17 +42,31 @@ def test_the_integral_is_that_of_the_closed_form(kind, decades):
     ("a*(t - tm)*T/((t - tm)^2 + (1e-20*T)^2)", {"a": "1 rad/s", "T": "1 s", "tm": "0.50437 s"}),
     ("a*T^2/((t - tm)^2 + (1e-20*T)^2)", {"a": "1e-20 rad/s", "T": "1 s", "tm": "0.50437 s"}),
 ])  # fmt: skip
-def test_what_no_quadrature_follows_is_not_claimed(drive, given):
-    """A pole of 1e-20 s lies between two doubles; the first sentence says where, and nothing of the motion passes."""
-    run = coursework.solve(parse_variant(four_bar(Law("pole", drive, given, lambda t: t))))
-    found = resolution(run.scene.equations)
+def test_what_no_quadrature_follows_is_refused_with_its_place(drive, given):
+    """A pole of 1e-20 s lies between two doubles."""
+    text = four_bar(Law("pole", drive, given, lambda t: t))
+    found = resolution(equations_of(text))
     assert not found.met
     assert found.error > WANTED
     assert found.place == pytest.approx(0.50437, abs=1e-9)
+    with pytest.raises(InputError, match=r"no finite value about t = 0\.50437 s"):
+        _ = coursework.solve(parse_variant(text)).checks
+
+
+def test_where_the_bound_is_not_met_nothing_of_the_motion_passes(monkeypatch):
+    """With fewer looks than a pulse takes: the first sentence says where it is, and no claim about the motion is made."""
+    monkeypatch.setattr(quadrature, "MOST", 30)
+    law = Law(
+        "pulse", "b + a*exp(-((t - tm)/T)^2)", {"a": "1e2 rad/s", "b": "1 rad/s", "tm": "0.50437 s", "T": "1e-4 s"}, lambda t: t
+    )
+    run = coursework.solve(parse_variant(four_bar(law)))
+    found = resolution(run.scene.equations)
+    assert not found.met
+    assert found.place == pytest.approx(0.50437, abs=0.01)
     verdicts = {one.code: one.verdict for one in run.checks if one.group == "motion"}
     assert set(verdicts.values()) <= {"SKIP", "COARSE"}, verdicts
     assert verdicts["ACCURACY"] == verdicts["DRIFT"] == verdicts["PEAK"] == "SKIP"
-    assert "0.50437 s" in run.summary.split(". ")[0]
+    assert f"{found.place:.6g} s" in run.summary.split(". ")[0]
 
 
 def test_a_bound_on_looks_ends_what_has_none():
