@@ -36,7 +36,9 @@ def run_variant(
     tell_own_file(variant)
     read = with_set(variant_of(variant), set_values, check_row)
     if precision == "single":
-        return tell_round_off(solve(read, _stepping(read, scheme), step_of(step, read), end, quantities=("table",)))
+        status = tell_round_off(solve(read, _stepping(read, scheme), step_of(step, read), end, quantities=("table",)))
+        if status or not (formats or out):
+            return status
     if error is not None and step != "auto":
         raise InputError(say("fault.C029"))
     h = step_of(step, read)

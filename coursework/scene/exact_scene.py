@@ -41,6 +41,10 @@ class ExactScene(Scene):
             raise InputError([Fault(say("fault.V502", scheme=PRECISE.name), variant.file, line)])
         refuse_aliasing(self.equations, variant.time.step, self.fastest_wave)
         exact = self.exact
+        if not len(exact.t) and stop is None:
+            line = variant.nearest_line("time", "end")
+            told = say("fault.V511", time=self.search.given_up or 0.0, scheme=PRECISE.name)
+            raise InputError([Fault(told, variant.file, line)])
         if self.settings.columns and len(exact.t):
             places = [exact.coordinate_names.index(name) for name in rates.coordinates]
             coordinates = exact.coordinates[:, places]

@@ -107,7 +107,7 @@ class MotionResults:
         return Evidence(
             scene.variant, scene.equations, rates, motion, scene.exact, self.extended_precision, scene.closure,
             scene.stop, scene.reduction.used, drive_frequency(scene.equations, scene.fastest_wave),
-            scene.search.fastest(turning), replay, rerun, passages, scene.settings.order,
+            scene.search.fastest(turning), replay, rerun, passages, scene.settings.order, scene.search.given_up,
         )  # fmt: skip
 
     @computed("evidence")

@@ -27,7 +27,7 @@ from coursework.motion.geometry.closure import Closure, compile_closure, require
 from coursework.motion.geometry.drive import breaks, refuse_aliasing, refuse_endless, refuse_short_tables
 from coursework.motion.geometry.oscillation import fastest
 from coursework.motion.geometry.start import start_values
-from coursework.motion.integration.exact_motion import NoVelocities, exact_motion, no_rows, passing_motion
+from coursework.motion.integration.exact_motion import NoVelocities, OutOfReach, exact_motion, no_rows, passing_motion
 from coursework.motion.integration.following import NotReached
 from coursework.motion.integration.integrate import Correction, march
 from coursework.motion.integration.motion import Motion, Stop, rows_before
@@ -120,6 +120,8 @@ class WayToMotion:
             found = search_event(self.flow, start, horizon, breaks=breaks(self.variant))
             if found.passages and horizon < time.end:  # each of them must be known
                 found = search_event(self.flow, start, time.end, breaks=breaks(self.variant))
+            if found.given_up is not None:
+                refuse_endless(self.equations, found.given_up)
             return found
         except NotFollowed as error:
             refuse_endless(self.equations, error.time)
@@ -142,6 +144,8 @@ class WayToMotion:
 
         at = (event.block, event.time, event.position.tolist())
         branches = branches_at(self.flow, *at) if event.kind == "change point" else ()
+        if branches is None:
+            event, branches = replace(event, kind="dead point", demanded=None), ()
         return explain(event, self.equations, self.reduction, self.variant.time.step, branches)
 
     @computed("search", "equations", "reduction", "start")
@@ -263,13 +267,19 @@ class WayToMotion:
     def _exact_at(self, times: Array) -> Motion:
         equations, every = self.equations, self.every_rate
         if passages := self.search.passages:
-            return passing_motion(every, self.start, times, passages, self.passed)
+            with suppress(OutOfReach):
+                return passing_motion(every, self.start, times, passages, self.passed)
+            return no_rows(every)
         positions = (lambda at: chain_positions(equations, at)) if is_chain(self.variant) else None
         count = len(self.reduction.blocks)
         try:
             return exact_motion(equations, every, self.closure, self.start, times, count, positions)
         except NotReached:
-            return exact_motion(equations, every, None, self.start, times, count)
+            with suppress(OutOfReach):
+                return exact_motion(equations, every, None, self.start, times, count)
+        except OutOfReach:
+            pass
+        return no_rows(every)
 
     def charged(self, error: Exception) -> InputError | None:
         """Return the fault of the formula that has no value somewhere on the way, None where every one has."""

@@ -167,7 +167,16 @@ def as_columns(values: Sequence[Any], shape: tuple[int, ...]) -> Array:
     return columns
 
 
+def _exp(value: float) -> float:
+    """Return e to a power, infinite where that is beyond the largest number: 1/(1 + exp(800)) is 0."""
+    try:
+        return math.exp(value)
+    except OverflowError:
+        return math.inf
+
+
 _MATH: dict[str, Any] = {name: vars(math)[name] for name in CALLS if hasattr(math, name)}
+_MATH["exp"] = _exp
 _MATH["_choose"] = lambda holds, yes, no: yes() if holds else no()
 _ARRAYS: dict[str, Any] = {name: vars(np)[name] for name in CALLS if hasattr(np, name)}
 # The names of `math` for what NumPy calls otherwise.

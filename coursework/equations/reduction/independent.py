@@ -23,6 +23,9 @@ from coursework.words.sentences import joined, say, say_count
 # A row counts as dependent where what is left of it after projection is below this part of its length: 1e-9 lies far above
 # round-off (1e-16 times the condition of a benign scene) and far below any angle a task sheet can mean.
 DEPENDENT = 1e-9
+# What differs by less than this part repeats: more is a difference that is written in the file.
+EXACTLY = 1e-14
+_MISSING = "fault.V404"
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,6 +60,8 @@ def choose(equations: VelocityEquations, start: Sequence[float], *, numbers: boo
         order = sorted(range(len(listed)), key=lambda place: listed[place].written is not None)
         kept = [order[place] for place in _kept(base[order])]
         sames, conflicts = _judge_dropped(matrix, right, kept, names)
+    if len(kept) < len(equations.unknowns) and (nearly := _nearly(base, kept, names)):
+        raise InputError([_too_near(equations, nearly, len(kept))])
     if conflicts or len(kept) < len(equations.unknowns):
         raise InputError([_fault(equations, base, kept, sames, conflicts, rows, owner)])
     notes = tuple(say("equation.redundant", same=_same(names)) for names in sames)
@@ -106,6 +111,30 @@ def _judge_dropped(
     return sames, conflicts
 
 
+def _nearly(matrix: Array, kept: list[int], names: list[str]) -> list[tuple[str, list[str], float]]:
+    """Return (name, names it nearly repeats, part in which it differs) of the rows left out that are no exact repetition."""
+    found = []
+    for index in sorted({*range(len(names))} - {*kept}):
+        weights = np.linalg.lstsq(matrix[kept].T, matrix[index], rcond=None)[0]
+        size = float(np.linalg.norm(matrix[index]))
+        part = float(np.linalg.norm(matrix[index] - weights @ matrix[kept])) / size if size else 0.0
+        if part > EXACTLY * (1 + float(np.max(np.abs(weights), initial=0.0))):
+            found.append(
+                (names[index], [names[k] for k, weight in zip(kept, weights, strict=True) if abs(weight) > DEPENDENT], part)
+            )
+    return found
+
+
+def _too_near(equations: VelocityEquations, nearly: list[tuple[str, list[str], float]], kept: int) -> Fault:
+    """Return the fault of equations that differ, by too little for doubles."""
+    unknowns, listed = equations.unknowns, equations.equations
+    name, others, part = max(nearly, key=lambda one: one[2])
+    line = next(equation.line for equation in listed if equation.name == name)
+    why = say("equation.nearly", name=name, others=tuple(others), part=part)
+    counts = {"count": len(unknowns), "unknowns": ", ".join(unknowns), "rows": len(listed)}
+    return Fault(say_count(_MISSING, kept, **counts, why=why), equations.variant.file, line)
+
+
 def _same(pair: tuple[str, list[str]]) -> str:
     name, others = pair
     if not others:
@@ -134,7 +163,7 @@ def _fault(
     file = equations.variant.file
     lines = {equation.name: equation.line for equation in equations.equations}
     line = lines[conflicts[0][0]] if len(conflicts) == 1 else equations.variant.nearest_line("coordinates")
-    code = "fault.V403" if conflicts else "fault.V404"
+    code = "fault.V403" if conflicts else _MISSING
     return Fault(say_count(code, len(kept), **counts, why=joined(sentences)), file, line)
 
 

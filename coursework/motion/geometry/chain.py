@@ -31,6 +31,10 @@ from coursework.words.sentences import say
 if TYPE_CHECKING:
     import sympy as sp
 
+# What a crank may turn from one position to the next (rad), so that a link that follows it is in the same turn.
+_TURN = 1.0
+_MOST_HALVINGS, _MOST_TIMES = 50, 2_000_000
+
 
 def is_chain(variant: Variant) -> bool:
     """Return whether groups give every coordinate that is not driven."""
@@ -47,6 +51,8 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
 
     What neither a drive nor a group gives keeps its start value: that is right for all times in a chain, else at t = 0 only.
     """
+    rows = len(times)
+    times, kept = _close_together(equations, times)
     variant = equations.variant
     names = [c.name for c in variant.coordinates]
     q = np.tile([coordinate.start_or_guess or 0.0 for coordinate in variant.coordinates], (len(times), 1))
@@ -78,7 +84,25 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
             coordinate = variant.coordinates[place]
             angle = coordinate.unit == "rad"
             q[:, place] = _continued(found[:, column], coordinate.start_or_guess) if angle else found[:, column]
-    return q
+    return q if len(q) == rows else q[kept]
+
+
+def _close_together(equations: VelocityEquations, times: Array) -> tuple[Array, Array]:
+    """Return times (s) between which no driven angle turns by more than `_TURN`, and the places of those given among them.
+
+    An angle that a group gives is known but for whole turns: what has turned further from one row to the next, in a pulse, is
+    counted on the way.
+    """
+    variant = equations.variant
+    angles = {c.rate for c in variant.coordinates if c.unit == "rad"}
+    driven = [name for name in variant.known_rates if name in angles]
+    found = times
+    for _ in range(_MOST_HALVINGS if driven and len(times) > 1 else 0):
+        wide = np.max(np.abs(np.diff(integrals(equations, driven, found), axis=0)), axis=1) > _TURN
+        if not wide.any() or len(found) + wide.sum() > _MOST_TIMES:
+            break
+        found = np.union1d(found, (found[1:] + found[:-1])[wide] / 2)
+    return found, np.asarray(np.searchsorted(found, times))
 
 
 def _fault(told: Sentence, number: int, group: Group, variant: Variant) -> InputError:

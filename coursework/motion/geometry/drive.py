@@ -1,4 +1,4 @@
-"""The drive as numbers: its values, its integral from t = 0, its breaks and its fastest oscillation.
+"""The drive as numbers: its values, its integral from t = 0 with what that leaves open, its breaks and its fastest oscillation.
 
 Enters: the drive of a variant.  Leaves: plain functions of time.  Used by `closure.py`, `chain.py`, the march, checks.
 """
@@ -6,6 +6,7 @@ Enters: the drive of a variant.  Leaves: plain functions of time.  Used by `clos
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 import sympy as sp
@@ -15,8 +16,10 @@ from coursework.equations.codegen.tabulated import TableLaw
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import TIME, symbol
 from coursework.equations.reduction.system import compile_values
+from coursework.motion.geometry.enclosures import Laws
+from coursework.motion.geometry.quadrature import POINTS, Resolution, resolve
 from coursework.system.arrays import Array
-from coursework.variant.record.variant import MAX_ROWS, Variant
+from coursework.variant.record.variant import MAX_ROWS, Law, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
@@ -34,8 +37,10 @@ def _gauss_legendre(count: int) -> tuple[Array, Array]:
 
 
 # Gauss-Legendre with 12 points is exact to round-off for a sinusoid over a tenth of its period.
-_POINTS, _WEIGHTS = _gauss_legendre(12)
+_POINTS, _WEIGHTS = _gauss_legendre(POINTS)
 _PIECES_PER_RUN = 240
+_MANY_TURNS = 1e3  # rad
+_REMEMBERED = 32  # scenes and times of which it is known where their drives change quickly
 # This part of the run beside a moment, and so many times its usual size, tell that a drive grows beyond bounds there.
 _NEAR, _BEYOND = 1e-6, 1e4
 
@@ -57,17 +62,18 @@ def integrals(equations: VelocityEquations, names: Sequence[str], times: Array) 
     """Return the integrals from 0 to each time (n,) of the named drives, (n, len(names)).
 
     `times` grow from 0.  Composite Gauss-Legendre, split at rows, breaks and the nodes of tables over t, between which
-    a law is a polynomial; error near round-off for drives that are smooth between them.
+    a law is a polynomial, and wherever `resolution` finds more than the rule would see.
     """
-    if not names:
-        return np.zeros((len(times), 0))
-    finest = max(float(times[-1]), 1e-300) / _PIECES_PER_RUN
-    inner = np.concatenate([breaks(equations.variant), *(law.nodes for law in _over_time(equations))])
+    if not names or not times[-1] > 0:
+        return np.zeros((len(times), len(names)))
+    finest = float(times[-1]) / _PIECES_PER_RUN
+    inner = _joints(equations)
     edges = np.sort(np.concatenate([[0.0], times, inner[(inner > 0) & (inner < times[-1])]]))
     edges = edges[np.diff(edges, prepend=-1.0) > 0]
     counts = np.maximum(1, np.ceil(np.diff(edges) / finest).astype(int))
     inside = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
     fine = np.append(np.repeat(edges[:-1], counts) + inside * np.repeat(np.diff(edges) / counts, counts), edges[-1])
+    fine = _split(fine, resolution(equations, float(times[-1])).edges)
     middle, half = (fine[1:] + fine[:-1]) / 2, np.diff(fine) / 2
     at = middle[:, None] + half[:, None] * _POINTS
     values = drive_values(equations, names, at)
@@ -77,8 +83,50 @@ def integrals(equations: VelocityEquations, names: Sequence[str], times: Array) 
         told = say("fault.V321", name=name, time=float(at[place[0], place[1]]))
         raise InputError([Fault(told, variant.file, variant.line_of("drive", name))])
     pieces = np.tensordot(values, _WEIGHTS, axes=(1, 0)) * half[:, None]
-    total = np.vstack([np.zeros(len(names)), np.cumsum(pieces, axis=0)])
+    # Of thousands of turns the digits behind the point are lost in a sum of doubles.
+    kind = np.longdouble if np.abs(pieces).sum() > _MANY_TURNS else np.float64
+    total = np.vstack([np.zeros(len(names)), np.cumsum(pieces.astype(kind), axis=0).astype(np.float64)])
     return np.asarray(total[np.searchsorted(fine, times)])
+
+
+def _split(fine: Array, resolved: Array) -> Array:
+    """Return stretches (s) that end where some did, and where shorter ones than these do."""
+    around = np.clip(np.searchsorted(fine, resolved, side="right") - 1, 0, len(fine) - 2)
+    shorter = np.minimum(np.diff(resolved, prepend=-np.inf), np.diff(resolved, append=np.inf)) < np.diff(fine)[around]
+    return np.union1d(fine, resolved[shorter & (resolved < fine[-1])]) if shorter.any() else fine
+
+
+def resolution(equations: VelocityEquations, end: float = 0.0) -> Resolution:
+    """Return the stretches that resolve every drive up to the end of the run, or further (s), and what integrals leave open."""
+    return _resolution(equations, max(end, equations.variant.time.end))
+
+
+@lru_cache(maxsize=_REMEMBERED)
+def _resolution(equations: VelocityEquations, end: float) -> Resolution:
+    variant, inner = equations.variant, _joints(equations)
+    laws = Laws(variant.values, {law.name: law for law in (*variant.drive, *variant.functions)}, equations.tables)
+    drives = {law.name for law in variant.drive}
+    moving = [name for name, law in laws.laws.items() if (name in drives or law.of in {"", "t"}) and _is_of_time(law, laws)]
+    edges = np.unique(np.concatenate([[0.0, end], inner[(inner > 0) & (inner < end)]]))
+    if not moving or end <= 0:
+        return Resolution(edges, 0.0, 0.0, True)
+    return resolve(lambda begin, end: [laws.over(name, begin, end) for name in moving], edges)
+
+
+def _is_of_time(law: Law, laws: Laws) -> bool:
+    """Return whether a law changes with time, and with nothing else."""
+    if law.table:
+        return law.of == "t"
+    used = {name for formula in law.formulas for name in formula.names()}
+    inner = [laws.laws[name] for name in used & laws.laws.keys()]
+    constant = {*laws.values, "pi", "t", *laws.laws}
+    moves = "t" in used or len(law.pieces) > 1 or any(_is_of_time(one, laws) for one in inner)
+    return moves and used <= constant
+
+
+def _joints(equations: VelocityEquations) -> Array:
+    """Return the times (s) between which every law is one formula or one polynomial."""
+    return np.concatenate([breaks(equations.variant), *(law.nodes for law in _over_time(equations))])
 
 
 def _over_time(equations: VelocityEquations) -> list[TableLaw]:

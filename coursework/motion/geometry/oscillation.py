@@ -1,6 +1,6 @@
-"""How fast a drive oscillates: the highest harmonic that a table of it must not miss.
+"""How fast a drive oscillates, the highest harmonic that a table of it must not miss, and when steady cranks are back.
 
-Enters: the drives of a scene.  Leaves: a frequency (rad/s).  Used by `way_to_motion.py` and `swings.py`.
+Enters: the drives of a scene.  Leaves: a frequency (rad/s).  Used by `way_to_motion.py`, `search.py` and `swings.py`.
 """
 
 from __future__ import annotations
@@ -39,6 +39,21 @@ def fastest(equations: VelocityEquations) -> float:
         pieces = [piece for piece, _ in whole.args] if isinstance(whole, sp.Piecewise) else [whole]
         found += [_highest(piece, equations) for piece in pieces]
     return max(found)
+
+
+def turns_repeat(equations: VelocityEquations) -> float:
+    """Return the time (s) after which drives that are all constant have turned their cranks whole turns, infinity without any.
+
+    What then stands as it began moves on as it did: the mechanism knows of no time but its drives.
+    """
+    variant = equations.variant
+    definitions = [written_out(equations.symbols.definitions[symbol(law.name)], equations) for law in variant.drive]
+    angles = {coordinate.rate for coordinate in variant.coordinates if coordinate.unit == "rad"}
+    if any(definition.has(TIME) for definition in definitions) or not {law.name for law in variant.drive} <= angles:
+        return math.inf
+    rates = np.abs([float(values[0]) for values in _values(definitions, np.zeros(1), equations)])
+    base = _common(rates[rates > 0]) if np.any(rates > 0) else 0.0
+    return 2 * math.pi / base if base else math.inf
 
 
 def written_out(expr: sp.Expr, equations: VelocityEquations) -> sp.Expr:

@@ -13,6 +13,7 @@ import numpy as np
 
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.motion.geometry.closure import Closure
+from coursework.motion.geometry.drive import resolution
 from coursework.motion.integration.following import follow_closure
 from coursework.motion.integration.loops import generate_loop
 from coursework.motion.integration.motion import Motion
@@ -25,9 +26,17 @@ from coursework.words.sentences import say
 
 # Two results of one interval must agree to this (rad or m) where no position is known; what is used is the extrapolated one.
 AGREEMENT = 1e-13
+# An angle of many turns has no thirteen digits behind its point: there round-off is all that two results can agree to.
+_ROUND_OFF = 4 * float(np.finfo(float).eps)
 # With half the step the error is smaller by this and 1: what is left of the difference of two results.
 _GAIN = 2**PRECISE.order - 1
 _MOST_HALVINGS = 30
+_JUMP = 1e-9  # of an interval
+# Steps that a refined motion may take, some two seconds, beside twelve a row; in a long table a row takes fewer.
+MOST_STEPS, _LONG = 100_000, 2_000
+_COUNT, _FEW = 8, 2
+# Results that are further apart altogether (rad or m) are two motions.
+_LOST = 1e-6
 
 
 class NoVelocities(ArithmeticError):
@@ -38,43 +47,65 @@ class NoVelocities(ArithmeticError):
         self.times, self.position = times, position
 
 
-def refine(rates: Rates, start: Sequence[float], times: Array) -> tuple[Array, float, int]:
+class OutOfReach(ArithmeticError):
+    """A refined motion takes more steps than are made, or its results do not come to agree."""
+
+
+def refine(rates: Rates, start: Sequence[float], times: Array, most: int = MOST_STEPS) -> tuple[Array, float, int]:
     """Return positions (n, m) by the precise scheme, the sum of the differences that are left, and the steps taken.
 
     Where eight and sixteen steps of an interval do not agree it is halved, so that a dead point ahead costs its own interval
-    only.  No step reaches across a time at which the drive changes its formula.
+    only.  No step reaches across a time at which the drive changes its formula, nor one interval over what it does in less.
+    Raises `OutOfReach` where that takes more than `most` steps beside a dozen a row.
     """
+    count = _COUNT if len(times) <= _LONG else _FEW
+    most += 12 * len(times)
     loop = generate_loop(PRECISE, rates)
+    cells = resolution(rates.equations, float(times[-1])).edges
     rows = [np.array(start, dtype=float)]
     gap, steps = 0.0, 0
     for begin, end in itertools.pairwise(times.tolist()):
-        edges = [begin, *[b for b in rates.breaks if begin < b < end], end]
+        edges = [begin, *sorted({*[b for b in rates.breaks if begin < b < end], *_quick(cells, begin, end)}), end]
         q = rows[-1]
         for a, b in itertools.pairwise(edges):
-            q, left, taken = _halved(loop, a, min(b, rates.may_look_until(b)), q)
+            q, left, taken = _halved(loop, a, min(b, rates.may_look_until(b)), q, count, most - steps)
             gap, steps = gap + left, steps + taken
         rows.append(q)
     return np.array(rows), gap, steps
 
 
+def _quick(cells: Array, begin: float, end: float) -> list[float]:
+    """Return the times inside an interval (s) at which shorter stretches end, but none within a jump."""
+    first, last = np.searchsorted(cells, (begin, end), side="right")
+    if last - first < 2:
+        return []
+    found, nearest = [begin], _JUMP * (end - begin)
+    for at in cells[first:last].tolist():
+        if found[-1] + nearest < at < end - nearest:
+            found.append(at)
+    return found[1:]
+
+
 def _halved(
-    loop: Callable[..., tuple[float, ...]], begin: float, end: float, q: Array, depth: int = 0
+    loop: Callable[..., tuple[float, ...]], begin: float, end: float, q: Array, count: int, left: int, depth: int = 0
 ) -> tuple[Array, float, int]:
-    """Return the position after an interval, extrapolated from two results, their difference and the steps."""
+    """Return the position after an interval, extrapolated from two results, their difference and the steps, `left` at most."""
     try:
-        coarse, fine = (np.array(loop(begin, count, (end - begin) / count, *q.tolist())) for count in (8, 16))
+        coarse, fine = (np.array(loop(begin, parts, (end - begin) / parts, *q.tolist())) for parts in (count, 2 * count))
         gap = float(np.max(np.abs(fine - coarse), initial=0.0)) / _GAIN
     except (ArithmeticError, ValueError):
         coarse = fine = q
         gap = np.inf
-    if gap < AGREEMENT or depth >= _MOST_HALVINGS:
+    if gap < max(AGREEMENT, _ROUND_OFF * float(np.max(np.abs(q), initial=0.0))) or depth >= _MOST_HALVINGS:
         if not np.isfinite(gap):
             raise NoVelocities((begin, end), q.tolist())
-        return fine + (fine - coarse) / _GAIN, gap, 24
+        return fine + (fine - coarse) / _GAIN, gap, 3 * count
+    if left <= 0:
+        raise OutOfReach
     middle = (begin + end) / 2
-    q, left, steps = _halved(loop, begin, middle, q, depth + 1)
-    after, right, more = _halved(loop, middle, end, q, depth + 1)
-    return after, left + right, steps + more + 24
+    q, open_, steps = _halved(loop, begin, middle, q, count, left - 3 * count, depth + 1)
+    after, more, further = _halved(loop, middle, end, q, count, left - 3 * count - steps, depth + 1)
+    return after, open_ + more, steps + further + 3 * count
 
 
 def passing_motion(
@@ -114,18 +145,22 @@ def exact_motion(
 ) -> Motion:  # fmt: skip
     """Return the exact motion at `times` (rows up to a dead point only).
 
-    Raises `NotReached` where a closure cannot be followed although no dead point was found before.
+    Raises `NotReached` where a closure cannot be followed although no dead point was found before, `OutOfReach` where a motion
+    without positions in closed form takes too long.
     """
     if chain is not None:
         positions, label = chain(times), say("exact.groups")
     elif closure is not None and closure.complete:
         positions, label = follow_closure(closure, rates, times), say("exact.closure")
     else:
-        return _refined(rates, times, *refine(rates, start, times))
+        positions, gap, steps = refine(rates, start, times)
+        if gap > _LOST:
+            raise OutOfReach
+        return _refined(rates, times, positions, gap, steps)
     return rates.motion(times, positions, EXACT, _step(times), label=label)
 
 
 def no_rows(rates: Rates) -> Motion:
-    """Return the exact motion of a mechanism that cannot begin to move."""
+    """Return the exact motion of a mechanism that cannot begin to move, or of one that is not known."""
     q, velocities, determinants = (np.zeros((0, len(names))) for names in (rates.coordinates, rates.velocities, rates.blocks))
     return rates.motion(np.zeros(0), q, EXACT, 0.0, known=(velocities, determinants), label=say("exact.nothing"))

@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from coursework.equations.codegen.tabulated import OutsideTable
-from coursework.motion.integration.exact_motion import refine
+from coursework.motion.integration.exact_motion import MOST_STEPS, OutOfReach, refine
 from coursework.motion.integration.hermite import hermite
 from coursework.motion.integration.motion import Motion
 from coursework.motion.integration.rates import Rates
@@ -68,11 +68,16 @@ def _followed(exact: Motion, rates: Rates, parts: int, intervals: int, times: Ar
     known = len(exact.coordinates[1 : intervals + 1])
     left[:known] = np.abs(q[:known] - exact.coordinates[1 : intervals + 1])
     spread = np.ptp(exact.coordinates, axis=0)
+    most = MOST_STEPS
     for row in np.flatnonzero(~np.all(left <= _GAP * np.where(spread > 0, spread, 1.0), axis=1)).tolist():
         inside = times[row * parts + 1 : (row + 1) * parts]
         if len(inside):
             start = exact.coordinates[row].tolist()
-            filled[row, 1 : len(inside) + 1] = refine(rates, start, np.array([t[row], *inside]))[0][1:]
+            found, _, taken = refine(rates, start, np.array([t[row], *inside]), most)
+            filled[row, 1 : len(inside) + 1] = found[1:]
+            most -= taken
+            if most < 0:
+                raise OutOfReach
     return filled
 
 

@@ -25,6 +25,8 @@ MOST_AT_ONCE = 1024
 _MOST_HALVINGS = 30
 # Parts of one row after which a closure counts as not to be followed: a dead point takes about 60, a wrong motion all there are.
 _MOST_PARTS = 1000
+# And so many of all rows together, some three seconds.
+_MOST_ALTOGETHER = 20_000
 _SUBSTEPS = 4
 
 
@@ -77,6 +79,7 @@ class _Follower:
     def __init__(self, closure: Closure, rates: Rates, signs: Array) -> None:
         self.closure, self.rates, self.signs = closure, rates, signs
         self.march = generate_rows(PRECISE, rates, (), 0.0)
+        self.parts = 0
 
     def guess(self, row: int, last: int, times: Array, q: Array) -> Array:
         """Return rows of the precise scheme after `row`, where it stands at q, up to `last` or to where the scheme fails."""
@@ -102,12 +105,13 @@ class _Follower:
         def advance(begin: float, end: float, q: Array, target: Array, known: Array, depth: int = 0) -> Array | None:
             nonlocal parts
             parts += 1
+            self.parts += 1
             with suppress(ArithmeticError, ValueError):  # where the guess meets a dead point a shorter one does not
                 guess = _placed(self._predicted(begin, end - begin, q), self.closure, known)
                 found = self.closure.newton(end, guess, target)
                 if found is not None and np.max(np.abs(found - guess)) < FAR and np.all(self._signs(end, found) == self.signs):
                     return found
-            if depth == _MOST_HALVINGS or parts > _MOST_PARTS:
+            if depth == _MOST_HALVINGS or parts > _MOST_PARTS or self.parts > _MOST_ALTOGETHER:
                 return None
             middle = (begin + end) / 2
             inner_target, inner_known = self.closure.targets(np.array([0.0, middle]))

@@ -28,6 +28,8 @@ from coursework.words.sentences import say
 Row = tuple[float, ...]  # coordinates, velocities, determinants
 # One step that turns a link whose angle stands in a determinant by more than this (rad) can cross a dead point unseen.
 WIDEST_STEP = 1.0
+# A coordinate (rad or m) beyond this is none of a mechanism: the rows of a step that is too large grow from row to row.
+OUTGROWN = 1e9
 # The kind of a stop that the scheme makes and the mechanism does not.
 TOO_LARGE = "step too large"
 
@@ -95,6 +97,9 @@ def _followed(
             row = rates.evaluate(t, *q.tolist())
         except (ZeroDivisionError, ValueError, OverflowError):
             stop = _first_stop(stop, _broken("event.singular", index, t, step, q, rates))
+            break
+        if not np.all(np.isfinite(row)) and _has_outgrown(q):
+            stop = _first_stop(stop, _broken("event.overflow", index, t, step, q, rates))
             break
         if rows and (found := _crossed(rows[-1][size:], row, rates, index, t, step, q, passages)):
             stop = _first_stop(stop, found)
@@ -170,8 +175,15 @@ def _too_wide(name: str, turned: float, index: int, t: float, step: float, q: Ar
 
 
 def _broken(what: str, index: int, t: float, step: float, q: Array, rates: Rates) -> Stop:
+    if _has_outgrown(q):  # what then has no value has none because of the rows before
+        cause = say("event.broken", row=index + 1, time=t, what=say("event.overflow"))
+        return Stop(TOO_LARGE, t, float(index), (), {}, cause, say("event.smaller_step"))
     cause = say("event.broken", row=index + 1, time=t, what=say(what))
     return Stop("not finite", t, float(index), (), {}, cause, say("event.rows_kept", step=step))
+
+
+def _has_outgrown(q: Array) -> bool:
+    return float(np.max(np.abs(q), initial=0.0)) > OUTGROWN
 
 
 def _named(rates: Rates, q: Array) -> dict[str, float]:

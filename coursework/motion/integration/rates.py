@@ -27,6 +27,7 @@ from coursework.system.arrays import Array
 if TYPE_CHECKING:
     import sympy as sp
 
+_SOLVED = 25  # formulas that a block solved by numbers takes as long as
 # Part of its time by which a step ends before a break of the drive: its last slope must still see the old formula.
 _BEFORE_BREAK = 1e-13
 
@@ -37,7 +38,7 @@ class Rates:
 
     `evaluate(t, *q)` -> velocities then determinants, floats; `rows` the same over arrays (n,).  `coordinates` integrated;
     `velocities` returned (rates of the coordinates first); `blocks` indices evaluated; `body` the program behind them;
-    `breaks` the times (s) at which the drive changes its formula.
+    `equations` what it was made from; `breaks` the times (s) at which the drive changes its formula.
     """
 
     coordinates: tuple[str, ...]
@@ -46,6 +47,7 @@ class Rates:
     evaluate: Callable[..., tuple[float, ...]]
     rows: Callable[..., Any]
     body: Bound
+    equations: VelocityEquations
     breaks: tuple[float, ...] = ()
 
     def may_look_until(self, end: float) -> float:
@@ -62,6 +64,11 @@ class Rates:
         size = len(self.coordinates)
         latest = np.array([self.may_look_until(end) for end in ends.tolist()]) if self.breaks else np.inf
         return lambda t, q: self.table(np.minimum(t, latest), q)[0][:, :size]
+
+    @property
+    def weight(self) -> float:
+        """Return what a slope costs, 1 where all velocities are formulas: a block that is solved by numbers is far dearer."""
+        return float(sum(_SOLVED if "_solve(" in line.text else 0 for line in self.body.lines)) or 1.0
 
     def table(self, t: Array, q: Array) -> tuple[Array, Array]:
         """Return velocities (n, k) and determinants (n, blocks) for rows of coordinates (n, m)."""
@@ -97,7 +104,7 @@ def compile_rates(equations: VelocityEquations, reduction: Reduction, wanted: Se
     return Rates(
         parts.coordinates, parts.velocities, parts.blocks,
         compile_function("rates", arguments, body, parts.results),
-        compile_later("rates", arguments, body, parts.results, numpy=True), body, breaks(equations.variant),
+        compile_later("rates", arguments, body, parts.results, numpy=True), body, equations, breaks(equations.variant),
     )  # fmt: skip
 
 

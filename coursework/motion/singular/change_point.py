@@ -96,8 +96,8 @@ def nearest_change_point(flow: Flow, t: float, q: Array, block: int, rates: Arra
     return Crossing(float(time), np.array(position), float(np.max(np.abs(x))), abs(gap) / scale)
 
 
-def branches_at(flow: Flow, block: int, time: float, position: Sequence[float]) -> tuple[dict[str, float], ...]:
-    """Return the velocities possible at a change point, or nothing where they cannot be told apart.
+def branches_at(flow: Flow, block: int, time: float, position: Sequence[float]) -> tuple[dict[str, float], ...] | None:
+    """Return the velocities possible at a change point, nothing where they cannot be told apart, None where none are possible.
 
     There A u = b has a line of solutions u + x v; of these the second derivative of the closure keeps
     w (dA/dt u - db/dt) = 0 with w A = 0: quadratic in x.
@@ -128,8 +128,9 @@ def branches_at(flow: Flow, block: int, time: float, position: Sequence[float]) 
         roots = [-constant / slope] if abs(slope) > _FLAT * largest else []
     else:
         inside = slope**2 - 4 * square * constant
-        if inside < 0:
-            return ()
+        if inside < -_FLAT * max(slope**2, abs(square * constant)):
+            return None  # the mechanism closes here and nowhere about
+        inside = max(inside, 0.0)
         roots = [(-slope + sign * np.sqrt(inside)) / (2 * square) for sign in (1, -1)]
     found = []
     for x in roots:

@@ -1,6 +1,6 @@
 """What a walk along the true motion meets: a dead point, a change point, or a place beyond which nothing can be followed.
 
-Enters: numbers from `walk.py`.  Leaves: `Event`, `NotFollowed`.  Used by the rooms of `singular` and by the scene.
+Enters: numbers from `walk.py`.  Leaves: `Event`, `NotFollowed`, `GivenUp`.  Used by the rooms of `singular` and by the scene.
 """
 
 from __future__ import annotations
@@ -24,8 +24,16 @@ class Event:
     block: int
     time: float
     position: Array
-    demanded: float
+    demanded: float | None
     together: tuple[int, ...] = ()
+
+
+class GivenUp(Exception):
+    """The motion makes more moves than are followed: it is known up to `time` (s)."""
+
+    def __init__(self, time: float) -> None:
+        super().__init__(f"followed up to t = {time:.9g} s")
+        self.time = time
 
 
 class NotFollowed(InputError):

@@ -41,7 +41,9 @@ def explain(
     if block.determinant is not None:
         holds = meaning_of(block.determinant, equations.variant, block.equations, coordinates)
     kept = say("event.kept", row=rows) if rows else say("event.none_kept")
-    if event.kind == "dead point":
+    if event.demanded is None:
+        meaning = say("event.locked", holds=holds, kept=kept)
+    elif event.kind == "dead point":
         demanded = say(_unit(block, equations), value=event.demanded)
         meaning = say("event.dead", holds=holds, demanded=demanded, kept=kept)
     else:

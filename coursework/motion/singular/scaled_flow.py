@@ -49,9 +49,10 @@ class Flow:
 
     `largest` scales the determinant of each block; `rates` says per coordinate whether its rate is driven, and its place
     among the driven or the unknown ones; `compile_clock(block)` gives (pace, *q, t) -> the flow whose clock is the determinant
-    of a block times a pace; `evaluations` counts right-hand sides.
+    of a block times a pace; `evaluations` counts right-hand sides.  `equations` is what it was made from.
     """
 
+    equations: VelocityEquations
     system: LinearSystem
     places: tuple[BlockColumns, ...]
     largest: tuple[float, ...]
@@ -169,7 +170,7 @@ def compile_flow(equations: VelocityEquations, reduction: Reduction, start: Sequ
         block.largest or _largest_seen(system, place, begin, equations.variant.time.end)
         for block, place in zip(reduction.blocks, places, strict=True)
     )
-    return Flow(system, tuple(places), largest, rates, lambda block: _compile_clock(equations, reduction, block))
+    return Flow(equations, system, tuple(places), largest, rates, lambda block: _compile_clock(equations, reduction, block))
 
 
 def _compile_clock(equations: VelocityEquations, reduction: Reduction, clock: int) -> Callable[..., tuple[float, ...]]:

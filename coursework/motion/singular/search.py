@@ -11,33 +11,40 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from coursework.motion.geometry.drive import resolution
+from coursework.motion.geometry.oscillation import turns_repeat
 from coursework.motion.integration.passage import Passage
-from coursework.motion.singular.event import Event
+from coursework.motion.singular.event import Event, GivenUp
 from coursework.motion.singular.peaks import Peaks
 from coursework.motion.singular.scaled_flow import Flow
 from coursework.motion.singular.walk import Walk
+from coursework.system.arrays import Array
 
 # The event time is wanted to 1e-8 s; the local tolerance leaves three digits for the sum of all steps.
 TOLERANCE = 1e-12
+_BACK = 1e-8
 
 
 @dataclass(frozen=True, slots=True)
 class Search:
     """The true motion followed up to `end` (s): the first `event`, if any, the `peaks` of the rates, and the
-    `passages` on the way: singular positions through which one motion only goes on.
+    `passages` on the way: singular positions through which one motion only goes on.  `given_up`: the time (s) up to which it
+    was followed where that is not the end, because it moves too much.
     """
 
     event: Event | None
     peaks: Peaks | None = None
     end: float = 0.0
     passages: tuple[Passage, ...] = ()
+    given_up: float | None = None
 
     def fastest(self, turning: Sequence[int]) -> tuple[tuple[float, float | None], ...]:
         """Return per coordinate the largest |rate| with its time (s), None for a constant one; nothing for one that stops.
 
         `turning` are the coordinates among which the fastest is wanted exactly.
         """
-        return self.peaks.found(self.end, turning) if self.peaks is not None and self.event is None else ()
+        known = self.peaks is not None and self.event is None and self.given_up is None
+        return self.peaks.found(self.end, turning) if known and self.peaks is not None else ()
 
 
 def search_event(
@@ -49,8 +56,24 @@ def search_event(
     """
     if not len(flow.largest):
         return Search(None)  # every velocity is given, so nothing can become singular
-    walk = Walk(flow, np.array([*start, 0.0], dtype=float), end, tolerance)
+    cells = resolution(flow.equations, end).edges
+    walk = Walk(flow, np.array([*start, 0.0], dtype=float), end, cells, tolerance)
     event = None
-    for goal in [*(b for b in breaks if 0 < b < end), end]:
-        event = event or walk.at_start() or walk.until(goal)
+    turn = turns_repeat(flow.equations)
+    for goal in sorted({*(b for b in (*breaks, turn, 2 * turn) if 0 < b < end), end}):
+        try:
+            event = event or walk.at_start() or walk.until(goal)
+        except GivenUp as up:
+            return Search(None, walk.peaks, end, tuple(walk.passages), up.time)
+        repeats = event is None and not walk.passages and goal < end and goal in (turn, 2 * turn)
+        if repeats and _is_back(flow, walk.state[:-1], start):
+            return Search(None, walk.peaks, goal, tuple(walk.passages))  # it moves on as it has moved
     return Search(event, walk.peaks, end, tuple(walk.passages))
+
+
+def _is_back(flow: Flow, position: Array, start: Sequence[float]) -> bool:
+    """Return whether a position (m,) is that of the start but for whole turns of its angles."""
+    gap = position - np.asarray(start)
+    angles = np.array([coordinate.unit == "rad" for coordinate in flow.equations.variant.coordinates])
+    gap[angles] -= 2 * np.pi * np.round(gap[angles] / (2 * np.pi))
+    return bool(np.max(np.abs(gap), initial=0.0) < _BACK)

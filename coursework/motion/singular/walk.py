@@ -13,6 +13,7 @@ Source: numerics.md 3.1.
 from __future__ import annotations
 
 import math
+from bisect import bisect_right
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -21,7 +22,7 @@ from coursework.equations.codegen.tabulated import OutsideTable
 from coursework.motion.integration.adaptive import next_length
 from coursework.motion.integration.passage import Passage
 from coursework.motion.singular.change_point import nearest_change_point
-from coursework.motion.singular.event import Event, NotFollowed
+from coursework.motion.singular.event import Event, GivenUp, NotFollowed
 from coursework.motion.singular.passing import passage_at
 from coursework.motion.singular.peaks import Peaks, Piece
 from coursework.motion.singular.scaled_flow import Clock, Flow
@@ -45,15 +46,19 @@ BEFORE_BREAK, AT_END = 1e-12, 1e-9
 TOGETHER = 1e-6
 # A part of the first determinant, or of the run: positions are right to it, the time of a fold to its square.
 ROOT = 1e-13
-MAX_STEPS = 20_000
+MAX_STEPS = 15_000
+# A coordinate (rad or m) that has got so far turns for ever, or has no end: a hundred million revolutions.
+BOUNDLESS = 1e9
 _HALVINGS = 30
+# Of a step that reaches too far the part that does not: the pace of the clock changes on the way.
+_SHORT = 0.9
 
 
 class Walk:
     """A walk along the flow: `state` (position, then t), `scaled` determinants there, `length` of the next step in s."""
 
-    def __init__(self, flow: Flow, state: Array, end: float, tolerance: float) -> None:
-        self.flow, self.state, self.end, self.tolerance = flow, state, end, tolerance
+    def __init__(self, flow: Flow, state: Array, end: float, cells: Array, tolerance: float) -> None:
+        self.flow, self.state, self.end, self.cells, self.tolerance = flow, state, end, cells.tolist(), tolerance
         self.scaled = self._determinants(state)
         self.slope = state
         self.length = 0.0
@@ -62,6 +67,7 @@ class Walk:
         self.peaks = Peaks.of(len(state) - 1)
         self.way, self.since = [state], 0.0  # the states that may be begun from again; the last break of the drive
         self.passages: list[Passage] = []
+        self.taken = 0
 
     def at_start(self) -> Event | None:
         """Return the event of a start, of the run or behind a break of the drive, that is singular itself."""
@@ -77,7 +83,8 @@ class Walk:
 
     def _until(self, goal: float) -> Event | None:
         latest = goal * (1 + AT_END) if goal == self.end else goal
-        for _ in range(MAX_STEPS):
+        while self.taken < MAX_STEPS:
+            self.taken += 1
             sizes = [abs(size) for size in self.scaled]
             block = sizes.index(min(sizes))
             self.length = self.length or self.end / 200 / sizes[block]
@@ -99,12 +106,19 @@ class Walk:
             if part or state[-1] >= goal:
                 self._arrive(clock, part or reach, goal)
                 return None
+            if max(map(abs, state[:-1].tolist())) > BOUNDLESS:
+                raise self._boundless(state)
             nearer = abs(after[block]) < min(abs(self.scaled[block]), self.near)
             self.state, self.scaled, self.length = state, after, following
             self.way.append(self.state)
             if nearer and (event := self._at_rest(block)) is not None and not (event.time < latest and self._pass(event, goal)):
                 return event if event.time < latest else None
-        raise NotFollowed(say("fault.V511", time=float(self.state[-1])), float(self.state[-1]))
+        raise GivenUp(float(self.state[-1]))
+
+    def _boundless(self, state: Array) -> NotFollowed:
+        place = int(np.argmax(np.abs(state[:-1])))
+        name = self.flow.equations.variant.coordinates[place].name
+        return NotFollowed(say("fault.V526", name=name, time=float(state[-1])), float(state[-1]))
 
     def _pass(self, event: Event, goal: float) -> bool:
         """Go on behind a change point where one motion only does; return whether there is one."""
@@ -133,6 +147,9 @@ class Walk:
         slope = self.slope = clock.slope(self.state)
         allowed = [self.tolerance * (1.0 + abs(value)) for value in self.state.tolist()]
         allowed[-1] = self.tolerance * self.end
+        # A step that sees nothing of a pulse between its points has no error: none reaches beyond the next stretch.
+        beyond = bisect_right(self.cells, t) + 1
+        most = self.cells[beyond] - t if beyond < len(self.cells) else math.inf
         while True:
             try:
                 after, error = clock.step(self.state, slope, self.length)
@@ -148,10 +165,13 @@ class Walk:
                 raise NotFollowed(say("fault.V512", time=t, reason=why), t, ahead) from fault
             shares = [abs(off) / most for off, most in zip(error, allowed, strict=True)]
             ratio = math.inf if math.isnan(sum(shares)) else max(shares)
-            if ratio <= 1.0:
+            if (far := float(after[-1]) - t) > most * (1 + AT_END):
+                self.length *= most / far * _SHORT
+            elif ratio <= 1.0:
                 self.peaks.see(Piece(self.state, slope, clock, self.length))
                 return after, self.length, next_length(self.length, ratio, 8)
-            self.length = next_length(self.length, min(ratio, 1e10), 8)
+            else:
+                self.length = next_length(self.length, min(ratio, 1e10), 8)
 
     def _reached(self, clock: Clock, part: float) -> Array:
         return clock.step(self.state, self.slope, part)[0]
@@ -266,4 +286,5 @@ class Walk:
         sizes = self.flow.scaled(time, position.tolist())
         together = tuple(k for k, size in enumerate(sizes) if abs(size) < TOGETHER or k == block)
         demanded = self.flow.demand(time, position.tolist(), together[0])
-        return Event(kind, together[0], time, position, demanded, together)
+        # A start that is singular itself is so at once, whatever the search for the point has made of round-off.
+        return Event(kind, together[0], time if time > ROOT * self.end else 0.0, position, demanded, together)

@@ -44,5 +44,6 @@ def timed_csv(names: Sequence[str], t: Array, rows: Array) -> str:
 
 
 def study_csv(study: AccuracyStudy) -> str:
-    """Return a study of accuracy as CSV: one line a method and setting; errors in the units named beside them."""
-    return csv_text(STUDY_HEAD, ([getattr(row, name) for name in STUDY_HEAD] for row in study.rows))
+    """Return a study of accuracy as CSV: one line a method and setting; errors in the units beside them, empty without any."""
+    cells = ([getattr(row, name) for name in STUDY_HEAD] for row in study.rows)
+    return csv_text(STUDY_HEAD, ([None if value != value else value for value in row] for row in cells))

@@ -17,6 +17,8 @@ from coursework.system.arrays import Array
 
 # Steps a row: from the coursework's step to where single precision loses more than the scheme gains, also with t = i*h.
 SUBSTEPS = (1, 4, 16, 64, 256, 1024, 4096, 16384)
+# The curve ends where both errors of single precision have risen to this many times their least, or beyond so many steps.
+_RISEN, _MOST_STEPS = 4.0, 400_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,13 +34,16 @@ class RoundOffRow:
 def round_off_curve(
     rates: Rates, scheme: str, start: Sequence[float], step: float, rows: int, end: Array
 ) -> Iterator[RoundOffRow]:
-    """Yield the curve, coarse to fine; some seconds in all."""
+    """Yield the curve, coarse to fine, until it has turned up again; some seconds in all."""
     from coursework.motion.integration.loops import generate_loop
     from coursework.motion.schemes import SCHEMES
 
     loop = generate_loop(SCHEMES[scheme], rates)
+    least = [np.inf, np.inf]
     for substeps in SUBSTEPS:
         count, h = rows * substeps, step / substeps
+        if count > _MOST_STEPS:
+            return
         double = np.array(loop(0.0, count, h, *start))
         found = [
             march_in(np.float32, rates, scheme, start, h, count, every=count, running_time=running)[-1].astype(float)
@@ -46,3 +51,6 @@ def round_off_curve(
         ]
         gaps = [float(np.max(np.abs(position - end))) for position in (double, *found)]
         yield RoundOffRow(count, *gaps)
+        least = [min(pair) for pair in zip(least, gaps[1:], strict=True)]
+        if all(gap > _RISEN * best for gap, best in zip(gaps[1:], least, strict=True)):
+            return

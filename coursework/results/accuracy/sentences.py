@@ -11,8 +11,12 @@ from collections.abc import Mapping, Sequence
 from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, SCHEMES, title_of
 from coursework.results.accuracy.methods import projected_title
 from coursework.results.accuracy.record import StudyRow
+from coursework.results.accuracy.trace import local_slopes
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
+
+# Local slopes of a method that has come to its order differ by less.
+_SETTLED = 0.5
 
 
 def sentences_of(
@@ -25,8 +29,11 @@ def sentences_of(
     told = [_told("study.own", _time(own), steps=own.steps_or_tolerance, method=own.method, size=_size(own.max_error, own.unit))]
     gain = {"less": _round(usual.max_error / best.max_error), "more": best.evaluations / usual.evaluations}
     told.append(_told("study.best", _ratio(best, usual), **reached, **gain, size=_size(best.max_error, best.unit)))
-    if steps := _steps_for(rows, best.max_error):
+    if reaching := _steps_for(rows, best.max_error):
+        steps, within = reaching
         needed = {"needed": _round(steps), "more": _round(steps / best.evaluations)}
+        if within:
+            needed["needed"] = say("study.between", needed=_round(steps), low=_whole(within[0]), high=_whole(within[1]))
         told.append(_told("study.equal", _predicted(rows, steps, best), **reached, **needed))
     projected = [row for row in rows if row.method == projected_title(1) and not row.failed]
     if projected:
@@ -50,18 +57,39 @@ def sentences_of(
     return tuple(told)
 
 
+def unsettled(rows: Sequence[StudyRow], floor: float) -> tuple[str, ...]:
+    """Return the finding that schemes have no order yet: their local slopes differ."""
+    told = []
+    for scheme in SCHEMES.values():
+        own = [row for row in rows if row.method == title_of(scheme) and not row.failed]
+        local = local_slopes([row.evaluations for row in own], [row.max_error for row in own], floor)
+        if len(local) > 1 and abs(local[-1] - local[-2]) > _SETTLED:
+            told.append(say("study.slopes", method=title_of(scheme), first=local[-2], last=local[-1]))
+    return (say("study.unsettled", methods=tuple(told)),) if told else ()
+
+
 def _first(rows: Sequence[StudyRow], method: str) -> StudyRow:
     return next(row for row in rows if row.method == method)
 
 
-def _steps_for(rows: Sequence[StudyRow], error: float) -> float | None:
-    """Return the Euler steps that reach `error`: from the finest row on, the error falls as 1/steps."""
+def _steps_for(rows: Sequence[StudyRow], error: float) -> tuple[float, tuple[int, int] | None] | None:
+    """Return the Euler steps that reach `error`, and between which runs they lie: there the logarithms grow evenly.
+
+    Beyond the finest run the error falls as 1/steps, and nothing bounds them.
+    """
     usual = [row for row in rows if row.method == title_of(DEFAULT_SCHEME) and not row.failed]
     last = usual[-1]
-    if not (0 < error < last.max_error):
-        enough = [row for row in usual if row.max_error <= error]
-        return float(enough[0].evaluations) if enough else None
-    return last.evaluations * last.max_error / error
+    if 0 < error < last.max_error:
+        return last.evaluations * last.max_error / error, None
+    place = next((place for place, row in enumerate(usual) if row.max_error <= error), None)
+    if place is None:
+        return None
+    fine, coarse = usual[place], usual[place - 1]
+    if not place or not 0 < fine.max_error < coarse.max_error:
+        return float(fine.evaluations), None
+    part = math.log(coarse.max_error / error) / math.log(coarse.max_error / fine.max_error)
+    steps = coarse.evaluations * (fine.evaluations / coarse.evaluations) ** part
+    return steps, (coarse.evaluations, fine.evaluations)
 
 
 def _told(key: str, time: dict[str, object], **values: object) -> Sentence:
@@ -85,6 +113,10 @@ def _round(value: float) -> str:
         if value >= 10
         else say("amount.bare", value=value)
     )
+
+
+def _whole(count: int) -> str:
+    return f"{count:,}".replace(",", "\u202f")
 
 
 def _time(row: StudyRow) -> dict[str, object]:

@@ -15,14 +15,14 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from coursework.motion.integration.exact_motion import refine
+from coursework.motion.integration.exact_motion import OutOfReach, refine
 from coursework.motion.integration.following import NotReached, follow_closure
 from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import SCHEMES, title_of
 from coursework.results.accuracy.methods import left_out, trials
 from coursework.results.accuracy.problem import MOST_WORK, PAGE, TIMED, Problem
 from coursework.results.accuracy.record import AccuracyStudy, StudyRow
-from coursework.results.accuracy.sentences import sentences_of
+from coursework.results.accuracy.sentences import sentences_of, unsettled
 from coursework.results.accuracy.timing import seconds
 from coursework.results.accuracy.trace import errors, slope
 from coursework.system.arrays import Array
@@ -37,11 +37,14 @@ def make_study(
     *, timed: bool = False, overhead: Sequence[tuple[str, float]] = (), progress: Callable[[str], None] | None = None,
 ) -> AccuracyStudy:  # fmt: skip
     """Return the study; with `timed` every trial is also timed (some 0.4 s each)."""
-    if problem.work > MOST_WORK:
+    if problem.work > MOST_WORK or not len(exact.t):
         return _without_runs(problem, exact, timed)
     bounds = TIMED if timed else PAGE
     reference = exact.coordinates[list(problem.marks)]
-    other, gap, _ = refine(problem.rates, problem.start, problem.times)
+    try:
+        other, gap, _ = refine(problem.rates, problem.start, problem.times)
+    except OutOfReach:
+        return _without_runs(problem, exact, timed)
     agreement = float(np.max(np.abs(other - reference)))
     # Derivatives of a table are not those of a curve through it: there every scheme comes to rest at its own motion.
     is_same = agreement < SAME
@@ -78,7 +81,7 @@ def make_study(
     if agreement:  # where there is no closure, the reference is such a run itself
         key = "study.reference" if is_same else "study.own_reference"
         label = say(key, label=label, gap=gap, agreement=agreement)
-    told = sentences_of(rows, orders, end_orders, own_row)
+    told = (*sentences_of(rows, orders, end_orders, own_row), *unsettled(rows, floor))
     where = machine() if timed else {}
     return AccuracyStudy(
         tuple(rows),

@@ -57,8 +57,20 @@ def slope(costs: Sequence[float], found: Sequence[float], floor: float) -> float
     Only the finest three points count that lie between ten times the round-off `floor` and 0.1: coarse steps have not reached
     the order yet.  None where fewer than two remain.
     """
-    kept = [(np.log(cost), np.log(error)) for cost, error in zip(costs, found, strict=True) if 10 * floor < error < 0.1]
+    kept = _counted(costs, found, floor)
     if len(kept) < 2:
         return None
-    x, y = np.array(kept[-3:]).T
+    x, y = np.array(kept).T
     return float(-np.polyfit(x, y, 1)[0])
+
+
+def local_slopes(costs: Sequence[float], found: Sequence[float], floor: float) -> list[float]:
+    """Return the orders between every two neighbours of the points that `slope` is laid through."""
+    pairs = itertools.pairwise(_counted(costs, found, floor))
+    return [float((log_error - further) / (finer - log_cost)) for (log_cost, log_error), (finer, further) in pairs]
+
+
+def _counted(costs: Sequence[float], found: Sequence[float], floor: float) -> list[tuple[float, float]]:
+    """Return logarithms of cost and error of the finest three points between round-off and what has an order."""
+    kept = [(np.log(cost), np.log(error)) for cost, error in zip(costs, found, strict=True) if 10 * floor < error < 0.1]
+    return kept[-3:]

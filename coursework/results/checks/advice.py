@@ -28,6 +28,8 @@ Judge = Callable[[Evidence], Sequence[Finding]]
 AIM = 0.8 * LIMIT
 # Steps tried; the first is enough in nine cases of ten.
 _TRIES = 12
+# Slopes that a step advised may take, counted as those of formulas: some three seconds.
+_MOST_WORK = 3e6
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +79,7 @@ def _curable(finding: Finding) -> bool:
 
 def _advice(evidence: Evidence, coarse: list[Finding], judge: Judge) -> Advice | None:
     own = evidence.motion.scheme
-    if evidence.rerun is None or evidence.exact is None or own not in scheme_names():
+    if evidence.rerun is None or evidence.exact is None or not len(evidence.exact.t) or own not in scheme_names():
         return None
     scheme, share = _better_scheme(evidence, own, judge)
     parts = _step(evidence, own, coarse, judge)
@@ -108,13 +110,16 @@ def _step(evidence: Evidence, own: str, coarse: list[Finding], judge: Judge) -> 
     for _ in range(_TRIES):
         needed = max(parts + 1, math.ceil(parts * max(_growth(one, order) for one in coarse)))
         parts = needed if own == EXACT else parts_at_breaks(evidence, needed) or needed
-        if evidence.variant.time.end / evidence.motion.step * parts > MAX_ROWS:
+        rows = evidence.variant.time.end / evidence.motion.step * parts
+        if rows > MAX_ROWS or rows * order * evidence.rates.weight > _MOST_WORK:
             return 0
         motion = None if own == EXACT else evidence.rerun(own, _spelled(evidence, parts)[1])
         if motion is not None and (share := _glanced(evidence, motion, parts)) > LIMIT:
             coarse = [Finding("COARSE", "", share, LIMIT)]
             continue
         tried = _tried(evidence, own, parts, motion)
+        if motion is not None and tried is None:
+            return 0  # nothing to judge it against is known
         coarse = [one for one in judge(tried) if _curable(one)] if tried is not None else [Finding("COARSE", "")]
         if not coarse:
             return parts

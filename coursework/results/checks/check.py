@@ -14,7 +14,7 @@ from coursework.results.checks import advice
 from coursework.results.checks.close_to_motion import closeness, continuity, drift, long_run, period, rows, sinusoid
 from coursework.results.checks.computed_right import beginning, conditioning, digits, equations, quotes
 from coursework.results.checks.evidence import Evidence
-from coursework.results.checks.needs import CLOSURE, EXACT, ROW, WHOLE, Need
+from coursework.results.checks.needs import CLOSURE, DIGITS, EXACT, RESOLVED, ROW, WHOLE, Need
 from coursework.results.checks.result import Finding, Group, skipped
 from coursework.words.sentences import say
 
@@ -42,16 +42,16 @@ CHECKS: tuple[Check, ...] = (
     Check("AGREEMENT", "computation", equations.agreement, (), is_least=True),
     Check("QUOTE", "computation", quotes.quote),
     Check("TABLE-DIGITS", "computation", digits.table_digits),
-    Check("ACCURACY", "motion", closeness.accuracy, (ROW, EXACT)),
-    Check("PERIOD-POSITION", "motion", period.position, (ROW, EXACT)),
-    Check("PERIOD-VELOCITY", "motion", period.velocity, (ROW, EXACT)),
-    Check("PERIOD-ASSEMBLY", "motion", period.assembly),
-    Check("CONTINUITY", "motion", continuity.continuity, (ROW, EXACT)),
-    Check("SINUSOID", "motion", sinusoid.sinusoid, (ROW, EXACT), is_least=True),
+    Check("ACCURACY", "motion", closeness.accuracy, (ROW, RESOLVED, EXACT, DIGITS)),
+    Check("PERIOD-POSITION", "motion", period.position, (ROW, RESOLVED, EXACT, DIGITS)),
+    Check("PERIOD-VELOCITY", "motion", period.velocity, (ROW, RESOLVED, EXACT, DIGITS)),
+    Check("PERIOD-ASSEMBLY", "motion", period.assembly, (ROW, RESOLVED)),
+    Check("CONTINUITY", "motion", continuity.continuity, (ROW, RESOLVED, EXACT, DIGITS)),
+    Check("SINUSOID", "motion", sinusoid.sinusoid, (ROW, RESOLVED, EXACT), is_least=True),
     Check("STEP", "motion", rows.enough, is_least=True),
-    Check("PEAK", "motion", conditioning.peak),
-    Check("DRIFT", "motion", drift.drift, (ROW, CLOSURE, WHOLE)),
-    Check("DRIFT-PER-PERIOD", "motion", long_run.per_period, (ROW, EXACT)),
+    Check("PEAK", "motion", conditioning.peak, (ROW, RESOLVED)),
+    Check("DRIFT", "motion", drift.drift, (ROW, RESOLVED, CLOSURE, WHOLE)),
+    Check("DRIFT-PER-PERIOD", "motion", long_run.per_period, (ROW, RESOLVED, EXACT)),
 )
 
 
@@ -72,7 +72,10 @@ def motion_findings(evidence: Evidence) -> Sequence[Finding]:
 def _judged(check: Check, evidence: Evidence) -> Finding:
     lacking = next((need for need in check.needs if not need.met(evidence)), None)
     try:
-        found = check.judge(evidence) if lacking is None else skipped(say(lacking.otherwise))
+        if lacking is None:
+            found = check.judge(evidence)
+        else:
+            found = replace(skipped(lacking.otherwise(evidence)), headline=lacking.headline(evidence))
     except Exception as error:
         found = Finding("ERROR", say("check.error", kind=type(error).__name__, error=str(error)))
     return replace(found, code=check.code, group=check.group, is_least=check.is_least)

@@ -50,8 +50,8 @@ class Evidence:
     coordinate (largest rate of the true motion, when).  `replay` makes each row anew from the row before, None for rows that
     no scheme of ours has made; `rerun(scheme, step)` gives the same run made otherwise, None where that cannot be.
     `passages`: singular positions that the motion goes through; `order` of the highest derivative of the motion that is asked
-    for.  `facts` about the exact motion alone are found once and shared by every table of the scene.  `is_trial`: of a step
-    that may be advised.
+    for.  `given_up`: up to when (s) dead points were looked for where that is not the end.  `facts` about the exact motion
+    alone are found once and shared by every table of the scene.  `is_trial`: of a step that may be advised.
     """
 
     variant: Variant
@@ -69,6 +69,7 @@ class Evidence:
     rerun: Callable[[str, float], Motion | None] | None = None
     passages: tuple[Passage, ...] = ()
     order: int = 1
+    given_up: float | None = None
     facts: dict[str, object] = field(default_factory=dict)
     is_trial: bool = False
 

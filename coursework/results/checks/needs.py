@@ -8,18 +8,51 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from coursework.results.checks.evidence import Evidence
+import numpy as np
+
+from coursework.motion.geometry.drive import resolution
+from coursework.results.checks.computed_right.conditioning import condition
+from coursework.results.checks.evidence import LIMIT, Evidence
+from coursework.results.checks.result import floored
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import say
 
 
 @dataclass(frozen=True, slots=True)
 class Need:
-    """`met` by the evidence, or the check is skipped with the sentence of the key `otherwise`."""
+    """`met` by the evidence, or skipped with the sentence `otherwise`; `headline` then begins the summary."""
 
     met: Callable[[Evidence], bool]
-    otherwise: str
+    otherwise: Callable[[Evidence], Sentence]
+    headline: Callable[[Evidence], str] = lambda evidence: ""
 
 
-ROW = Need(lambda evidence: len(evidence.motion.t) > 0, "check.no_row")
-WHOLE = Need(lambda evidence: not evidence.restricted, "check.only_some")
-EXACT = Need(lambda evidence: evidence.exact is not None and len(evidence.exact.t) > 0, "check.unknown")
-CLOSURE = Need(lambda evidence: evidence.closure is not None, "check.DRIFT.skip")
+def _open_integral(evidence: Evidence) -> Sentence:
+    found = resolution(evidence.equations)
+    return say("check.unresolved", time=found.place)
+
+
+def _too_few(evidence: Evidence) -> float | None:
+    """Return the digits that the equations leave where the exact motion itself is not known to 5 % with them, else None."""
+    if evidence.restricted:
+        return None
+    digits = condition(evidence).value
+    exact, names = evidence.exact, evidence.names
+    if digits is None or exact is None:
+        return None
+    way = [float(np.ptp(exact.column(name)) / evidence.scale[name]) for name in names if name in exact.coordinate_names]
+    return digits if max(way, default=0.0) * 10.0**-digits > LIMIT else None
+
+
+ROW = Need(lambda evidence: len(evidence.motion.t) > 0, lambda _: say("check.no_row"))
+WHOLE = Need(lambda evidence: not evidence.restricted, lambda _: say("check.only_some"))
+EXACT = Need(
+    lambda evidence: evidence.exact is not None and len(evidence.exact.t) > 0,
+    lambda evidence: say("check.unknown" if evidence.stop is not None else "check.out_of_reach"),
+)
+CLOSURE = Need(lambda evidence: evidence.closure is not None, lambda _: say("check.DRIFT.skip"))
+RESOLVED = Need(lambda evidence: resolution(evidence.equations).met, _open_integral, _open_integral)
+DIGITS = Need(
+    lambda evidence: _too_few(evidence) is None,
+    lambda evidence: say("check.ACCURACY.few_digits", digits=floored(_too_few(evidence) or 0.0, 1)),
+)

@@ -21,6 +21,8 @@ OF_THE_SCALE = "unit.of_the_scale"
 OF_POWER, DIGITS_LEFT = "unit.of_power", "unit.digits"
 _DECIMALS = {OF_POWER: 4, DIGITS_LEFT: 1}
 # The status a command ends with is that of the worst verdict.
+# From here on a share is told as so many times the whole: thousands of percent are no number that a person compares.
+_MANY = 1000.0
 VERDICTS: tuple[Verdict, ...] = ("PASS", "COARSE", "FAIL", "SKIP", "ERROR")
 
 
@@ -88,8 +90,10 @@ def beside(unit: str, value: float) -> str:
 
 
 def percent(share: float) -> Sentence:
-    """Return a share in percent: whole from 10 % on, two digits below."""
+    """Return a share in percent: whole from 10 % on, two digits below; as a number of wholes from a thousand percent on."""
     value = 100 * share
+    if value >= _MANY:
+        return say("amount.share_times", value=share)
     if 0 < value < 1e-4:
         return say("amount.share_below", value=1e-4)
     return say("amount.share" if value >= 9.95 or value == 0 else "amount.share_two", value=value)

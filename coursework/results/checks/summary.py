@@ -19,7 +19,7 @@ def _code(finding: Finding) -> str:
 
 def summary(findings: Sequence[Finding], *, is_motion: bool = False, named: Callable[[Finding], str] = _code) -> Sentence:
     """Return what the checks say of a run; `is_motion`: its rows are exact; `named`: what a check is called, else its code."""
-    told = [finding.headline for finding in findings if finding.headline]
+    told = list(dict.fromkeys(finding.headline for finding in findings if finding.headline))
     by_code = {finding.code: finding for finding in findings}
     stop = by_code.get("STOP")
     if stop is not None and stop.verdict != "PASS" and stop.value is not None:

@@ -18,6 +18,7 @@ from coursework.results.checks.evidence import ALIKE, worst
 from coursework.results.checks.needs import Need
 from coursework.results.checks.result import GROUPS, VERDICTS, Finding, floored
 from coursework.results.checks.summary import summary
+from coursework.words.sentences import say
 from tests.results.checks.scenes import evidence_of, finding, solve
 
 KEYS = ["code", "group", "verdict", "value", "unit", "limit", "column", "row", "sentence"]
@@ -62,7 +63,7 @@ def test_every_record_has_its_words_and_every_verdict_its_sign():
 
 def test_what_a_check_needs_and_has_not_is_said(monkeypatch):
     run = solve("31")
-    lacking = Need(lambda evidence: False, "check.no_row")
+    lacking = Need(lambda evidence: False, lambda evidence: say("check.no_row"))
     monkeypatch.setattr(records, "CHECKS", (replace(CHECKS[3], needs=(lacking,)),))
     (only,) = check_motion(evidence_of(run))
     assert (only.verdict, only.code) == ("SKIP", "RESIDUAL")

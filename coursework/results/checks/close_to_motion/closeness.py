@@ -28,6 +28,8 @@ def accuracy(evidence: Evidence) -> Finding:
         return Finding("FAIL", sentence, row=beyond + 1)
     if len(motion.t) > beyond or not names:
         return skipped(evidence.say("check.unknown"))
+    if len(motion.t) == 1 and motion.stop is not None:
+        return skipped(evidence.say("check.ACCURACY.one_row"))
     shares = np.abs(evidence.errors)
     row, place = worst(shares)
     name, value = names[place], float(shares[row, place])
@@ -63,7 +65,7 @@ class Distance:
 
 def distance(evidence: Evidence) -> Distance | None:
     """Return how far rows are from the exact motion, None where there is no row or no column to compare."""
-    if not evidence.names or not evidence.compared:
+    if not evidence.names or evidence.compared < 2:
         return None
     row, place = worst(evidence.errors)
     share, column = float(abs(evidence.errors[row, place])), evidence.names[place]

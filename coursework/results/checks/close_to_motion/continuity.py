@@ -19,7 +19,7 @@ from coursework.results.checks.evidence import LIMIT, NO_ERROR, Evidence, turns,
 from coursework.results.checks.result import Finding, percent, skipped
 
 Array = NDArray[Any]
-HALVINGS = 20
+HALVINGS = 40
 # A smooth curve would have to be steeper than this many times its scale a step to look like a jump after 20 halvings.
 _FEWEST_ROWS = 2
 # A break this part of its time from an interval is in it.

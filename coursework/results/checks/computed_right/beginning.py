@@ -5,6 +5,8 @@ Enters: `Evidence`.  Leaves: a `Finding` each.  Used by `check.py`.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from coursework.motion.geometry.closure import closed_start
@@ -19,6 +21,9 @@ START_LIMIT = 1e-6  # of the largest length: five digits in the start values are
 def stopped(evidence: Evidence) -> Finding:
     """The mechanism can make the whole motion, and the scheme does not step out of it."""
     stop = evidence.motion.stop
+    if stop is None and evidence.given_up is not None:
+        told = say("check.STOP.given_up", rows=len(evidence.motion.t), time=evidence.given_up)
+        return replace(skipped(told), headline=told)
     if stop is None:
         return Finding("PASS", say("check.STOP.pass", rows=len(evidence.motion.t)))
     row = int(stop.row) + 1

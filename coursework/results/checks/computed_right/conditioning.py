@@ -1,6 +1,6 @@
 """CONDITION and PEAK: how many digits the equations leave, and whether the step is short enough for the fastest angle.
 
-Enters: `Evidence`.  Leaves: a `Finding` each.  Used by `check.py`.
+Enters: `Evidence`.  Leaves: a `Finding` each.  Used by `check.py` and `needs.py`.
 """
 
 from __future__ import annotations
@@ -31,6 +31,10 @@ _ROUNDS = 8
 
 def condition(evidence: Evidence) -> Finding:
     """The equations leave at least six of sixteen digits in every row: 16 - log10 of their condition number."""
+    return evidence.once_of_rows("condition", lambda: _condition(evidence))
+
+
+def _condition(evidence: Evidence) -> Finding:
     motion, variant = evidence.motion, evidence.variant
     used = [equation for equation in evidence.equations.equations if equation.name in evidence.used]
     if not used:
@@ -86,6 +90,8 @@ def peak(evidence: Evidence) -> Finding:
     A wheel whose angle nobody adds up may turn faster: no row steps over anything with it.
     """
     variant, step = evidence.variant, evidence.motion.step
+    if evidence.given_up is not None:
+        return skipped(evidence.say("check.PEAK.given_up", time=evidence.given_up))
     if evidence.stop is not None or not evidence.fastest:
         return skipped(evidence.say("check.PEAK.stopped"))
     turning = [

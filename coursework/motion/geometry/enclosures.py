@@ -1,0 +1,241 @@
+"""A law of t over whole stretches of time: between which values it stays there, and in which disc beyond the real axis.
+
+Enters: the laws of a variant, stretches of time.  Leaves: `Enclosure`; what no bound holds is infinite.
+Used by `quadrature.py`.  Points can miss what lies between them, a pulse of a microsecond; enclosures of stretches that join
+cannot.  Source: R. E. Moore, Interval Analysis (1966); discs: I. Gargantini, P. Henrici, Numer. Math. 18 (1971) 305.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from coursework.equations.codegen.tabulated import TableLaw
+from coursework.system.arrays import Array, Flags
+from coursework.variant.formula.tree import Formula, factors, product_of
+from coursework.variant.record.variant import Law
+
+# The disc about a stretch has so many times its half length for a radius.
+REACH = 3.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Enclosure:
+    """Of n stretches: `low` and `high` (n,) of the values on it; about `middle`, `radius` (n,) of those on its complex disc."""
+
+    low: Array
+    high: Array
+    middle: Array
+    radius: Array
+
+    @property
+    def size(self) -> Array:
+        """Return the largest |value| possible (n,)."""
+        return np.maximum(np.abs(self.low), np.abs(self.high))
+
+
+def _checked(low: Array, high: Array, middle: Array, radius: Array) -> Enclosure:
+    """Return an enclosure in which what is no number is anything: 0·∞, or what lies beyond the largest number."""
+    lost = np.isnan(low) | np.isnan(high)
+    apart = ~np.isfinite(middle) | np.isnan(radius)
+    return Enclosure(
+        np.where(lost, -np.inf, low), np.where(lost, np.inf, high), np.where(apart, 0.0, middle), np.where(apart, np.inf, radius)
+    )
+
+
+def _constant(value: float | Array, count: int) -> Enclosure:
+    values = np.full(count, value) if isinstance(value, float) else value
+    return Enclosure(values, values, values, np.zeros(count))
+
+
+def _plus(a: Enclosure, b: Enclosure) -> Enclosure:
+    return _checked(a.low + b.low, a.high + b.high, a.middle + b.middle, a.radius + b.radius)
+
+
+def _minus(a: Enclosure) -> Enclosure:
+    return Enclosure(-a.high, -a.low, -a.middle, a.radius)
+
+
+def _times(a: Enclosure, b: Enclosure) -> Enclosure:
+    ends = np.stack([a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high])
+    ends[np.isnan(ends)] = 0.0  # 0·∞ is a bound, not a value
+    radius = np.abs(a.middle) * b.radius + np.abs(b.middle) * a.radius + a.radius * b.radius
+    return _checked(ends.min(axis=0), ends.max(axis=0), a.middle * b.middle, radius)
+
+
+def _inverse(a: Enclosure) -> Enclosure:
+    crosses = (a.low < 0) & (a.high > 0)
+    size = np.abs(a.middle)
+    radius = np.where(size > a.radius, a.radius / (size * (size - a.radius)), np.inf)
+    low, high = np.where(crosses | (a.high == 0), -np.inf, 1 / a.high), np.where(crosses | (a.low == 0), np.inf, 1 / a.low)
+    return _checked(low, high, 1 / a.middle, radius)
+
+
+def _monotone(
+    a: Enclosure, function: Callable[[Array], Array], slope: Callable[[Enclosure], Array], domain: tuple[float, float]
+) -> Enclosure:
+    """Return a growing function that is analytic where `slope`, a bound of its derivative on the disc, is finite."""
+    low, high = function(np.clip(a.low, *domain)), function(np.clip(a.high, *domain))
+    return _checked(low, high, function(np.clip(a.middle, *domain)), a.radius * slope(a))
+
+
+def _exponential(a: Enclosure) -> Enclosure:
+    middle = np.exp(a.middle)
+    return _checked(np.exp(a.low), np.exp(a.high), middle, middle * np.expm1(a.radius))
+
+
+def _logarithm(a: Enclosure) -> Enclosure:
+    room = a.middle - a.radius
+    return _monotone(a, np.log, lambda a: np.where(room > 0, 1 / room, np.inf), (0.0, np.inf))
+
+
+def _sine(a: Enclosure, phase: float = 0.0) -> Enclosure:
+    low, high, middle = a.low + phase, a.high + phase, a.middle + phase
+    ends = np.sin(low), np.sin(high)
+    unknown = ~np.isfinite(low) | ~np.isfinite(high)
+
+    def holds(place: float) -> Flags:
+        turns = 2 * np.pi
+        return np.asarray(unknown | (np.floor((high - place) / turns) >= np.ceil((low - place) / turns)))
+
+    radius = np.abs(np.sin(middle)) * (np.cosh(a.radius) - 1) + np.abs(np.cos(middle)) * np.sinh(a.radius)
+    return _checked(
+        np.where(holds(-np.pi / 2), -1.0, np.minimum(*ends)), np.where(holds(np.pi / 2), 1.0, np.maximum(*ends)),
+        np.sin(middle), radius,
+    )  # fmt: skip
+
+
+def _power(a: Enclosure, exponent: float) -> Enclosure:
+    if exponent < 0:
+        return _inverse(_power(a, -exponent))
+    if exponent != int(exponent):
+        room = a.middle - a.radius
+        size = np.where(exponent < 1, room, a.middle + a.radius)
+        return _monotone(
+            a, lambda x: x**exponent, lambda a: np.where(room > 0, exponent * size ** (exponent - 1), np.inf), (0.0, np.inf)
+        )
+    ends = np.stack([a.low**exponent, a.high**exponent])
+    low = np.where((a.low < 0) & (a.high > 0) & (exponent % 2 == 0), 0.0, ends.min(axis=0))
+    radius = (np.abs(a.middle) + a.radius) ** exponent - np.abs(a.middle) ** exponent
+    return _checked(low, ends.max(axis=0), a.middle**exponent, radius)
+
+
+def _absolute(a: Enclosure) -> Enclosure:
+    crosses = (a.low < 0) & (a.high > 0)
+    low = np.where(crosses, 0.0, np.minimum(np.abs(a.low), np.abs(a.high)))
+    return _checked(low, a.size, np.abs(a.middle), np.where(np.abs(a.middle) > a.radius, a.radius, np.inf))
+
+
+def _sign(a: Enclosure) -> Enclosure:
+    low, high = np.where(a.low < 0, -1.0, 1.0), np.where(a.high > 0, 1.0, -1.0)
+    return Enclosure(low, high, np.sign(a.middle), np.where(np.abs(a.middle) > a.radius, 0.0, np.inf))
+
+
+def _arcsine(a: Enclosure) -> Enclosure:
+    room = (1 - a.middle - a.radius) * (1 + a.middle - a.radius)
+    inside = np.abs(a.middle) + a.radius < 1
+    return _monotone(a, np.arcsin, lambda a: np.where(inside, 1 / np.sqrt(np.where(inside, room, 1.0)), np.inf), (-1.0, 1.0))
+
+
+def _arctangent(a: Enclosure) -> Enclosure:
+    room = np.hypot(1.0, a.middle) - a.radius
+    return _monotone(a, np.arctan, lambda a: np.where(room > 0, 1 / room**2, np.inf), (-np.inf, np.inf))
+
+
+def _angle(y: Enclosure, x: Enclosure) -> Enclosure:
+    """Return atan2(y, x), which jumps where y is zero and x below it."""
+    corners = np.stack([np.arctan2(v, u) for v in (y.low, y.high) for u in (x.low, x.high)])
+    jumps = (x.low <= 0) & (y.low <= 0) & (y.high >= 0)
+    right, aside = x.middle > x.radius, np.abs(y.middle) > y.radius
+    radius = np.where(right, _arctangent(_times(y, _inverse(x))).radius, _arctangent(_times(x, _inverse(y))).radius)
+    return _checked(
+        np.where(jumps, -np.pi, corners.min(axis=0)), np.where(jumps, np.pi, corners.max(axis=0)),
+        np.arctan2(y.middle, x.middle), np.where(right | aside, radius, np.inf),
+    )  # fmt: skip
+
+
+_CALLS: Mapping[str, Callable[[Enclosure], Enclosure]] = {
+    "sin": _sine, "cos": lambda a: _sine(a, np.pi / 2), "exp": _exponential, "log": _logarithm,
+    "tan": lambda a: _times(_sine(a), _inverse(_sine(a, np.pi / 2))), "sqrt": lambda a: _power(a, 0.5),
+    "abs": _absolute, "asin": _arcsine, "atan": _arctangent,
+    "acos": lambda a: _plus(_constant(np.pi / 2, len(a.low)), _minus(_arcsine(a))),
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Laws:
+    """The drives and functions of one variant over stretches of time that no break and no node of a table parts."""
+
+    values: Mapping[str, float]
+    laws: Mapping[str, Law]
+    tables: Mapping[str, TableLaw]
+
+    def over(self, name: str, begin: Array, end: Array) -> Enclosure:
+        """Return the enclosure of a law on n stretches from `begin` to `end` (n,) s."""
+        with np.errstate(all="ignore"):
+            return self._law(self.laws[name], begin, end)
+
+    def _law(self, law: Law, begin: Array, end: Array) -> Enclosure:
+        if law.table:
+            return self._table(self.tables[law.name], begin, end)
+        if not law.pieces:
+            assert law.formula is not None
+            return self._formula(law.formula, begin, end)
+        chosen = np.searchsorted([later for later, _ in law.pieces[1:]], (begin + end) / 2, side="right")
+        columns = np.empty((4, len(begin)))
+        for place in np.unique(chosen).tolist():
+            at = chosen == place
+            found = self._formula(law.pieces[place][1], begin[at], end[at])
+            columns[:, at] = found.low, found.high, found.middle, found.radius
+        return Enclosure(*columns)
+
+    def _table(self, table: TableLaw, begin: Array, end: Array) -> Enclosure:
+        first, last = (begin - table.first) / table.step, (end - table.first) / table.step
+        interval = np.clip(np.floor((first + last) / 2).astype(int), 0, table.intervals - 1)
+        u, total = _time(first - interval, last - interval), _constant(0.0, len(begin))
+        for column in table.pieces[0][interval].T[::-1]:
+            total = _plus(_times(total, u), _constant(column, len(begin)))
+        return total
+
+    def _formula(self, tree: Formula, begin: Array, end: Array) -> Enclosure:
+        if tree.op == "number":
+            return _constant(float(tree.value), len(begin))
+        if tree.op == "name":
+            return self._name(tree.name, begin, end)
+        args = [self._formula(arg, begin, end) for arg in tree.args]
+        match tree.op:
+            case "neg":
+                return _minus(args[0])
+            case "+":
+                return _plus(*args)
+            case "-":
+                return _plus(args[0], _minus(args[1]))
+            case "*":
+                return _power(args[0], 2.0) if tree.args[0] == tree.args[1] else _times(*args)
+            case "/":
+                return self._quotient(tree, args, begin, end)
+            case "^":
+                return _power(args[0], float(args[1].middle[0])) if len(begin) else args[0]
+        return _angle(*args) if tree.name == "atan2" else _CALLS[tree.name](args[0])
+
+    def _quotient(self, tree: Formula, args: list[Enclosure], begin: Array, end: Array) -> Enclosure:
+        """Return a quotient; u/abs(u), as a sign is written, lies between -1 and 1 also where u is zero."""
+        above, below = list(factors(tree.args[0])), tree.args[1]
+        if below.op == "call" and below.name == "abs" and (below.args[0], 1) in above:
+            above.remove((below.args[0], 1))
+            rest = self._formula(product_of([factor for factor, _ in above]), begin, end)
+            return _times(rest, _sign(self._formula(below.args[0], begin, end)))
+        return _times(args[0], _inverse(args[1]))
+
+    def _name(self, name: str, begin: Array, end: Array) -> Enclosure:
+        if name == "t":
+            return _time(begin, end)
+        if name in self.laws:
+            return self._law(self.laws[name], begin, end)
+        return _constant(float(np.pi) if name == "pi" else float(self.values[name]), len(begin))
+
+
+def _time(begin: Array, end: Array) -> Enclosure:
+    return Enclosure(begin, end, (begin + end) / 2, REACH * (end - begin) / 2)

@@ -1,0 +1,76 @@
+"""Stretches of time short enough for Gauss's rule, and a bound on what the integrals over them leave open.
+
+Enters: enclosures of laws over stretches.  Leaves: `Resolution`.  Used by `drive.py`.
+A rule looks at points and says nothing of a pulse between them; here each stretch is halved until enclosures of the law
+prove that the rule has seen all there is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from coursework.motion.geometry.enclosures import REACH, Enclosure
+from coursework.system.arrays import Array
+
+POINTS = 12
+# The integral is wanted to this (rad or m), and to this part of the way that the drive makes altogether.
+WANTED = 1e-11
+# At most so many stretches are looked at; a drive of a hundred thousand oscillations takes about as many.
+MOST = 1_000_000
+_FIRST = 16
+_SMALLEST = 4 * np.finfo(float).eps
+# On a function that stays within M on an ellipse about (-1, 1) the rule errs by at most this times M (L. N. Trefethen,
+# Approximation Theory and Approximation Practice, theorem 19.3): the ellipse of half axes REACH and less lies in the disc.
+_SEMIAXES = REACH + np.sqrt(REACH**2 - 1)
+_RULE = 64 / 15 * _SEMIAXES ** (-2 * POINTS) / (1 - _SEMIAXES**-2)
+
+
+@dataclass(frozen=True, slots=True)
+class Resolution:
+    """`edges` (s) of stretches; `error` (rad or m) bounds what the integrals leave open; most of it lies at `place` (s).
+
+    `met` says whether that is as little as wanted.
+    """
+
+    edges: Array
+    error: float
+    place: float
+    met: bool
+
+
+def resolve(enclosed: Callable[[Array, Array], list[Enclosure]], edges: Array) -> Resolution:
+    """Return stretches between `edges` (s) on which the rule gives the integrals of all laws as well as wanted."""
+    longest = (edges[-1] - edges[0]) / _FIRST
+    counts = np.maximum(1, np.ceil(np.diff(edges) / longest)).astype(int)
+    begin = np.concatenate([np.linspace(a, b, n + 1)[:-1] for a, b, n in zip(edges[:-1], edges[1:], counts, strict=True)])
+    end = np.append(begin[1:], edges[-1])
+    settled: list[Array] = []
+    worst = (0.0, float(edges[0]))
+    error = way = 0.0
+    looked = count = 0
+    while len(begin):
+        looked, half = looked + len(begin), (end - begin) / 2
+        laws = enclosed(begin, end)
+        open_ = np.max([_left_open(law, half) for law in laws], axis=0)
+        moved = 2 * half * np.max([np.abs(law.middle) for law in laws], axis=0)
+        allowed = WANTED * max(1.0, way + float(moved.sum())) / max(_FIRST, 2 * (len(begin) + count))
+        done = (open_ <= allowed) | (half <= _SMALLEST * np.abs(end)) | (looked > MOST)
+        if done.any():
+            most = int(np.argmax(np.where(done, open_, -1.0)))
+            worst = max(worst, (float(open_[most]), float(begin[most] + half[most])))
+        error, way, count = error + float(open_[done].sum()), way + float(moved[done].sum()), count + int(done.sum())
+        settled.append(begin[done])
+        middle = (begin + half)[~done]
+        begin, end = np.sort(np.concatenate([begin[~done], middle])), np.sort(np.concatenate([middle, end[~done]]))
+    starts = np.sort(np.concatenate(settled))
+    return Resolution(np.append(starts, edges[-1]), error, worst[1], bool(error <= WANTED * max(1.0, way)))
+
+
+def _left_open(law: Enclosure, half: Array) -> Array:
+    """Return by how much (n,) the rule may be off on stretches of half a length: by the disc, or by the values alone."""
+    with np.errstate(all="ignore"):
+        off = np.fmin(_RULE * law.radius * half, (law.high - law.low) * 2 * half)
+    return np.where(np.isnan(off), np.inf, off)

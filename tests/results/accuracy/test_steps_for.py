@@ -1,0 +1,56 @@
+"""What equal accuracy costs is interpolated between the runs, and steps too coarse for an order are told."""
+
+import math
+
+import pytest
+
+from coursework.motion.schemes import DEFAULT_SCHEME, PRECISE, title_of
+from coursework.report.output.tables import study_csv
+from coursework.results.accuracy.record import AccuracyStudy, StudyRow
+from coursework.results.accuracy.sentences import sentences_of, unsettled
+from coursework.results.accuracy.trace import local_slopes
+
+COUNTS = (24, 96, 1536, 24576, 98304)
+
+
+def row(scheme, count, error, cost=1):
+    return StudyRow(title_of(scheme), f"{count}", count * cost, error, error, None)
+
+
+def study(best, constant=3.0, order=1.0):
+    rows = [row(DEFAULT_SCHEME, count, constant / count**order) for count in COUNTS]
+    return [*rows, row(PRECISE, 24, best, 4)]
+
+
+@pytest.mark.parametrize("wanted", [25_000, 30_000, 61_000, 200, 1000])
+def test_the_steps_are_those_at_which_the_error_is_reached(wanted):
+    """The grid of fours has 98 304 behind 24 576: what lies between is told as it is, with the runs beside it."""
+    rows = study(3.0 / wanted)
+    told = next(one for one in sentences_of(rows, {}, {}, rows[0]) if one.key.startswith("study.equal"))
+    assert told.values["needed"].values["needed"] == f"{wanted:,}".replace(",", "\u202f")
+    low, high = (int(told.values["needed"].values[name].replace("\u202f", "")) for name in ("low", "high"))
+    assert low < wanted < high
+    assert {low, high} <= {*COUNTS}
+
+
+def test_beyond_the_finest_run_nothing_bounds_them():
+    rows = study(3.0 / 410_000)
+    told = next(one for one in sentences_of(rows, {}, {}, rows[0]) if one.key.startswith("study.equal"))
+    assert told.values["needed"] == "410\u202f000"
+
+
+def test_steps_too_coarse_for_an_order_are_told():
+    bent = [row(DEFAULT_SCHEME, count, error) for count, error in ((24, 0.09), (48, 0.08), (96, 0.02))]
+    (told,) = unsettled(bent, 1e-15)
+    assert "0.2, then 2.0" in str(told)
+    assert local_slopes([24, 48, 96], [0.09, 0.08, 0.02], 1e-15)[1] == pytest.approx(2.0)
+    assert unsettled(study(1e-5)[:5], 1e-15) == ()
+    just = [row(DEFAULT_SCHEME, count, 0.05 / count**power) for count, power in ((1, 1), (2, 1), (4, 1 + 0.48 / 2))]
+    assert unsettled(just, 1e-15) == ()
+
+
+def test_a_run_that_did_not_end_has_empty_cells():
+    failed = StudyRow("explicit Euler", "24", 0, math.nan, math.nan, None, "did not finish")
+    text = study_csv(AccuracyStudy((failed,), {}, None, 0.0, "", (), (), False))
+    assert "nan" not in text
+    assert text.splitlines()[1].startswith("explicit Euler,24,0,,")
