@@ -7,7 +7,7 @@ Only "graded" and "graded-with-notes" carry a number: a format error is no wrong
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from decimal import ROUND_HALF_UP, Decimal
 from typing import Any
 
@@ -88,13 +88,18 @@ class Grade:
             "equations": self._equations(),
             "answers": self._answers(),
             "misconception": self.table.misconception.plain() if self.table and self.table.misconception else None,
-            "verdicts": asdict(self.verdicts),
+            "verdicts": self.verdicts.plain(),
             "notes": [entry.plain() for entry in self.notes],
         }
 
+    @property
+    def waits(self) -> bool:
+        """Return whether the equations are not marked before a person has looked at a line that could not be read."""
+        return self.equations is not None and self.equations.unread is not None and bool(self.rubric.weights["equations"])
+
     def part(self, name: str) -> tuple[float | None, float]:
         """Return points and most points of a part; None where it cannot be marked."""
-        share = self.parts.get(name)
+        share = None if name == "equations" and self.waits else self.parts.get(name)
         return (None if share is None else rounded_points(self.rubric.most(name) * share)), rounded_points(self.rubric.most(name))
 
     def _table(self) -> dict[str, Any]:
@@ -164,7 +169,7 @@ class Marker:
         status, reason, notes = self._status(work, shares)
         if status == "graded" and equations is not None and self.rubric.weights["equations"] and (unread := equations.unread):
             status, reason = "needs-review", say("reading.review.unread_line", line=unread.line.line, text=unread.line.text[:80])
-        notes = (*work.notes, *self._notes(table), *notes)
+        notes = (*work.notes, *(equations.notes if equations else ()), *self._notes(table), *notes)
         if status == "graded" and notes:
             status = "graded-with-notes"
         return Grade(status, shares, self.rubric, self.key, work, table, equations, answers, judged, notes, reason)

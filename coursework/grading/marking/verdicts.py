@@ -29,13 +29,17 @@ class Verdicts:
     equations: Literal["right", "wrong", "none"]
     integration: Literal["right", "wrong", "unknown"]
     arithmetic: Literal["right", "slip", "unknown"]
+    unread: bool = False  # equations that wait for a person: "none" in grades.json
+
+    def plain(self) -> dict[str, str]:
+        """Return the three as grades.json writes them."""
+        return {"equations": self.equations, "integration": self.integration, "arithmetic": self.arithmetic}
 
     @property
     def sentence(self) -> Sentence:
         """Return what the three mean together."""
-        return joined(
-            [say(f"marking.verdict.{name}.{getattr(self, name)}") for name in ("equations", "integration", "arithmetic")]
-        )
+        told = self.plain() | ({"equations": "unread"} if self.unread else {})
+        return joined([say(f"marking.verdict.{name}.{verdict}") for name, verdict in told.items()])
 
 
 def verdicts(
@@ -45,10 +49,11 @@ def verdicts(
     first: Literal["right", "wrong", "none"] = "none"
     if equations is not None:
         complete = equations.independent == equations.needed and not equations.wrong
-        first = "right" if complete else "wrong"
+        first = "none" if equations.unread else "right" if complete else "wrong"
+    unread = equations is not None and equations.unread is not None
     if cells is None or points is None:
-        return Verdicts(first, "unknown", "unknown")
-    return Verdicts(first, _integration(key, cells), _arithmetic(cells, points, named))
+        return Verdicts(first, "unknown", "unknown", unread)
+    return Verdicts(first, _integration(key, cells), _arithmetic(cells, points, named), unread)
 
 
 def _integration(key: Key, cells: Cells) -> Literal["right", "wrong", "unknown"]:

@@ -58,7 +58,7 @@ def feedback_page(grade: Grade, student: str, name: str | None, final: Mapping[s
         verdict=grade.verdicts.sentence if grade.table or grade.equations else "",
         notes=[_lettered(grade.key, clean(words.written(entry.text), LONGEST_TEXT)) for entry in grade.notes],
         table=_table(grade, grade.table, words) if grade.table else None,
-        equations=_equations(grade, words),
+        equations=_equations(grade, final, words),
         answers=_answers(grade, words),
         misconception=_misconception(grade, words),
     )
@@ -195,7 +195,7 @@ def typeset(text: str) -> str:
     return _NEGATIVE.sub("−", text)
 
 
-def _equations(grade: Grade, words: Phrases) -> dict[str, Any] | None:
+def _equations(grade: Grade, final: Mapping[str, Any], words: Phrases) -> dict[str, Any] | None:
     if grade.equations is None:
         return None
     items = []
@@ -213,6 +213,8 @@ def _equations(grade: Grade, words: Phrases) -> dict[str, Any] | None:
     marks = grade.equations
     dependent = _dependent(marks.dependent)
     count = say("feedback.independent", independent=marks.independent, needed=marks.needed)
+    if grade.waits and final["score"] is None:
+        count = say("feedback.waits")
     return {"items": items, "count": count, "dependent": dependent}
 
 
