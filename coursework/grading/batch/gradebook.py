@@ -128,10 +128,12 @@ def _page_stands(out: Path, entry: Entry, wanted: bool) -> bool:
 
 
 def _change(entry: Entry, before: Entry | None) -> Change | None:
-    if before is None or _mark(before) == _mark(entry):
+    if before is None:
         return None
     parts = zip(REASONS, before.key.split(), entry.key.split(), strict=False)
     reason = next((name for name, old, new in parts if old != new), "again")
+    if _mark(before) == _mark(entry) and reason != "overrides":  # a decision is listed whatever came of it
+        return None
     return Change(entry.id, _mark(before), _mark(entry), reason)
 
 

@@ -99,9 +99,14 @@ class Grade:
             "notes": [entry.plain() for entry in self.notes],
         }
 
+    @property
+    def waits(self) -> bool:
+        """Return whether the equations are not marked before a person has looked at a line that could not be read."""
+        return self.equations is not None and self.equations.unread is not None and bool(self.rubric.weights["equations"])
+
     def part(self, name: str) -> tuple[float | None, float]:
         """Return points and most points of a part; None where it cannot be marked."""
-        share = self.parts.get(name)
+        share = None if name == "equations" and self.waits else self.parts.get(name)
         return (None if share is None else rounded_points(self.rubric.most(name) * share)), rounded_points(self.rubric.most(name))
 
     def _table(self) -> dict[str, Any]:
@@ -173,7 +178,7 @@ class Marker:
             line = unread.line
             key = "unread_place" if line.place else "unread_line"
             status, reason = "needs-review", say(f"reading.review.{key}", line=line.line, place=line.where, text=line.text[:80])
-        notes = (*work.notes, *self._notes(table), *notes)
+        notes = (*work.notes, *(equations.notes if equations else ()), *self._notes(table), *notes)
         if status == "graded" and notes:
             status = "graded-with-notes"
         return Grade(status, shares, self.rubric, self.key, work, table, equations, answers, judged, notes, reason)

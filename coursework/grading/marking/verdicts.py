@@ -36,7 +36,7 @@ def verdicts(
     first: Literal["right", "wrong", "none"] = "none"
     if equations is not None:
         complete = equations.independent == equations.needed and not equations.wrong
-        first = "right" if complete else "wrong"
+        first = "none" if equations.unread else "right" if complete else "wrong"
     if cells is None or points is None:
         return Verdicts(first, "unknown", "unknown")
     return Verdicts(first, _integration(key, cells), _arithmetic(cells, points, named))

@@ -84,8 +84,6 @@ def read_submission(submission: Submission, expected: Expected) -> StudentWork:
     lines = handed[: most_lines(expected)]
     if unread := found.unread + len(handed) - len(lines):
         found.notes.append(note("ignored_file", "lines", number=unread))
-    if repaired := sum(bool(line.repaired) for line in lines):
-        found.notes.append(note("repaired", number=repaired))
     return StudentWork(
         tuple(found.entries),
         table,

@@ -101,21 +101,27 @@ class Table:
 
 @dataclass(frozen=True, slots=True)
 class EquationReading:
-    """One way to read a line: `left = right`, and the text that was read in its place, "" where nothing needed mending."""
+    """One way to read a line: `left = right`, and the text that was read in its place, "" for the line as it stands.
+
+    `guessed` where something was added that does not stand there; `is_loose` where the line may mean something else, so that it
+    counts only where it is right.
+    """
 
     left: Formula
     right: Formula
     text: str = ""
+    guessed: bool = False
+    is_loose: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class EquationLine:
     """One line of equations: `text` as handed in; `left = right` once read, else the fault and its column.
 
-    `repaired` is the text that was read in its place, "" where nothing needed mending; `others` are further ways to read the
-    line, of which one that is right is what was meant; `relates` says of a line nobody could read that it names two symbols of
-    the variant: it is an equation, and no prose.  `place` is where the line stands in a document, for a person;
-    one that `may_be_datum`, as "w1 = 6.5" in a report, is an equation only where it is right.
+    `repaired` is the text that was read in its place, "" for the line as it stands; `guessed` where something was added;
+    `others` are further ways to read the line, of which one that is right is what was meant; `relates` says of a line nobody
+    could read that it names two symbols of the variant: it is an equation, and no prose.  `place` is where the line stands in
+    a document, for a person; one that `may_be_datum`, as "w1 = 6.5" in a report, is an equation only where it is right.
     """
 
     file: str
@@ -129,6 +135,7 @@ class EquationLine:
     relates: bool = False
     place: Sentence | None = None
     may_be_datum: bool = False
+    guessed: bool = False
 
     @property
     def where(self) -> Sentence:

@@ -22,9 +22,11 @@ from coursework.grading.marking.equations.numbers import NoValue, real, size_of
 from coursework.grading.marking.equations.probe import Probe, exact_probe, kinds, random_probe
 from coursework.grading.marking.key import Key
 from coursework.grading.reading.student_work import EquationLine
+from coursework.grading.reading.submission import Note, note
 from coursework.variant.formula.tree import Formula, number, spelled
 from coursework.words.errors import Fault
 from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined
 
 Verdict = Literal["right", "rounded", "closure", "wrong", "unreadable"]
 # Residual over the sum of its terms: round-off; data printed with three or four digits; the exact motion's own accuracy.
@@ -87,6 +89,16 @@ class EquationMarks:
         """Return the first line that nobody could read and that may earn points: while equations are missing it is a question."""
         missing = self.independent < self.needed
         return next((mark for mark in self.marks if missing and mark.verdict == "unreadable" and mark.line.relates), None)
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """Return what a person should know of lines that count: something was added to them, or their numbers are rounded."""
+        guessed = sum(mark.line.guessed and mark.verdict != "unreadable" for mark in self.marks)
+        rounded = [str(mark.line.line) for mark in self.marks if mark.verdict == "rounded"]
+        return (
+            *([note("repaired", number=guessed)] if guessed else []),
+            *([note("rounded", lines=joined(rounded, "join.comma"))] if rounded else []),
+        )
 
     @property
     def share(self) -> float:
@@ -155,11 +167,11 @@ class Judge:
 
     def _mark(self, line: EquationLine) -> EquationMark:
         """Return the mark of a line in the way of reading it in which it is right, in the first way where it is in none."""
-        for other in line.others:
-            if line.left is None or self._verdict(difference(line)) not in COUNTED:
-                meant = replace(line, left=other.left, right=other.right, repaired=other.text, others=())
-                if self._verdict(difference(meant)) in COUNTED:
-                    line = meant
+        if line.others and (line.left is None or not self._tells(difference(line))):
+            for other in line.others:
+                if self._tells(Formula("-", (other.left, other.right))):
+                    line = replace(line, left=other.left, right=other.right, repaired=other.text, others=(), guessed=True)
+                    break
         if line.left is None or line.right is None:
             column = line.fault.column if line.fault else 1
             message = line.fault.message if line.fault else ""
@@ -170,6 +182,10 @@ class Judge:
             return EquationMark(line, verdict, self._slip(tree, line))
         repaired = Hint("repaired", 1, line.repaired) if line.repaired else None
         return EquationMark(line, verdict, repaired)
+
+    def _tells(self, tree: Formula) -> bool:
+        """Return whether a line is right and says something of the velocities."""
+        return self._verdict(tree) in COUNTED and bool(np.any(linear(tree, self.off_closure).directions))
 
     def _verdict(self, tree: Formula) -> Verdict:
         try:

@@ -7,16 +7,19 @@ Used by `read_submission.py`.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
-from coursework.grading.reading.equations.latex import without_latex
+from coursework.grading.reading.equations.labels import bare_equations, without_labels, without_words
 from coursework.grading.reading.equations.meanings import Meanings, key, meaning_of, put_in
 from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings, spellings_of
-from coursework.grading.reading.equations.plain_text import without_labels
-from coursework.grading.reading.equations.repair import repaired
+from coursework.grading.reading.equations.plain_text import plain
+from coursework.grading.reading.equations.repair import Sides, is_name, sides_of
+from coursework.grading.reading.equations.signs import plain_signs, relates_two_sides
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import EquationLine, EquationReading
 from coursework.variant.formula import reader
+from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.tree import Formula, FormulaFault, mapped
 from coursework.variant.toml.source import Source
 from coursework.words.errors import Fault, InputError
@@ -24,7 +27,13 @@ from coursework.words.sentences import closest, say
 
 MORE_LINES = 20  # beyond twice the equations needed
 _WORD = re.compile(r"[^\W\d]\w*")
-_OWN_NAME = re.compile(r"[^\W\d][\w{}']{0,40}")
+_PIECE = re.compile(r"[^\W\d]+\d+|[^\W\d_]+")  # of names written without a sign between them
+_OWN_NAME = re.compile(r"[^\W\d][\w']{0,40}")
+_NUMBER = re.compile(r"[-+]?\s*(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
+_QUANTITY = re.compile(r"\s*[-+]?\s*\d[\d.,]*(?:[eE][-+]?\d+)?\s*[^\d\s=*+()]{0,8}(?:[-^]?\d)?\s*[.,;]?\s*")
+_DASH = re.compile(r"^\s*[-–—−]\s+")
+_SHORT = 80  # characters of a name and its number
+_FEWEST = 4  # words of an expression that is no prose
 
 
 def most_lines(expected: Expected) -> int:
@@ -37,54 +46,97 @@ def spellings_for(expected: Expected) -> Spellings:
     return spellings_of(expected.variant, tuple((column.name, column.unit) for column in expected.grid.columns))
 
 
-def read_line(text: str, file: str, line: int, expected: Expected, own: Meanings | None = None) -> EquationLine:
-    """Return one line as an equation: as it stands where the strict reader takes it, else repaired, else with its fault.
+def read_line(
+    text: str, file: str, line: int, expected: Expected, own: Meanings | None = None, *, listed: bool = False
+) -> EquationLine:
+    """Return one line as an equation: as it stands where the strict reader takes it, else in plain text, else with its fault.
 
     A line that can be meant in several ways has the others too: a label may be a number, a formula without a name the value of
-    any velocity.  `own` are the definitions of the same text.
+    any velocity.  `own` are the definitions of the same text; `listed`: every line of it begins with a dash, perhaps no minus.
     """
-    names = _Names(spellings_for(expected), expected, own or {})
-    bare = without_labels(text)
-    found: list[EquationReading] = []
-    faults: list[Fault] = []
-    for candidate in dict.fromkeys((bare, text)) if len(text) <= reader.MAX_CHARACTERS else (text,):
-        read = _read(candidate, text, names)
-        if isinstance(read, Fault):
-            faults.append(replace(read, column=read.column + text.find(candidate)) if candidate != text else read)
-        else:
-            found.append(read)
-    if found:
-        first = found[0]
-        return EquationLine(file, line, text, first.left, first.right, first.text, others=tuple(found[1:]))
-    fault, others = faults[-1], _of_any_velocity(bare, names)
-    if others:
-        fault = Fault(say("fault.G063", example=f"{expected.variant.sought[0]} {bare.strip()}"[:80]), column=1)
+    names = _Names(spellings_for(expected), expected, own or {}, listed)
+    found, fault = _readings(text, names)
+    firm = [reading for reading in found if not reading.is_loose]
+    if firm:
+        first = firm[0]
+        others = tuple(reading for reading in found if reading is not first)
+        return EquationLine(file, line, text, first.left, first.right, first.text, others=others, guessed=first.guessed)
+    others = tuple(found) or _of_any_velocity(without_labels(text), names)
+    if others and not found:
+        example = f"{expected.variant.sought[0]} {without_labels(text).strip()}"[:80]
+        fault = Fault(say("fault.G063", example=example), column=1)
     short = text[: reader.MAX_CHARACTERS]
     told = Fault(fault.message, file, line, fault.column)
-    return EquationLine(
-        file, line, short, None, None, fault=told, others=others, relates=len(names_in(short, names.spellings)) > 1
-    )
+    relates = len(names_in(short, names.spellings)) > 1
+    return EquationLine(file, line, short, None, None, fault=told, others=others, relates=relates)
+
+
+def _readings(text: str, names: _Names) -> tuple[list[EquationReading], Fault]:
+    """Return the ways to read a line, the likeliest first, and the fault of the last one where there is none."""
+    found: list[EquationReading] = []
+    fault = Fault(say("fault.G062"), column=1)
+    shortest = _DASH.sub("", text) if names.listed else text
+    for candidate in dict.fromkeys((shortest, without_labels(text), text)):
+        strict = _strict(candidate, names)
+        if isinstance(strict, Fault):
+            fault = replace(strict, column=strict.column + max(text.find(candidate), 0))
+        else:
+            found.append(EquationReading(*strict, "" if candidate == text else candidate))
+    if len(text) > reader.MAX_CHARACTERS:
+        return found, fault
+    named: Fault | None = None
+    written = [plain(one, names.spellings) for one in dict.fromkeys((shortest, text))]
+    for candidate in dict.fromkeys(bare for one in written for bare in bare_equations(one, names.is_name)):
+        for closely in (False,) if found else (False, True):
+            sides = sides_of(candidate, names.spellings, closely=closely)
+            read = _of_sides(sides, names)
+            if isinstance(read, Fault):
+                # Every sign was understood, a name was not: that is the fault to tell.
+                if read.place and not named:
+                    fault = named = Fault(read.message, column=_column_of(read.place, text))
+            else:
+                found += [replace(one, guessed=one.guessed or closely) for one in read if one.text not in {o.text for o in found}]
+    return found, fault
+
+
+def _of_sides(sides: Sides, names: _Names) -> list[EquationReading] | Fault:
+    """Return the equations that a chain of sides means: each side equals the last one that can be read.
+
+    A number at the end of a longer chain is its value in some row; what stands between sides and cannot be read leaves it open
+    whether the others are meant, but for a name at the beginning that says what the sum is: V_Cy = … = 0.
+    """
+    texts = sides.texts
+    if len(texts) == 2:
+        read = _strict(" = ".join(texts), names)
+        if isinstance(read, Fault):
+            return read
+        return [EquationReading(*read, " = ".join(texts), guessed=not sides.is_whole)]
+    kept = [text for text in texts if not isinstance(_strict(f"{text} = 0", names), Fault)]
+    is_loose = any(text not in kept for text in texts if not _OWN_NAME.fullmatch(text.strip()))
+    while len(kept) > 2 and _NUMBER.fullmatch(kept[-1]) and float(kept[-1].replace(" ", "")):
+        kept.pop()
+    if len(kept) < 2 or all(_OWN_NAME.fullmatch(text) or _NUMBER.fullmatch(text) for text in kept):
+        read = _strict(" = ".join(texts), names)
+        assert isinstance(read, Fault)  # no equation has three sides
+        return read
+    found = []
+    for text in dict.fromkeys(kept[:-1]):
+        read = _strict(f"{text} = {kept[-1]}", names)
+        if not isinstance(read, Fault):
+            found.append(EquationReading(*read, f"{text} = {kept[-1]}", is_loose=is_loose))
+    return found
 
 
 def names_in(text: str, spellings: Spellings) -> set[str]:
-    """Return the declared names that stand in a text by themselves, in any spelling; t and pi are no names here."""
-    words = _WORD.findall(without_latex(text))
+    """Return the declared names that stand in a text, in any spelling; t and pi are no names here."""
+    words = [piece for word in _WORD.findall(plain(text, spellings)) for piece in (word, *_PIECE.findall(word))]
     return {known for word in words if (known := spellings.canonical(word)) is not None} - {*BUILT_IN}
 
 
-def _read(text: str, whole: str, names: _Names) -> EquationReading | Fault:
-    """Return a text as an equation, repaired where it must be; `whole` is the line as handed in."""
-    strict = _strict(text, names)
-    if not isinstance(strict, Fault):
-        return EquationReading(*strict, "" if text == whole else text)
-    if len(text) > reader.MAX_CHARACTERS:
-        return strict
-    better = repaired(text, names.spellings)
-    read = _strict(better, names)
-    if not isinstance(read, Fault):
-        return EquationReading(*read, better)
-    # Every sign was understood, a name was not: that is the fault to tell.
-    return Fault(read.message, column=_column_of(read.place, text)) if read.place else strict
+def _read(text: str, names: _Names) -> EquationReading | Fault:
+    """Return a text as one equation."""
+    found, fault = _readings(text, names)
+    return found[0] if found else fault
 
 
 def _of_any_velocity(text: str, names: _Names) -> tuple[EquationReading, ...]:
@@ -92,34 +144,64 @@ def _of_any_velocity(text: str, names: _Names) -> tuple[EquationReading, ...]:
     if not text.lstrip().startswith("=") or len(text) > reader.MAX_CHARACTERS:
         return ()
     formula = text.lstrip(" =")
-    found = (_read(f"{velocity} = {formula}", text, names) for velocity in names.expected.variant.sought)
-    return tuple(reading for reading in found if not isinstance(reading, Fault))
+    found = (_read(f"{velocity} = {formula}", names) for velocity in names.expected.variant.sought)
+    return tuple(replace(reading, guessed=True) for reading in found if not isinstance(reading, Fault))
 
 
 def definition(text: str, expected: Expected, own: Meanings) -> tuple[str, Formula] | None:
     """Return the name and the formula of a line that defines a name of the student's own, None for any other line."""
-    bare = without_labels(text)
-    name, sign, formula = bare.partition("=")
-    name = name.strip(" :$")
-    spellings = spellings_for(expected)
-    if (
-        not sign
-        or not formula.strip()
-        or "=" in formula
-        or not _OWN_NAME.fullmatch(name)
-        or spellings.canonical(name) is not None
-    ):
+    names = _Names(spellings_for(expected), expected, own)
+    name, formula = own_name(text, names.spellings)
+    if not name or not formula.strip() or "=" in formula:
         return None
-    read = _read(f"0 = {formula}", text, _Names(spellings, expected, own))
+    read = _read(f"0 = {formula}", names)
     return None if isinstance(read, Fault) else (key(name), read.right)
 
 
+def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
+    """Return the one word on the left of a line, where it may be a name of the student's own, and what it equals; else ""."""
+    if len(text) > reader.MAX_CHARACTERS:
+        return "", ""
+    plainly = plain_signs(text.replace("$", " "))
+    bare = without_words(without_labels(plainly), lambda word: is_name(word, spellings))
+    name, sign, formula = bare.partition("=")
+    name = re.sub(r"[{}\\]", "", name.strip(" :\t"))
+    meant = spellings.canonical(name)
+    # A letter that only its size tells from a datum is the student's own: nobody solves for a datum.
+    is_own = meant is None or (meant in spellings.data and spell(name) != meant)
+    return (name, formula) if sign and is_own and _OWN_NAME.fullmatch(name) else ("", "")
+
+
 def is_equation_without_sign(text: str, expected: Expected) -> bool:
-    """Return whether a line without "=" is the left side of an equation and not a line of prose."""
-    if "=" in text or len(text) > reader.MAX_CHARACTERS or not any(sign in text for sign in "+-−*·"):
+    """Return whether a line without a sign of equality is the left side of an equation, read or not, and not a line of prose."""
+    if len(text) > reader.MAX_CHARACTERS or not any(sign in text for sign in "+-−*·⋅×") or relates_two_sides(text):
         return False
-    spellings = spellings_for(expected)
-    return not isinstance(_strict(repaired(without_labels(text), spellings), _Names(spellings, expected)), Fault)
+    names = _Names(spellings_for(expected), expected)
+    if not names_in(text, names.spellings):
+        return False
+    return not isinstance(_read(text, names), Fault) or _is_mostly_names(text, names)
+
+
+def _is_mostly_names(text: str, names: _Names) -> bool:
+    """Return whether a line is made of names of the variant, numbers and signs, but for one word."""
+    words = _WORD.findall(plain(text, names.spellings))
+    strange = [word for word in words if not names.is_name(word)]
+    return len(strange) <= 1 and bool(names_in(text, names.spellings) & {*names.expected.variant.sought}) and len(words) > _FEWEST
+
+
+def are_listed(lines: Sequence[str]) -> bool:
+    """Return whether several lines begin with a dash and a blank, every one of them."""
+    return len(lines) > 1 and all(_DASH.match(line) for line in lines)
+
+
+def is_datum(text: str, expected: Expected) -> bool:
+    """Return whether a line says a number only of what no equation is solved for: "r1 = 0.953 m", "phi1 = 1.63"."""
+    if len(text) > _SHORT:
+        return False
+    name, sign, value = plain_signs(without_labels(text)).partition("=")
+    name = re.sub(r"[{}\\$\s]", "", name)
+    meant = spellings_for(expected).canonical(name) if _OWN_NAME.fullmatch(name) else None
+    return bool(sign) and meant is not None and meant not in expected.variant.sought and _QUANTITY.fullmatch(value) is not None
 
 
 def read_constraints(source: Source, file: str, expected: Expected) -> list[EquationLine]:
@@ -161,6 +243,11 @@ class _Names:
     spellings: Spellings
     expected: Expected
     own: Meanings = field(default_factory=dict)
+    listed: bool = False
+
+    def is_name(self, word: str) -> bool:
+        """Return whether a word means something here: a name, a function, several glued together, one of the student's own."""
+        return is_name(word, self.spellings) or meaning_of(word, self.expected, self.own) is not None
 
 
 def _strict(text: str, names: _Names) -> tuple[Formula, Formula] | Fault:

@@ -9,21 +9,36 @@ from __future__ import annotations
 
 import re
 
+from coursework.grading.reading.equations.signs import ARROW
 from coursework.variant.formula.alphabet import greek
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
-_ENVIRONMENT = re.compile(r"\\(?:begin|end)\s*\{[A-Za-z]+\*?\}(?:\{[lcr|]*\})?")
-_LINE_END = re.compile(r"\\\\(?:\s*\[[^\]\n]{0,20}\])?")
+_ENVIRONMENT = re.compile(r"\\(?:begin|end)\s*\{[A-Za-z]+\*?\}(?:\[[tbc]\])?(?:\{[lcr|@\d\s]*(?:\{[^{}]*\}[lcr|@\s]*)*\})?")
+_MATRIX = re.compile(
+    r"\\begin\s*\{((?:[pbvBV]|small)?matrix|array)\}(?:\[[tbc]\])?(?:\{[lcr|@\s]*\})?(.{0,4000}?)\\end\s*\{\1\}", re.DOTALL
+)
+_LINE_END = re.compile(r"\\(?:\\\*?(?:\s*\[[^\]\n]{0,20}\])?|newline|tabularnewline)")
+_OPENS, _CLOSES = re.compile(r"\\begin|(?<!\\)\\\["), re.compile(r"\\end|(?<!\\)\\\]")
+_REMARK = re.compile(r"(?<!\\)%.*")
 _DELIMITERS = re.compile(r"\\[\[\]()]|\$\$?")
 _DROPPED = re.compile(
-    r"\\(?:left|right|[bB]ig+[lr]?|displaystyle|textstyle|limits|nonumber|notag|hfill|,|;|!|:| )"
-    r"|\\(?:label|tag)\s*\*?\{[^{}]*\}|&"
+    r"\\(?:left|right)\s*(?:\\[{}|]|\.)"
+    r"|\\(?:left|right|[bB]ig+[lrm]?|displaystyle|textstyle|limits|nonumber|notag|hfill|noindent)(?![A-Za-z])|\\[,;!: ]"
+    r"|\\(?:label|tag|hspace|vspace|phantom|intertext|ref|eqref)\s*\*?\{[^{}]*\}|\\eqno\s*\([^()]*\)|&"
 )
 _SPACE = re.compile(r"\\q?quad(?![A-Za-z])|~")
-_UPRIGHT = re.compile(r"\\(?:text|mathrm|mathit|mathsf|operatorname|textit|textrm|rm|mathbf|boldsymbol|vec)\s*\{([^{}]*)\}")
+_UPRIGHT = re.compile(
+    r"\\(?:text|mathrm|mathit|mathsf|mathnormal|mathop|operatorname\*?|textit|textrm|textbf|rm|mathbf|boldsymbol|bm|mbox|hbox|vec"
+    r"|overline|underline|bar|hat|ensuremath)\s*\{([^{}]*)\}"
+)
 _SIGNS = {"\\cdot": "*", "\\times": "*", "\\ast": "*", "\\div": "/", "\\pi": "pi", "\\omega": "ω", "\\varphi": "φ",
-          "\\vartheta": "θ", "\\varepsilon": "ε", "\\epsilon": "ε", "\\lambda": "λ", "\\prime": "'"}  # fmt: skip
-_MOST = 200  # fractions and dots in one line
+          "\\vartheta": "θ", "\\varepsilon": "ε", "\\epsilon": "ε", "\\lambda": "λ", "\\prime": "'", "\\bullet": "*",
+          "\\lbrace": "{", "\\rbrace": "}", "\\lbrack": "[", "\\rbrack": "]", "\\lvert": "|", "\\rvert": "|",
+          **dict.fromkeys(("\\equiv", "\\approx", "\\simeq", "\\cong", "\\doteq", "\\coloneqq", "\\triangleq"), "="),
+          **dict.fromkeys(("\\Rightarrow", "\\Longrightarrow", "\\implies", "\\rightarrow", "\\longrightarrow", "\\to",
+                           "\\Leftrightarrow", "\\iff", "\\therefore", "\\leadsto"), ARROW)}  # fmt: skip
+MATRIX = "[]"  # round a matrix in one piece
+_MOST = 200  # fractions and dots in one line, environments in a text
 
 
 def logical_lines(text: str) -> list[tuple[int, str]]:
@@ -34,10 +49,14 @@ def logical_lines(text: str) -> list[tuple[int, str]]:
     """
     if "\\" not in text:
         return list(enumerate(text.split("\n"), start=1))
+    if text.count("\\begin") < _MOST:
+        text = _MATRIX.sub(_as_matrix, text)
     lines: list[tuple[int, str]] = []
     inside, first, kept = False, 0, ""
-    for number, line in enumerate(text.split("\n"), start=1):
-        opens, closes = "\\begin" in line, "\\end" in line
+    for number, line in enumerate((_REMARK.sub("", line) for line in text.split("\n")), start=1):
+        opens, closes = _OPENS.search(line) is not None, _CLOSES.search(line) is not None
+        if line.count("$$") == 1:
+            opens, closes = not inside, inside
         pieces = [_DELIMITERS.sub(" ", piece) for piece in _LINE_END.split(_ENVIRONMENT.sub(" ", line))]
         for place, piece in enumerate(pieces):
             if place or not (inside and kept):
@@ -52,16 +71,24 @@ def logical_lines(text: str) -> list[tuple[int, str]]:
     return [*lines, (first, kept)] if kept.strip() else lines
 
 
+def _as_matrix(found: re.Match[str]) -> str:
+    r"""Return a matrix in one piece, "[a, b; c, d]" as MATLAB writes it; an array of equations, or a tall brace, as it stands."""
+    if "=" in found[2]:
+        return found[0]
+    rows = [", ".join(cell.strip() for cell in row.split("&")) for row in _LINE_END.split(found[2].replace("\n", " "))]
+    return f" {MATRIX[0]}{'; '.join(row for row in rows if row.strip())}{MATRIX[1]} " + "\n" * found[0].count("\n")
+
+
 def without_latex(text: str) -> str:
     r"""Return one line without commands.
 
     >>> without_latex(r"\dot{\varphi}_3 &= \frac{V_{My}}{r_3\left(2\cos\varphi_3 + \sin\varphi_3\right)} \tag{16}").split()
-    ['φ̇_3', '=', '((V_{My})/(r_3(2', 'cos', 'φ_3', '+', 'sin', 'φ_3)))']
+    ['φ̇_3', '=', '((V_{My})/(r_3', '(2', 'cos', 'φ_3', '+', 'sin', 'φ_3', ')))']
     """
     if "\\" not in text:
         return text.replace("&", " ") if "&=" in text else text
-    text = _SPACE.sub(" ", _DROPPED.sub("", text))
-    text = _UPRIGHT.sub(r"{\1}", text)
+    text = _SPACE.sub(" ", _DROPPED.sub(" ", text))
+    text = _UPRIGHT.sub(_upright, text.replace("{,}", ","))
     text = _COMMAND.sub(lambda found: _sign(found[0]), text)
     for name in ("frac", "dfrac", "tfrac", "cfrac"):
         text = _fractions(text, f"\\{name}")
@@ -71,6 +98,14 @@ def without_latex(text: str) -> str:
             break
         text = dotted
     return re.sub(r"\\([A-Za-z]+)", r" \1 ", text)
+
+
+def _upright(found: re.Match[str]) -> str:
+    """Return what stands in another type: a name stays one, words are parted from what follows."""
+    inner = found[1].strip()
+    if not re.fullmatch(r"[\w\\^']*", inner):
+        return f" {inner} "
+    return f"{{{inner}}}" if found.string[: found.start()].rstrip().endswith(("_", "^")) else inner
 
 
 def _sign(command: str) -> str:

@@ -8,23 +8,27 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import islice, pairwise
+from itertools import islice
 
 from coursework.grading.reading.equations.answers import read_answer
 from coursework.grading.reading.equations.equations import (
+    are_listed,
     definition,
+    is_datum,
     is_equation_without_sign,
     most_lines,
     names_in,
+    own_name,
     read_line,
     spellings_for,
 )
 from coursework.grading.reading.equations.latex import logical_lines
 from coursework.grading.reading.equations.meanings import key
 from coursework.grading.reading.equations.names_in_text import Spellings
-from coursework.grading.reading.equations.plain_text import without_labels
+from coursework.grading.reading.equations.parts import parts_of
+from coursework.grading.reading.equations.signs import plain_signs, relates_two_sides
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import AnswerLine, EquationLine, Reading
 from coursework.variant.formula.reader import MAX_CHARACTERS
@@ -33,6 +37,12 @@ from coursework.variant.formula.tree import Formula
 _SIGNS = {";": ";", "tab": "\t"}  # a comma may stand in an equation, a blank always does
 _EDGES = " \t;,\"'"  # what a spreadsheet puts round a line that was typed into one cell
 _WORD = re.compile(r"[^\W\d]\w*")
+_GOES_ON = re.compile(r"(?:(?<![-+*/=>\s])\s*[-+*/=−·(]|\w\s*(?:\.{3}|…|\\))\s*$")
+_GOES_ON_SIGN = re.compile(r"\s*(?:\.{3}|…|\\)\s*$")
+_IS_FORMULA = re.compile(r"[=*·+(\\]|\d")
+_BEGINS = re.compile(r"\s+[-+*/=−]")
+_NUMBERED = re.compile(r"^\s*\(?\d{1,3}\)?\s*#")  # of a line; a remark begins with the sign alone
+_REMARK = re.compile(r"(?<!\\)%.*|(?<![:/])//.*|/\*.{0,200}?\*/|\(\*.{0,200}?\*\)")
 # So many lines of a text are tried for each equation that may be handed in, and so many characters: each costs its time.
 _TRIED, _CHARACTERS = 10, 60_000
 _MOST_LINES, _MOST_DEFINITIONS = 20_000, 100
@@ -55,8 +65,9 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
     and lines that cannot be read are told only where others can.
     """
     most = most_lines(expected)
-    lines = list(islice(_written(text) if beside is None else _beside(text, _SIGNS.get(beside.separator)), _MOST_LINES))
+    lines = list(islice(_pieces(text) if beside is None else _beside(text, _SIGNS.get(beside.separator)), _MOST_LINES))
     own = _definitions(lines, expected) if beside is None else {}
+    listed = are_listed([line for _, line in lines if "=" in line])
     found, answers = Lines(), dict[str, AnswerLine]()
     tried = characters = 0
     for number, line in lines:
@@ -65,10 +76,10 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
             found.unread += "=" in line
         elif answer := _answer(line, name, number, expected):
             answers.setdefault(answer.name, answer)
-        elif beside is None and _defines(line, own):
+        elif beside is None and (_defines(line, own, expected) or is_datum(line, expected)):
             continue
-        elif beside is None and ("=" in line or is_equation_without_sign(line, expected)):
-            found.equations += [read_line(part, name, number, expected, own) for part in parts_of(line)]
+        elif beside is None and _is_equation(line, expected):
+            found.equations.append(read_line(line, name, number, expected, own, listed=listed))
         elif beside is not None and relates(read := read_line(line, name, number, expected), expected):
             found.equations.append(read)
     if beside is not None and all(line.left is None for line in found.equations):
@@ -79,28 +90,33 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
 
 def _written(text: str) -> Iterator[tuple[int, str]]:
     """Give the lines that are neither blank nor remarks with their numbers."""
-    for number, line in logical_lines(text):
-        bare = line.partition("#")[0].strip()
+    for number, line in _continued(logical_lines(text)):
+        bare = _REMARK.sub("", _NUMBERED.sub("", line).partition("#")[0]).strip()
         if bare:
             yield number, bare
 
 
-def parts_of(line: str) -> list[str]:
-    """Return the equations of one line, parted by semicolons, or by commas that stand between two of them.
+def _continued(lines: Iterable[tuple[int, str]]) -> Iterator[tuple[int, str]]:
+    """Give the lines, one that goes on in the next together with it: it ends with a sign, or the next is set in and begins so."""
+    first, kept = 0, ""
+    for number, line in lines:
+        set_in = line[:1].isspace() and _BEGINS.match(line) and "=" in line and "=" not in kept
+        goes_on = _GOES_ON.search(kept) and _IS_FORMULA.search(kept) and not (kept.rstrip().endswith("=") and "=" in line)
+        if kept and (goes_on or (set_in and _IS_FORMULA.search(kept))) and len(kept) < MAX_CHARACTERS and line.strip():
+            kept = f"{_GOES_ON_SIGN.sub('', kept)} {line.strip()}"
+            continue
+        if kept:
+            yield first, kept
+        first, kept = number, line
+    if kept:
+        yield first, kept
 
-    >>> parts_of("w3 = 0,5*w1, w4 = atan2(1, w3)")
-    ['w3 = 0,5*w1', 'w4 = atan2(1, w3)']
-    """
-    if line.count("=") < 2:
-        return [line]
-    depth, cuts = 0, [-1]
-    for place, sign in enumerate(line):
-        depth += {"(": 1, "[": 1, "{": 1, ")": -1, "]": -1, "}": -1}.get(sign, 0)
-        is_decimal = sign == "," and line[place - 1 : place].isdigit() and line[place + 1 : place + 2].isdigit()
-        if sign in ",;" and depth == 0 and not is_decimal and "=" in line[cuts[-1] + 1 : place]:
-            cuts.append(place)
-    pieces = [line[start + 1 : end].strip() for start, end in pairwise([*cuts, len(line)])]
-    return pieces if all("=" in piece for piece in pieces) else [line]
+
+def _pieces(text: str) -> Iterator[tuple[int, str]]:
+    """Give the equations and answers, several of which may stand in one line."""
+    for number, line in _written(text):
+        for part in parts_of(line):
+            yield number, part
 
 
 def _beside(text: str, sign: str | None) -> Iterator[tuple[int, str]]:
@@ -115,24 +131,23 @@ def _answer(line: str, name: str, number: int, expected: Expected) -> AnswerLine
     return read_answer(line[:500], name, number, expected.answers) if expected.answers else None
 
 
+def _is_equation(line: str, expected: Expected) -> bool:
+    return "=" in line or relates_two_sides(line[:MAX_CHARACTERS]) or is_equation_without_sign(line, expected)
+
+
 def _definitions(lines: Sequence[tuple[int, str]], expected: Expected) -> dict[str, Formula]:
     """Return the student's own names that other lines use, with their formulas; a later one may use those before it."""
     own: dict[str, Formula] = {}
-    words = Counter(key(word) for _, line in lines for word in {*_WORD.findall(line)})
+    spoken = [plain_signs(line[:MAX_CHARACTERS]) for _, line in lines[: _TRIED * _MOST_DEFINITIONS]]
+    words = Counter(key(word) for line in spoken for word in {*_WORD.findall(line)})
     for _, line in lines[:_MOST_DEFINITIONS]:
-        if _own_name(line) and (found := definition(line, expected, own)) and words[found[0]] > 1:
+        if (found := definition(line, expected, own)) and words[found[0]] > 1:
             own.setdefault(*found)
     return own
 
 
-def _own_name(line: str) -> str:
-    """Return the one word on the left of a line, "" where more stands there."""
-    left = without_labels(line).partition("=")[0].strip(" :$")
-    return left if "=" in line and _WORD.fullmatch(left) else ""
-
-
-def _defines(line: str, own: Mapping[str, Formula]) -> bool:
-    return bool(own) and key(_own_name(line)) in own
+def _defines(line: str, own: Mapping[str, Formula], expected: Expected) -> bool:
+    return bool(own) and key(own_name(line, spellings_for(expected))[0]) in own
 
 
 def relates(read: EquationLine, expected: Expected) -> bool:

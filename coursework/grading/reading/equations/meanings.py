@@ -22,6 +22,7 @@ from coursework.words.errors import CourseworkError
 Meanings = Mapping[str, Formula]
 _SAME = 1e-9
 _SHORT = {"c": "cos", "s": "sin", "cos": "cos", "sin": "sin"}
+_KINDS = {**dict.fromkeys(("theta", "psi", "alpha", "beta", "gamma", "q"), "rad"), **dict.fromkeys(("l", "L"), "m")}
 _END_POINTS = re.compile(r"[|\s]*([A-Z]\w?'?)\s*-?\s*([A-Z]\w?'?)[|\s]*")
 _LENGTH = re.compile(r"(?:[lLr]_?)?(.+)")
 
@@ -41,17 +42,27 @@ def meaning_of(name: str, expected: Expected, own: Meanings) -> Formula | None:
     for spelling in (plain, _LENGTH.sub(r"\1", plain)):
         if spelling in lengths:
             return lengths[spelling]
-    return _of_angle(plain, expected.variant)
+    return _of_index(plain, expected.variant)
 
 
-def _of_angle(name: str, variant: Variant) -> Formula | None:
-    """Return cos φ₃ for c3 and sin φ₃ for s3, where one angle alone has this index."""
+def _of_index(name: str, variant: Variant) -> Formula | None:
+    """Return cos φ₃ for c3 and sin φ₃ for s3, φ₃ for θ₃, r₃ for l₃, where one angle, one length alone has this index."""
+    kind, index = name.rstrip("0123456789"), name[len(name.rstrip("0123456789")) :]
+    if index and (unit := _KINDS.get(kind)):
+        alike = [one for one in _of_kind(variant, unit) if re.sub(r"\D", "", one) == index]
+        return named(alike[0]) if len(alike) == 1 else None
     for short, function in sorted(_SHORT.items(), reverse=True):
         index = name.removeprefix(short)
         if index and index != name and index.isdigit():
             angles = [one.name for one in variant.coordinates if one.unit == "rad" and re.sub(r"\D", "", one.name) == index]
             return Formula("call", (named(angles[0]),), name=function) if len(angles) == 1 else None
     return None
+
+
+def _of_kind(variant: Variant, unit: str) -> list[str]:
+    """Return the names of the angles, or of the data that are lengths."""
+    angles = [one.name for one in variant.coordinates if one.unit == unit]
+    return angles if unit == "rad" else [one.name for one in variant.given if one.si == unit]
 
 
 @lru_cache(maxsize=16)

@@ -18,11 +18,12 @@ BUILT_IN = ("t", "pi")
 
 @dataclass(frozen=True, slots=True)
 class Spellings:
-    """Declared names, what else they may be written as (folded), and the rate of each coordinate."""
+    """Declared names, what else they may be written as (folded), the rate of each coordinate, and which names are data."""
 
     known: frozenset[str]
     others: dict[str, str]
     rates: dict[str, str]
+    data: frozenset[str] = frozenset()
 
     def canonical(self, name: str) -> str | None:
         """Return the declared name that a spelling means, None where there is none."""
@@ -35,7 +36,9 @@ def _key(name: str) -> str:
 
 
 @lru_cache(maxsize=64)
-def _spellings(names: tuple[str, ...], columns: tuple[tuple[str, str], ...], rates: tuple[tuple[str, str], ...]) -> Spellings:
+def _spellings(
+    names: tuple[str, ...], columns: tuple[tuple[str, str], ...], rates: tuple[tuple[str, str], ...], data: tuple[str, ...]
+) -> Spellings:
     others = {key: found[0] for key, found in aliases(columns).items() if len(found) == 1 and found[0] in names}
     folded: dict[str, list[str]] = {}
     for name in names:
@@ -44,10 +47,12 @@ def _spellings(names: tuple[str, ...], columns: tuple[tuple[str, str], ...], rat
     others |= {key: found[0] for key, found in folded.items() if len(found) == 1}
     ambiguous = [key for key, found in folded.items() if len(found) > 1]
     return Spellings(
-        frozenset((*names, *BUILT_IN)), {key: name for key, name in others.items() if key not in ambiguous}, dict(rates)
-    )
+        frozenset((*names, *BUILT_IN)), {key: name for key, name in others.items() if key not in ambiguous}, dict(rates),
+        frozenset(data),
+    )  # fmt: skip
 
 
 def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spellings:
     """Return the spellings of a variant's names; `columns` are the (name, SI unit) of its table."""
-    return _spellings(tuple(variant.names), columns, tuple((entry.name, entry.rate) for entry in variant.coordinates))
+    rates = tuple((entry.name, entry.rate) for entry in variant.coordinates)
+    return _spellings(tuple(variant.names), columns, rates, tuple(entry.name for entry in variant.given))

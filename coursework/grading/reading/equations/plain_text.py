@@ -1,7 +1,7 @@
 """What stands round an equation or in it for people and programs -> a line without it.
 
-Enters: one line as typed.  Leaves: the line without its label, and with LaTeX, prefixes of programs, fractions of one sign and
-derivatives in the words of the variant.  Used by `equations.py` and `repair.py`.
+Enters: one line as typed.  Leaves: the line with LaTeX, prefixes and indices of programs, fractions of one sign and
+derivatives in the words of the variant.  Used by `equations.py`.
 """
 
 from __future__ import annotations
@@ -10,56 +10,60 @@ import re
 
 from coursework.grading.reading.equations.latex import without_latex
 from coursework.grading.reading.equations.names_in_text import Spellings
+from coursework.grading.reading.equations.signs import plain_signs
 
-_WORD = r"(?:equation|eqn?|gleichung|gl|уравнение|ур|рівняння|рівн|ф-ла|формула|formula|方程|式|№|no)"
-_LABEL = re.compile(
-    rf"[\s$]*(?:[*•‣▪]\s+)?(?:{_WORD}[\s.№]*\(?\d{{1,3}}[a-zа-я]?\)?\s*[:.)]?(?!=)(?=\s|\w|[-+−(])"
-    r"|[(\[]\d{1,3}[a-zа-я]?[)\]]\s*[:.]?(?!=)|\d{1,3}[)]\s*|\d{1,3}[.:](?=\s)(?!=)|(?<=[•‣▪]\s))\s*",
-    re.IGNORECASE,
-)
-_LABEL_AT_END = re.compile(r"\s[(\[]\d{1,3}[a-zа-я]?[)\]]\s*$", re.IGNORECASE)
 _PREFIX = re.compile(r"\b(?:np|numpy|math|Math|cmath|sp|sympy|tf|jnp)\.(?=[A-Za-z])")
 _FRACTIONS = {"½": "(1/2)", "¼": "(1/4)", "¾": "(3/4)", "⅓": "(1/3)", "⅔": "(2/3)"}
-_NAME = r"([^\W\d](?:\w|\{\w*\})*)"
+_NAME = r"([^\W\d](?:\w|\{\w{0,9}\}){0,40})"
 _DERIVATIVES = (
     re.compile(rf"\(\(\s*d\s*{_NAME}\s*\)\s*/\s*\(\s*d\s*t\s*\)\)"),  # as \frac leaves it
     re.compile(rf"\bd\s*\(\s*{_NAME}\s*\)\s*/\s*d\s*t\b"),
     re.compile(rf"\bd\s*/\s*d\s*t\s*\(?\s*{_NAME}\s*\)?"),
     re.compile(rf"\bd[\s_]*{_NAME}\s*/\s*d\s*t\b"),
     re.compile(rf"{_NAME}\s*['′’]"),
-    re.compile(r"([^\W\d]\u0307(?:\w|\{\w*\})*)"),
-    re.compile(r"\b([^\W\d]\w*?)_?dot\b"),
+    re.compile(r"([^\W\d]\u0307(?:\w|\{\w{0,9}\}){0,40})"),
+    re.compile(r"\b([^\W\d]\w{0,40}?_?dot(?:_?\d{1,3})?)\b"),
+    re.compile(rf"\bdot[\s_]*\(?\s*{_NAME}\s*\)?"),
+    re.compile(rf"\b(?:diff|D|Diff)\s*\(\s*{_NAME}\s*(?:\(\s*t\s*\))?\s*(?:,\s*t\s*)?\)(?:\s*\(\s*t\s*\))?"),
+    re.compile(rf"\bd_?{_NAME}_?dt\b"),
+    re.compile(rf"\bD_?{_NAME}"),
 )
-
-
-def label_of(text: str) -> str:
-    """Return the label at the beginning of a line, "" where there is none.
-
-    >>> [label_of(text) for text in ("(16) -0.5*r3", "16) -", "[16] -", "Eq. 3: w1", "(1): w1", "2*w1 = 0", "(2*r1 + 1)*w1")]
-    ['(16) ', '16) ', '[16] ', 'Eq. 3: ', '(1): ', '', '']
-    """
-    found = _LABEL.match(text)
-    return found[0] if found and len(found[0]) < len(text) else ""
-
-
-def without_labels(text: str) -> str:
-    """Return a line without its label and its number at the end."""
-    text = text[len(label_of(text)) :]
-    found = _LABEL_AT_END.search(text)
-    return text[: found.start()] if found and "=" in text[: found.start()] else text
+_INDEXED = re.compile(r"(?<![\w.])([^\W\d]\w*)\s?(?:\[\s*([\w\s,]{1,12})\s*\]|\(\s*(\d{1,2})\s*\))")
+_OF_TIME = re.compile(r"(?<![\w.])([^\W\d]\w*)\s*\(\s*t\s*\)")
+_EQUATION = re.compile(r"\bEq\s*\((.*),([^,]*)\)\s*$")  # of SymPy
+_POWER = re.compile(r"\bpow\s*\(((?:[^(),]|\([^()]*\))*),\s*(\d)\s*\)")
 
 
 def plain(text: str, spellings: Spellings) -> str:
-    """Return a line without LaTeX and prefixes of programs, with names of rates for derivatives."""
-    text = _PREFIX.sub("", without_latex(text))
+    """Return a line without LaTeX and prefixes of programs, with names of rates for derivatives.
+
+    >>> plain("w(3) := diff(phi[3](t), t)", Spellings(frozenset({"w3", "phi3"}), {}, {"phi3": "w3"})).split()
+    ['w3', '=', 'w3']
+    """
+    text = plain_signs(_PREFIX.sub("", without_latex(plain_signs(text))))
     for sign, fraction in _FRACTIONS.items():
         text = text.replace(sign, fraction)
+    text = _OF_TIME.sub(lambda found: _of_time(found, spellings), _INDEXED.sub(lambda found: _indexed(found, spellings), text))
+    text = _EQUATION.sub(r"\1 = \2", _POWER.sub(r"(\1)^\2", text))
     for pattern in _DERIVATIVES:
         text = pattern.sub(lambda found: _rate(found, spellings), text)
     return text
 
 
+def _indexed(found: re.Match[str], spellings: Spellings) -> str:
+    """Return `w[3]` and `w(3)` as the name with this index, where the variant has one; a name of its own may be multiplied."""
+    name, index = found[1], re.sub(r"[\s,]", "", found[2] or found[3])
+    if spellings.canonical(name + index) is None or (found[3] and name in spellings.known):
+        return found[0]
+    return name + index
+
+
+def _of_time(found: re.Match[str], spellings: Spellings) -> str:
+    """Return `phi3(t)` as the coordinate; a datum before (t) is multiplied."""
+    return found[1] if spellings.canonical(found[1]) in {*spellings.rates, *spellings.rates.values()} else found[0]
+
+
 def _rate(found: re.Match[str], spellings: Spellings) -> str:
     """Return the name of the rate of a coordinate, what stood there where it is none."""
-    name = spellings.canonical(re.sub("[{}\u0307]", "", found[1]))
+    name = spellings.canonical(re.sub("[{}\u0307]|_?dot", "", found[1]))
     return f" {spellings.rates[name]} " if name in spellings.rates else found[0]

@@ -1,6 +1,6 @@
 """Equations as people write them -> the strict form that formulas are read in.
 
-Enters: one line of text, the declared names.  Leaves: the text that is read in its place; nothing is evaluated, and what
+Enters: one line in plain text, the declared names.  Leaves: the text that is read in its place; nothing is evaluated, and what
 cannot be repaired is left for the strict reader to refuse.
 Used by `equations.py`.
 """
@@ -12,19 +12,16 @@ from functools import cache
 from typing import NamedTuple
 
 from coursework.grading.reading.equations.names_in_text import Spellings
-from coursework.grading.reading.equations.plain_text import plain
 from coursework.variant.formula.alphabet import LOOK_ALIKE
 
-_SIGNS = str.maketrans({
-    "[": "(", "]": ")", "{": "(", "}": ")", "∗": "*", "•": "*", "⁄": "/", "＝": "=", "（": "(", "）": ")", "＋": "+", "－": "-",
-    "\u00a0": " ", "\u202f": " ", "\u2009": " ", "\u200b": None, "\ufeff": None, "‐": "-", "‑": "-", "—": "-", "`": None,
-    "$": None,
-})  # fmt: skip
-_TAIL = " \t\r.,;"
+_SIGNS = str.maketrans({"[": "(", "]": ")", "{": "(", "}": ")", "`": None, "$": None})
+_TAIL = " \t\r.,;:"
 _NAMED = re.compile(r"^(\s*[^\W\d]\w*)\s*(?:[:;\t]\s*=|=\s*=)\s*")  # the name beside a formula of a spreadsheet
 _DECIMAL_COMMA = re.compile(r"(?<![\w.,])(\d+),(\d+)(?![\d,])")
-_SUBSCRIPT = re.compile(r"(?<!\w)[^\W\d]\w*\[|[)\]]\[")  # a name before a bracket may be a product or a list: not guessed
-_WORDS = {"ф": "phi", "Ф": "phi", "щ": "w", "∅": "phi", "Ø": "phi", "ø": "phi"}
+_SUBSCRIPT = re.compile(r"(?<!\w)([^\W\d]\w*)\[\s*[\w\s,:.-]*\]")  # an index that no name of the variant has: not guessed
+_WORDS = {"ф": "phi", "Ф": "phi", "щ": "w"}
+_DIVIDED = re.compile(r"(?<=[\w)])\s*:\s*(?=[\w(])")
+_TIMES = re.compile(r"(?<=[\w)])\s+[xх]\s+(?=[\w(])")
 _TOKEN = re.compile(
     r"(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+(?![\w.]))?)|(?P<name>[^\W\d]\w*)|(?P<sign>\S)"
     r"|(?P<blank>\s+)"
@@ -40,30 +37,45 @@ class _Token(NamedTuple):
     text: str
 
 
-def repaired(text: str, spellings: Spellings) -> str:
-    """Return a line as the strict reader wants it: decimal points, brackets, products and arguments written out, `= 0` added.
+class Sides(NamedTuple):
+    """The sides of a line as the strict reader wants them, two or more; `is_whole`: it was said what the line equals."""
 
-    >>> repaired("2l1 sin φ3 + 0,5 = 0", Spellings(frozenset({"l1", "phi3"}), {}, {}))
-    '2 * l1 * sin(phi3) + 0.5 = 0'
+    texts: tuple[str, ...]
+    is_whole: bool = True
+
+
+def sides_of(text: str, spellings: Spellings, *, closely: bool = False) -> Sides:
+    """Return the sides of a line in plain text: decimal points, brackets, products and arguments written out, 0 where none is.
+
+    `closely`: a product without a sign binds closer than a stroke of division, V/r(a + b) as V/(r(a + b)).
+
+    >>> sides_of("2l1 sin φ3 + 0,5", Spellings(frozenset({"l1", "phi3"}), {}, {}))
+    Sides(texts=('2 * l1 * sin(phi3) + 0.5', '0'), is_whole=False)
     """
-    if _SUBSCRIPT.search(text):
-        return text
-    typed = re.sub(r"_\{(\w+)\}", r"_\1", plain(text.replace("$", " "), spellings)).translate(_SIGNS).rstrip(_TAIL)
-    typed = _NAMED.sub(r"\1 = ", typed.replace(":=", "=").replace("==", "="))
-    typed = typed.replace("\\", " ").replace("²", "^2 ").replace("³", "^3 ").strip()
+    if any(name.lower() not in _FUNCTIONS for name in _SUBSCRIPT.findall(text)):
+        return Sides(tuple(text.split("=")))
+    typed = _NAMED.sub(r"\1 = ", text.replace("$", " ").translate(_SIGNS).rstrip(_TAIL))
+    typed = typed.replace("\\", " ").strip()
     if "atan2" not in typed:
         typed = _DECIMAL_COMMA.sub(r"\1.\2", typed)
-    sides = [_side(side, spellings) for side in typed.split("=")]
-    if len(sides) == 3:  # V_Cy = … = 0 says what the sum is before it says that it vanishes
-        sides = sides[1:]
-    return " = ".join(sides if len(sides) > 1 else [*sides, "0"])
+    if "x" not in spellings.known:
+        typed = _TIMES.sub(" * ", typed)
+    sides = [
+        _side(_DIVIDED.sub(" / ", side) if place else side, spellings, closely) for place, side in enumerate(typed.split("="))
+    ]
+    return Sides(tuple(sides)) if len(sides) > 1 else Sides((*sides, "0"), is_whole=False)
 
 
-def _side(text: str, spellings: Spellings) -> str:
+def _side(text: str, spellings: Spellings, closely: bool) -> str:
     pieces = [(str(found.lastgroup), found[0]) for found in _TOKEN.finditer(text)]
     spelled = {piece: _spelled(*piece, spellings) for piece in dict.fromkeys(pieces)}  # each name is looked up once
     tokens = [token for piece in pieces for token in spelled[piece]]
-    return _written(_applied(_joined(tokens, spellings)))
+    return _written(_applied(_joined(tokens, spellings)), closely)
+
+
+def is_name(word: str, spellings: Spellings) -> bool:
+    """Return whether a word is a name of the variant, a function, or glued together from such."""
+    return all(token.kind == "function" or token.text in spellings.known for token in _spelled("name", word, spellings))
 
 
 def _spelled(kind: str, text: str, spellings: Spellings) -> list[_Token]:
@@ -171,19 +183,28 @@ def _argument(tokens: list[_Token], place: int) -> tuple[list[_Token], int]:
     return [_Token("sign", "("), *inside, _Token("sign", ")")], end
 
 
-def _written(tokens: list[_Token]) -> str:
-    """Return the text of tokens; a product without a sign gets one."""
+def _written(tokens: list[_Token], closely: bool = False) -> str:
+    """Return the text of tokens; a product without a sign gets one, `closely` below a stroke of division parentheses too."""
     pieces: list[str] = []
     before = _Token("sign", "")
+    below: list[int] = []  # levels of parentheses at which a product without a sign stands below a stroke
+    level = 0
     for token in tokens:
         ends = before.kind in {"number", "name"} or before.text == ")"
         begins = token.kind in {"number", "name", "function"} or token.text == "("
+        if below and below[-1] == level and (token.text in {"+", "-", "*", "/", ")", "="} and ends):
+            below.pop()
+            pieces.append(")")
+        level += {"(": 1, ")": -1}.get(token.text, 0)
         if ends and begins:
             pieces.append(" * ")
         elif token.kind == "sign" and token.text in {"+", "-", "*", "/"} and ends:
             pieces.append(f" {token.text} ")
             before = token
             continue
+        if closely and before.text == "/":
+            below.append(level - (token.text == "("))
+            pieces.append("(")
         pieces.append(token.text)
         before = token
-    return "".join(pieces).strip()
+    return ("".join(pieces) + ")" * len(below)).strip()

@@ -1,0 +1,124 @@
+"""What a line says round its equation: numbers, names of links and axes, words, remarks, units -> the equation alone.
+
+Enters: a line in plain signs, which words are names.  Leaves: what may be the equation, the likeliest first.
+Used by `equations.py` and `lines.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+
+from coursework.grading.reading.equations.signs import ARROW
+from coursework.grading.reading.table.headers import unit_of
+
+_WORD = r"(?:equation|eqn?|gleichung|gl|уравнение|ур|рівняння|рівн|ф-ла|формула|formula|方程|式|№|no)"
+_LABEL = re.compile(
+    rf"[\s$]*(?:[*•‣▪]\s+)?(?:{_WORD}[\s.№]*\(?\d{{1,3}}[a-zа-я]?\)?\s*[:.)]?(?!=)(?=\s|\w|[-+−(])"
+    r"|[(\[](?:\d{1,3}(?:\.\d{1,3})?['a-zа-я]?|[A-ZА-Я]\.\d{1,3})[)\]]\s*[:.]?(?!=)|[(\[][A-ZА-Я][)\]]:?\s+|\d{1,3}[)]\s*|\d{1,3}(?:\.\d{1,2})*[.:](?=\s)(?!=)|\d{1,3}\s*[°º]\.?\s*"
+    r"|\(?[IVXivx]{1,5}[).]\s+|\*\*[^*=]{1,30}\*\*[:.]?\s*|\*\s+|>\s+|[|{⎧⎨⎪⎩]\s+|(?<=[•‣▪]\s))\s*",
+    re.IGNORECASE,
+)
+_LABEL_AT_END = re.compile(r"\s(?:[-–—.…]+\s*)?[(\[](?:\d{1,3}(?:[.,]\d{1,3})?['a-zа-я]?|\*{1,3}|[IVX]{1,5})[)\]]\s*$")
+_VANISHES = re.compile(r"(=\s*0(?:[.,]0+)?)(?!\w|[.,]\d)(?!\s*[-+*/^])")
+_UNIT_AT_END = re.compile(r"[,;]?\s{0,9}(?:\[([^\[\]]{1,12})\]|\(([^()]{1,12})\)|(?:,|(?<=[\w)])\s)\s*(\S{1,8}))\s*$")
+_WORDS = re.compile(r"[\s:,.–-]*([^\W\d_]+)\.?(?=[\s:,.(]|$)(?!\s*=)")
+_ASIDE = re.compile(r"[\s,.:–-]*\([^()=]{1,40}\)[\s,.:]*(?=[^\s*/^)=])")
+_COUNTED = re.compile(
+    r"(?:link|bar|point|step|case|part|loop|звен|ланк|точк|шаг|крок|пункт|контур|构件|杆)\w*\.?\s*$", re.IGNORECASE
+)
+_NUMBER = re.compile(r"\s*\d{1,3}(?:\t|\s\s|\s(?=[-+]))\s*")
+_NUMBERED = re.compile(r"\s*\d{1,3}\s[-–—]\s")
+_CHINESE = re.compile(r"[\u3400-\u9fff][:,]?\s*")
+_AXES = ("x", "y", "z", "ox", "oy")
+_SHORT = 3  # capitals up to this many are names: BC, AB
+
+
+def label_of(text: str) -> str:
+    """Return the label at the beginning of a line, "" where there is none.
+
+    >>> [label_of(text) for text in ("(16) -0.5*r3", "16) -", "[16] -", "Eq. 3: w1", "(1): w1", "2*w1 = 0", "(2*r1 + 1)*w1")]
+    ['(16) ', '16) ', '[16] ', 'Eq. 3: ', '(1): ', '', '']
+    """
+    found = _LABEL.match(text)
+    return found[0] if found and len(found[0]) < len(text) else ""
+
+
+def without_labels(text: str) -> str:
+    """Return a line without its label and its number at the end."""
+    text = text[len(label_of(text)) :]
+    found = _LABEL_AT_END.search(text)
+    return text[: found.start()] if found and "=" in text[: found.start()] else text
+
+
+def bare_equations(text: str, is_name: Callable[[str], bool]) -> Iterator[str]:
+    """Give what may be the equation of a line: without all that is said round it, without its label, the line itself.
+
+    >>> [next(bare_equations(text, {"w1", "w3"}.__contains__)) for text in ("(1) link 3: w3 = 2", "so w3 = 2*w1, 1/s")]
+    ['w3 = 2', 'w3 = 2*w1']
+    """
+    bare = without_labels(text)
+    begun = without_labels(_begun(bare, is_name)).strip()
+    for candidate in (begun, _without(_NUMBER, begun), _without(_NUMBERED, begun)):
+        ended = _ended(candidate, is_name)
+        yield from dict.fromkeys((ended, candidate) if candidate else ())
+    yield from (bare, text)
+
+
+def _begun(text: str, is_name: Callable[[str], bool]) -> str:
+    """Return a line from where its equation begins: behind an arrow, a colon, a bracket nobody opened, words."""
+    before = text.rpartition("=")[0]
+    for sign in (ARROW, ":"):
+        if sign in before and "lambda" not in before:
+            text = text[before.rindex(sign) + 1 :]
+            before = text.rpartition("=")[0]
+    depth = start = 0
+    for place, sign in enumerate(text.partition("=")[0]):
+        depth += (sign in "([{") - (sign in ")]}")
+        if depth < 0:
+            text = text[place + 1 :]
+            break
+    for found in _CHINESE.finditer(text.partition("=")[0]):
+        start = found.end()
+    return without_words(text[start:], is_name)
+
+
+def without_words(text: str, is_name: Callable[[str], bool]) -> str:
+    """Return a line without the words before its equation, what they have in parentheses, and the number of a link."""
+    start = 0
+    while (found := _WORDS.match(text, start)) and _is_prose(found[1], is_name, start) and found.end() < len(text):
+        start = found.end()
+        if aside := _ASIDE.match(text, start):
+            start = aside.end()
+    if _COUNTED.search(text[:start]) and (number := re.match(r"\s*\d{1,3}[):.,]?\s+", text[start:])):
+        start += number.end()
+    rest = text[start:]
+    return rest.lstrip(" :,.") if start and not re.match(r"\s*[*/^=(]", rest) else text
+
+
+def _is_prose(word: str, is_name: Callable[[str], bool], after: int) -> bool:
+    """Return whether a word of letters is no name and no abbreviation of one; `after` other words x is an axis, C a point."""
+    is_axis = word.casefold() in _AXES
+    if is_name(word) or word == "lambda":
+        return is_axis and after > 0
+    if len(word) == 1:
+        return is_axis or (after > 0 and word.isupper())
+    return is_axis or not word.isupper() or len(word) > _SHORT
+
+
+def _without(label: re.Pattern[str], text: str) -> str:
+    """Return what follows a number that something parts from it, "" where none begins the line."""
+    found = label.match(text)
+    return text[found.end() :] if found else ""
+
+
+def _ended(text: str, is_name: Callable[[str], bool]) -> str:
+    """Return an equation without what is said behind it: "= 0, since C keeps its height", a unit."""
+    if found := _VANISHES.search(text):
+        return text[: found.end()]
+    found = _UNIT_AT_END.search(text)
+    if found and "=" in text[: found.start()]:
+        unit = next(group for group in found.groups() if group)
+        if unit_of(unit) and not is_name(unit):
+            return text[: found.start()]
+    return text

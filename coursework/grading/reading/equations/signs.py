@@ -1,0 +1,84 @@
+"""Letters and signs as programs paste them -> those of a keyboard: mathematical italics, full width, subscripts, dots, arrows.
+
+Enters: one line as typed.  Leaves: the line in plain letters, with one sign of equality and one arrow.  Nothing is guessed here.
+Used by `plain_text.py` and `parts.py`.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+
+ARROW = "⇒"  # between two equations of a line, or behind what a line says before its equation
+_MATHEMATICAL, _FULL_WIDTH = range(0x1D400, 0x1D800), range(0xFF01, 0xFF5F)
+_SUBSCRIPTS = dict(zip("₀₁₂₃₄₅₆₇₈₉ₐₑₒₓₕₖₗₘₙₚₛₜᵢᵣᵤᵥⱼ", "0123456789aeoxhklmnpstiruvj", strict=True))
+_SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", "0123456789+-", strict=True))
+_RAISED = re.compile(f"[{''.join(_SUPERSCRIPTS)}]+")
+_DOT = "\u0307"
+_SIGNS = {
+    **dict.fromkeys("≡≈≅≃≐≑≔≝", "="), **dict.fromkeys("−‐‑‒–—―﹣", "-"),
+    **dict.fromkeys("∗•∙⋅·●∘×✕✖⨯⸱・\u2062", "*"), **dict.fromkeys("⁄∕÷", "/"), **dict.fromkeys("〖⟦❨", "("),
+    **dict.fromkeys("〗⟧❩", ")"), **dict.fromkeys("，、", ","), "。": ".", "【": "[", "】": "]", "；": ";", "：": ":",
+    **dict.fromkeys("\u00ad\u200b\u200c\u200d\u200e\u200f\u2060\u2061\u2063\u2064\ufe0e\ufe0f\ufeff", ""),
+    **dict.fromkeys("\u00a0\u1680\u2000\u2001\u2002\u2003\u2004\u2005\u2006\u2007\u2008\u2009\u200a\u202f\u205f\u3000", " "),
+    "∅": "φ", "⌀": "φ", "Ø": "φ", "ø": "φ", "’": "'", "′": "'", "ʹ": "'",
+}  # fmt: skip
+ARROWS = re.compile(
+    rf"<?={{1,3}}>|-{{1,3}}>|<->|[→⟶⟹⇔⟺↔⟷➔➜➡∴{ARROW}]"
+    r"|\\(?:Rightarrow|Longrightarrow|implies|rightarrow|longrightarrow|to|Leftrightarrow|iff|therefore|leadsto)(?![A-Za-z])"
+)
+_RELATION = re.compile(r"[=≡≈≅≃≐≔≝＝]|\\(?:equiv|approx|simeq|cong|doteq|coloneqq|triangleq)(?![A-Za-z])|\bEq\s*\(")
+_EQUALS = re.compile(r"(?<![<>!]):=|={2,}")
+_WORDS = re.compile(
+    r"\b(?:is\s+equal\s+to|equals|равно|равна|равен|дорівнює|ist\s+gleich|gleich|est\s+égale?\s+à|es\s+igual\s+a)\b|等于|等於",
+    re.I,
+)
+_UNDER = re.compile(r"_\s*(?:\{([^{}]*)\}|\(([^()]*)\))")
+_OPERATOR = re.compile(r"[-+*/=^]")
+_AXIS = re.compile(r"(?<=\w)\^\s*(?:[{(]\s*\(?([xyz])\)?\s*[)}]|([xyz])(?!\w))((?:_\w+)?)")
+_LENGTH = re.compile(r"\|\s*([A-Z]\w?'?[A-Z]\w?'?)\s*\|")  # between two points
+
+
+def relates_two_sides(text: str) -> bool:
+    """Return whether a sign or a word of equality stands in a text, an arrow apart."""
+    return _RELATION.search(ARROWS.sub(" ", text)) is not None or _WORDS.search(text) is not None
+
+
+def plain_signs(text: str) -> str:
+    r"""Return a line with the letters and signs of a keyboard; Greek letters stay.
+
+    >>> plain_signs("2𝑟₃𝜔₃⋅sin⁡〖𝜑_3〗 − ½r_{3}ω_3^z ≡ 0"), plain_signs("V_(M y) := φ ̇_3 sin²φ３")
+    ('2r3ω3*sin(φ_3) - ½r_3ω_3 = 0', 'V_My = φ̇_3 sin^2 φ3')
+    """
+    text = "".join(_plain(letter) for letter in text)
+    text = _RAISED.sub(lambda found: "^" + "".join(_SUPERSCRIPTS[digit] for digit in found[0]) + " ", text)
+    text = re.sub(rf"([^\W\d])[\s]*(?:{_DOT}|˙)", rf"\1{_DOT}", text)
+    text = _EQUALS.sub("=", ARROWS.sub(f" {ARROW} ", text))
+    text = _WORDS.sub(" = ", text)
+    text = re.sub(r"(?<=\w)\s+_(?=[\w{(])|_\s+(?=\w)", "_", text)
+    for _ in range(3):  # an index of an index of an index
+        text = _UNDER.sub(_index, text)
+    return _AXIS.sub(_axis, re.sub(r"(?<=\w)\.(?=[*/^])|(?<=[)\]])\.(?=[*/^'])", "", _LENGTH.sub(r"\1", text)))
+
+
+def _plain(letter: str) -> str:
+    if letter.isascii():
+        return letter
+    if ord(letter) in _MATHEMATICAL or ord(letter) in _FULL_WIDTH:
+        return unicodedata.normalize("NFKC", letter)
+    if unicodedata.decomposition(letter).endswith(" 0307"):
+        return unicodedata.normalize("NFD", letter)
+    return _SIGNS.get(letter, _SUBSCRIPTS.get(letter, letter))
+
+
+def _index(found: re.Match[str]) -> str:
+    inner = found[1] if found[1] is not None else found[2]
+    if _OPERATOR.search(inner) or not inner.strip():
+        return found[0]
+    return "_" + re.sub(r"[\s,;_{}()]", "", inner)
+
+
+def _axis(found: re.Match[str]) -> str:
+    """Return a projection's index beside the others: V_M^y as V_My; about the axis z every plane motion turns."""
+    axis = found[1] or found[2]
+    return found[3] + ("" if axis == "z" else axis if found[3] else f"_{axis}")

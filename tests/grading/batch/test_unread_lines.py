@@ -1,0 +1,74 @@
+"""A line that nobody could read: the part waits, the page says so, and a decision about the part or the total settles it."""
+
+import json
+
+import pytest
+
+from coursework.commands.grade import grade_source
+from tests.grading.batch.classroom import EQUATIONS, hand_in
+
+UNREAD = "r3*w3*sin(phi3) - r2*w2*cos(phi2) - r1*w1*zeta(phi1) = 0"
+
+
+def graded(tmp_path, overrides="", equations=(*EQUATIONS[:3], UNREAD)):
+    if not (tmp_path / "in").exists():
+        hand_in(tmp_path / "in" / "ada", equations=equations)
+    decided = tmp_path / "overrides.csv"
+    decided.write_text(overrides, encoding="utf-8")
+    status = grade_source(
+        tmp_path / "in", variant="31", roster=None, out=tmp_path / "out", rubric=None, overrides=decided if overrides else None,
+        worksheet=None, canvas=None, results=None, no_pages=False, jobs=1, scheduler=None, limit=60, memory=1024, language="en",
+    )  # fmt: skip
+    assert status == 0
+    (entry,) = json.loads((tmp_path / "out" / "grades.json").read_text(encoding="utf-8"))["submissions"]
+    return entry, (tmp_path / "out" / "feedback" / "ada.html").read_text(encoding="utf-8")
+
+
+def test_the_page_says_that_the_part_is_not_marked_yet(tmp_path):
+    entry, page = graded(tmp_path)
+    assert entry["status"] == "needs-review"
+    assert entry["equations"]["score"] is None
+    assert entry["proposed"] == 90.0
+    assert entry["verdicts"]["equations"] == "none"
+    assert "Not marked yet: a line could not be read" in page
+    assert "not yet right" not in page
+    assert "of the 4 needed" not in page
+
+
+def test_with_the_fourth_equation_readable_the_same_line_is_a_remark(tmp_path):
+    entry, page = graded(tmp_path, equations=(*EQUATIONS, UNREAD))
+    assert (entry["status"], entry["score"]) == ("graded", 100.0)
+    assert "Could not be read" in page
+
+
+@pytest.mark.parametrize(("check", "points", "score"), [("equations", 35, 95.0), ("total", 70, 70.0)])
+def test_a_decision_about_the_part_or_the_total_settles_it(tmp_path, check, points, score):
+    graded(tmp_path)
+    entry, _ = graded(tmp_path, f"id,check,points,reason\nada,{check},{points},read by hand\n")
+    assert (entry["status"], entry["score"]) == ("graded-with-notes", score)
+    changes = (tmp_path / "out" / "changes.csv").read_text(encoding="utf-8-sig").splitlines()
+    assert changes[1] == f"ada,needs-review,{score:.2f},overrides"
+
+
+def test_a_decision_about_another_part_does_not(tmp_path):
+    graded(tmp_path)
+    entry, _ = graded(tmp_path, "id,check,points,reason\nada,table,50,agreed\n")
+    assert (entry["status"], entry["score"]) == ("needs-review", None)
+    assert (tmp_path / "out" / "changes.csv").read_text(encoding="utf-8-sig").splitlines()[1:] == [
+        "ada,needs-review,needs-review,overrides"
+    ]
+
+
+@pytest.mark.parametrize(("half", "codes"), [("0.5", []), ("0.5001", ["rounded"]), ("0.502", ["rounded"])])
+def test_a_rounded_number_in_a_right_line_is_told(tmp_path, half, codes):
+    entry, page = graded(tmp_path, equations=(EQUATIONS[0], EQUATIONS[1].replace("0.5", half), *EQUATIONS[2:]))
+    assert [note["code"] for note in entry["notes"]] == codes
+    assert entry["score"] == 100.0
+    assert ("Numbers are rounded in lines that count as right: 2." in page) == bool(codes)
+
+
+def test_latex_is_a_way_of_writing_and_a_missing_zero_is_added(tmp_path):
+    latex = r"$r_3\omega_3\sin\varphi_3 - r_2\omega_2\cos\varphi_2 - r_1\omega_1\cos\varphi_1 = 0$"
+    assert graded(tmp_path / "a", equations=(*EQUATIONS[:3], latex))[0]["status"] == "graded"
+    entry, _ = graded(tmp_path / "b", equations=(*EQUATIONS[:3], EQUATIONS[3].removesuffix(" = 0")))
+    assert [note["code"] for note in entry["notes"]] == ["repaired"]
