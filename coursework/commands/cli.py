@@ -219,7 +219,11 @@ def accuracy_command(
 @click.option("--roster", type=click.Path(path_type=Path), help="ROSTER.csv: id,name,email,variant.")
 @click.option("--out", type=click.Path(path_type=Path), required=True, help="Folder for the gradebook.")
 @click.option("--rubric", type=click.Path(path_type=Path), help="Points, parts, answers (TOML).")
-@click.option("--overrides", type=click.Path(path_type=Path), help="Your own decisions: id,check,points,reason.")
+@click.option(
+    "--overrides",
+    type=click.Path(path_type=Path),
+    help="Your own decisions: id,check,points,reason; check is table, equations, answers or total.",
+)
 @click.option("--worksheet", type=click.Path(path_type=Path), help="Moodle's offline grading worksheet, to be filled in.")
 @click.option("--canvas", type=click.Path(path_type=Path), help="Canvas's gradebook export, to be filled in.")
 @click.option("--results", type=click.Choice(["gradescope", "prairielearn"]), help="One submission, for an autograder.")

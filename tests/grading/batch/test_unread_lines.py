@@ -30,7 +30,7 @@ def test_the_page_says_that_the_part_is_not_marked_yet(tmp_path):
     assert entry["equations"]["score"] is None
     assert entry["proposed"] == 90.0
     assert entry["verdicts"]["equations"] == "none"
-    assert "Not marked yet: a line could not be read" in page
+    assert "The equations are not marked yet" in page
     assert "not yet right" not in page
     assert "of the 4 needed" not in page
 

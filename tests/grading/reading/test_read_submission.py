@@ -54,7 +54,7 @@ def test_a_table_and_equations_and_answers() -> None:
     assert [(answer.name, answer.value, answer.state) for answer in contents.answers] == [
         ("wAB", -0.35, "read"), ("vC", 0.75, "read"), ("wBC", None, "blank"), ("wCD", None, "unreadable"),
     ]  # fmt: skip
-    assert codes(contents) == ["repaired"] or "repaired" in codes(contents)
+    assert "repaired" not in codes(contents)  # what was added to be read is told of lines that count
 
 
 LINES = ("VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0", "r3*w3*sin(phi3) - r2*w2*cos(phi2) - r1*w1*cos(phi1) = 0")

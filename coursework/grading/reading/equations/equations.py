@@ -61,6 +61,7 @@ def read_line(
         first = firm[0]
         others = tuple(reading for reading in found if reading is not first)
         return EquationLine(file, line, text, first.left, first.right, first.text, others=others, guessed=first.guessed)
+    assert fault is not None  # what has no firm reading was refused by the strict reader
     others = tuple(found) or _of_any_velocity(without_labels(text), names)
     if others and not found:
         example = f"{expected.variant.sought[0]} {without_labels(text).strip()}"[:80]
@@ -71,10 +72,10 @@ def read_line(
     return EquationLine(file, line, short, None, None, fault=told, others=others, relates=relates)
 
 
-def _readings(text: str, names: _Names) -> tuple[list[EquationReading], Fault]:
-    """Return the ways to read a line, the likeliest first, and the fault of the last one where there is none."""
+def _readings(text: str, names: _Names) -> tuple[list[EquationReading], Fault | None]:
+    """Return the ways to read a line, the likeliest first, and what is wrong with it as it stands, None where nothing is."""
     found: list[EquationReading] = []
-    fault = Fault(say("fault.G062"), column=1)
+    fault: Fault | None = None
     shortest = _DASH.sub("", text) if names.listed else text
     for candidate in dict.fromkeys((shortest, without_labels(text), text)):
         strict = _strict(candidate, names)
@@ -136,7 +137,10 @@ def names_in(text: str, spellings: Spellings) -> set[str]:
 def _read(text: str, names: _Names) -> EquationReading | Fault:
     """Return a text as one equation."""
     found, fault = _readings(text, names)
-    return found[0] if found else fault
+    if found:
+        return found[0]
+    assert fault is not None
+    return fault
 
 
 def _of_any_velocity(text: str, names: _Names) -> tuple[EquationReading, ...]:

@@ -1,7 +1,7 @@
 """What a line says round its equation: numbers, names of links and axes, words, remarks, units -> the equation alone.
 
 Enters: a line in plain signs, which words are names.  Leaves: what may be the equation, the likeliest first.
-Used by `equations.py` and `lines.py`.
+Used by `equations.py`.
 """
 
 from __future__ import annotations
@@ -28,6 +28,8 @@ _COUNTED = re.compile(
     r"(?:link|bar|point|step|case|part|loop|звен|ланк|точк|шаг|крок|пункт|контур|构件|杆)\w*\.?\s*$", re.IGNORECASE
 )
 _NUMBER = re.compile(r"\s*\d{1,3}(?:\t|\s\s|\s(?=[-+]))\s*")
+_TABBED = re.compile(r"^\s*\d{1,3}\t")
+_ASIDE_AT_END = re.compile(r"\s\(([^()=]{1,40})\)\s*$")
 _NUMBERED = re.compile(r"\s*\d{1,3}\s[-–—]\s")
 _CHINESE = re.compile(r"[\u3400-\u9fff][:,]?\s*")
 _AXES = ("x", "y", "z", "ox", "oy")
@@ -57,6 +59,7 @@ def bare_equations(text: str, is_name: Callable[[str], bool]) -> Iterator[str]:
     >>> [next(bare_equations(text, {"w1", "w3"}.__contains__)) for text in ("(1) link 3: w3 = 2", "so w3 = 2*w1, 1/s")]
     ['w3 = 2', 'w3 = 2*w1']
     """
+    text = _TABBED.sub("", text)
     bare = without_labels(text)
     begun = without_labels(_begun(bare, is_name)).strip()
     for candidate in (begun, _without(_NUMBER, begun), _without(_NUMBERED, begun)):
@@ -116,6 +119,9 @@ def _ended(text: str, is_name: Callable[[str], bool]) -> str:
     """Return an equation without what is said behind it: "= 0, since C keeps its height", a unit."""
     if found := _VANISHES.search(text):
         return text[: found.end()]
+    aside = _ASIDE_AT_END.search(text)
+    if aside and "=" in text[: aside.start()] and (said := re.findall(r"[^\W\d]\w*", aside[1])) and not any(map(is_name, said)):
+        return text[: aside.start()]
     found = _UNIT_AT_END.search(text)
     if found and "=" in text[: found.start()]:
         unit = next(group for group in found.groups() if group)

@@ -1,0 +1,79 @@
+"""Every notation of `notations.py` over three mechanisms: right is right, a slip never is, what is unread asks a person."""
+
+import pytest
+
+from tests.grading.reading.notations import NOTATIONS, PLAIN, slips
+from tests.grading.reading.test_notations import marked
+
+REST = "\n".join(PLAIN["31"].split("\n")[:2])
+MATRICES = {
+    "matlab": "[r1*sin(phi1), r2*sin(phi2); r1*cos(phi1), r2*cos(phi2)]*[w1; w2] = [r3*w4/2 - r3*w3*cos(phi3); r3*w3*sin(phi3)]",
+    "latex": r"""\[\begin{pmatrix} r_1\sin\varphi_1 & r_2\sin\varphi_2 \\ r_1\cos\varphi_1 & r_2\cos\varphi_2 \end{pmatrix}
+\begin{pmatrix}\omega_1\\ \omega_2\end{pmatrix} = \begin{bmatrix} \tfrac12 r_3\omega_4 - r_3\omega_3\cos\varphi_3 \\
+r_3\omega_3\sin\varphi_3\end{bmatrix}\]""",
+}
+TEXTS = {
+    "values behind": "w3 = VMy/(r3*(2*cos(phi3) + sin(phi3))) = V1*sin(p*t + alpha)/(r3*(2*cos(phi3) + sin(phi3))) ≈ 3,14",
+    "implicit": "ω3 = VMy/r3(2cosφ3 + sinφ3)",
+    "brackets": "ω3 = VMy/(r3[2cosφ3 + sinφ3])",
+    "division": "w3 = VMy : (r3*(2*cos(phi3) + sin(phi3)))",
+    "where": "w3 = VMy/D, where D = r3*(2*cos(phi3) + sin(phi3))",
+    "где": "ω3 = VMy/Δ, где Δ = r3(2cosφ3 + sinφ3)",
+    "declared": "double det = r3*(2*cos(phi3) + sin(phi3));\nw3 = VMy/det; // link 3",
+    "goes on": "w3*r3*(2*cos(phi3) +\n sin(phi3)) = VMy",
+    "goes on set in": "VMy - 2*r3*w3*cos(phi3)\n    - r3*w3*sin(phi3) = 0",
+    "data": "r3 = 0.457 m\nphi3 = 2.87 рад; V1 = 4,5 м/с\nVMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0",
+    "l3": "VMy - 2*l3*w3*cos(theta3) - l3*w3*sin(theta3) = 0",
+}
+
+
+@pytest.mark.parametrize("name", PLAIN)
+@pytest.mark.parametrize("notation", NOTATIONS)
+def test_a_right_set_is_right(notation, name):
+    found = marked(NOTATIONS[notation](PLAIN[name]), name)
+    told = [(mark.verdict, mark.line.text, mark.line.repaired) for mark in found.marks]
+    assert found.share == 1.0, told
+    assert not found.wrong, told
+
+
+@pytest.mark.parametrize("notation", NOTATIONS)
+def test_a_slip_is_never_read_away(notation):
+    for name, text in PLAIN.items():
+        for wrong in [*slips(text)][::7]:
+            assert marked(NOTATIONS[notation](wrong), name).share < 1.0, wrong
+
+
+@pytest.mark.parametrize("matrix", MATRICES)
+def test_a_product_of_matrices_is_read_row_by_row(matrix):
+    assert marked(f"{REST}\n{MATRICES[matrix]}").share == 1.0
+    assert marked(f"{REST}\n{MATRICES[matrix].replace('cos', 'sin', 1)}").share < 1.0
+
+
+def test_matrices_without_commas_are_a_question():
+    found = marked(f"{REST}\n[r1*sin(phi1) r2*sin(phi2); r1*cos(phi1) r2*cos(phi2)]*[w1; w2] = [r3*w4; r3*w3]")
+    assert found.unread is not None
+    assert not found.wrong
+
+
+@pytest.mark.parametrize("text", TEXTS)
+def test_one_equation_among_what_stands_round_it(text):
+    found = marked(TEXTS[text])
+    assert [mark.verdict for mark in found.marks] == ["right"], [(m.line.text, m.line.repaired) for m in found.marks]
+
+
+@pytest.mark.parametrize(
+    "line", ["w3 = VMy/(r3*(2*cos(phi3) + sin(phi3))) = VMy/(r3*(2*cos(phi3) - sin(phi3)))", "w1 = w2 = w3 = 0"]
+)
+def test_a_chain_that_ends_wrong_is_not_right(line):
+    assert marked(line).independent == 0
+
+
+def test_a_chain_with_a_side_nobody_can_read_is_a_question_and_not_wrong():
+    found = marked("w3 = VMy*zeta(phi3)/2 = 2*w4")
+    assert [mark.verdict for mark in found.marks] == ["unreadable"]
+    assert found.unread is not None
+
+
+def test_unread_lines_without_a_sign_of_equality_are_told():
+    found = marked(f"{REST}\nr3*w3*sin(phi3) - r2*w2*cos(phi2) - r1*w1*zeta(phi1)\nWe take link 1 - and then link 2")
+    assert [mark.verdict for mark in found.marks] == ["right", "right", "unreadable"]
