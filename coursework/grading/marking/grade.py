@@ -159,6 +159,7 @@ class Marker:
     def grade(self, work: StudentWork) -> Grade:
         """Return the grade of one submission."""
         equations = self.judge.mark(work.equations) if work.equations is not None else None
+        equations = equations if equations and equations.marks else None
         answers = mark_answers(self.key, self.rubric.answers, work.answers) if self.rubric.answers else None
         table = self._table(work.table, equations) if work.table else None
         shares: dict[str, float | None] = {

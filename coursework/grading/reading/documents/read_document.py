@@ -101,7 +101,8 @@ def lines_of_document(document: Document, name: str, expected: Expected) -> Line
     tried = (line.text if has_blocks or line.is_formula or _TRIED.search(line.text) else "" for line in document.lines)
     lines = read_lines("\n".join(tried), name, expected)
     found = ((_with_bullet(line, expected), document.lines[line.line - 1]) for line in lines.equations)
-    lines.equations = [placed for line, at in found if (placed := _placed(line, at, expected))]
+    placed = [one for line, at in found if (one := _placed(line, at, expected))]
+    lines.equations = [] if all(line.may_be_datum for line in placed) else placed  # data alone, as of a program, are no work
     return lines
 
 
