@@ -91,16 +91,15 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
             rounded = np.round(printed.w, decimals)
             yield printed.claim(f"rounded_omega_{decimals}", printed.steps(h * rounded, np.zeros_like(units)))
     own = printed.student.own
+    spread = printed.spread(partial(_small_steps, printed, 1))
     for part in (*STEPS, *([own.step / h] if own else [])):
         step = printed.steps(part * h * printed.w, part * h * units)
         yield printed.claim("other_step", step)
         at = printed.slopes(t=printed.key.t * part)
         if printed.nearly(found := at(printed.q)):
-            spread = printed.spread(at)
-            yield printed.claim("other_step", step, printed.velocities(found, spread))
+            yield printed.claim("other_step", step, printed.velocities(found, printed.spread(at)))
         if (times := round(1 / part)) > 1 and abs(times * part - 1) < _WHOLE:
-            made = partial(_small_steps, printed, times)
-            yield printed.claim("other_step", printed.steps(made(printed.q), printed.spread(made)))
+            yield printed.claim("other_step", printed.steps(_small_steps(printed, times, printed.q), spread))
 
 
 def _small_steps(printed: TableUnderTest, times: int, q: Array) -> Array:
