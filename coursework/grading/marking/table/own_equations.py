@@ -86,7 +86,7 @@ def _claim(printed: TableUnderTest, code: str, used: Sequence[Used]) -> Iterator
 
     try:
         name = code if code == OWN else f"{code}_{slips[0]}"
-        yield from printed.velocity_claim(name, printed.stacked(at), names=slips)
+        yield from printed.velocity_claim(name, at, names=slips)
     except NoValue:
         return
 
