@@ -13,6 +13,7 @@ from functools import partial
 import numpy as np
 
 from coursework.grading.marking.equations.equations import EquationMarks
+from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.other_data import other_columns, other_data, other_tables, shifted_rows
 from coursework.grading.marking.table.own_equations import equation_claims
@@ -73,7 +74,7 @@ def _shifted_rows(printed: TableUnderTest) -> Iterator[Claim]:
     """Velocities of another time, or printed a row too late or too early."""
     h, m = printed.key.step, printed.m
     for code, ahead in (("time_ahead", h), ("time_behind", -h)):
-        yield from printed.velocity_claim(code, lambda t, q, ahead=ahead: printed.key.velocities_at(t + ahead, q))
+        yield from printed.velocity_claim(code, partial(_at_another_time, printed.key, ahead))
     found, tolerance = printed.true_velocities
     for code, by in (("omega_late", 1), ("omega_early", -1)):
         used = printed.shifted(printed.w, -by)
@@ -102,6 +103,11 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
             yield printed.claim("other_step", step, printed.velocities(found, printed.spread(at)))
         if (times := round(1 / part)) > 1 and abs(times * part - 1) < _WHOLE:
             yield printed.claim("other_step", printed.steps(_small_steps(printed, times, printed.q), spread))
+
+
+def _at_another_time(key: Key, ahead: float, t: Array, q: Array) -> Array:
+    """Return the velocities (n, r) of times `ahead` (s) of the rows'."""
+    return key.velocities_at(np.asarray(t + ahead), q)
 
 
 def _longer(step: float, m: int, t: Array, q: Array, w: Array) -> Array:

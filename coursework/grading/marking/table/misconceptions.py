@@ -137,6 +137,8 @@ def explanations(
         known = named.get(claim.code)
         if share >= NAMED and share > against + BETTER and (known is None or share > known[0]) and claim.code != OWN:
             named[claim.code] = share, against, claim.names
+        if claim.code == ROWS_SHIFTED:
+            holds = holds | _as_it_stood(key, put_right)
         fit = explained_share(key, put_right, holds, only_velocities=claim.code == OTHER_STEP)
         if fit > euler_fit + BETTER and (claim.code not in fits or fit > fits[claim.code].share):
             fits[claim.code] = Fit(claim.code, fit, claim.names)
@@ -165,6 +167,14 @@ def explanations(
     tied = [code for code, (share, _, _) in named.items() if share >= best - TIE]
     share, against, names = named[tied[0]]
     return Found(Misconception(tied[0], share, against, tuple(tied[1:]), names), found, own_start)
+
+
+def _as_it_stood(key: Key, put_back: Cells) -> Flags:
+    """Return which cells of rows that were put back are the key's where they stood before."""
+    student = put_back.student
+    around = np.stack([np.roll(key.table, by, axis=0) for by in (1, -1)])
+    with np.errstate(invalid="ignore"):
+        return np.asarray(np.any(np.abs(student.values - around) <= HALF * student.units + SLACK * key.ranges, axis=0))
 
 
 def _other_step(key: Key, cells: Cells) -> tuple[float, float] | None:
