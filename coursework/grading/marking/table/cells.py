@@ -129,6 +129,7 @@ def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> C
         marks[way.holds(student.values)] = way.name
     start = Way(START, table[:1, :m], HALF * student.units[:1, :m] + _ROUND_OFF)
     marks[:1, :m] = np.where(start.holds(student.values[:1, :m]), GIVEN, WRONG)
+    marks[:, m:][(marks[:, m:] == WRONG) & _before_a_misprint(key, student, steps, own)] = ANGLES
     marks[~shown] = MISSING
     too_coarse = ~shown & np.isfinite(student.values)
     return Cells(student, marks, ways, too_coarse, computed_to, m)
@@ -174,6 +175,21 @@ def _own_angles(key: Key, student: StudentTable, coarse: float) -> Way:
 
     spread = sensitivity(at, q, units)
     return _velocity_way(ANGLES, key, found, velocity_tolerance(key, student.units[:, m:], found, spread))
+
+
+def _before_a_misprint(key: Key, student: StudentTable, steps: Way, own: Way) -> Flags:
+    """Return which velocities (n, r) are those of the angles that the next row was made from, where the row prints others.
+
+    An angle that is misprinted, or put right when all else is left as it was, is then one wrong cell and no more.
+    """
+    m = len(key.coordinates)
+    values, made_from = student.values, student.values[:, :m].copy()
+    broken = ~steps.holds(values)[1:, :m] & np.isfinite(steps.expected[1:, :m] + values[1:, :m])
+    made_from[:-1][broken] = (values[1:, :m] - key.step * values[:-1, m : 2 * m])[broken]
+    if not broken.any():
+        return np.zeros_like(values[:, m:], dtype=bool)
+    with np.errstate(invalid="ignore"):
+        return np.asarray(np.abs(values[:, m:] - key.velocities_at(key.t, made_from)) <= own.tolerance[:, m:])
 
 
 def _own_velocities(key: Key, student: StudentTable, coarse: float) -> Way:

@@ -6,14 +6,15 @@ Used by the hypotheses, by what weighs them, and by the share of a student's own
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
-from functools import cached_property
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
 
 import numpy as np
 
 from coursework.grading.marking.key import Key, sensitivity
 from coursework.grading.marking.table.cells import HALF, LEAST, SLACK, StudentTable, velocity_tolerance
+from coursework.grading.marking.table.starts import march
 from coursework.system.arrays import Array
 
 # A hypothesis is worth a closer look where this part of the velocities lies within this many of Euler's tolerances.
@@ -26,7 +27,7 @@ class Claim:
 
     `euler` names what it leaves to Euler's rules: "steps", "velocities", "all" or nothing.  `student` is the table it speaks
     about where it is not the one handed in (columns put back, origins taken off); `is_whole` where the start is claimed too.
-    `names` are the columns, starts or equations that it speaks of.
+    `names` are the columns, starts or equations that it speaks of; `table` makes the whole table as the hypothesis has it.
     """
 
     code: str
@@ -36,6 +37,7 @@ class Claim:
     student: StudentTable | None = None
     is_whole: bool = False
     names: tuple[str, ...] = ()
+    table: Callable[[], Array] | None = None
 
 
 @dataclass(frozen=True)
@@ -112,9 +114,9 @@ class TableUnderTest:
             return np.zeros_like(function(at))
         return sensitivity(function, at, self.q_units if units is None else units)
 
-    def slopes(self, data: Mapping[str, float] | None = None, t: Array | None = None) -> Callable[[Array], Array]:
-        """Return f(t, q) with other data; the rows' own times where `t` is None."""
-        return self.stacked(lambda times, q: self.key.velocities_at(times, q, data), t)
+    def slopes(self, t: Array | None = None) -> Callable[[Array], Array]:
+        """Return f(t, q); the rows' own times where `t` is None."""
+        return self.stacked(self.key.velocities_at, t)
 
     def stacked(self, function: Callable[[Array, Array], Array], t: Array | None = None) -> Callable[[Array], Array]:
         """Return a function of stacked copies of the rows, as sensitivities need it."""
@@ -138,12 +140,20 @@ class TableUnderTest:
         return bool(there.any()) and float(close[there].mean()) >= _NEARLY
 
     def velocity_claim(
-        self, code: str, at: Callable[[Array], Array], found: Array | None = None, names: tuple[str, ...] = ()
+        self, code: str, at: Callable[[Array, Array], Array], found: Array | None = None, names: tuple[str, ...] = ()
     ) -> Iterator[Claim]:
-        """Yield the claim that the velocities are `at` the printed angles, where they are nearly so."""
-        found = at(self.q) if found is None else found
+        """Yield the claim that the velocities are `at` (t, q) of the printed angles, where they are nearly so."""
+        stacked = self.stacked(at)
+        found = stacked(self.q) if found is None else found
         if self.nearly(found):
-            yield self.claim(code, None, self.velocities(found, self.spread(at)), names)
+            claim = self.claim(code, None, self.velocities(found, self.spread(stacked)), names)
+            yield replace(claim, table=self.marched(at))
+
+    def marched(
+        self, velocities_at: Callable[[Array, Array], Array], increments: Callable[[Array, Array, Array], Array] | None = None
+    ) -> Callable[[], Array]:
+        """Return what makes the whole table from the task's start, with other velocities or other steps."""
+        return partial(march, self.key, self.key.table[0, : self.m], velocities_at, increments)
 
     def claim(
         self,

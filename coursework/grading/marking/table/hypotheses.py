@@ -7,11 +7,13 @@ Used by `misconceptions.py`; what was made with other numbers stands in `other_d
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
 
 from coursework.grading.marking.equations.equations import EquationMarks
+from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.other_data import other_columns, other_data, other_tables, shifted_rows
 from coursework.grading.marking.table.own_equations import equation_claims
@@ -52,16 +54,16 @@ def claims(
 
 def _schemes(printed: TableUnderTest) -> Iterator[Claim]:
     """Steps of other schemes, each a function of the row's own angles."""
-    h, m, t, velocities_at = printed.key.step, printed.m, printed.key.t, printed.key.velocities_at
+    h, m, velocities_at = printed.key.step, printed.m, printed.key.velocities_at
 
-    def increments(q: Array, scheme: Scheme) -> Array:
-        times = np.tile(t, len(q) // len(t))
-        return np.asarray(scheme.step(lambda at, moved: velocities_at(at, q + moved)[:, :m], times, np.zeros_like(q), h))
+    def increments(t: Array, q: Array, w: Array, scheme: Scheme) -> Array:
+        return np.asarray(scheme.step(lambda at, moved: velocities_at(at, q + moved)[:, :m], t, np.zeros_like(q), h))
 
     for name in SCHEMES_TRIED:
         made = partial(increments, scheme=SCHEMES[name])
-        spread = printed.spread(made)
-        yield printed.claim(name, printed.steps(made(printed.q), spread))
+        stacked = printed.stacked(partial(made, w=np.empty(0)))
+        claim = printed.claim(name, printed.steps(stacked(printed.q), printed.spread(stacked)))
+        yield replace(claim, table=printed.marched(velocities_at, made))
     rates, units = printed.w, printed.w_units[:, :m]
     following, units_after = printed.shifted(rates, -1), np.nan_to_num(printed.shifted(units, -1))
     yield printed.claim("trapezoid", printed.steps(h / 2 * (rates + following), h / 2 * (units + units_after)))
@@ -72,7 +74,7 @@ def _shifted_rows(printed: TableUnderTest) -> Iterator[Claim]:
     """Velocities of another time, or printed a row too late or too early."""
     h, m = printed.key.step, printed.m
     for code, ahead in (("time_ahead", h), ("time_behind", -h)):
-        yield from printed.velocity_claim(code, printed.slopes(t=printed.key.t + ahead))
+        yield from printed.velocity_claim(code, partial(_at_another_time, printed.key, ahead))
     found, tolerance = printed.true_velocities
     for code, by in (("omega_late", 1), ("omega_early", -1)):
         used = printed.shifted(printed.w, -by)
@@ -91,16 +93,26 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
             rounded = np.round(printed.w, decimals)
             yield printed.claim(f"rounded_omega_{decimals}", printed.steps(h * rounded, np.zeros_like(units)))
     own = printed.student.own
+    spread = printed.spread(partial(_small_steps, printed, 1))
     for part in (*STEPS, *([own.step / h] if own else [])):
         step = printed.steps(part * h * printed.w, part * h * units)
-        yield printed.claim("other_step", step)
+        longer = partial(_longer, part * h, m)
+        yield replace(printed.claim("other_step", step), table=printed.marched(printed.key.velocities_at, longer))
         at = printed.slopes(t=printed.key.t * part)
         if printed.nearly(found := at(printed.q)):
-            spread = printed.spread(at)
-            yield printed.claim("other_step", step, printed.velocities(found, spread))
+            yield printed.claim("other_step", step, printed.velocities(found, printed.spread(at)))
         if (times := round(1 / part)) > 1 and abs(times * part - 1) < _WHOLE:
-            made = partial(_small_steps, printed, times)
-            yield printed.claim("other_step", printed.steps(made(printed.q), printed.spread(made)))
+            yield printed.claim("other_step", printed.steps(_small_steps(printed, times, printed.q), spread))
+
+
+def _at_another_time(key: Key, ahead: float, t: Array, q: Array) -> Array:
+    """Return the velocities (n, r) of times `ahead` (s) of the rows'."""
+    return key.velocities_at(np.asarray(t + ahead), q)
+
+
+def _longer(step: float, m: int, t: Array, q: Array, w: Array) -> Array:
+    """Return the increments (n, m) of steps of another length, s."""
+    return step * w[:, :m]
 
 
 def _small_steps(printed: TableUnderTest, times: int, q: Array) -> Array:
@@ -140,4 +152,4 @@ def _velocities(printed: TableUnderTest) -> Iterator[Claim]:
         yield printed.claim(f"sign_{name}", None, (turned, tolerance))
     for code in MISREAD:
         if velocities := key.misread(code):
-            yield from printed.velocity_claim(code, printed.stacked(velocities))
+            yield from printed.velocity_claim(code, velocities)

@@ -6,14 +6,25 @@ Enters: a `Key`, marked cells.  Leaves: `Found`.  Used by `earning.py` and `grad
 from __future__ import annotations
 
 from collections.abc import Container, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.cells import ANGLES, EARLIER, KEY, STEP, STEP_TRUE, Cells, StudentTable, mark_cells
+from coursework.grading.marking.table.cells import (
+    ANGLES,
+    EARLIER,
+    HALF,
+    KEY,
+    SLACK,
+    STEP,
+    STEP_TRUE,
+    Cells,
+    StudentTable,
+    mark_cells,
+)
 from coursework.grading.marking.table.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.hypotheses import claims
 from coursework.grading.marking.table.own_equations import OWN
@@ -28,6 +39,8 @@ NAMED, BETTER, TIE = 0.93, 0.02, 0.005
 FEWEST, FEWEST_SHARE = 2, 0.02
 # A hypothesis whose own table Euler's rules explain so well is not told from them by the printed digits.
 ALIKE = 0.98
+# How many of the best have their whole table made, where they explain less than this part of what was handed in.
+_CLOSER, _WHOLE = 3, 0.995
 _ROUND_OFF = 1e-9
 OTHER_STEP, ROWS_SHIFTED = "other_step", "rows_shifted"
 _STEPS, _VELOCITIES = (STEP, STEP_TRUE), (KEY, ANGLES, EARLIER)
@@ -115,6 +128,7 @@ def explanations(
     by_key = _share(np.asarray(cells.marks == KEY) & spoken, spoken) if _begins_elsewhere(key, cells) else euler_share
     named: dict[str, tuple[float, float, tuple[str, ...]]] = {}
     fits: dict[str, Fit] = {}
+    tables: dict[str, tuple[Claim, Flags]] = {}
     for claim in claims(printed, confusions or {}, others or {}, equations):
         if claim.code in hidden:
             continue
@@ -123,9 +137,18 @@ def explanations(
         known = named.get(claim.code)
         if share >= NAMED and share > against + BETTER and (known is None or share > known[0]) and claim.code != OWN:
             named[claim.code] = share, against, claim.names
+        if claim.code == ROWS_SHIFTED:
+            holds = holds | _as_it_stood(key, put_right)
         fit = explained_share(key, put_right, holds, only_velocities=claim.code == OTHER_STEP)
         if fit > euler_fit + BETTER and (claim.code not in fits or fit > fits[claim.code].share):
             fits[claim.code] = Fit(claim.code, fit, claim.names)
+            tables[claim.code] = claim, holds
+    for fitting in sorted(fits.values(), key=lambda found: -found.share)[:_CLOSER]:
+        claim, holds = tables[fitting.code]
+        if claim.table is not None and fitting.share < _WHOLE:
+            near = np.abs(cells.student.values - claim.table()) <= HALF * cells.student.units + SLACK * key.ranges
+            fit = explained_share(key, cells, holds | near, only_velocities=claim.code == OTHER_STEP)
+            fits[claim.code] = replace(fitting, share=max(fit, fitting.share))
     if own := _other_step(key, cells):
         share, fit = own
         if OTHER_STEP not in hidden and share >= NAMED and share > euler_share + BETTER:
@@ -144,6 +167,14 @@ def explanations(
     tied = [code for code, (share, _, _) in named.items() if share >= best - TIE]
     share, against, names = named[tied[0]]
     return Found(Misconception(tied[0], share, against, tuple(tied[1:]), names), found, own_start)
+
+
+def _as_it_stood(key: Key, put_back: Cells) -> Flags:
+    """Return which cells of rows that were put back are the key's where they stood before."""
+    student = put_back.student
+    around = np.stack([np.roll(key.table, by, axis=0) for by in (1, -1)])
+    with np.errstate(invalid="ignore"):
+        return np.asarray(np.any(np.abs(student.values - around) <= HALF * student.units + SLACK * key.ranges, axis=0))
 
 
 def _other_step(key: Key, cells: Cells) -> tuple[float, float] | None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from functools import partial
 from itertools import combinations
 
 import numpy as np
@@ -39,7 +40,7 @@ def other_data(printed: TableUnderTest, confusions: Mapping[str, float]) -> Iter
     tried += [(f"confusion_{name}", {name: value}) for name, value in confusions.items()]
     sets = printed.key.sets_at(printed.key.t, printed.q, [data for _, data in tried])
     for (code, data), found in zip(tried, sets, strict=True):
-        yield from printed.velocity_claim(code, printed.slopes(data), found)
+        yield from printed.velocity_claim(code, partial(printed.key.velocities_at, data=data), found)
 
 
 def other_tables(printed: TableUnderTest, others: Mapping[str, Array]) -> Iterator[Claim]:

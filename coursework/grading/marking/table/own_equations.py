@@ -86,7 +86,7 @@ def _claim(printed: TableUnderTest, code: str, used: Sequence[Used]) -> Iterator
 
     try:
         name = code if code == OWN else f"{code}_{slips[0]}"
-        yield from printed.velocity_claim(name, printed.stacked(at), names=slips)
+        yield from printed.velocity_claim(name, at, names=slips)
     except NoValue:
         return
 
@@ -123,9 +123,12 @@ def _used(printed: TableUnderTest, lines: Sequence[Line]) -> list[Used]:
             after = values.after(edit) if values else None
             if after is None or np.iscomplexobj(after):
                 continue
-            off = np.abs(np.broadcast_to(after, there.shape)[there]) / limit[there]
-            share, middle = float(np.mean(off <= 1.0)), float(np.median(off))
-            if share > holds + _BETTER and (share, -middle) > (best, -closest):
+            off = np.abs(after) / limit  # nan where there is no value: no row that holds
+            share = float(np.count_nonzero(off <= 1.0)) / int(there.sum())
+            if share <= holds + _BETTER or share < best:
+                continue
+            middle = float(np.nanmedian(off))
+            if (share, -middle) > (best, -closest):
                 best, closest = share, middle
                 used = Used(applied(line.tree, edit), share, line.name)
         found.append(used)

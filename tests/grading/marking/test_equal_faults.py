@@ -1,0 +1,210 @@
+"""Equal faults cost equal, whatever the data, the row, the notation and the equations handed in; each is named."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+import coursework
+from coursework.grading.marking.grade import Marker
+from coursework.grading.marking.key import key_of
+from coursework.grading.marking.rubric import Rubric
+from coursework.grading.reading.expected import Expected, grid_of
+from coursework.grading.reading.read_submission import read_submission
+from coursework.grading.reading.submission import Submission, submitted_file
+from coursework.variant.formula.tree import spelled
+from coursework.variant.reading.reader import parse_variant
+from tests.grading.marking.machines import PULLED_BARS, SLIDER_CRANK, Machine
+
+NEAR = 2.0  # points of 60 between the same fault in two places
+
+
+@cache
+def variants():
+    found = [coursework.draw("31", "31", "fair", f"student{number}") for number in range(2)]
+    chance, template = np.random.default_rng(5), coursework.load("v102")
+    for _ in range(2):
+        given = {n: round(x * (1 + chance.uniform(-0.06, 0.06)), 3) for n, x in template.values.items() if n in ("r1", "r2", "a")}
+        start = {c.name: round(c.start + chance.uniform(-0.05, 0.05), 2) for c in template.coordinates}
+        found.append(template.with_data(given=given, start=start))
+    found += [parse_variant(text, "own.toml", {}) for text in (SLIDER_CRANK, PULLED_BARS)]
+    return [Desk(variant) for variant in found]
+
+
+class Desk:
+    """Where tables of one variant are handed in."""
+
+    def __init__(self, variant):
+        self.machine, self.variant, self.key = Machine(variant), variant, key_of(variant)
+        self.marker = Marker(self.key, Rubric())
+        columns = {name: tuple(self.key.table[:, place].tolist()) for place, name in enumerate(self.key.names)}
+        self.expected = Expected(grid_of(variant, columns), variant)
+
+    def marked(self, table, equations="right", times=None, with_time=True, digits=4):
+        times = np.arange(len(table)) * self.machine.h if times is None else times
+        lines = [";".join([*(["t"] if with_time else []), *self.key.names])]
+        for t, row in zip(times, table, strict=True):
+            lines.append(";".join([*([f"{t:.4f}"] if with_time else []), *(f"{value:.{digits}f}" for value in row)]))
+        files = [submitted_file("table.csv", "\n".join(lines).encode())]
+        right = {c.name: f"{spelled(c.left)} = {spelled(c.right)}" for c in self.variant.constraints}
+        if equations is not None:
+            texts = right | (equations if isinstance(equations, dict) else {})
+            files.append(submitted_file("equations.txt", "\n".join(texts.values()).encode()))
+        grade = self.marker.grade(read_submission(Submission("a", None, tuple(files)), self.expected))
+        return grade.part("table")[0], grade.table
+
+    def heads(self, *names):
+        return [self.key.names.index(name) for name in names]
+
+
+def codes(table):
+    named = table.misconception
+    return (named.code, *named.ties) if named else ()
+
+
+def close(points, near=NEAR):
+    assert max(points) - min(points) <= near, sorted(points)
+
+
+def test_a_mistyped_start_costs_the_same_in_every_coordinate_and_variant():
+    points = []
+    for desk in variants():
+        for place, name in enumerate(desk.key.coordinates):
+            if desk.key.velocities[place] in desk.variant.known_rates and desk.key.velocities[place] == "w1":
+                continue  # a driven crank turned further: as below, its rate does not feel the start
+            for off in (0.1, -0.1):
+                start = desk.machine.start.copy()
+                start[place] += off
+                found, table = desk.marked(desk.machine.table(start=start))
+                points.append(found)
+                assert f"start_{name}" in codes(table)
+                assert (table.earned.rule, table.earned.worth) == ("start", 0.95)
+    close(points)
+    assert max(points) <= 57.0
+
+
+def test_a_start_value_typed_wrong_and_not_used_is_one_cell():
+    for desk in variants():
+        table = desk.machine.table()
+        table[0, 1] += 0.1
+        found, marked = desk.marked(table)
+        assert found == pytest.approx(60 - 60 / marked.points.cells, abs=0.01)
+
+
+def test_one_slip_costs_the_same_in_every_row():
+    points = []
+    for desk in variants():
+        m = desk.machine.m
+        for row in (0, 1, 7, desk.machine.rows - 2):
+            for place in range(m if row == 0 else 0, len(desk.key.names)):
+                if desk.key.names[place] not in desk.variant.known_rates:
+                    found, table = desk.marked(desk.machine.table(slip=(row, place, 0.15)))
+                    points.append(found)
+                    assert int(table.cells.wrong.sum()) == 1
+    close(points)
+    assert min(points) > 58
+
+
+@pytest.mark.parametrize("where", [("drive",), ("geometry",), ("drive", "geometry")], ids=str)
+def test_degrees_for_radians_cost_the_same_wherever_they_are(where):
+    code = {("drive",): "degree_drive", ("geometry",): "degree_geometry"}.get(where, "degree_mode")
+    for desk in variants():
+        found, table = desk.marked(Machine(desk.variant, degrees=where).table())
+        assert found == pytest.approx(24, abs=0.3)
+        assert code in codes(table)
+
+
+def test_half_the_step_is_named_and_worth_the_same_however_the_rows_were_chosen():
+    for desk in variants():
+        machine, h = desk.machine, desk.machine.h / 2
+        fine = machine.table(step=h, rows=2 * machine.rows - 1)
+        times = np.arange(len(fine)) * h
+        ways = [
+            (fine, {"times": times}), (fine[: machine.rows], {"times": times[: machine.rows]}), (fine[::2], {}),
+            (fine[::2], {"with_time": False}), (fine[: machine.rows], {"with_time": False}),
+        ]  # fmt: skip
+        marked = [desk.marked(table, **how) for table, how in ways]
+        assert all("other_step" in codes(table) for _, table in marked)
+        # Where a step changes little, some steps are right at either length, and only on the grid is that seen.
+        close([found for found, _ in marked], NEAR if desk.key.gap > 0.01 else 4.0)
+
+
+def test_exchanged_columns_are_named_both():
+    for desk in variants():
+        names, m = desk.key.names, desk.machine.m
+        for first in range(len(names)):
+            for second in range(first + 1, len(names)):
+                if (first < m) == (second < m) and desk.variant.unit_of(names[first]) == desk.variant.unit_of(names[second]):
+                    order = list(range(len(names)))
+                    order[first], order[second] = second, first
+                    _, table = desk.marked(desk.machine.table()[:, order])
+                    assert table.misconception.code == "swapped_columns"
+                    assert table.misconception.names == (names[first], names[second])
+
+
+def test_a_row_too_many_or_too_few_costs_a_row():
+    points = []
+    for desk in variants():
+        machine = desk.machine
+        right, long = machine.table(), machine.table(rows=machine.rows + 1)
+        before = right[0].copy()
+        before[: machine.m] -= machine.h * before[machine.m : 2 * machine.m]
+        tables = [
+            long[1:], np.vstack([right[:1], right])[: machine.rows], np.vstack([before, right])[: machine.rows],
+            np.vstack([right[:9], right[8:]])[: machine.rows], np.vstack([long[:8], long[9:]]),
+        ]  # fmt: skip
+        for table in tables:
+            for with_time in (True, False):
+                found, marked = desk.marked(table, with_time=with_time)
+                points.append(found)
+                assert marked.misconception.code == "rows_shifted"
+        points.append(desk.marked(np.vstack([right[:1], right]), with_time=False)[0])
+    close(points)
+    assert min(points) > 57
+
+
+def sign_faults(constraint):
+    """Give the equation with the sign of one of its terms turned."""
+    text = f"{spelled(constraint.left)} - ({spelled(constraint.right)})"
+    for place, sign in enumerate(text):
+        if sign in "+-" and text[place - 1] == " " and place > 1:
+            yield text[:place] + ("-" if sign == "+" else "+") + text[place + 1 :]
+
+
+def test_a_sign_in_an_equation_is_worth_the_same_with_any_equations_handed_in():
+    points = []
+    for desk in variants():
+        right = desk.machine.table()
+        for constraint in desk.variant.constraints:
+            for text in list(sign_faults(constraint))[:2]:
+                table = Machine(desk.variant, lines={constraint.name: text}).table()
+                if np.allclose(table, right):
+                    continue  # the sign of nothing
+                if not np.isfinite(table).all() or np.abs(table).max() > 1e3:
+                    continue
+                three = [desk.marked(table, equations=given) for given in ("right", None, {constraint.name: f"{text} = 0"})]
+                assert len({found for found, _ in three}) == 1
+                assert all(f"equation_{constraint.name}" in codes(marked) for _, marked in three)
+                if three[0][1].earned.rule == "cells":
+                    assert three[0][0] > 30  # the slip spoils few columns: those cells are what it costs
+                else:
+                    points.append(three[0][0])
+    assert len(points) > 20
+    close(points)
+
+
+def test_a_drive_with_the_other_sign_is_named():
+    points = []
+    for desk in variants():
+        found, table = desk.marked(Machine(desk.variant, drive_sign=-1.0).table())
+        points.append(found)
+        assert "sign_drive" in codes(table)
+    close(points)
+
+
+def test_right_tables_of_any_digits_are_right_and_nothing_is_named():
+    for desk in variants():
+        for digits in (2, 3, 4, 5, 6):
+            if digits >= desk.key.least_decimals:
+                found, table = desk.marked(desk.machine.table(), digits=digits)
+                assert (found, codes(table)) == (60, ())

@@ -1,0 +1,98 @@
+"""A cell put right, or an equation, never lowers the sum; no right cell is passed over in silence."""
+
+import numpy as np
+import pytest
+
+from coursework.grading.marking.equations.equations import Judge
+from coursework.grading.marking.rubric import Rubric
+from coursework.grading.marking.table.cells import StudentTable, mark_cells
+from coursework.grading.marking.table.earning import best_rule
+from coursework.grading.marking.table.misconceptions import Found, explanations, looked_for
+from coursework.grading.marking.table.points import table_points
+from coursework.grading.reading.student_work import EquationLine
+from coursework.variant.formula.reader import parse
+from coursework.variant.formula.tree import spelled
+from tests.grading.marking.machines import Machine
+from tests.grading.marking.test_equal_faults import sign_faults, variants
+
+PAIRS = 200
+
+
+def earned(desk, table, equations=None):
+    cells = mark_cells(desk.key, StudentTable(np.round(table, 4), np.full(table.shape, 1e-4)))
+    points = table_points(desk.key, cells)
+    found = explanations(desk.key, cells, equations=equations) if looked_for(desk.key, cells, points.cells) else Found()
+    return best_rule(desk.key, Rubric(), cells, points, found, {}), cells
+
+
+def made(desk):
+    """Tables as students make them: right, from another start, in degrees, with a slip, with a wrong sign."""
+    machine, m, h = desk.machine, desk.machine.m, desk.machine.h
+    start = machine.start.copy()
+    start[-1] += 0.1
+    wrong = next(iter(sign_faults(desk.variant.constraints[0])))
+    return [
+        machine.table(), machine.table(start=start), Machine(desk.variant, degrees=("drive",)).table(),
+        machine.table(slip=(6, m, 0.3)), machine.table(slip=(9, 1, 0.2)), Machine(desk.variant, drive_sign=-1.0).table(),
+        machine.table(lambda t, q: h / 2 * machine.velocities(t, q)[:m]),
+        Machine(desk.variant, lines={desk.variant.constraints[0].name: wrong}).table(),
+    ]  # fmt: skip
+
+
+def test_a_cell_put_right_never_lowers_the_points():
+    chance = np.random.default_rng(11)
+    desks = [(desk, [table for table in made(desk) if np.abs(table).max() < 1e3]) for desk in variants()]
+    tried = 0
+    while tried < PAIRS:
+        desk, tables = desks[chance.integers(len(desks))]
+        true = tables[chance.integers(len(tables))]
+        worse = true.copy()
+        for _ in range(chance.choice([1, 2, 5, 15, 40])):
+            worse[chance.integers(len(worse)), chance.integers(worse.shape[1])] += chance.choice([-1, 1]) * 10 ** chance.uniform(
+                -2, 1
+            )
+        before, cells = earned(desk, worse)
+        places = np.argwhere(cells.wrong & (np.round(worse, 4) != np.round(true, 4)))
+        if not len(places):
+            continue
+        better = worse.copy()
+        row, place = places[chance.integers(len(places))]
+        better[row, place] = true[row, place]
+        after, _ = earned(desk, better)
+        assert after.share >= before.share - 1e-9, (desk.variant.title, row, place, before, after)
+        tried += 1
+
+
+def lines(desk, wrong):
+    texts = {c.name: f"{spelled(c.left)} - ({spelled(c.right)})" for c in desk.variant.constraints} | wrong
+    return [
+        EquationLine("e.txt", number, f"{text} = 0", parse(text), parse("0")) for number, text in enumerate(texts.values(), 1)
+    ]
+
+
+@pytest.mark.parametrize("number", range(6))
+def test_an_equation_put_right_never_lowers_the_sum(number):
+    """A table made from two wrong equations, handed in with both, with one and with none of them wrong."""
+    desk = variants()[number]
+    judge, rubric = Judge(desk.key), Rubric()
+    first, *_, last = desk.variant.constraints
+    slips = {c.name: next(iter(sign_faults(c))) for c in (first, last)}
+    table = Machine(desk.variant, lines=slips).table()
+    if not np.isfinite(table).all() or np.abs(table).max() > 1e3:
+        pytest.skip("these two slips make no motion")
+    sums = []
+    for wrong in (slips, {first.name: slips[first.name]}, {last.name: slips[last.name]}, {}):
+        equations = judge.mark(lines(desk, wrong))
+        sums.append(rubric.most("equations") * equations.share + rubric.most("table") * earned(desk, table, equations)[0].share)
+    both, one, other, none = sums
+    assert both <= one + 1e-9
+    assert both <= other + 1e-9
+    assert max(one, other) <= none + 1e-9
+
+
+def test_right_cells_that_do_not_count_are_counted_by_their_gate():
+    for desk in variants():
+        still = np.tile(desk.key.table[0], (len(desk.key.table), 1))
+        found, cells = earned(desk, still)
+        right = ~cells.wrong & ~cells.missing & cells.counted
+        assert sum(found.shut.values()) + round(found.of_cells * cells.counted.sum()) == right.sum()
