@@ -144,8 +144,6 @@ class WayToMotion:
 
         at = (event.block, event.time, event.position.tolist())
         branches = branches_at(self.flow, *at) if event.kind == "change point" else ()
-        if branches is None:
-            event, branches = replace(event, kind="dead point", demanded=None), ()
         return explain(event, self.equations, self.reduction, self.variant.time.step, branches)
 
     @computed("search", "equations", "reduction", "start")
@@ -266,19 +264,14 @@ class WayToMotion:
 
     def _exact_at(self, times: Array) -> Motion:
         equations, every = self.equations, self.every_rate
-        if passages := self.search.passages:
-            with suppress(OutOfReach):
-                return passing_motion(every, self.start, times, passages, self.passed)
-            return no_rows(every)
         positions = (lambda at: chain_positions(equations, at)) if is_chain(self.variant) else None
         count = len(self.reduction.blocks)
-        try:
-            return exact_motion(equations, every, self.closure, self.start, times, count, positions)
-        except NotReached:
-            with suppress(OutOfReach):
-                return exact_motion(equations, every, None, self.start, times, count)
-        except OutOfReach:
-            pass
+        with suppress(OutOfReach):
+            if passages := self.search.passages:
+                return passing_motion(every, self.start, times, passages, self.passed)
+            with suppress(NotReached):
+                return exact_motion(equations, every, self.closure, self.start, times, count, positions)
+            return exact_motion(equations, every, None, self.start, times, count)
         return no_rows(every)
 
     def charged(self, error: Exception) -> InputError | None:

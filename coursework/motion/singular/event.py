@@ -24,7 +24,7 @@ class Event:
     block: int
     time: float
     position: Array
-    demanded: float | None
+    demanded: float
     together: tuple[int, ...] = ()
 
 

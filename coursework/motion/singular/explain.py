@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 
 from coursework.equations.reduction.blocks import Block, Reduction
 from coursework.equations.reduction.equations import VelocityEquations
@@ -24,9 +25,12 @@ _ROUNDING = 1e-9
 
 
 def explain(
-    event: Event, equations: VelocityEquations, reduction: Reduction, step: float, branches: tuple[dict[str, float], ...] = ()
+    event: Event, equations: VelocityEquations, reduction: Reduction, step: float, branches: tuple[dict[str, float], ...] | None
 ) -> Stop:
-    """Return the stop of a dead or change point.  `step` (s) places it between rows; `branches` are velocities there."""
+    """Return the stop of a dead or change point.  `step` (s) places it between rows; `branches` the velocities possible there.
+
+    None: none are; the links close there and nowhere about.  That is a dead point, whatever the drive asks for.
+    """
     block = reduction.blocks[event.block]
     coordinates = {c.name: float(value) for c, value in zip(equations.variant.coordinates, event.position, strict=True)}
     row = event.time / step
@@ -41,7 +45,8 @@ def explain(
     if block.determinant is not None:
         holds = meaning_of(block.determinant, equations.variant, block.equations, coordinates)
     kept = say("event.kept", row=rows) if rows else say("event.none_kept")
-    if event.demanded is None:
+    if branches is None:
+        event, branches = replace(event, kind="dead point"), ()
         meaning = say("event.locked", holds=holds, kept=kept)
     elif event.kind == "dead point":
         demanded = say(_unit(block, equations), value=event.demanded)
