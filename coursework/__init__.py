@@ -1,4 +1,4 @@
-"""Teaching tool for coursework on plane mechanisms: velocity equations, a table by a scheme, checks, report.
+"""Euler-scheme teaching tool for two-degree-of-freedom mechanism coursework.
 
     import coursework
     run = coursework.solve("31")        # Run: .table (pandas), .checks, .stop
