@@ -73,12 +73,12 @@ class Desk:
         texts = [f"{spelled(c.left)} = {spelled(c.right)}" for c in self.variant.constraints]
         return [re.sub(rf"\b({names})\b", r"(-\1)", text) if n in turning else text for n, text in enumerate(texts)]
 
-    def graded(self, table=None, equations=None, clockwise="accept"):
+    def graded(self, table=None, equations=None, clockwise="accept", digits=5):
         files = []
         if table is not None:
             lines = [",".join(["t", *self.key.names])]
             for row, values in enumerate(table):
-                lines.append(",".join([f"{row * self.machine.h:.4f}", *(f"{value:.5f}" for value in values)]))
+                lines.append(",".join([f"{row * self.machine.h:.4f}", *(f"{value:.{digits}f}" for value in values)]))
             files.append(submitted_file("table.csv", "\n".join(lines).encode()))
         if equations is not None:
             files.append(submitted_file("equations.txt", "\n".join(equations).encode()))
@@ -108,6 +108,14 @@ def test_as_a_misconception_it_is_named(desk, mirrored):
     assert grade.table.misconception.code == "clockwise"
     assert "clockwise" not in codes(grade)
     assert grade.table.share < 0.9
+
+
+@pytest.mark.parametrize("mirrored", ["", "start", "negative"])
+def test_few_digits_tell_it_as_well(mirrored):
+    desk = Desk(coursework.load("31"))
+    grade = desk.graded(desk.turned(mirrored), desk.equations(), digits=2)
+    assert grade.total == 100
+    assert "clockwise" in codes(grade)
 
 
 def test_a_slip_in_it_costs_what_it_costs_in_a_right_table(desk):

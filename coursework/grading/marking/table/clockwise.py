@@ -104,10 +104,12 @@ def _opposite(printed: Array, reference: Array, key: Key, columns: Flags) -> boo
 
 
 def _steps_agree(key: Key, turned: StudentTable, reference: Array) -> bool:
-    """Return whether the angles move the way of the reference's rates (n, r)."""
+    """Return whether the angles move the way of the reference's rates (n, r), where their digits show any step."""
     m = len(key.coordinates)
     angular = _angular(key)[:m]
     steps = np.diff(turned.values[:, :m], axis=0)
+    with np.errstate(invalid="ignore"):
+        steps[~(key.step * np.abs(reference[:-1, :m]) > turned.units[:-1, :m])] = np.nan
     return _opposite(-steps, reference[:-1, :m], key, angular) if angular.any() and len(steps) else True
 
 
