@@ -46,7 +46,7 @@ def sheet(handout: Handout, words: Words, deadline: str, rubric: Rubric) -> Plai
         "senses": {
             "heads": [words(f"sheet.sense.{key}") for key in ("symbol", "what", "from", "positive")],
             "rows": sense_rows(handout, words),
-            "notes": [lettered(variant, text) for text in _sense_notes(handout, words)],
+            "notes": [lettered(variant, text) for text in _sense_notes(handout, words, rubric)],
         },
         "do": [lettered(variant, text) for text in _tasks(handout, words)],
         "hand_in": [_told(variant, text) for text in _parts(handout, words, rubric)],
@@ -179,11 +179,11 @@ def _digits(handout: Handout, words: Words) -> str:
     return words.sentences(told)
 
 
-def _sense_notes(handout: Handout, words: Words) -> list[str]:
-    """Return what holds for all signs: how the axes lie, and that turning counted clockwise is read too."""
+def _sense_notes(handout: Handout, words: Words, rubric: Rubric) -> list[str]:
+    """Return what holds for all signs: how the axes lie, and that turning counted clockwise is read too, where it is."""
     turning = any(handout.variant.unit_of(name) in {"rad", "rad/s"} for name in handout.variant.columns)
     arcs = handout.mechanism is not None and "data-angle" in handout.mechanism.svg
     return [
         words("sheet.sense.axes_arcs" if arcs else "sheet.sense.axes"),
-        *([words("sheet.sense.other_sense")] if turning else []),
+        *([words("sheet.sense.other_sense")] if turning and rubric.clockwise == "accept" else []),
     ]

@@ -16,6 +16,7 @@ from typing import Any, NoReturn
 import click
 
 from coursework.commands.options import (
+    RUBRIC_KEYS,
     SET,
     VARIANT,
     CommandWithKinds,
@@ -25,6 +26,7 @@ from coursework.commands.options import (
     limited,
     listed,
     offered,
+    rubric_shown,
     spoken,
     templates,
 )
@@ -218,7 +220,10 @@ def accuracy_command(
 @click.option("--variant", shell_complete=offered("variants"), help="The variant that everybody has.")
 @click.option("--roster", type=click.Path(path_type=Path), help="ROSTER.csv: id,name,email,variant.")
 @click.option("--out", type=click.Path(path_type=Path), required=True, help="Folder for the gradebook.")
-@click.option("--rubric", type=click.Path(path_type=Path), help="Points, parts, answers (TOML).")
+@click.option("--rubric", type=click.Path(path_type=Path), help=f"How marks are made (TOML; keys: {RUBRIC_KEYS}).")
+@click.option(
+    "--rubric-example", is_flag=True, is_eager=True, expose_value=False, callback=rubric_shown, help="Print the default rubric."
+)
 @click.option(
     "--overrides",
     type=click.Path(path_type=Path),

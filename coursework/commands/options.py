@@ -14,6 +14,9 @@ from typing import Any
 
 import click
 
+# What a rubric may have; named here for the help, which reads nothing of the grading.
+RUBRIC_KEYS = "points, missing_part, parts, table, answers, conventions, confusion"
+
 
 class Formats(click.ParamType):  # type: ignore[type-arg]  # generic only in the newest click
     """Formats that a command offers, commas between."""
@@ -78,6 +81,15 @@ def spoken(*, passed_on: bool) -> Callable[[Callable[..., int]], Callable[..., i
         callback=_speaks, shell_complete=offered("languages"),
         help="Language of pages and messages: a words file in reports/.",
     )  # fmt: skip
+
+
+def rubric_shown(context: click.Context, _option: click.Parameter, asked: bool) -> None:
+    """Print the default rubric and end, where that is asked for."""
+    if asked and not context.resilient_parsing:
+        from coursework.grading.marking.rubric_example import rubric_example
+
+        click.echo(rubric_example(), nl=False)
+        context.exit()
 
 
 class CommandWithTemplates(click.Command):

@@ -13,8 +13,8 @@ import numpy as np
 
 from coursework.commands.screen import in_language, tell, tell_own_file, with_symbols
 from coursework.grading.collecting.sources import collect_files
-from coursework.grading.marking.grade import student_of
 from coursework.grading.marking.key import Key, key_of
+from coursework.grading.marking.student_table import student_of
 from coursework.grading.marking.table.cells import Cells, mark_cells
 from coursework.grading.marking.table.points import true_steps
 from coursework.grading.reading.expected import Expected, grid_of

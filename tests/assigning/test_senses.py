@@ -79,6 +79,15 @@ def test_a_relative_angle_and_one_counted_clockwise(tmp_path):
         assert math.remainder(turned, math.tau) == pytest.approx(0, abs=1e-9)
 
 
+def test_turning_counted_clockwise_is_promised_only_where_the_rubric_accepts_it(tmp_path):
+    promise = "Who counts all turning the other way round is marked as if the signs were those above"
+    (tmp_path / "rubric.toml").write_text('[conventions]\nclockwise = "misconception"\n', encoding="utf-8")
+    assert promise in text_of(assigned(tmp_path, "fivebar"))
+    strict = tmp_path / "strict"
+    strict.mkdir()
+    assert promise not in text_of(assigned(strict, "fivebar", "--rubric", tmp_path / "rubric.toml"))
+
+
 def test_what_an_unbound_unknown_is_cannot_be_told(tmp_path):
     text = (OWN / "gears.toml").read_text(encoding="utf-8").replace('{ unit = "m/s", of = "S", along = "90 deg" }', '"m/s"')
     (tmp_path / "bare.toml").write_text(text, encoding="utf-8")

@@ -17,7 +17,9 @@ from coursework.grading.marking.answers import AnswerMarks, mark_answers
 from coursework.grading.marking.equations.equations import EquationMarks, Judge
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.rubric import Rubric
-from coursework.grading.marking.table.cells import HALF, Cells, OwnRows, StudentTable, mark_cells
+from coursework.grading.marking.student_table import student_of
+from coursework.grading.marking.table.cells import HALF, Cells, StudentTable, mark_cells
+from coursework.grading.marking.table.clockwise import turned_back
 from coursework.grading.marking.table.earning import best_rule
 from coursework.grading.marking.table.first_wrong import FirstWrong, first_wrong
 from coursework.grading.marking.table.misconceptions import Found, Misconception, explanations, indistinct, looked_for
@@ -158,10 +160,13 @@ class Marker:
 
     def grade(self, work: StudentWork) -> Grade:
         """Return the grade of one submission."""
-        equations = self.judge.mark(work.equations) if work.equations is not None else None
+        student = student_of(self.key, work.table) if work.table else None
+        back = turned_back(self.key, student) if student and self.rubric.clockwise == "accept" else None
+        turning = self.rubric.clockwise == "accept" and (student is None or back is not None)
+        equations = self.judge.mark(work.equations, turning=turning) if work.equations is not None else None
         equations = equations if equations and equations.marks else None
         answers = mark_answers(self.key, self.rubric.answers, work.answers) if self.rubric.answers else None
-        table = self._table(work.table, equations) if work.table else None
+        table = self._table(work.table, back or student, equations) if work.table and student else None
         shares: dict[str, float | None] = {
             "table": table.share if table else None,
             "equations": equations.share if equations else None,
@@ -179,13 +184,14 @@ class Marker:
             line = unread.line
             key = "unread_place" if line.place else "unread_line"
             status, reason = "needs-review", say(f"reading.review.{key}", line=line.line, place=line.where, text=line.text[:80])
-        notes = (*work.notes, *(equations.notes if equations else ()), *self._notes(table), *notes)
+        clockwise = (note("clockwise"),) if back or (equations and equations.turned) else ()
+        notes = (*work.notes, *clockwise, *(equations.notes if equations else ()), *self._notes(table), *notes)
         if status == "graded" and notes:
             status = "graded-with-notes"
         return Grade(status, shares, self.rubric, self.key, work, table, equations, answers, judged, notes, reason)
 
-    def _table(self, table: Table, equations: EquationMarks | None) -> TableMarks:
-        cells = mark_cells(self.key, student_of(self.key, table))
+    def _table(self, table: Table, student: StudentTable, equations: EquationMarks | None) -> TableMarks:
+        cells = mark_cells(self.key, student)
         points = table_points(self.key, cells, self.rubric.carried)
         found, hidden = Found(), None
         if looked_for(self.key, cells, points.cells):
@@ -254,28 +260,6 @@ def _empty_table(most: float) -> dict[str, Any]:
         "state": "missing", "score": None, "max": most, "rows": 0, "rows_needed": 0, "first_wrong": None, "wrong_cells": 0,
         "missing_cells": 0, "carried_cells": 0, "decimals": {}, "least_decimals": None, "computed_to": None,
     }  # fmt: skip
-
-
-def student_of(key: Key, table: Table) -> StudentTable:
-    """Return a table as it was read, with a column of its own for everything the key has."""
-    values, units, turns = np.full(key.table.shape, np.nan), np.full(key.table.shape, np.nan), np.zeros(len(key.names))
-    for place, name in enumerate(key.names):
-        if column := table.column(name):
-            values[:, place], units[:, place] = column.values[: len(values)], column.last_place[: len(values)]
-            turns[place] = column.turns
-    return StudentTable(values, units, turns, _own_rows(key, table))
-
-
-def _own_rows(key: Key, table: Table) -> OwnRows | None:
-    """Return all rows of a table whose own times are those of another step."""
-    if table.own is None:
-        return None
-    rows = len(next(iter(table.own.columns.values()))[0])
-    values, units = np.full((rows, len(key.names)), np.nan), np.full((rows, len(key.names)), np.nan)
-    for place, name in enumerate(key.names):
-        if name in table.own.columns:
-            values[:, place], units[:, place] = table.own.columns[name]
-    return OwnRows(table.own.step, values, units)
 
 
 def fewer_decimals(key: Key, cells: Cells) -> int:

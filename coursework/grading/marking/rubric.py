@@ -16,7 +16,9 @@ from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say
 
+KEYS = ("points", "missing_part", "parts", "table", "answers", "conventions", "confusion")
 PARTS = ("table", "equations", "answers")
+CONVENTIONS = ("accept", "misconception")
 FLOORS = ("carried", "start_floor", "start_floor_several", "misconception_floor", "own_equations_floor")
 READING_TOLERANCE = 0.05  # of the largest value of its kind in the row: what a drawing of this size allows
 
@@ -42,7 +44,10 @@ class Confusion:
 
 @dataclass(frozen=True, slots=True)
 class Rubric:
-    """`points` in all; `weights` of the parts; floors and the worth of carried cells as parts of one."""
+    """`points` in all; `weights` of the parts; floors and the worth of carried cells as parts of one.
+
+    `clockwise` says how work is taken that counts turning clockwise: one of `CONVENTIONS`.
+    """
 
     points: float = 100.0
     missing_part: str = "review"
@@ -54,6 +59,7 @@ class Rubric:
     own_equations_floor: float = 0.5
     answers: tuple[Answer, ...] = ()
     confusions: tuple[Confusion, ...] = ()
+    clockwise: str = "accept"
 
     def most(self, part: str) -> float:
         """Return the points of a part."""
@@ -71,6 +77,7 @@ class Rubric:
             "points": self.points, "missing_part": self.missing_part, "parts": dict(self.weights),
             "table": {name: getattr(self, name) for name in FLOORS},
             "answers": {entry.name: {"of": entry.of, "row": entry.row, "tolerance": entry.tolerance} for entry in self.answers},
+            "conventions": {"clockwise": self.clockwise},
             "confusion": [{"datum": c.datum, "value": c.value, "because": c.because} for c in self.confusions],
         }  # fmt: skip
 
@@ -84,10 +91,10 @@ def read_rubric(text: str, name: str = "rubric.toml") -> Rubric:
     except RecursionError:
         raise InputError([Fault(say("fault.G065"), name)]) from None
     faults: list[Fault] = []
-    known = ("points", "missing_part", "parts", "table", "answers", "confusion")
-    _refuse_unknown(found, known, "", name, faults)
+    _refuse_unknown(found, KEYS, "", name, faults)
     parts = _section(found, "parts", PARTS, name, faults)
     table = _section(found, "table", FLOORS, name, faults)
+    conventions = _section(found, "conventions", ("clockwise",), name, faults)
     default = Rubric()
     weights = {part: _number(parts, part, default.weights[part], f"parts.{part}", name, faults, most=1e6) for part in PARTS}
     points = _number(found, "points", default.points, "points", name, faults, most=1e6)
@@ -96,6 +103,9 @@ def read_rubric(text: str, name: str = "rubric.toml") -> Rubric:
     missing = found.get("missing_part", default.missing_part)
     if missing not in ("review", "zero"):
         faults.append(Fault(say("fault.G035", missing=missing), name, place="missing_part"))
+    clockwise = conventions.get("clockwise", default.clockwise)
+    if clockwise not in CONVENTIONS:
+        faults.append(Fault(say("fault.G089", clockwise=clockwise), name, place="conventions.clockwise"))
     answers = tuple(_answers(found.get("answers", {}), name, faults))
     confusions = tuple(_confusions(found.get("confusion", []), name, faults))
     floors = {key: _number(table, key, getattr(default, key), f"table.{key}", name, faults, most=1.0) for key in FLOORS}
@@ -103,7 +113,7 @@ def read_rubric(text: str, name: str = "rubric.toml") -> Rubric:
         faults.append(Fault(say("fault.G036"), name, place="parts.answers"))
     if faults:
         raise InputError(faults)
-    return Rubric(points, missing, weights, **floors, answers=answers, confusions=confusions)
+    return Rubric(points, missing, weights, **floors, answers=answers, confusions=confusions, clockwise=clockwise)
 
 
 def check_rubric(rubric: Rubric, variant: Variant, name: str = "rubric.toml") -> None:

@@ -30,6 +30,8 @@ wC = { of = "w3", row = 4 }
 wD = { of = "w3", row = 4 }
 [table]
 carried = 0.9
+[conventions]
+clockwise = "misconception"
 [[confusion]]
 datum = "r1"
 value = "0.8 m"
@@ -188,6 +190,7 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         "degrees-drive": files(degrees_in(drive=True)),
         "degrees-equations": files(degrees_in(drive=False)),
         "new-phi": files(new_phi()),
+        "clockwise": files(np.hstack([RIGHT[:, :3], -RIGHT[:, 3:]])),
     }
     found |= {student: (handed, source, (), None) for student, handed in more.items()}
     right = files()

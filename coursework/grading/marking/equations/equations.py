@@ -20,6 +20,7 @@ from coursework.grading.marking.equations.lacks import lack_of
 from coursework.grading.marking.equations.linear import Linear, linear, rank, says_more
 from coursework.grading.marking.equations.numbers import NoValue, real, size_of
 from coursework.grading.marking.equations.probe import Probe, exact_probe, kinds, random_probe
+from coursework.grading.marking.equations.turned import with_other_sign
 from coursework.grading.marking.key import Key
 from coursework.grading.reading.student_work import EquationLine
 from coursework.grading.reading.submission import Note, note
@@ -32,6 +33,7 @@ Verdict = Literal["right", "rounded", "closure", "wrong", "unreadable"]
 # Residual over the sum of its terms: round-off; data printed with three or four digits; the exact motion's own accuracy.
 RIGHT, ROUNDED, ON_CLOSURE = 1e-9, 2e-3, 1e-7
 COUNTED = ("right", "rounded", "closure")
+JUDGED = (*COUNTED, "wrong")
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,12 +74,16 @@ class EquationMark:
 
 @dataclass(frozen=True, slots=True)
 class EquationMarks:
-    """All lines; `independent` of `needed`; `dependent` line numbers that say nothing new; `share` of the points."""
+    """All lines; `independent` of `needed`; `dependent` line numbers that say nothing new; `share` of the points.
+
+    `turned` says that lines hold with the other sign of all angular velocities, and were marked so.
+    """
 
     marks: tuple[EquationMark, ...]
     independent: int
     needed: int
     dependent: tuple[int, ...]
+    turned: bool = False
 
     @property
     def wrong(self) -> tuple[EquationMark, ...]:
@@ -127,13 +133,26 @@ class Judge:
         """Return which names may stand for each other."""
         return kinds(self.key.variant)
 
-    def mark(self, lines: Sequence[EquationLine]) -> EquationMarks:
-        """Return the marks of all lines."""
-        marks = tuple(mark for mark in map(self._mark, lines) if mark.verdict in COUNTED or not mark.line.may_be_datum)
+    def mark(self, lines: Sequence[EquationLine], *, turning: bool = False) -> EquationMarks:
+        """Return the marks of all lines; with `turning` all of them may count turning clockwise."""
+        found = tuple(map(self._mark, lines))
+        back = self._turned_back(found) if turning else None
+        marks = tuple(mark for mark in back or found if mark.verdict in COUNTED or not mark.line.may_be_datum)
         counted = [mark for mark in marks if mark.verdict in COUNTED]
         independent, dependent = self._independent(counted)
         marks = tuple(self._with_lack(mark, counted, dependent) for mark in marks)
-        return EquationMarks(marks, independent, len(self.key.variant.sought), dependent)
+        return EquationMarks(marks, independent, len(self.key.variant.sought), dependent, turned=back is not None)
+
+    def _turned_back(self, marks: Sequence[EquationMark]) -> tuple[EquationMark, ...] | None:
+        """Return the marks with all angular velocities turned, None where that puts no line right or a right one wrong."""
+        variant = self.key.variant
+        angular = frozenset(name for name in self.key.velocities if variant.unit_of(name) == "rad/s")
+        back = tuple(self._mark(with_other_sign(mark.line, angular)) if mark.verdict in JUDGED else mark for mark in marks)
+        gained = any(before.verdict == "wrong" and after.verdict in COUNTED for before, after in zip(marks, back, strict=True))
+        lost = any(before.verdict in COUNTED and after.verdict not in COUNTED for before, after in zip(marks, back, strict=True))
+        if not gained or lost:
+            return None
+        return tuple(after if after.verdict in COUNTED else before for before, after in zip(marks, back, strict=True))
 
     def _with_lack(self, mark: EquationMark, counted: Sequence[EquationMark], dependent: Sequence[int]) -> EquationMark:
         """Return a mark with what the line lacks, where it is right and adds nothing, or wrong by no single slip."""

@@ -15,6 +15,7 @@ import numpy as np
 from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.claims import Claim, TableUnderTest
+from coursework.grading.marking.table.clockwise import turned_back
 from coursework.grading.marking.table.other_data import other_columns, other_data, other_tables, shifted_rows
 from coursework.grading.marking.table.own_equations import equation_claims
 from coursework.motion.schemes import SCHEMES, Scheme
@@ -39,12 +40,15 @@ def claims(
     `confusions` gives data by name with another value (rubric); `others` tables (n, m + r) of other variants by name;
     `equations` those that were handed in.
     """
+    back = turned_back(printed.key, printed.student)
+    if back is not None:
+        yield replace(printed.claim("clockwise"), student=back)
     if printed.closely:
         yield from shifted_rows(printed)
     yield from _schemes(printed)
     yield from _shifted_rows(printed)
     yield from _steps(printed)
-    yield from _velocities(printed)
+    yield from _velocities(printed, () if back is None else ("sign_drive",))
     yield from other_data(printed, confusions)
     yield from other_tables(printed, others)
     yield from other_columns(printed)
@@ -124,8 +128,8 @@ def _small_steps(printed: TableUnderTest, times: int, q: Array) -> Array:
     return moved - q
 
 
-def _velocities(printed: TableUnderTest) -> Iterator[Claim]:
-    """Velocities of moved angles, of one wrong sign, of a drive with the other sign, of degrees taken for radians."""
+def _velocities(printed: TableUnderTest, apart: tuple[str, ...]) -> Iterator[Claim]:
+    """Velocities of moved angles, one wrong sign, a drive with the other sign, of degrees; codes `apart` are not tried."""
     key, h, m = printed.key, printed.key.step, printed.m
     solved: list[int] = []
     moved = printed.true_velocities[0].copy()
@@ -151,5 +155,5 @@ def _velocities(printed: TableUnderTest) -> Iterator[Claim]:
         turned[:, place] *= -1
         yield printed.claim(f"sign_{name}", None, (turned, tolerance))
     for code in MISREAD:
-        if velocities := key.misread(code):
+        if code not in apart and (velocities := key.misread(code)):
             yield from printed.velocity_claim(code, velocities)

@@ -1,0 +1,127 @@
+"""A table whose turning is counted clockwise: seen, and turned back so that its signs are the task's.
+
+Enters: a `Key`, a student's table.  Leaves: the table turned back, None where it is not clockwise.
+Used by `hypotheses.py`, `grade.py`.
+Signs alone do not tell a mirrored motion from a drive with the other sign: there the values decide.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from coursework.grading.marking.key import Key
+from coursework.grading.marking.table.cells import ANGLES, EARLIER, KEY, LEAST, Cells, StudentTable, mark_cells
+from coursework.system.arrays import Array, Flags
+
+# This part of the cells of every column that have a sign must have the other one: a slip or two may stand among them.
+_SIGNS = 0.9
+# A mirrored motion explains this part of the velocities.
+_EXPLAINED = 0.93
+
+
+def turned_back(key: Key, student: StudentTable) -> StudentTable | None:
+    """Return a clockwise table with the signs of the task, None where it is none.
+
+    Either all angular velocities have the other sign while the angles move as the key's, or the angles are mirrored as well.
+    """
+    m = len(key.coordinates)
+    if not _opposite(student.values[:, m:], key.table[:, m:], key, _angular(key)[m:]):
+        return None
+    plain = mark_cells(key, student)
+    turned = _turned(key, student, mirrored=False)
+    reference = key.velocities_at(key.t, turned.values[:, :m])
+    if _steps_agree(key, turned, reference) and _opposite(student.values[:, m:], reference, key, _angular(key)[m:]):
+        return turned if _wrong(mark_cells(key, turned)) < _wrong(plain) else None
+    mirrored = _turned(key, student, mirrored=True)
+    cells = mark_cells(key, mirrored)
+    follows = _explained(key, cells)
+    # A drive with the other sign explains its own table as well; where it explains as much, nothing was counted otherwise.
+    other = key.misread("sign_drive")
+    driven = np.abs(student.values[:, m:] - other(key.t, student.values[:, :m])) if other else None
+    by_drive = 0.0
+    if driven is not None and not _begins_mirrored(key, student):
+        allowed = np.fmax.reduce([way.tolerance[:, m:] for way in plain.ways])
+        with np.errstate(invalid="ignore"):
+            by_drive = _part(driven <= allowed, ~cells.missing[:, m:])
+    return mirrored if follows >= _EXPLAINED and follows > by_drive and _wrong(cells) < _wrong(plain) else None
+
+
+def _angular(key: Key) -> Flags:
+    """Return which columns (m + r,) are angles or angular velocities."""
+    return np.array([key.variant.unit_of(name) in {"rad", "rad/s"} for name in key.names])
+
+
+def _turned(key: Key, student: StudentTable, *, mirrored: bool) -> StudentTable:
+    """Return a table with angular velocities of the other sign; the angles too, mirrored in their first value."""
+    m, angular = len(key.coordinates), _angular(key)
+
+    def back(values: Array) -> Array:
+        found = values.copy()
+        found[:, m:][:, angular[m:]] *= -1
+        if mirrored:
+            found[:, :m] = np.where(angular[:m], _start(key, values[0, :m]) - (values[:, :m] - values[0, :m]), values[:, :m])
+        return found
+
+    own = student.own and replace(student.own, values=back(student.own.values))
+    return replace(student, values=back(student.values), own=own)
+
+
+def _start(key: Key, first: Array) -> Array:
+    """Return the start values (m,) that first angles stand for, the task's or their negatives; others as they are."""
+    start = key.table[0, : len(first)]
+    near = _whole_turns_off(first - start) < _whole_turns_off(first + start)
+    return np.where(near, first, start + _rest(first + start))
+
+
+def _begins_mirrored(key: Key, student: StudentTable) -> bool:
+    """Return whether an angle begins at the negative of the task's start, and not at the start itself."""
+    m = len(key.coordinates)
+    first, start = student.values[0, :m], key.table[0, :m]
+    allowed = student.units[0, :m]
+    with np.errstate(invalid="ignore"):
+        away = (_whole_turns_off(first - start) > allowed) & (_whole_turns_off(first + start) <= allowed)
+    return bool((away & _angular(key)[:m]).any())
+
+
+def _rest(angle: Array) -> Array:
+    return np.asarray(angle - 2 * np.pi * np.round(angle / (2 * np.pi)))
+
+
+def _whole_turns_off(angle: Array) -> Array:
+    return np.abs(_rest(angle))
+
+
+def _opposite(printed: Array, reference: Array, key: Key, columns: Flags) -> bool:
+    """Return whether printed velocities (n, r) have the other sign in every one of the columns, and in any at all."""
+    least = LEAST * np.max(np.abs(key.table[:, len(key.coordinates) :]), axis=0)[: len(columns)]
+    with np.errstate(invalid="ignore"):
+        speaks = np.isfinite(printed) & (np.abs(reference) > least) & columns
+        other = speaks & (printed * reference < 0)
+    spoken = speaks.sum(axis=0)
+    return bool(spoken.any() and np.all(other.sum(axis=0) >= _SIGNS * spoken))
+
+
+def _steps_agree(key: Key, turned: StudentTable, reference: Array) -> bool:
+    """Return whether the angles move the way of the reference's rates (n, r), where their digits show any step."""
+    m = len(key.coordinates)
+    angular = _angular(key)[:m]
+    steps = np.diff(turned.values[:, :m], axis=0)
+    with np.errstate(invalid="ignore"):
+        steps[~(key.step * np.abs(reference[:-1, :m]) > turned.units[:-1, :m])] = np.nan
+    return _opposite(-steps, reference[:-1, :m], key, angular) if angular.any() and len(steps) else True
+
+
+def _explained(key: Key, cells: Cells) -> float:
+    """Return the part of the velocities that are those of the key or of the table's own cells."""
+    m = len(key.coordinates)
+    return _part(np.isin(cells.marks[:, m:], (KEY, ANGLES, EARLIER)), ~cells.missing[:, m:])
+
+
+def _part(holds: Flags, of: Flags) -> float:
+    return float((holds & of).sum()) / float(of.sum()) if of.any() else 0.0
+
+
+def _wrong(cells: Cells) -> int:
+    return int(cells.wrong.sum())

@@ -1,0 +1,200 @@
+"""Turning counted clockwise: accepted or named, told from a wrong sign, a drive with the other sign and right work."""
+
+import re
+
+import pytest
+from click.testing import CliRunner
+
+import coursework
+from coursework.commands.cli import main
+from coursework.commands.options import RUBRIC_KEYS
+from coursework.grading.marking.grade import Marker
+from coursework.grading.marking.key import key_of
+from coursework.grading.marking.rubric import KEYS, Rubric, read_rubric
+from coursework.grading.reading.expected import Expected, grid_of
+from coursework.grading.reading.read_submission import read_submission
+from coursework.grading.reading.submission import Submission, submitted_file
+from coursework.variant.formula.tree import spelled
+from coursework.variant.reading.reader import parse_variant
+from coursework.words.errors import InputError
+from tests.grading.marking.machines import Machine
+
+# A crank that drives a slider on a line of 20 degrees, offset; not of the catalogue.
+OWN = b"""format = 1
+title = "Crank and slider on a sloping line"
+[given]
+a = "0.1 m"
+b = "0.31 m"
+k = "0.35 rad"
+p = "3 rad/s"
+[drive]
+w1 = "p"
+[coordinates]
+phi1 = { start = "0.9 rad", rate = "w1" }
+phi2 = { start = "-0.2 rad", rate = "w2" }
+[unknowns]
+vC = "m/s"
+[time]
+step = "0.02 s"
+end = "0.4 s"
+[[constraint]]
+name = "1"
+because = "C along x"
+equation = "vC*cos(k) = -a*w1*sin(phi1) - b*w2*sin(phi2)"
+[[constraint]]
+name = "2"
+because = "C along y"
+equation = "vC*sin(k) = a*w1*cos(phi1) + b*w2*cos(phi2)"
+"""
+
+
+class Desk:
+    """Where tables of one variant are handed in; `right` is made by a program of its own."""
+
+    def __init__(self, variant):
+        self.variant, self.key, self.machine = variant, key_of(variant), Machine(variant)
+        self.right = self.machine.table()
+        columns = {name: tuple(self.key.table[:, place].tolist()) for place, name in enumerate(self.key.names)}
+        self.expected = Expected(grid_of(variant, columns), variant)
+        self.rates = [place for place, name in enumerate(self.key.names) if variant.unit_of(name) == "rad/s"]
+        self.angles = [place for place, name in enumerate(self.key.names) if variant.unit_of(name) == "rad"]
+
+    def turned(self, mirrored=""):
+        """The table of one who counts turning clockwise; `mirrored` the angles too, from their start or from its negative."""
+        found = self.right.copy()
+        found[:, self.rates] *= -1
+        if mirrored:
+            found[:, self.angles] = (mirrored == "start") * 2 * self.right[0, self.angles] - self.right[:, self.angles]
+        return found
+
+    def equations(self, turning=()):
+        """The right equations, those at the places `turning` with all angular velocities turned."""
+        names = "|".join(self.key.names[place] for place in self.rates)
+        texts = [f"{spelled(c.left)} = {spelled(c.right)}" for c in self.variant.constraints]
+        return [re.sub(rf"\b({names})\b", r"(-\1)", text) if n in turning else text for n, text in enumerate(texts)]
+
+    def graded(self, table=None, equations=None, clockwise="accept", digits=5):
+        files = []
+        if table is not None:
+            lines = [",".join(["t", *self.key.names])]
+            for row, values in enumerate(table):
+                lines.append(",".join([f"{row * self.machine.h:.4f}", *(f"{value:.{digits}f}" for value in values)]))
+            files.append(submitted_file("table.csv", "\n".join(lines).encode()))
+        if equations is not None:
+            files.append(submitted_file("equations.txt", "\n".join(equations).encode()))
+        marker = Marker(self.key, Rubric(clockwise=clockwise))
+        return marker.grade(read_submission(Submission("a", None, tuple(files)), self.expected))
+
+
+@pytest.fixture(scope="module", params=["31", "v102", "own"])
+def desk(request):
+    return Desk(parse_variant(OWN, "own.toml", {}) if request.param == "own" else coursework.load(request.param))
+
+
+def codes(grade):
+    return [note.code for note in grade.notes]
+
+
+@pytest.mark.parametrize("mirrored", ["", "start", "negative"])
+def test_accepted_it_is_full_work_with_a_note(desk, mirrored):
+    grade = desk.graded(desk.turned(mirrored), desk.equations())
+    assert (grade.total, grade.table.misconception) == (100, None)
+    assert [code for code in codes(grade) if code != "turns"] == ["clockwise"]
+
+
+@pytest.mark.parametrize("mirrored", ["", "start", "negative"])
+def test_as_a_misconception_it_is_named(desk, mirrored):
+    grade = desk.graded(desk.turned(mirrored), clockwise="misconception")
+    assert grade.table.misconception.code == "clockwise"
+    assert "clockwise" not in codes(grade)
+    assert grade.table.share < 0.9
+
+
+@pytest.mark.parametrize("mirrored", ["", "start", "negative"])
+def test_few_digits_tell_it_as_well(mirrored):
+    desk = Desk(coursework.load("31"))
+    grade = desk.graded(desk.turned(mirrored), desk.equations(), digits=2)
+    assert grade.total == 100
+    assert "clockwise" in codes(grade)
+
+
+def test_a_slip_in_it_costs_what_it_costs_in_a_right_table(desk):
+    slips = desk.right.copy(), desk.turned()
+    for table in slips:
+        table[6, -1] *= 1.3
+    right, turned = (desk.graded(table) for table in slips)
+    assert turned.table.share == pytest.approx(right.table.share, abs=1e-9)
+    assert right.table.share < 1
+    assert "clockwise" in codes(turned)
+
+
+def test_some_velocities_with_the_other_sign_are_wrong_signs(desk):
+    for place in desk.rates:
+        table = desk.right.copy()
+        table[:, place] *= -1
+        rest = desk.turned()
+        rest[:, place] *= -1
+        for found in (table, rest):
+            grade = desk.graded(found)
+            assert "clockwise" not in codes(grade)
+            assert grade.table.share < 1
+
+
+def test_a_drive_with_the_other_sign_is_no_turning(desk):
+    machine = Machine(desk.variant, drive_sign=-1.0)
+    for clockwise in ("accept", "misconception"):
+        grade = desk.graded(machine.table(), clockwise=clockwise)
+        named = grade.table.misconception
+        assert "sign_drive" in (named.code, *named.ties)
+        assert "clockwise" not in (named.code, *named.ties, *codes(grade))
+
+
+def test_a_right_table_is_untouched(desk):
+    for clockwise in ("accept", "misconception"):
+        grade = desk.graded(desk.right, desk.equations(), clockwise=clockwise)
+        assert (grade.total, codes(grade), grade.table.misconception) == (100, [], None)
+
+
+@pytest.mark.parametrize("with_table", [True, False])
+def test_equations_turned_throughout_are_accepted(desk, with_table):
+    turned = desk.equations(range(9))
+    grade = desk.graded(desk.turned() if with_table else None, turned)
+    assert grade.equations.share == 1
+    assert codes(grade).count("clockwise") == 1
+    strict = desk.graded(desk.turned(), turned, clockwise="misconception")
+    assert strict.equations.share < 1
+
+
+def test_equations_turned_beside_a_table_that_is_not_are_wrong(desk):
+    grade = desk.graded(desk.right, desk.equations(range(9)))
+    assert grade.equations.share < 1
+    assert "clockwise" not in codes(grade)
+
+
+def test_one_equation_turned_among_others_has_wrong_signs():
+    desk = Desk(parse_variant(OWN, "own.toml", {}))
+    grade = desk.graded(None, desk.equations([0]))
+    assert [mark.verdict for mark in grade.equations.marks] == ["wrong", "right"]
+    assert "clockwise" not in codes(grade)
+
+
+def test_the_rubric_says_how_it_is_taken():
+    assert read_rubric("").clockwise == "accept"
+    assert read_rubric('[conventions]\nclockwise = "misconception"\n').clockwise == "misconception"
+    for text in ('[conventions]\nclockwise = "yes"\n', "[conventions]\nclockwise = []\n"):
+        with pytest.raises(InputError, match='"accept" or "misconception"'):
+            read_rubric(text)
+    with pytest.raises(InputError, match='Did you mean "clockwise"'):
+        read_rubric('[conventions]\nclockwize = "accept"\n')
+
+
+def test_the_example_of_a_rubric_is_the_default_and_the_help_names_its_keys():
+    shown = CliRunner().invoke(main, ["grade", "--rubric-example"])
+    assert (shown.exit_code, read_rubric(shown.output)) == (0, Rubric())
+    assert all(re.search(rf"^(# )?\[*{key}\b", shown.output, re.MULTILINE) for key in KEYS)
+    assert ", ".join(KEYS) == RUBRIC_KEYS
+    optional = "\n".join(line.removeprefix("# ") for line in shown.output.splitlines())
+    assert read_rubric(optional).confusions
+    assert read_rubric(optional).answers
+    told = " ".join(CliRunner().invoke(main, ["grade", "--help"]).output.split())
+    assert all(key in told for key in KEYS)
