@@ -162,7 +162,7 @@ def test_three_where_the_tool_is_at_fault(monkeypatch):
     def broken(*_args, **_options):
         raise RuntimeError("something of ours")
 
-    monkeypatch.setattr("coursework.commands.check.load", broken)
+    monkeypatch.setattr("coursework.commands.check.variant_of", broken)
     result = call("check", "31")
     assert result.exit_code == 3
     assert "Traceback" in result.stderr
