@@ -31,6 +31,8 @@ from coursework.words.custom_templates import templates_in_use
 from coursework.words.errors import Fault, InputError, OutputError
 from coursework.words.sentences import joined, say
 
+MOST_NAMED = 10  # in one line on the screen
+
 
 def grade_source(
     source: Path, *, variant: str | None, roster: Path | None, out: Path, rubric: Path | None, overrides: Path | None,
@@ -43,6 +45,8 @@ def grade_source(
     tell_own_file(variant or "")
     text = _bytes(rubric).decode("utf-8-sig", errors="replace") if rubric else ""
     marking = read_rubric(text, str(rubric or "rubric"))
+    if marking.is_scaled:
+        tell(say("screen.scaled", sum_of=sum(marking.weights.values()), points=marking.points), err=True)
     if results:
         if variant is None:
             raise InputError(say("fault.C024"))
@@ -76,6 +80,14 @@ def grade_source(
             if len(graded.places) != len(listed.places):
                 raise RuntimeError(f"{len(listed.places)} submissions, {len(graded.places)} grades")
             _tell(listed, graded.fresh, len(graded.changes), out, written, {e.id: e.grade["status"] for e in graded.entries()})
+            if sheet and (locked := [place.id for place in listed.places if place.row and place.row.locked]):
+                tell(
+                    say(
+                        "screen.locked",
+                        count=len(locked),
+                        who=joined(locked[:MOST_NAMED] + ["…"] * (len(locked) > MOST_NAMED), "join.comma"),
+                    )
+                )
             journal.rewrite([graded.places[student] for student in sorted(graded.places)])
     return 0
 

@@ -1,12 +1,13 @@
 """What the instructor decided instead of the marks: read from a file, put into a grade after marking on every run.
 
-Enters: `overrides.csv` (id,check,points,reason), grades.  Leaves: `Override`s by id, changed grades.
+Enters: `overrides.csv` (id,check,points,reason and further columns), grades.  Leaves: `Override`s by id, changed grades.
 Raises `InputError` for what cannot be meant: nothing is graded by half-understood decisions.
 Used by `grading/batch/` and `commands/`.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
@@ -21,20 +22,30 @@ from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say
 
 COLUMNS = ("id", "check", "points", "reason")
+FURTHER = ("say", "appeal", "by", "at", "marker")  # may be absent; `say` is a sentence to the student
 CHECKS = (*PARTS, "total")
+_SHARE = re.compile(r"([^%％]*?)\s*[%％]")
 
 
 @dataclass(frozen=True, slots=True)
 class Override:
-    """What the instructor decided instead: `points` for a part ("table", "equations", "answers") or for the "total"."""
+    """What the instructor decided instead: `points` for a part ("table", "equations", "answers") or for the "total".
+
+    `say` is a sentence to the student; `appeal`, `by`, `at` and `marker` are kept as they stand.
+    """
 
     check: str
     points: float
     reason: str
+    say: str = ""
+    appeal: str = ""
+    by: str = ""
+    at: str = ""
+    marker: str = ""
 
     def plain(self) -> dict[str, Any]:
-        """Return the record as grades.json writes it."""
-        return asdict(self)
+        """Return the record as grades.json writes it: of the further columns those that say something."""
+        return {key: value for key, value in asdict(self).items() if value or key not in FURTHER}
 
 
 def read_overrides(content: bytes, file: str, known: Collection[str], rubric: Rubric) -> dict[str, tuple[Override, ...]]:
@@ -45,7 +56,7 @@ def read_overrides(content: bytes, file: str, known: Collection[str], rubric: Ru
     ids = {same_key(student): student for student in known}
     found: dict[str, list[Override]] = {}
     faults: list[Fault] = []
-    for record, values in cells.named(COLUMNS):
+    for record, values in cells.named((*COLUMNS, *FURTHER)):
         if not any(values.values()):
             continue
         line = cells.records[record][0].line
@@ -59,15 +70,24 @@ def read_overrides(content: bytes, file: str, known: Collection[str], rubric: Ru
             hint = closest(check, CHECKS) or say("hint.known", known=", ".join(CHECKS))
             faults.append(Fault(say("fault.G030", check=values["check"][:80], hint=hint), file, line))
             continue
-        number = printed(values["points"], "," if "," in values["points"] else ".")
         most = rubric.points if check == "total" else rubric.most(check)
-        if not number.is_number or not 0 <= number.value <= most:
+        points = _points(values["points"], most)
+        if points is None:
             faults.append(Fault(say("fault.G031", most=most, points=values["points"][:80]), file, line))
             continue
-        found.setdefault(student, []).append(Override(check, float(number.value), values["reason"]))
+        found.setdefault(student, []).append(Override(check, points, values["reason"], **{key: values[key] for key in FURTHER}))
     if faults:
         raise InputError(faults)
     return {student: tuple(listed) for student, listed in found.items()}
+
+
+def _points(text: str, most: float) -> float | None:
+    """Return the points that a cell means, itself or as a share of `most`, None where it means none from 0 to `most`."""
+    share = _SHARE.fullmatch(text)
+    number = printed(share[1] if share else text, "," if "," in text else ".")
+    if not number.is_number or not 0 <= number.value <= (100 if share else most):
+        return None
+    return rounded_points(most * float(number.value) / 100) if share else float(number.value)
 
 
 def overridden(grade: Mapping[str, Any], overrides: Iterable[Override], rubric: Rubric) -> dict[str, Any]:

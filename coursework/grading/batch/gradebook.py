@@ -41,7 +41,7 @@ class Options:
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """A grade that is not what it was in the last run."""
+    """A grade that is not what it was in the last run; `after` is "" where the submission is there no more."""
 
     id: str
     before: str
@@ -106,6 +106,10 @@ def grade_class(
             if change := _change(entry, journal.read(by_id[outcome.id]) if outcome.id in by_id else None):
                 graded.changes.append(change)
             progress()
+    for student in by_id.keys() - graded.places.keys():
+        before = journal.read(by_id[student])
+        _page_removed(out, before)
+        graded.changes.append(Change(student, _mark(before), "", "withdrawn"))
     graded.changes.sort(key=lambda change: change.id)
     return graded
 
@@ -117,6 +121,12 @@ def _page_written(out: Path, outcome: Outcome) -> str:
     content = outcome.page.encode("utf-8")
     write_bytes(out / page_name(outcome.id), content)
     return hashlib.sha256(content).hexdigest()
+
+
+def _page_removed(out: Path, entry: Entry) -> None:
+    """Remove the page of a submission that is there no more, if it is the one that was written here."""
+    if _page_stands(out, entry, wanted=True):
+        (out / page_name(entry.id)).unlink()
 
 
 def _page_stands(out: Path, entry: Entry, wanted: bool) -> bool:

@@ -55,6 +55,11 @@ class Rubric:
     answers: tuple[Answer, ...] = ()
     confusions: tuple[Confusion, ...] = ()
 
+    @property
+    def is_scaled(self) -> bool:
+        """Return whether the weights of the parts are not the points themselves."""
+        return abs(sum(self.weights.values()) - self.points) > 1e-9 * self.points
+
     def most(self, part: str) -> float:
         """Return the points of a part."""
         total = sum(self.weights.values())
