@@ -13,11 +13,13 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from coursework.grading.marking.grade import GRADED, rounded_points
-from coursework.grading.marking.reasons.reasons import after_decision, decided
+from coursework.grading.marking.late import UNKNOWN
+from coursework.grading.marking.reasons.reasons import after_decision, decided, lost_by_time
 from coursework.grading.marking.rubric import PARTS, Rubric
 from coursework.grading.platforms.cells_of_csv import read_cells
 from coursework.grading.platforms.names import same_key
 from coursework.grading.reading.numbers import printed
+from coursework.grading.reading.submission import note
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say
 
@@ -90,8 +92,8 @@ def _points(text: str, most: float) -> float | None:
     return rounded_points(most * float(number.value) / 100) if share else float(number.value)
 
 
-def overridden(grade: Mapping[str, Any], overrides: Iterable[Override], rubric: Rubric) -> dict[str, Any]:
-    """Return a grade with the decisions in it.
+def overridden(grade: Mapping[str, Any], overrides: Iterable[Override], rubric: Rubric, handed_in: str = "") -> dict[str, Any]:
+    """Return a grade with the decisions in it, and what it loses for being late unless the total was decided.
 
     One about the total gives a number to what had none, and so do those about the parts that had no points, once none is left.
     """
@@ -117,6 +119,29 @@ def overridden(grade: Mapping[str, Any], overrides: Iterable[Override], rubric: 
         changed[number] = rounded_points(sum(part.get("score") or 0.0 for part in parts))
     if changed["score"] is not None:
         changed["reasons"] = [entry for entry in changed.get("reasons", []) if entry["kind"] != "state"]
+    return _after_deadline(changed, rubric, handed_in)
+
+
+def _after_deadline(grade: dict[str, Any], rubric: Rubric, handed_in: str) -> dict[str, Any]:
+    """Return a grade without the points lost by being late; a decision about the total is the last word."""
+    changed = {**grade, "late": None}
+    if rubric.late is None or not changed["files"]:
+        return changed
+    if handed_in == UNKNOWN:
+        changed["notes"] = [*changed["notes"], note("late", "late_unknown").plain()]
+    if (found := rubric.late.share(handed_in)) is None:
+        return changed
+    minutes, share = found
+    number = "score" if changed["score"] is not None else "proposed"
+    earned = changed[number] or 0.0
+    is_decided = any(entry["check"] == "total" for entry in changed["overrides"])
+    lost = 0.0 if is_decided else min(earned, rounded_points(share * rubric.points))
+    changed["late"] = {"minutes": minutes, "lost": lost}
+    said = lost_by_time(minutes, lost, changed["max"])
+    changed["notes"] = [*changed["notes"], {"code": "late", "text": said.text}]
+    if lost:
+        changed[number] = rounded_points(earned - lost)
+        changed["reasons"] = [*changed["reasons"], said.plain()]
     return changed
 
 

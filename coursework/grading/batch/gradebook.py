@@ -18,6 +18,7 @@ from coursework.grading.batch.journal import Entry, Journal
 from coursework.grading.batch.work import REASONS, Outcome, Setup
 from coursework.grading.batch.workers import LIMIT, Keyed, in_processes, on_cluster
 from coursework.grading.collecting.sources import Source
+from coursework.grading.marking.rubric import read_rubric
 from coursework.grading.platforms.names import file_stem
 from coursework.system.whole_files import write_bytes
 
@@ -78,11 +79,12 @@ def grade_class(
     A submission whose files, variant, rubric, decisions and version are those of an earlier run is not graded again.
     """
     by_key, by_id = journal.places()
+    timed = bool(setup.rubric) and read_rubric(setup.rubric).late is not None
     graded = Graded(journal)
     names: dict[str, list[str]] = {}
 
     def fresh() -> Iterator[Keyed]:
-        for task in listed.tasks(source, overrides):
+        for task in listed.tasks(source, overrides, timed):
             key = task.key(setup)
             student = task.submission.id
             if key in by_key and _page_stands(out, journal.read(by_key[key]), setup.pages):

@@ -40,7 +40,7 @@ def submission_record(place: Place, grade: Mapping[str, Any], page: str, words: 
     notes = [*grade["notes"], *([_not_looked_for(grade["hidden"], words)] if grade.get("hidden") else [])]
     if place.row and place.row.locked:
         notes.append({"code": "locked", "text": words.said("reading.note.locked")})
-    page_of = {"overrides": grade.get("overrides", []), "page": page_name(place.id) if page else None}
+    page_of = {"late": grade.get("late"), "overrides": grade.get("overrides", []), "page": page_name(place.id) if page else None}
     return {**head, **kept, "notes": notes, **page_of}
 
 

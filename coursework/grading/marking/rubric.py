@@ -9,8 +9,10 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from datetime import datetime
 from typing import Any
 
+from coursework.grading.marking.late import Late, span
 from coursework.variant.formula.units import UnitFault, read
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
@@ -54,6 +56,7 @@ class Rubric:
     own_equations_floor: float = 0.5
     answers: tuple[Answer, ...] = ()
     confusions: tuple[Confusion, ...] = ()
+    late: Late | None = None
 
     @property
     def is_scaled(self) -> bool:
@@ -77,6 +80,7 @@ class Rubric:
             "table": {name: getattr(self, name) for name in FLOORS},
             "answers": {entry.name: {"of": entry.of, "row": entry.row, "tolerance": entry.tolerance} for entry in self.answers},
             "confusion": [{"datum": c.datum, "value": c.value, "because": c.because} for c in self.confusions],
+            **({"late": self.late.plain()} if self.late else {}),
         }  # fmt: skip
 
 
@@ -89,7 +93,7 @@ def read_rubric(text: str, name: str = "rubric.toml") -> Rubric:
     except RecursionError:
         raise InputError([Fault(say("fault.G065"), name)]) from None
     faults: list[Fault] = []
-    known = ("points", "missing_part", "parts", "table", "answers", "confusion")
+    known = ("points", "missing_part", "parts", "table", "answers", "confusion", "late")
     _refuse_unknown(found, known, "", name, faults)
     parts = _section(found, "parts", PARTS, name, faults)
     table = _section(found, "table", FLOORS, name, faults)
@@ -104,11 +108,12 @@ def read_rubric(text: str, name: str = "rubric.toml") -> Rubric:
     answers = tuple(_answers(found.get("answers", {}), name, faults))
     confusions = tuple(_confusions(found.get("confusion", []), name, faults))
     floors = {key: _number(table, key, getattr(default, key), f"table.{key}", name, faults, most=1.0) for key in FLOORS}
+    late = _late(found["late"], name, faults) if "late" in found else None
     if weights["answers"] and not answers:
         faults.append(Fault(say("fault.G036"), name, place="parts.answers"))
     if faults:
         raise InputError(faults)
-    return Rubric(points, missing, weights, **floors, answers=answers, confusions=confusions)
+    return Rubric(points, missing, weights, **floors, answers=answers, confusions=confusions, late=late)
 
 
 def check_rubric(rubric: Rubric, variant: Variant, name: str = "rubric.toml") -> None:
@@ -179,6 +184,27 @@ def _answers(section: Any, name: str, faults: list[Fault]) -> list[Answer]:
             continue
         found.append(Answer(key, entry["of"], row, _number(entry, "tolerance", READING_TOLERANCE, place, name, faults, 1.0)))
     return found
+
+
+def _late(section: Any, name: str, faults: list[Fault]) -> Late | None:
+    known = ("deadline", "grace", "lost_per_day", "at_most")
+    section = _section({"late": section}, "late", known, name, faults)
+    deadline, grace = section.get("deadline"), section.get("grace", "0 min")
+    try:
+        deadline = datetime.fromisoformat(deadline) if isinstance(deadline, str) else deadline
+    except ValueError:
+        deadline = None
+    if not isinstance(deadline, datetime) or deadline.tzinfo is None:
+        faults.append(Fault(say("fault.G081", deadline=section.get("deadline", "")), name, place="late.deadline"))
+        return None
+    if not isinstance(grace, str) or span(grace) is None:
+        faults.append(Fault(say("fault.G082", grace=grace), name, place="late.grace"))
+        return None
+    shares = {
+        key: _number(section, key, default, f"late.{key}", name, faults, most=1.0)
+        for key, default in (("lost_per_day", 0.1), ("at_most", 1.0))
+    }
+    return Late(deadline, grace, **shares)
 
 
 def _confusions(entries: Any, name: str, faults: list[Fault]) -> list[Confusion]:

@@ -11,9 +11,11 @@ import re
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
+from datetime import datetime
 
 from coursework.grading.platforms.cells_of_csv import CellText, read_cells
 from coursework.grading.platforms.escapes import shown, text_cell
+from coursework.grading.platforms.moodle_times import moodle_time
 from coursework.grading.platforms.names import name_key
 from coursework.grading.reading.numbers import printed
 from coursework.words.errors import Fault, InputError
@@ -34,6 +36,10 @@ _TITLES = {
     "changeable": "grade can be changed,оценка может быть изменена,оцінка може бути змінена,оцінку можна змінити,"
     "bewertung kann geändert werden,la note peut être modifiée,la calificación puede cambiarse,"
     "la calificación puede ser cambiada,成绩可更改,成绩可以更改",
+    "modified": "last modified (submission),последнее изменение (ответ),последнее изменение (представленный ответ),"
+    "остання зміна (поданий матеріал),остання зміна (відповідь),zuletzt geändert (abgabe),"
+    "dernière modification (travail remis),dernière modification (remise),última modificación (entrega),"
+    "última modificación (envío),最后修改 (提交),最后修改(提交),最后修改（提交）,最近修改 (提交)",
     "comment": "feedback comments,отзыв в виде комментария,відгук у формі коментаря,коментарі відгуку,feedback als kommentar,"
     "commentaires de feedback,feedback par commentaires,comentarios de retroalimentación,反馈评论,反馈意见",
 }  # fmt: skip
@@ -48,7 +54,8 @@ _AFTER_MAXIMUM = 4  # whether it can be changed, two times, the comment
 class WorksheetRow:
     """One student of the worksheet; `number` is what stands in the names of the downloaded folders.
 
-    `locked`: Moodle says that the grade cannot be changed.
+    `locked`: Moodle says that the grade cannot be changed; `modified`: when the submission was, by the clock of
+    who downloaded the worksheet.
     """
 
     record: int
@@ -59,6 +66,7 @@ class WorksheetRow:
     grade: str
     name_is_unique: bool
     locked: bool = False
+    modified: datetime | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,6 +126,8 @@ def read_worksheet(content: bytes, file: str) -> Worksheet:
         columns.setdefault("comment", last)
     if "changeable" not in columns:
         columns |= _changeable_column(cells, maximum)
+    if "changeable" in columns:  # the time of the submission stands behind it
+        columns.setdefault("modified", min(columns["changeable"] + 1, last))
     if "email" not in columns:
         columns |= _email_column(cells)
     greatest, mark = _maximum(cells, maximum)
@@ -184,5 +194,6 @@ def _rows(cells: CellText, columns: Mapping[str, int]) -> tuple[WorksheetRow, ..
             record, number[1] if number else "", name, value(record, "email"), value(record, "id_number"),
             value(record, "grade"), names[name_key(name)] == 1,
             value(record, "changeable").casefold() in _NO,
+            moodle_time(value(record, "modified")),
         ))  # fmt: skip
     return tuple(rows)

@@ -72,6 +72,15 @@ def decided(entry: Mapping[str, Any], most: float) -> list[Reason]:
     return [Reason(entry["check"], "decided", text), *told]
 
 
+def lost_by_time(minutes: int | None, lost: float, most: float) -> Reason:
+    """Return what a submission loses for being late, by how much where that is known."""
+    if minutes is None:
+        return Reason("late", "rule", say("feedback.late_by_platform", lost=lost, most=most))
+    hours, rest = divmod(minutes, 60)
+    days, hours = divmod(hours, 24)
+    return Reason("late", "rule", say("feedback.late", days=days, hours=hours, minutes=rest, lost=lost, most=most))
+
+
 def after_decision(found: list[dict[str, str]], decision: list[Reason]) -> list[dict[str, str]]:
     """Return the reasons of a grade after a decision: that about the total speaks for all."""
     part, said = decision[0].part, [reason.plain() for reason in decision]
