@@ -6,7 +6,9 @@ Used by `cli.py`.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -21,15 +23,20 @@ from coursework.grading.batch.work import Setup, Task
 from coursework.grading.batch.workers import trade_of
 from coursework.grading.batch.written import write_gradebook
 from coursework.grading.collecting.sources import Source, collect_one
+from coursework.grading.marking.late import LATE, UNKNOWN
 from coursework.grading.marking.rubric import Rubric, check_rubric, read_rubric
 from coursework.grading.platforms.canvas import read_gradebook
+from coursework.grading.platforms.downloads import canvas_owner
 from coursework.grading.platforms.roster import read_roster
 from coursework.grading.platforms.worksheet import Worksheet, read_worksheet
+from coursework.grading.reading.submission import Submission
 from coursework.system.lock import held, refuse_link
 from coursework.system.pool import Worker
 from coursework.words.custom_templates import templates_in_use
 from coursework.words.errors import Fault, InputError, OutputError
 from coursework.words.sentences import joined, say
+
+MOST_NAMED = 10  # in one line on the screen
 
 
 def grade_source(
@@ -43,6 +50,8 @@ def grade_source(
     tell_own_file(variant or "")
     text = _bytes(rubric).decode("utf-8-sig", errors="replace") if rubric else ""
     marking = read_rubric(text, str(rubric or "rubric"))
+    if marking.is_scaled:
+        tell(say("screen.scaled", sum_of=sum(marking.weights.values()), points=marking.points), err=True)
     if results:
         if variant is None:
             raise InputError(say("fault.C024"))
@@ -76,6 +85,16 @@ def grade_source(
             if len(graded.places) != len(listed.places):
                 raise RuntimeError(f"{len(listed.places)} submissions, {len(graded.places)} grades")
             _tell(listed, graded.fresh, len(graded.changes), out, written, {e.id: e.grade["status"] for e in graded.entries()})
+            if unknown := sum(_time_is_unknown(entry.grade) for entry in graded.entries()):
+                tell(say("screen.late_unknown", count=unknown))
+            if sheet and (locked := [place.id for place in listed.places if place.row and place.row.locked]):
+                tell(
+                    say(
+                        "screen.locked",
+                        count=len(locked),
+                        who=joined(locked[:MOST_NAMED] + ["…"] * (len(locked) > MOST_NAMED), "join.comma"),
+                    )
+                )
             journal.rewrite([graded.places[student] for student in sorted(graded.places)])
     return 0
 
@@ -101,9 +120,20 @@ def _one(
     check_rubric(rubric, chosen)
     submission = collect_one(source)
     with Worker(trade_of(Setup(text, pages=False, memory_mib=memory, language=language), limit)) as worker:
-        outcome = worker.answer(Task(submission, content))
+        outcome = worker.answer(Task(submission, content, handed_in=_handed_in_alone(submission) if rubric.late else ""))
     autograder_results(outcome.grade, results, out / "results.json", language)
     return 0
+
+
+def _time_is_unknown(grade: Mapping[str, Any]) -> bool:
+    """Return whether time mattered and nobody knew it."""
+    return grade.get("late") is None and any(note["code"] == "late" for note in grade["notes"])
+
+
+def _handed_in_alone(submission: Submission) -> str:
+    """Return what is known of when one submission was handed in: that Canvas calls one of its files late, or nothing."""
+    owners = [canvas_owner(file.name) for file in submission.files]
+    return LATE if any(owner and owner.late for owner in owners) else UNKNOWN
 
 
 def _prepare(out: Path, source: Path) -> None:

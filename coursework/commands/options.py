@@ -15,7 +15,7 @@ from typing import Any
 import click
 
 # What a rubric may have; named here for the help, which reads nothing of the grading.
-RUBRIC_KEYS = "points, missing_part, parts, table, answers, conventions, confusion"
+RUBRIC_KEYS = "points, missing_part, parts, table, answers, conventions, confusion, late"
 
 
 class Formats(click.ParamType):  # type: ignore[type-arg]  # generic only in the newest click

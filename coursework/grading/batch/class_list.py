@@ -16,6 +16,7 @@ from coursework.grading.batch.work import Task, VariantSource
 from coursework.grading.collecting.file_lists import FileList
 from coursework.grading.collecting.matching import match
 from coursework.grading.collecting.sources import Source
+from coursework.grading.marking.late import LATE, UNKNOWN
 from coursework.grading.platforms.roster import ACCEPTED, Roster
 from coursework.grading.platforms.worksheet import Worksheet, WorksheetRow
 from coursework.grading.reading.equations.variant_files import is_variant_file
@@ -55,11 +56,26 @@ class ClassList:
     variants: Mapping[str, Variant]
     not_on_roster: tuple[FileList, ...]
 
-    def tasks(self, source: Source, overrides: Mapping[str, tuple[Override, ...]]) -> Iterator[Task]:
-        """Yield the tasks, each with its files read when it is drawn."""
+    def tasks(self, source: Source, overrides: Mapping[str, tuple[Override, ...]], timed: bool = False) -> Iterator[Task]:
+        """Yield the tasks, each with its files read when it is drawn; if `timed`, with when they were handed in."""
         for place in self.places:
             decisions = overrides.get(place.id, ())
-            yield Task(_collected(source, place), self.sources[place.variant], decisions, place.accepted_decimals)
+            yield Task(
+                _collected(source, place),
+                self.sources[place.variant],
+                decisions,
+                place.accepted_decimals,
+                _handed_in(source, place) if timed else "",
+            )
+
+
+def _handed_in(source: Source, place: Place) -> str:
+    """Return when somebody handed in: the worksheet's time, else what Canvas says; "" for in time or nothing."""
+    if place.row and place.row.modified:
+        return place.row.modified.isoformat()
+    if any(file_list.late for file_list in place.file_lists):
+        return LATE
+    return UNKNOWN if place.file_lists and source.platform != "canvas" else ""
 
 
 def _collected(source: Source, place: Place) -> Submission:

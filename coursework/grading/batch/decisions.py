@@ -1,40 +1,53 @@
 """What the instructor decided instead of the marks: read from a file, put into a grade after marking on every run.
 
-Enters: `overrides.csv` (id,check,points,reason), grades.  Leaves: `Override`s by id, changed grades.
+Enters: `overrides.csv` (id,check,points,reason and further columns), grades.  Leaves: `Override`s by id, changed grades.
 Raises `InputError` for what cannot be meant: nothing is graded by half-understood decisions.
 Used by `grading/batch/` and `commands/`.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
 from coursework.grading.marking.grade import GRADED, rounded_points
-from coursework.grading.marking.reasons.reasons import after_decision, decided
+from coursework.grading.marking.late import UNKNOWN
+from coursework.grading.marking.reasons.reasons import after_decision, decided, lost_by_time
 from coursework.grading.marking.rubric import PARTS, Rubric
 from coursework.grading.platforms.cells_of_csv import read_cells
 from coursework.grading.platforms.names import same_key
 from coursework.grading.reading.numbers import printed
+from coursework.grading.reading.submission import note
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say
 
 COLUMNS = ("id", "check", "points", "reason")
+FURTHER = ("say", "appeal", "by", "at", "marker")  # may be absent; `say` is a sentence to the student
 CHECKS = (*PARTS, "total")
+_SHARE = re.compile(r"([^%％]*?)\s*[%％]")
 
 
 @dataclass(frozen=True, slots=True)
 class Override:
-    """What the instructor decided instead: `points` for a part ("table", "equations", "answers") or for the "total"."""
+    """What the instructor decided instead: `points` for a part ("table", "equations", "answers") or for the "total".
+
+    `say` is a sentence to the student; `appeal`, `by`, `at` and `marker` are kept as they stand.
+    """
 
     check: str
     points: float
     reason: str
+    say: str = ""
+    appeal: str = ""
+    by: str = ""
+    at: str = ""
+    marker: str = ""
 
     def plain(self) -> dict[str, Any]:
-        """Return the record as grades.json writes it."""
-        return asdict(self)
+        """Return the record as grades.json writes it: of the further columns those that say something."""
+        return {key: value for key, value in asdict(self).items() if value or key not in FURTHER}
 
 
 def read_overrides(content: bytes, file: str, known: Collection[str], rubric: Rubric) -> dict[str, tuple[Override, ...]]:
@@ -45,7 +58,7 @@ def read_overrides(content: bytes, file: str, known: Collection[str], rubric: Ru
     ids = {same_key(student): student for student in known}
     found: dict[str, list[Override]] = {}
     faults: list[Fault] = []
-    for record, values in cells.named(COLUMNS):
+    for record, values in cells.named((*COLUMNS, *FURTHER)):
         if not any(values.values()):
             continue
         line = cells.records[record][0].line
@@ -59,19 +72,28 @@ def read_overrides(content: bytes, file: str, known: Collection[str], rubric: Ru
             hint = closest(check, CHECKS) or say("hint.known", known=", ".join(CHECKS))
             faults.append(Fault(say("fault.G030", check=values["check"][:80], hint=hint), file, line))
             continue
-        number = printed(values["points"], "," if "," in values["points"] else ".")
         most = rubric.points if check == "total" else rubric.most(check)
-        if not number.is_number or not 0 <= number.value <= most:
+        points = _points(values["points"], most)
+        if points is None:
             faults.append(Fault(say("fault.G031", most=most, points=values["points"][:80]), file, line))
             continue
-        found.setdefault(student, []).append(Override(check, float(number.value), values["reason"]))
+        found.setdefault(student, []).append(Override(check, points, values["reason"], **{key: values[key] for key in FURTHER}))
     if faults:
         raise InputError(faults)
     return {student: tuple(listed) for student, listed in found.items()}
 
 
-def overridden(grade: Mapping[str, Any], overrides: Iterable[Override], rubric: Rubric) -> dict[str, Any]:
-    """Return a grade with the decisions in it.
+def _points(text: str, most: float) -> float | None:
+    """Return the points that a cell means, itself or as a share of `most`, None where it means none from 0 to `most`."""
+    share = _SHARE.fullmatch(text)
+    number = printed(share[1] if share else text, "," if "," in text else ".")
+    if not number.is_number or not 0 <= number.value <= (100 if share else most):
+        return None
+    return rounded_points(most * float(number.value) / 100) if share else float(number.value)
+
+
+def overridden(grade: Mapping[str, Any], overrides: Iterable[Override], rubric: Rubric, handed_in: str = "") -> dict[str, Any]:
+    """Return a grade with the decisions in it, and what it loses for being late unless the total was decided.
 
     One about the total gives a number to what had none, and so do those about the parts that had no points, once none is left.
     """
@@ -97,6 +119,29 @@ def overridden(grade: Mapping[str, Any], overrides: Iterable[Override], rubric: 
         changed[number] = rounded_points(sum(part.get("score") or 0.0 for part in parts))
     if changed["score"] is not None:
         changed["reasons"] = [entry for entry in changed.get("reasons", []) if entry["kind"] != "state"]
+    return _after_deadline(changed, rubric, handed_in)
+
+
+def _after_deadline(grade: dict[str, Any], rubric: Rubric, handed_in: str) -> dict[str, Any]:
+    """Return a grade without the points lost by being late; a decision about the total is the last word."""
+    changed = {**grade, "late": None}
+    if rubric.late is None or not changed["files"]:
+        return changed
+    if handed_in == UNKNOWN:
+        changed["notes"] = [*changed["notes"], note("late", "late_unknown").plain()]
+    if (found := rubric.late.share(handed_in)) is None:
+        return changed
+    minutes, share = found
+    number = "score" if changed["score"] is not None else "proposed"
+    earned = changed[number] or 0.0
+    is_decided = any(entry["check"] == "total" for entry in changed["overrides"])
+    lost = 0.0 if is_decided else min(earned, rounded_points(share * rubric.points))
+    changed["late"] = {"minutes": minutes, "lost": lost}
+    said = lost_by_time(minutes, lost, changed["max"])
+    changed["notes"] = [*changed["notes"], {"code": "late", "text": said.text}]
+    if lost:
+        changed[number] = rounded_points(earned - lost)
+        changed["reasons"] = [*changed["reasons"], said.plain()]
     return changed
 
 

@@ -18,6 +18,7 @@ from coursework.grading.batch.journal import Entry, Journal
 from coursework.grading.batch.work import REASONS, Outcome, Setup
 from coursework.grading.batch.workers import LIMIT, Keyed, in_processes, on_cluster
 from coursework.grading.collecting.sources import Source
+from coursework.grading.marking.rubric import read_rubric
 from coursework.grading.platforms.names import file_stem
 from coursework.system.whole_files import write_bytes
 
@@ -41,7 +42,7 @@ class Options:
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """A grade that is not what it was in the last run."""
+    """A grade that is not what it was in the last run; `after` is "" where the submission is there no more."""
 
     id: str
     before: str
@@ -78,11 +79,12 @@ def grade_class(
     A submission whose files, variant, rubric, decisions and version are those of an earlier run is not graded again.
     """
     by_key, by_id = journal.places()
+    timed = bool(setup.rubric) and read_rubric(setup.rubric).late is not None
     graded = Graded(journal)
     names: dict[str, list[str]] = {}
 
     def fresh() -> Iterator[Keyed]:
-        for task in listed.tasks(source, overrides):
+        for task in listed.tasks(source, overrides, timed):
             key = task.key(setup)
             student = task.submission.id
             if key in by_key and _page_stands(out, journal.read(by_key[key]), setup.pages):
@@ -106,6 +108,10 @@ def grade_class(
             if change := _change(entry, journal.read(by_id[outcome.id]) if outcome.id in by_id else None):
                 graded.changes.append(change)
             progress()
+    for student in by_id.keys() - graded.places.keys():
+        before = journal.read(by_id[student])
+        _page_removed(out, before)
+        graded.changes.append(Change(student, _mark(before), "", "withdrawn"))
     graded.changes.sort(key=lambda change: change.id)
     return graded
 
@@ -117,6 +123,12 @@ def _page_written(out: Path, outcome: Outcome) -> str:
     content = outcome.page.encode("utf-8")
     write_bytes(out / page_name(outcome.id), content)
     return hashlib.sha256(content).hexdigest()
+
+
+def _page_removed(out: Path, entry: Entry) -> None:
+    """Remove the page of a submission that is there no more, if it is the one that was written here."""
+    if _page_stands(out, entry, wanted=True):
+        (out / page_name(entry.id)).unlink()
 
 
 def _page_stands(out: Path, entry: Entry, wanted: bool) -> bool:

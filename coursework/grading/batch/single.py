@@ -26,6 +26,8 @@ def autograder_results(grade: Mapping[str, Any], platform: str, path: Path, lang
         for part in PARTS
         if (found := grade[part]) and (found.get("max") or found.get("score"))
     ]
+    if late := grade.get("late"):
+        parts.append(PartOutcome("late", -late["lost"], 0.0, told(grade, words, "late")))
     output = "\n".join([told(grade, words, "total"), *(entry["text"] for entry in grade["notes"])]).strip()
     problems = [text] if (text := told(grade, words, "")) else []
     outcome = Outcome(grade["status"], grade["score"], float(grade["max"]), output, parts, problems)

@@ -62,19 +62,23 @@ class Setup:
 
 @dataclass(frozen=True, slots=True)
 class Task:
-    """One submission, the variant it is graded by, what the instructor decided about it, the decimals accepted of its class."""
+    """One submission, the variant it is graded by, what the instructor decided about it, the decimals accepted of its class.
+
+    `handed_in` is when, in ISO 8601, or one of the words of `late.py`; "" where it does not matter.
+    """
 
     submission: Submission
     variant: VariantSource
     overrides: tuple[Override, ...] = ()
     accepted_decimals: int | None = None
+    handed_in: str = ""
 
     def key(self, setup: Setup) -> str:
         """Return the content a journal knows this work by, one hash a reason to grade anew; never a path or a clock."""
         looks = (GRADING_VERSION, VERSION, setup.pages, sorted(setup.pieces.items()), setup.language)
         missing = () if pdf.is_readable() else (pdf.EXTRA,)  # with another extra a file may be read that could not be
         parts = {
-            "files": json.dumps(plain_of(self.submission), sort_keys=True),
+            "files": json.dumps(plain_of(self.submission), sort_keys=True) + self.handed_in,
             "variant": " ".join(str(part) for part in (self.variant.sha256, self.accepted_decimals) if part is not None),
             "rubric": setup.rubric,
             "overrides": json.dumps([override.plain() for override in self.overrides]),
@@ -102,7 +106,7 @@ def failed(task: Task, setup: Setup, status: str, reason: Sentence) -> Outcome:
     rubric = read_rubric(setup.rubric)
     words = load_phrases(setup.language)
     why = {"reasons": [state_reason(reason).plain()], "hidden": []}
-    grade = words.throughout(overridden(blank_grade(status, reason, rubric) | why, task.overrides, rubric))
+    grade = words.throughout(overridden(blank_grade(status, reason, rubric) | why, task.overrides, rubric, task.handed_in))
     from coursework.grading.pages.feedback import short_page
 
     page = short_page(task.submission.id, task.submission.name, grade, words) if setup.pages else ""

@@ -59,7 +59,7 @@ class Workshop:
         why = [reason.plain() for reason in reasons(grade)]
         hidden = list((grade.table.hidden if grade.table else None) or ())
         marked = grade.plain() | {"reasons": why, "hidden": hidden}
-        plain = self.words.throughout(overridden(marked, task.overrides, self.rubric))
+        plain = self.words.throughout(overridden(marked, task.overrides, self.rubric, task.handed_in))
         page = feedback_page(grade, submission.id, submission.name, plain, self.words) if self.setup.pages else ""
         return Outcome(submission.id, plain, page)
 

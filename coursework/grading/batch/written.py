@@ -38,7 +38,9 @@ def submission_record(place: Place, grade: Mapping[str, Any], page: str, words: 
     kept = {key: value for key, value in grade.items() if key not in _NOT_IN_JSON}
     head = {"id": place.id, "name": place.name, "variant": place.variant}
     notes = [*grade["notes"], *([_not_looked_for(grade["hidden"], words)] if grade.get("hidden") else [])]
-    page_of = {"overrides": grade.get("overrides", []), "page": page_name(place.id) if page else None}
+    if place.row and place.row.locked:
+        notes.append({"code": "locked", "text": words.said("reading.note.locked")})
+    page_of = {"late": grade.get("late"), "overrides": grade.get("overrides", []), "page": page_name(place.id) if page else None}
     return {**head, **kept, "notes": notes, **page_of}
 
 

@@ -28,7 +28,7 @@ class FileList:
 
     `id` verbatim (NFC), `name` as the platform gives it, `number` the platform's own; `folder` is what Moodle wants
     feedback to be returned under; `review` is why a person must look.  Two that would have one id have ids of their own;
-    `shared` is the one they would have, "" for all others.
+    `shared` is the one they would have, "" for all others; `late` is what the platform says.
     """
 
     id: str
@@ -39,6 +39,7 @@ class FileList:
     notes: tuple[Note, ...] = ()
     review: Sentence | None = None
     shared: str = ""
+    late: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,6 +97,7 @@ def _by_owner(names: Names, owner_of: Callable[[str], Owner | None]) -> list[Fil
         student = first.folder or key
         file_lists.append(FileList(
             student, first.name, tuple(sorted(files.get(key, []))), first.number, first.folder, tuple(notes[key]), review,
+            late=any(owner.late for owner in found),
         ))  # fmt: skip
     return file_lists
 

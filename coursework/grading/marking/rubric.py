@@ -9,14 +9,16 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from datetime import datetime
 from typing import Any
 
+from coursework.grading.marking.late import Late, span
 from coursework.variant.formula.units import UnitFault, read
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say
 
-KEYS = ("points", "missing_part", "parts", "table", "answers", "conventions", "confusion")
+KEYS = ("points", "missing_part", "parts", "table", "answers", "conventions", "confusion", "late")
 PARTS = ("table", "equations", "answers")
 CONVENTIONS = ("accept", "misconception")
 FLOORS = ("carried", "start_floor", "start_floor_several", "misconception_floor", "own_equations_floor")
@@ -60,6 +62,12 @@ class Rubric:
     answers: tuple[Answer, ...] = ()
     confusions: tuple[Confusion, ...] = ()
     clockwise: str = "accept"
+    late: Late | None = None
+
+    @property
+    def is_scaled(self) -> bool:
+        """Return whether the weights of the parts are not the points themselves."""
+        return abs(sum(self.weights.values()) - self.points) > 1e-9 * self.points
 
     def most(self, part: str) -> float:
         """Return the points of a part."""
@@ -79,6 +87,7 @@ class Rubric:
             "answers": {entry.name: {"of": entry.of, "row": entry.row, "tolerance": entry.tolerance} for entry in self.answers},
             "conventions": {"clockwise": self.clockwise},
             "confusion": [{"datum": c.datum, "value": c.value, "because": c.because} for c in self.confusions],
+            **({"late": self.late.plain()} if self.late else {}),
         }  # fmt: skip
 
 
@@ -109,11 +118,12 @@ def read_rubric(text: str, name: str = "rubric.toml") -> Rubric:
     answers = tuple(_answers(found.get("answers", {}), name, faults))
     confusions = tuple(_confusions(found.get("confusion", []), name, faults))
     floors = {key: _number(table, key, getattr(default, key), f"table.{key}", name, faults, most=1.0) for key in FLOORS}
+    late = _late(found["late"], name, faults) if "late" in found else None
     if weights["answers"] and not answers:
         faults.append(Fault(say("fault.G036"), name, place="parts.answers"))
     if faults:
         raise InputError(faults)
-    return Rubric(points, missing, weights, **floors, answers=answers, confusions=confusions, clockwise=clockwise)
+    return Rubric(points, missing, weights, **floors, answers=answers, confusions=confusions, clockwise=clockwise, late=late)
 
 
 def check_rubric(rubric: Rubric, variant: Variant, name: str = "rubric.toml") -> None:
@@ -184,6 +194,27 @@ def _answers(section: Any, name: str, faults: list[Fault]) -> list[Answer]:
             continue
         found.append(Answer(key, entry["of"], row, _number(entry, "tolerance", READING_TOLERANCE, place, name, faults, 1.0)))
     return found
+
+
+def _late(section: Any, name: str, faults: list[Fault]) -> Late | None:
+    known = ("deadline", "grace", "lost_per_day", "at_most")
+    section = _section({"late": section}, "late", known, name, faults)
+    deadline, grace = section.get("deadline"), section.get("grace", "0 min")
+    try:
+        deadline = datetime.fromisoformat(deadline) if isinstance(deadline, str) else deadline
+    except ValueError:
+        deadline = None
+    if not isinstance(deadline, datetime) or deadline.tzinfo is None:
+        faults.append(Fault(say("fault.G081", deadline=section.get("deadline", "")), name, place="late.deadline"))
+        return None
+    if not isinstance(grace, str) or span(grace) is None:
+        faults.append(Fault(say("fault.G082", grace=grace), name, place="late.grace"))
+        return None
+    shares = {
+        key: _number(section, key, default, f"late.{key}", name, faults, most=1.0)
+        for key, default in (("lost_per_day", 0.1), ("at_most", 1.0))
+    }
+    return Late(deadline, grace, **shares)
 
 
 def _confusions(entries: Any, name: str, faults: list[Fault]) -> list[Confusion]:

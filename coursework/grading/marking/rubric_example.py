@@ -13,6 +13,12 @@ _OPTIONAL = {
     "answers": '# wAB = { of = "w2", row = 4, tolerance = 0.05 }\n',
     "confusion": '# [[confusion]]\n# datum = "alpha"\n# value = "0.02 rad"\n# because = "the step under the wrong letter"\n',
 }
+_LATE = """# [late]
+# deadline = 2026-12-01T23:59:00+08:00
+# grace = "15 min"
+# lost_per_day = 0.1
+# at_most = 0.5
+"""
 
 
 def rubric_example() -> str:
@@ -23,7 +29,7 @@ def rubric_example() -> str:
         if isinstance(value, dict):
             lines += [f"[{key}]\n", *(_line(name, worth) for name, worth in value.items())]
         lines += [_OPTIONAL[key]] if key in _OPTIONAL else []
-    return "".join(lines)
+    return "".join([*lines, _LATE])
 
 
 def _line(key: str, value: Any) -> str:

@@ -85,6 +85,8 @@ def _state(state: str) -> Sentence:
 
 def _mark(mark: str, words: Phrases) -> str:
     """Return a grade of changes.csv as a person reads it: points, or a state."""
+    if not mark:
+        return "–"
     return shown_points(float(mark), words) if mark[:1].isdigit() else _state(mark)
 
 

@@ -74,6 +74,11 @@ def feedback_page(grade: Grade, student: str, name: str | None, final: Mapping[s
         for _, most in [grade.part(part)]
     ]
 
+    if late := final.get("late"):
+        parts.append(
+            {"name": say("feedback.part.late"), "points": typeset(shown_points(-late["lost"] or 0.0, words)), "most": ""}
+        )
+
     def lettered(text: str) -> str:
         return _lettered(grade.key, typeset(words.written(text)))
 
@@ -88,7 +93,10 @@ def feedback_page(grade: Grade, student: str, name: str | None, final: Mapping[s
         summary=[lettered(sentence) for sentence in summary(grade)] if "total" not in decided else [],
         notes=[
             lettered(clean(text, LONGEST_TEXT))
-            for text in (words.written(entry.text) for entry in grade.notes if entry.code not in _BESIDE_LINES)
+            for text in (
+                *(words.written(entry.text) for entry in grade.notes if entry.code not in _BESIDE_LINES),
+                *(entry["text"] for entry in final["notes"] if entry["code"] == "late"),
+            )
             if all(text != entry["text"] for entry in final["reasons"])
         ],
         table=_table(grade, grade.table, words) if grade.table else None,

@@ -23,7 +23,7 @@ class Owner:
     """Whose a folder or file is: what is equal for all of one student, the platform's number, the name as it stands there.
 
     `attempt` tells two submissions of one student apart, `folder` is the name that feedback is returned under, `file` the
-    name a file had before the platform changed it ("" for a folder).
+    name a file had before the platform changed it ("" for a folder); `late` says that the platform calls it so.
     """
 
     key: str
@@ -32,6 +32,7 @@ class Owner:
     attempt: str
     folder: str
     file: str
+    late: bool = False
 
 
 def moodle_owner(name: str) -> Owner | None:
@@ -60,4 +61,4 @@ def canvas_owner(name: str) -> Owner | None:
     match = _CANVAS.fullmatch(unicodedata.normalize("NFC", name))
     if not match:
         return None
-    return Owner(match["user"], match["user"], match["name"], match["submission"], "", match["rest"])
+    return Owner(match["user"], match["user"], match["name"], match["submission"], "", match["rest"], bool(match["late"]))

@@ -11,9 +11,11 @@ import re
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
+from datetime import datetime
 
 from coursework.grading.platforms.cells_of_csv import CellText, read_cells
 from coursework.grading.platforms.escapes import shown, text_cell
+from coursework.grading.platforms.moodle_times import moodle_time
 from coursework.grading.platforms.names import name_key
 from coursework.grading.reading.numbers import printed
 from coursework.words.errors import Fault, InputError
@@ -31,16 +33,30 @@ _TITLES = {
     "grade": "grade,оценка,оцінка,bewertung,note,calificación,成绩,评分",
     "maximum": "maximum grade,максимальная оценка,максимальна оцінка,beste bewertung,höchste bewertung,bestmögliche bewertung,"
     "note maximale,calificación máxima,最高分,最高成绩",
+    "changeable": "grade can be changed,оценка может быть изменена,оцінка може бути змінена,оцінку можна змінити,"
+    "bewertung kann geändert werden,la note peut être modifiée,la calificación puede cambiarse,"
+    "la calificación puede ser cambiada,成绩可更改,成绩可以更改",
+    "modified": "last modified (submission),последнее изменение (ответ),последнее изменение (представленный ответ),"
+    "остання зміна (поданий матеріал),остання зміна (відповідь),zuletzt geändert (abgabe),"
+    "dernière modification (travail remis),dernière modification (remise),última modificación (entrega),"
+    "última modificación (envío),最后修改 (提交),最后修改(提交),最后修改（提交）,最近修改 (提交)",
     "comment": "feedback comments,отзыв в виде комментария,відгук у формі коментаря,коментарі відгуку,feedback als kommentar,"
     "commentaires de feedback,feedback par commentaires,comentarios de retroalimentación,反馈评论,反馈意见",
 }  # fmt: skip
+# Whether a grade can be changed, in the same languages.
+_YES = {"yes", "да", "так", "ja", "oui", "sí", "si", "是"}
+_NO = {"no", "нет", "ні", "nein", "non", "否"}
 _MOST_COMMENT = 5000
 _AFTER_MAXIMUM = 4  # whether it can be changed, two times, the comment
 
 
 @dataclass(frozen=True, slots=True)
 class WorksheetRow:
-    """One student of the worksheet; `number` is what stands in the names of the downloaded folders."""
+    """One student of the worksheet; `number` is what stands in the names of the downloaded folders.
+
+    `locked`: Moodle says that the grade cannot be changed; `modified`: when the submission was, by the clock of
+    who downloaded the worksheet.
+    """
 
     record: int
     number: str
@@ -49,6 +65,8 @@ class WorksheetRow:
     id_number: str
     grade: str
     name_is_unique: bool
+    locked: bool = False
+    modified: datetime | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,11 +88,11 @@ class Worksheet:
     def filled(self, marks: Mapping[int, tuple[float | None, str]]) -> bytes:
         """Return the worksheet with points and comments: by `record`, points (None leaves the grade) and text of the comment.
 
-        The comment is plain text; it is escaped as the HTML that Moodle takes it for.
+        The comment is plain text; it is escaped as the HTML that Moodle takes it for.  Locked rows stay as they are.
         """
         changes: dict[tuple[int, int], str] = {}
         for row in self.rows:
-            if row.record not in marks:
+            if row.record not in marks or row.locked:
                 continue
             points, comment = marks[row.record]
             if points is not None:
@@ -106,6 +124,10 @@ def read_worksheet(content: bytes, file: str) -> Worksheet:
     last = len(cells.titles) - 1
     if "maximum" not in found and last >= maximum + _AFTER_MAXIMUM:
         columns.setdefault("comment", last)
+    if "changeable" not in columns:
+        columns |= _changeable_column(cells, maximum)
+    if "changeable" in columns:  # the time of the submission stands behind it
+        columns.setdefault("modified", min(columns["changeable"] + 1, last))
     if "email" not in columns:
         columns |= _email_column(cells)
     greatest, mark = _maximum(cells, maximum)
@@ -136,6 +158,15 @@ def _maximum(cells: CellText, place: int) -> tuple[float, str]:
     return number.value, mark
 
 
+def _changeable_column(cells: CellText, maximum: int) -> dict[str, int]:
+    """Return the first column behind the greatest grades in which nothing but yes or no stands."""
+    width = min(len(record) for record in cells.records)
+    for place in range(maximum + 1, width):
+        if {cells.value(record, place).casefold() for record in range(1, len(cells.records))} <= _YES | _NO:
+            return {"changeable": place}
+    return {}
+
+
 def _email_column(cells: CellText) -> dict[str, int]:
     width = min(len(record) for record in cells.records)
     for place in range(width):
@@ -162,5 +193,7 @@ def _rows(cells: CellText, columns: Mapping[str, int]) -> tuple[WorksheetRow, ..
         rows.append(WorksheetRow(
             record, number[1] if number else "", name, value(record, "email"), value(record, "id_number"),
             value(record, "grade"), names[name_key(name)] == 1,
+            value(record, "changeable").casefold() in _NO,
+            moodle_time(value(record, "modified")),
         ))  # fmt: skip
     return tuple(rows)

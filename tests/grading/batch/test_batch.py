@@ -75,7 +75,7 @@ def test_grades_json_has_the_fixed_keys(graded):
     for entry in document["submissions"]:
         assert set(entry) == {
             "id", "name", "variant", "status", "score", "max", "proposed", "files", "reading", "table", "first_wrong",
-            "equations", "answers", "misconception", "verdicts", "notes", "overrides", "page",
+            "equations", "answers", "misconception", "verdicts", "notes", "late", "overrides", "page",
         }  # fmt: skip
         assert set(entry["table"]) == {
             "state", "score", "max", "rows", "rows_needed", "first_wrong", "wrong_cells", "missing_cells", "carried_cells",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tomllib
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -12,6 +13,7 @@ from coursework.grading.batch.single import autograder_results
 from coursework.grading.batch.work import Setup, Task, VariantSource, failed
 from coursework.grading.batch.workshop import Workshop
 from coursework.grading.marking.key import tables_of
+from coursework.grading.marking.late import LATE
 from coursework.grading.marking.reasons.misconception import misconception_sentence
 from coursework.grading.pages.class_facts import ClassFacts
 from coursework.grading.pages.class_page import class_page
@@ -60,12 +62,17 @@ def test_every_sentence_is_said_in_some_case(said, tmp_path):
     workshop = Workshop(setup)
     facts = ClassFacts()
     words = load_phrases()
+    scored = None
     for student, (files, source, overrides, review) in cases_of_all(VariantSource("s01", text)).items():
         handed = tuple(submitted_file(name, content) for name, content in files.items())
         task = Task(Submission(student, None, handed, review=review), source, overrides)
         outcome = workshop.answer(plain_of(task))
+        scored = task if outcome.grade["score"] and not overrides else scored
         autograder_results(outcome.grade, "gradescope", tmp_path / "results.json", "en")
         facts.add({"id": student, "name": None, "variant": source.name, "page": None} | outcome.grade, outcome.grade["reason"])
+    late = Workshop(Setup(f"{RUBRIC}\n[late]\ndeadline = 2026-12-01T23:59:00Z\n"))
+    for handed_in in ("2026-12-02T12:00:00", LATE):
+        assert late.answer(plain_of(replace(scored, overrides=(), handed_in=handed_in))).grade["late"]["lost"] > 0
     for status in STATES:
         outcome = failed(task, setup, status, say("grading.memory"))
         assert "too much memory" in outcome.page

@@ -10,7 +10,7 @@ from typing import Literal
 
 from coursework.words.sentence import Sentence
 
-Part = Literal["", "table", "equations", "answers", "total"]
+Part = Literal["", "table", "equations", "answers", "total", "late"]
 # What a sentence is about: why there is no number, what was decided, what was found, the sum that the points come from.
 Kind = Literal["state", "decided", "first", "cause", "finding", "note", "rule"]
 LONGEST = 300  # characters of a text that came from a student

@@ -62,21 +62,33 @@ def _part(name: str) -> Part:
     return name  # type: ignore[return-value]
 
 
-def decided(entry: Mapping[str, Any], most: float) -> Reason:
-    """Return what the instructor decided about a part, in the place of all that was found in it."""
+def decided(entry: Mapping[str, Any], most: float) -> list[Reason]:
+    """Return what the instructor decided about a part, and says about it, in the place of all that was found in it."""
     part = say(f"feedback.part.{entry['check']}")
     key = "feedback.override_why" if entry["reason"] else "feedback.override"
     reason = clean(str(entry["reason"]), LONGEST)
-    return Reason(entry["check"], "decided", say(key, check=part, points=float(entry["points"]), most=most, reason=reason))
+    text = say(key, check=part, points=float(entry["points"]), most=most, reason=reason)
+    told = [Reason(entry["check"], "decided", clean(str(entry["say"]), LONGEST))] if entry.get("say") else []
+    return [Reason(entry["check"], "decided", text), *told]
 
 
-def after_decision(found: list[dict[str, str]], reason: Reason) -> list[dict[str, str]]:
+def lost_by_time(minutes: int | None, lost: float, most: float) -> Reason:
+    """Return what a submission loses for being late, by how much where that is known."""
+    if minutes is None:
+        return Reason("late", "rule", say("feedback.late_by_platform", lost=lost, most=most))
+    hours, rest = divmod(minutes, 60)
+    days, hours = divmod(hours, 24)
+    return Reason("late", "rule", say("feedback.late", days=days, hours=hours, minutes=rest, lost=lost, most=most))
+
+
+def after_decision(found: list[dict[str, str]], decision: list[Reason]) -> list[dict[str, str]]:
     """Return the reasons of a grade after a decision: that about the total speaks for all."""
-    if reason.part == "total":
-        return [reason.plain()]
-    place = next((place for place, entry in enumerate(found) if entry["part"] == reason.part), len(found))
-    kept = [entry for entry in found if entry["part"] != reason.part]
-    return [*kept[:place], reason.plain(), *kept[place:]]
+    part, said = decision[0].part, [reason.plain() for reason in decision]
+    if part == "total":
+        return said
+    place = next((place for place, entry in enumerate(found) if entry["part"] == part), len(found))
+    kept = [entry for entry in found if entry["part"] != part]
+    return [*kept[:place], *said, *kept[place:]]
 
 
 def summary(grade: Grade) -> list[Sentence | str]:

@@ -1,0 +1,61 @@
+"""What a late submission loses, by the rubric.
+
+Enters: the section `[late]` of the rubric, when a submission was handed in.  Leaves: `Late`, minutes, shares.
+Used by `rubric.py`, `class_list.py`, `decisions.py`.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from datetime import datetime
+from typing import Any
+
+DAY = 24 * 60 * 60
+UNKNOWN, LATE = "unknown", "late"  # in place of a time: none is known; the platform says no more than that it was late
+_SPAN = re.compile(r"([0-9]+(?:\.[0-9]+)?) ?(s|min|h|d)")
+_SECONDS = {"s": 1, "min": 60, "h": 3600, "d": DAY}
+
+
+@dataclass(frozen=True, slots=True)
+class Late:
+    """The `deadline` with its offset, `grace` as written; shares of the points lost with each begun day, and at most."""
+
+    deadline: datetime
+    grace: str = "0 min"
+    lost_per_day: float = 0.1
+    at_most: float = 1.0
+
+    def share(self, handed_in: str) -> tuple[int | None, float] | None:
+        """Return by how many minutes a submission is late (None: not known) and the share it loses; None for one in time.
+
+        Days begin at the deadline; within `grace` after it nothing is lost.  A time without an offset has the deadline's.
+        """
+        if handed_in == LATE:
+            return None, min(self.at_most, self.lost_per_day)
+        if handed_in in ("", UNKNOWN):
+            return None
+        time = datetime.fromisoformat(handed_in)
+        time = time if time.tzinfo else time.replace(tzinfo=self.deadline.tzinfo)
+        seconds = (time - self.deadline).total_seconds()
+        if seconds <= max(0.0, span(self.grace) or 0.0):
+            return None
+        return math.ceil(seconds / 60), min(self.at_most, self.lost_per_day * math.ceil(seconds / DAY))
+
+    def plain(self) -> dict[str, Any]:
+        """Return the section as it was used, for grades.json."""
+        return {
+            "deadline": self.deadline.isoformat(), "grace": self.grace, "lost_per_day": self.lost_per_day,
+            "at_most": self.at_most,
+        }  # fmt: skip
+
+
+def span(text: str) -> float | None:
+    """Return the seconds of a span such as "15 min", None where it is none.
+
+    >>> span("15 min"), span("1.5 h"), span("soon")
+    (900.0, 5400.0, None)
+    """
+    found = _SPAN.fullmatch(text.strip())
+    return float(found[1]) * _SECONDS[found[2]] if found else None
