@@ -64,7 +64,7 @@ class Position:
         return self.written or self.name
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, weakref_slot=True)
 class VelocityEquations:
     """All velocity equations of a mechanism, those of its [closure] beside them, its symbols and tabulated laws.
 

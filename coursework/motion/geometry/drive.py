@@ -6,7 +6,7 @@ Enters: the drive of a variant.  Leaves: plain functions of time.  Used by `clos
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import lru_cache
+from weakref import WeakKeyDictionary
 
 import numpy as np
 import sympy as sp
@@ -40,7 +40,8 @@ def _gauss_legendre(count: int) -> tuple[Array, Array]:
 _POINTS, _WEIGHTS = _gauss_legendre(POINTS)
 _PIECES_PER_RUN = 240
 _MANY_TURNS = 1e3  # rad
-_REMEMBERED = 32  # scenes and times of which it is known where their drives change quickly
+# Of the scenes that live, by the end of the time looked at.
+_resolved: WeakKeyDictionary[VelocityEquations, dict[float, Resolution]] = WeakKeyDictionary()
 # This part of the run beside a moment, and so many times its usual size, tell that a drive grows beyond bounds there.
 _NEAR, _BEYOND = 1e-6, 1e4
 
@@ -98,10 +99,12 @@ def _split(fine: Array, resolved: Array) -> Array:
 
 def resolution(equations: VelocityEquations, end: float = 0.0) -> Resolution:
     """Return the stretches that resolve every drive up to the end of the run, or further (s), and what integrals leave open."""
-    return _resolution(equations, max(end, equations.variant.time.end))
+    kept, last = _resolved.setdefault(equations, {}), max(end, equations.variant.time.end)
+    if last not in kept:
+        kept[last] = _resolution(equations, last)
+    return kept[last]
 
 
-@lru_cache(maxsize=_REMEMBERED)
 def _resolution(equations: VelocityEquations, end: float) -> Resolution:
     variant, inner = equations.variant, _joints(equations)
     laws = Laws(variant.values, {law.name: law for law in (*variant.drive, *variant.functions)}, equations.tables)

@@ -106,7 +106,8 @@ class Walk:
             if part or state[-1] >= goal:
                 self._arrive(clock, part or reach, goal)
                 return None
-            if max(map(abs, state[:-1].tolist())) > BOUNDLESS:
+            # A length that grows as a determinant vanishes ends at a dead point, which says more.
+            if max(map(abs, state[:-1].tolist())) > BOUNDLESS and min(map(abs, after)) > TOGETHER:
                 raise self._boundless(state)
             nearer = abs(after[block]) < min(abs(self.scaled[block]), self.near)
             self.state, self.scaled, self.length = state, after, following

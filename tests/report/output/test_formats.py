@@ -88,7 +88,7 @@ def test_a_study_as_csv_holds_every_method(study):
 
 
 def test_a_format_that_is_not_offered_is_refused_before_anything_is_measured(folder, monkeypatch):
-    monkeypatch.setattr("coursework.commands.accuracy.load", None)
+    monkeypatch.setattr("coursework.commands.accuracy.variant_of", None)
     result = call("accuracy", "31", "--format", "docx")
     assert result.exit_code == 2
     assert result.stderr == 'C015 "docx" is not a format of the report. Formats: html, pdf, csv.\n'
