@@ -176,6 +176,12 @@ def solution(name: str, t: Any, guess: Numbers) -> Numbers:
 
 
 def places(name: str, t: Any) -> dict[str, Any]:
+    """The points and coordinates at a time, solved once for every precision in which they are asked for."""
+    return _places(name, mp.mpf(t), mp.mp.prec)
+
+
+@cache
+def _places(name: str, t: Any, _precision: int) -> dict[str, Any]:
     """Return places and angles at a time (s), followed from the start in small steps."""
     q: Numbers = [*TRIADS[name].guess]
     for k in range(5):
@@ -183,6 +189,7 @@ def places(name: str, t: Any) -> dict[str, Any]:
     return TRIADS[name].points(q, t)
 
 
+@cache
 def derivative(name: str, quantity: str, t: float, order: int = 1) -> complex:
     """Return a velocity or acceleration by a derivative of the solved motion."""
     return complex(mp.diff(lambda time: places(name, time)[quantity], mp.mpf(t), order))

@@ -15,7 +15,7 @@ from coursework.variant.formula.tree import spelled
 from tests.grading.marking.machines import Machine
 from tests.grading.marking.test_equal_faults import sign_faults, variants
 
-PAIRS = 200
+PAIRS = 120
 
 
 def earned(desk, table, equations=None):
