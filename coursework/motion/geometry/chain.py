@@ -7,7 +7,7 @@ Used by `geometry/`, `exact_scene.py`, `way_to_motion.py`, `settings.py` and `mo
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -19,11 +19,12 @@ from coursework.mechanism.groups import Guide, Pair, group_kind
 from coursework.mechanism.groups.kind import Known
 from coursework.motion.geometry.drive import integrals
 from coursework.motion.geometry.time_derivatives import compile_rows
+from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula, constant, spelled
 from coursework.variant.judging.lengths import refused_length
 from coursework.variant.record.roles import letters_of
-from coursework.variant.record.variant import Group, Variant
+from coursework.variant.record.variant import Coordinate, Group, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import say
@@ -51,17 +52,16 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
 
     What neither a drive nor a group gives keeps its start value: that is right for all times in a chain, else at t = 0 only.
     """
-    rows = len(times)
-    times, kept = _close_together(equations, times)
-    variant = equations.variant
+    variant, rows = equations.variant, len(times)
+    driven = [place for place, coordinate in enumerate(variant.coordinates) if coordinate.rate in variant.known_rates]
+    times, kept, moved = _close_together(equations, [variant.coordinates[place] for place in driven], times)
     names = [c.name for c in variant.coordinates]
     q = np.tile([coordinate.start_or_guess or 0.0 for coordinate in variant.coordinates], (len(times), 1))
-    driven = [place for place, coordinate in enumerate(variant.coordinates) if coordinate.rate in variant.known_rates]
 
     def values(wanted: list[sp.Expr]) -> Array:
         return compile_rows(equations, wanted, 0)(times, q)
 
-    q[:, driven] += integrals(equations, [variant.coordinates[place].rate for place in driven], times)
+    q[:, driven] += moved
     for number, group in enumerate(variant.groups, start=1):
         places = [names.index(name) for name in group.coordinates]
         if group_kind(group.kind).driven:
@@ -87,22 +87,22 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
     return q if len(q) == rows else q[kept]
 
 
-def _close_together(equations: VelocityEquations, times: Array) -> tuple[Array, Array]:
-    """Return times (s) between which no driven angle turns by more than `_TURN`, and the places of those given among them.
+def _close_together(equations: VelocityEquations, driven: Sequence[Coordinate], times: Array) -> tuple[Array, Array, Array]:
+    """Return times (s) between which no driven angle turns by more than `_TURN`, the places of those given among them, and how
+    far the driven coordinates have moved by then (n, k).
 
     An angle that a group gives is known but for whole turns: what has turned further from one row to the next, in a pulse, is
     counted on the way.
     """
-    variant = equations.variant
-    angles = {c.rate for c in variant.coordinates if c.unit == "rad"}
-    driven = [name for name in variant.known_rates if name in angles]
-    found = times
-    for _ in range(_MOST_HALVINGS if driven and len(times) > 1 else 0):
-        wide = np.max(np.abs(np.diff(integrals(equations, driven, found), axis=0)), axis=1) > _TURN
+    rates, angles = [coordinate.rate for coordinate in driven], [coordinate.unit == "rad" for coordinate in driven]
+    found, moved = times, integrals(equations, rates, times)
+    for _ in range(_MOST_HALVINGS if any(angles) and len(times) > 1 else 0):
+        wide = np.max(np.abs(np.diff(moved[:, angles], axis=0)), axis=1) > _TURN
         if not wide.any() or len(found) + wide.sum() > _MOST_TIMES:
             break
         found = np.union1d(found, (found[1:] + found[:-1])[wide] / 2)
-    return found, np.asarray(np.searchsorted(found, times))
+        moved = integrals(equations, rates, found)
+    return found, np.asarray(np.searchsorted(found, times)), moved
 
 
 def _fault(told: Sentence, number: int, group: Group, variant: Variant) -> InputError:
@@ -122,7 +122,7 @@ def _continued(angles: Array, start: float | None) -> Array:
     """Return the angles without jumps, the first one in the turn of `start`."""
     smooth = np.unwrap(angles)
     if start is not None and len(smooth):
-        smooth = smooth + 2 * np.pi * np.round((start - smooth[0]) / (2 * np.pi))
+        smooth = smooth + whole_turns(start - smooth[0])
     return np.asarray(smooth)
 
 

@@ -18,6 +18,7 @@ from coursework.motion.singular.event import Event, GivenUp
 from coursework.motion.singular.peaks import Peaks
 from coursework.motion.singular.scaled_flow import Flow
 from coursework.motion.singular.walk import Walk
+from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array
 
 # The event time is wanted to 1e-8 s; the local tolerance leaves three digits for the sum of all steps.
@@ -75,5 +76,5 @@ def _is_back(flow: Flow, position: Array, start: Sequence[float]) -> bool:
     """Return whether a position (m,) is that of the start but for whole turns of its angles."""
     gap = position - np.asarray(start)
     angles = np.array([coordinate.unit == "rad" for coordinate in flow.equations.variant.coordinates])
-    gap[angles] -= 2 * np.pi * np.round(gap[angles] / (2 * np.pi))
+    gap[angles] -= whole_turns(gap[angles])
     return bool(np.max(np.abs(gap), initial=0.0) < _BACK)

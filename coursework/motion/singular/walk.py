@@ -150,7 +150,7 @@ class Walk:
         allowed[-1] = self.tolerance * self.end
         # A step that sees nothing of a pulse between its points has no error: none reaches beyond the next stretch.
         beyond = bisect_right(self.cells, t) + 1
-        most = self.cells[beyond] - t if beyond < len(self.cells) else math.inf
+        farthest = self.cells[beyond] - t if beyond < len(self.cells) else math.inf
         while True:
             try:
                 after, error = clock.step(self.state, slope, self.length)
@@ -166,8 +166,8 @@ class Walk:
                 raise NotFollowed(say("fault.V512", time=t, reason=why), t, ahead) from fault
             shares = [abs(off) / most for off, most in zip(error, allowed, strict=True)]
             ratio = math.inf if math.isnan(sum(shares)) else max(shares)
-            if (far := float(after[-1]) - t) > most * (1 + AT_END):
-                self.length *= most / far * _SHORT
+            if (far := float(after[-1]) - t) > farthest * (1 + AT_END):
+                self.length *= farthest / far * _SHORT
             elif ratio <= 1.0:
                 self.peaks.see(Piece(self.state, slope, clock, self.length))
                 return after, self.length, next_length(self.length, ratio, 8)

@@ -20,6 +20,7 @@ from coursework.motion.integration.motion import Motion, Stop
 from coursework.motion.integration.passage import Passage
 from coursework.motion.integration.rates import Rates
 from coursework.motion.integration.replay import Replay
+from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags
 from coursework.variant.record.variant import Variant
 from coursework.words.sentences import say
@@ -172,7 +173,7 @@ class Evidence:
         gap = self.table(self.motion) - self.table(self.exact)
         if len(gap) and np.any(np.abs(gap[:, self.angles]) >= np.pi / 2):  # nearer than that no row is a turn from the last
             jumps = np.diff(gap[:, self.angles], axis=0, prepend=0.0)
-            gap[:, self.angles] -= np.cumsum(turns(jumps), axis=0)
+            gap[:, self.angles] -= np.cumsum(whole_turns(jumps), axis=0)
         return np.where(np.abs(gap) < NO_ERROR, 0.0, gap) / self.scales
 
     @cached_property
@@ -204,11 +205,6 @@ def scales_of(spreads: Sequence[float], sizes: Sequence[float], units: Sequence[
         max(spread, OF_SIZE * size, OF_UNIT * widest[unit], still)
         for spread, size, unit in zip(spreads, sizes, units, strict=True)
     ]
-
-
-def turns(differences: Array) -> Array:
-    """Return the whole turns (rad) in each difference of two angles."""
-    return np.asarray(2 * np.pi * np.round(differences / (2 * np.pi)))
 
 
 def worst(shares: Array) -> tuple[int, int]:

@@ -19,6 +19,7 @@ from coursework.motion.geometry.closure import OPEN
 from coursework.motion.geometry.start import START_TOLERANCE
 from coursework.scene.model.data import Data
 from coursework.scene.model.model import Columns, Model
+from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags
 from coursework.variant.record.variant import Group
 
@@ -112,7 +113,7 @@ def _by_groups(model: Model, begin: Array, numbers: Columns, follow: frozenset[s
             coordinate = variant.coordinates[place]
             turned = values
             if coordinate.unit == "rad":
-                turned = values + 2 * np.pi * np.round((np.where(np.isnan(guess), values, guess) - values) / (2 * np.pi))
+                turned = values + whole_turns(np.where(np.isnan(guess), values, guess) - values)
             if coordinate.start is not None and coordinate.name not in follow:
                 doubtful |= ~(np.abs(guess - turned) <= START_TOLERANCE)
             q[place] = turned

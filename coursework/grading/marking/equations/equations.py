@@ -91,10 +91,15 @@ class EquationMarks:
         return tuple(mark for mark in self.marks if mark.verdict == "wrong")
 
     @property
-    def unread(self) -> EquationMark | None:
-        """Return the first line that nobody could read and that may earn points: while equations are missing it is a question."""
+    def questions(self) -> tuple[EquationMark, ...]:
+        """Return the lines that nobody could read and that may earn points: while equations are missing they are questions."""
         missing = self.independent < self.needed
-        return next((mark for mark in self.marks if missing and mark.verdict == "unreadable" and mark.line.relates), None)
+        return tuple(mark for mark in self.marks if missing and mark.verdict == "unreadable" and mark.line.relates)
+
+    @property
+    def unread(self) -> EquationMark | None:
+        """Return the first such line."""
+        return next(iter(self.questions), None)
 
     @property
     def notes(self) -> tuple[Note, ...]:

@@ -9,7 +9,7 @@ from collections.abc import Collection
 from dataclasses import replace
 
 from coursework.grading.reading.student_work import EquationLine
-from coursework.variant.formula.tree import Formula
+from coursework.variant.formula.tree import Formula, mapped
 
 
 def with_other_sign(line: EquationLine, names: Collection[str]) -> EquationLine:
@@ -22,4 +22,4 @@ def with_other_sign(line: EquationLine, names: Collection[str]) -> EquationLine:
 def _negated(tree: Formula, names: Collection[str]) -> Formula:
     if tree.op == "name":
         return Formula("neg", (tree,), column=tree.column) if tree.name in names else tree
-    return replace(tree, args=tuple(_negated(part, names) for part in tree.args))
+    return mapped(tree, lambda part: _negated(part, names))

@@ -33,11 +33,9 @@ def _hint(mark: EquationMark) -> Sentence | str:
 def equation_reasons(marked: EquationMarks, points: float | None, most: float) -> Iterator[Reason]:
     """Give why equations have fewer points than there are; of lines that a person has to look at there is no sum yet."""
     troubled = [mark for mark in marked.marks if mark.verdict == "wrong" or (mark.verdict in COUNTED and mark.lack)]
-    missing = marked.independent < marked.needed
-    unread = [mark for mark in marked.marks if missing and mark.verdict == "unreadable" and mark.line.relates]
-    for mark in (*troubled, *unread)[:MOST_LINES]:
+    for mark in (*troubled, *marked.questions)[:MOST_LINES]:
         yield Reason("equations", "finding", _line(mark))
-    if (more := len(troubled) + len(unread) - MOST_LINES) > 0:
+    if (more := len(troubled) + len(marked.questions) - MOST_LINES) > 0:
         yield Reason("equations", "finding", say("feedback.more_lines", number=more))
     if points is None:
         return

@@ -12,7 +12,7 @@ from coursework.grading.marking.grade import TableMarks
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.reasons.misconception import misconception_sentence
 from coursework.grading.marking.reasons.reason import Reason, in_sum
-from coursework.grading.marking.table.odd_rows import Shift, repeated_rows, shifted_rows
+from coursework.grading.marking.table.odd_rows import Shift, displaced_rows, repeated_rows
 from coursework.grading.marking.table.points import ENOUGH_ROWS, RUN, Earned
 from coursework.grading.marking.verdicts import euler_steps
 from coursework.words.sentence import Sentence
@@ -102,7 +102,7 @@ def _odd_rows(key: Key, marked: TableMarks) -> Iterator[Reason]:
     """Give the rows that stand twice, and those that stand elsewhere than they belong."""
     if rows := repeated_rows(key, marked.cells):
         yield Reason("table", "finding", say_count("feedback.rows.repeated", len(rows), rows=ranges(rows)))
-    for shift in shifted_rows(key, marked.cells)[:_MOST_RUNS]:
+    for shift in displaced_rows(key, marked.cells)[:_MOST_RUNS]:
         yield Reason("table", "finding", _shifted(shift))
 
 

@@ -109,6 +109,17 @@ class Cells:
         return np.isin(self.marks, CARRIED)
 
 
+def as_printed(key: Key, units: Array) -> Array:
+    """Return by how much cells with these last places may lie from what they stand for: their digits, and round-off."""
+    return HALF * units + SLACK * key.ranges
+
+
+def alike(key: Key, student: StudentTable, table: Array) -> Flags:
+    """Return which cells (n, m + r) are those of a table, as far as they are printed; what is missing is none."""
+    with np.errstate(invalid="ignore"):
+        return np.asarray(np.abs(student.values - table) <= as_printed(key, student.units))
+
+
 def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> Cells:
     """Return the marks of every cell; `table` (n, m + r) is what stands for the key's where the motion begins elsewhere."""
     table = key.table if table is None else table
@@ -116,7 +127,7 @@ def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> C
     steps, coarse, computed_to = _steps(key, student)
     own = _own_angles(key, student, coarse)
     ways = (
-        Way(KEY, table, HALF * student.units + SLACK * key.ranges),
+        Way(KEY, table, as_printed(key, student.units)),
         own,
         _own_velocities(key, student, coarse),
         steps,

@@ -13,6 +13,7 @@ import numpy as np
 
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import ANGLES, EARLIER, KEY, LEAST, Cells, StudentTable, mark_cells
+from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags
 
 # This part of the cells of every column that have a sign must have the other one: a slip or two may stand among them.
@@ -86,7 +87,7 @@ def _begins_mirrored(key: Key, student: StudentTable) -> bool:
 
 
 def _rest(angle: Array) -> Array:
-    return np.asarray(angle - 2 * np.pi * np.round(angle / (2 * np.pi)))
+    return np.asarray(angle - whole_turns(angle))
 
 
 def _whole_turns_off(angle: Array) -> Array:

@@ -12,7 +12,7 @@ import numpy as np
 
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.rubric import Rubric
-from coursework.grading.marking.table.cells import HALF, SLACK, Cells
+from coursework.grading.marking.table.cells import Cells, alike
 from coursework.grading.marking.table.misconceptions import OTHER_STEP, ROWS_SHIFTED, Found
 from coursework.grading.marking.table.own_equations import OWN
 from coursework.grading.marking.table.points import Earned, Rule, TablePoints, stands_still, table_points
@@ -48,9 +48,8 @@ def _is_row(key: Key, cells: Cells, table: Array) -> bool:
     """Return whether row 1 is that of another table."""
     if table.shape != key.table.shape:
         return False
-    with np.errstate(invalid="ignore"):
-        off = np.abs(cells.student.values[0] - table[0]) > HALF * cells.student.units[0] + SLACK * key.ranges
-    return not off.any()
+    first = cells.student.values[:1]
+    return bool(np.all(alike(key, cells.student, table)[:1] | np.isnan(first)))
 
 
 def _by_explanation(rubric: Rubric, points: TablePoints, found: Found) -> Iterator[Earned]:

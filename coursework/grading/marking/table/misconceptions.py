@@ -16,13 +16,12 @@ from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import (
     ANGLES,
     EARLIER,
-    HALF,
     KEY,
-    SLACK,
     STEP,
     STEP_TRUE,
     Cells,
     StudentTable,
+    alike,
     mark_cells,
 )
 from coursework.grading.marking.table.claims import Claim, TableUnderTest
@@ -146,7 +145,7 @@ def explanations(
     for fitting in sorted(fits.values(), key=lambda found: -found.share)[:_CLOSER]:
         claim, holds = tables[fitting.code]
         if claim.table is not None and fitting.share < _WHOLE:
-            near = np.abs(cells.student.values - claim.table()) <= HALF * cells.student.units + SLACK * key.ranges
+            near = alike(key, cells.student, claim.table())
             fit = explained_share(key, cells, holds | near, only_velocities=claim.code == OTHER_STEP)
             fits[claim.code] = replace(fitting, share=max(fit, fitting.share))
     if own := _other_step(key, cells):
@@ -171,10 +170,8 @@ def explanations(
 
 def _as_it_stood(key: Key, put_back: Cells) -> Flags:
     """Return which cells of rows that were put back are the key's where they stood before."""
-    student = put_back.student
-    around = np.stack([np.roll(key.table, by, axis=0) for by in (1, -1)])
-    with np.errstate(invalid="ignore"):
-        return np.asarray(np.any(np.abs(student.values - around) <= HALF * student.units + SLACK * key.ranges, axis=0))
+    before, after = (alike(key, put_back.student, np.roll(key.table, by, axis=0)) for by in (1, -1))
+    return before | after
 
 
 def _other_step(key: Key, cells: Cells) -> tuple[float, float] | None:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.cells import HALF, SLACK, Cells
+from coursework.grading.marking.table.cells import Cells, as_printed
 from coursework.system.arrays import Array, Flags
 
 # Rows that must follow each other shifted by as much, before anybody speaks of a shift; how far one is looked for.
@@ -36,7 +36,7 @@ def repeated_rows(key: Key, cells: Cells) -> tuple[int, ...]:
     return tuple((np.flatnonzero(whole & (moves & there).any(axis=1)) + 2).tolist())
 
 
-def shifted_rows(key: Key, cells: Cells) -> tuple[Shift, ...]:
+def displaced_rows(key: Key, cells: Cells) -> tuple[Shift, ...]:
     """Return the runs of rows that are rows of the key, but others than where they stand."""
     count = len(key.table)
     at_home = _rows_alike(key, cells, 0)
@@ -62,7 +62,7 @@ def _rows_alike(key: Key, cells: Cells, by: int) -> Flags:
 
 
 def _tolerance(key: Key, cells: Cells) -> Array:
-    return HALF * np.nan_to_num(cells.student.units) + SLACK * key.ranges
+    return as_printed(key, np.nan_to_num(cells.student.units))
 
 
 def _runs(rows: Flags, by: int) -> list[Shift]:

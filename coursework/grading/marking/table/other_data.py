@@ -14,9 +14,10 @@ from itertools import combinations
 import numpy as np
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.cells import HALF, SLACK, StudentTable
+from coursework.grading.marking.table.cells import HALF, SLACK, StudentTable, as_printed
 from coursework.grading.marking.table.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.shifted import put_back
+from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array
 
 FACTORS = (10.0, 0.1, 2.0, 0.5, -1.0)
@@ -49,7 +50,7 @@ def other_tables(printed: TableUnderTest, others: Mapping[str, Array]) -> Iterat
     key = printed.key
     exact = np.full_like(key.table, np.nan)
     exact[: len(key.exact)] = key.exact[: len(exact)]
-    tolerance = HALF * units + SLACK * key.ranges
+    tolerance = as_printed(key, units)
     yield Claim("exact", exact, tolerance, is_whole=True)
     for name, table in others.items():
         if table.shape == key.table.shape:
@@ -86,7 +87,7 @@ def _exchanged(printed: TableUnderTest) -> Iterator[Claim]:
     """Two columns of one kind exchanged; whole turns are taken off after they are put back."""
     key, student, m = printed.key, printed.student, printed.m
     turns = np.zeros(len(key.names)) if student.turns is None else student.turns
-    tolerance = HALF * np.nan_to_num(student.units) + SLACK * key.ranges
+    tolerance = as_printed(key, np.nan_to_num(student.units))
     with np.errstate(invalid="ignore"):
         as_it_is = np.abs(student.values - key.table) <= tolerance
     for first, second in combinations(range(len(key.names)), 2):
@@ -113,7 +114,7 @@ def _turns(key: Key, place: int, values: Array) -> float:
     off = (values - key.table[:, place])[np.isfinite(values)]
     if key.variant.unit_of(key.names[place]) != "rad" or not len(off):
         return 0.0
-    return float(_TURN * np.round(off[0] / _TURN))
+    return float(whole_turns(off[0]))
 
 
 def _as_euler(code: str, student: StudentTable, names: tuple[str, ...] = ()) -> Claim:

@@ -73,8 +73,7 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
     used = np.zeros_like(right)
     used[1:, :m] = right[:-1, m : 2 * m] & (_moves(cells.student.values[:, :m]) | ~_moves(key.table[:, :m]))
     velocities = cells.carried & ~steps
-    # What never changes is right in any row, whatever else stands there.
-    still = right & (key.ranges <= _CONSTANT * np.max(np.abs(key.table), axis=0))
+    still = right & _constant(key)
     shut = {
         "start": cells.carried & (_begins_wrong(cells, m) or (bool(cells.wrong[0, m:].any()) and not works)),
         "used_velocity": steps & ~used,
@@ -95,6 +94,11 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
     # The start values are given and earn nothing; one that is copied wrong is a wrong cell like any other.
     earned = max(float(credit.sum()) - int(cells.wrong[:1, :m].sum()), 0.0)
     return TablePoints(earned / count if count else 0.0, count, start_right, counts, uncounted)
+
+
+def _constant(key: Key) -> Flags:
+    """Return which columns (m + r,) never change: what stands there is right in any row, whatever else does."""
+    return np.asarray(key.ranges <= _CONSTANT * np.max(np.abs(key.table), axis=0))
 
 
 def _begins_wrong(cells: Cells, m: int) -> bool:
@@ -120,8 +124,7 @@ def explained_share(key: Key, cells: Cells, holds: Flags, *, only_velocities: bo
     counts = np.zeros_like(holds)
     counts[1:, :m] = steps
     counts[:, m:] = holds[:, m:] & _following(q, steps, np.asarray(moves.any(axis=1)))[:, None]
-    still = key.ranges <= _CONSTANT * np.max(np.abs(key.table), axis=0)
-    counts |= by_key & cells.counted & _in_a_run(by_key) & ~still
+    counts |= by_key & cells.counted & _in_a_run(by_key) & ~_constant(key)
     if only_velocities:
         counts[:, :m] = False
     return float(counts.sum()) / max(int(cells.counted.sum()), 1)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from coursework.grading.marking.table.cells import HALF, SLACK, StudentTable
+from coursework.grading.marking.table.cells import StudentTable, alike
 from coursework.grading.marking.table.claims import TableUnderTest
 from coursework.system.arrays import Array
 
@@ -47,8 +47,8 @@ def _right(printed: TableUnderTest, by: int) -> Array:
     t = np.asarray(key.t + by * key.step)
     after = np.hstack([last, key.velocities_at(t[-1:], last)])
     table = np.vstack([np.full_like(after, np.nan), key.table, after])[1 + by : 1 + by + len(values)]
+    right = alike(key, printed.student, table)
     with np.errstate(invalid="ignore"):
-        right = np.abs(values - table) <= HALF * printed.student.units + SLACK * key.ranges
         own = np.abs(values[:, m:] - key.velocities_at(t, printed.q)) <= printed.true_velocities[1]
     right[:, m:] |= own & (t >= 0)[:, None]
     return np.asarray(right.sum(axis=1), dtype=float)

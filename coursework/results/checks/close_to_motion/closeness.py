@@ -9,8 +9,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from coursework.results.checks.evidence import LIMIT, Evidence, turns, worst
+from coursework.results.checks.evidence import LIMIT, Evidence, worst
 from coursework.results.checks.result import Finding, percent, skipped
+from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array
 from coursework.words.sentences import say
 
@@ -83,7 +84,7 @@ def _spoilt(evidence: Evidence) -> tuple[int, str, float] | None:
 
     def shares(made: Array, rows: Array) -> Array:
         gaps = rows - made
-        return np.asarray(np.abs(gaps - np.where(angles, turns(gaps), 0.0)) / scales)
+        return np.asarray(np.abs(gaps - np.where(angles, whole_turns(gaps), 0.0)) / scales)
 
     suspicious = ~(np.max(shares(replay.rows(motion), motion.rows), axis=1) <= SPOILT)
     for row in np.flatnonzero(suspicious).tolist():

@@ -15,8 +15,9 @@ from coursework.equations.codegen.tabulated import OutsideTable
 from coursework.motion.geometry.drive import breaks
 from coursework.motion.integration.exact_motion import refine
 from coursework.motion.integration.hermite import hermite
-from coursework.results.checks.evidence import LIMIT, NO_ERROR, Evidence, turns, worst
+from coursework.results.checks.evidence import LIMIT, NO_ERROR, Evidence, worst
 from coursework.results.checks.result import Finding, percent, skipped
+from coursework.system.angles import whole_turns
 
 Array = NDArray[Any]
 HALVINGS = 40
@@ -90,7 +91,7 @@ class _Brackets(NamedTuple):
     def shares(self, evidence: Evidence) -> Array:
         change = self.high - self.low
         angles = np.array([evidence.unit(name) == "rad" for name in evidence.names])[self.column]
-        change = np.abs(np.where(angles, change - turns(change), change))
+        change = np.abs(np.where(angles, change - whole_turns(change), change))
         return np.where(change < NO_ERROR, 0.0, change / evidence.scales[self.column])
 
 

@@ -25,8 +25,9 @@ from coursework.results.checks.close_to_motion.several_periods import (
     missed,
     share_of,
 )
-from coursework.results.checks.evidence import LIMIT, NEAR_PERIOD, NO_ERROR, Evidence, turns
+from coursework.results.checks.evidence import LIMIT, NEAR_PERIOD, NO_ERROR, Evidence
 from coursework.results.checks.result import Finding, percent, skipped
+from coursework.system.angles import whole_turns
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
@@ -56,10 +57,10 @@ def mismatch(evidence: Evidence) -> tuple[Split, ...] | None:
         return None
     rows = motion.rows
     angles = np.array([evidence.unit(name) == "rad" for name in motion.names])
-    turned = np.where(angles, turns(rows[row] - rows[0]), 0.0)
+    turned = np.where(angles, whole_turns(rows[row] - rows[0]), 0.0)
     last = rows[row] - turned
     true = np.array([exact.column(name)[row] - exact.column(name)[0] for name in motion.names])
-    period = true - np.where(angles, turns(true), 0.0)
+    period = true - np.where(angles, whole_turns(true), 0.0)
     roundoff = np.zeros(len(last))
     if evidence.extended_precision is not None:
         count = len(motion.coordinate_names)

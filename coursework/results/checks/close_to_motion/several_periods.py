@@ -11,7 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from coursework.motion.integration.finer import exact_at
-from coursework.results.checks.evidence import NO_ERROR, Evidence, turns
+from coursework.results.checks.evidence import NO_ERROR, Evidence
+from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array
 
 # Part of the scale by which the exact motion may miss its start after the stated period.  Measured over 38 stated periods:
@@ -59,7 +60,7 @@ def ends(evidence: Evidence, row: Array, name: str) -> tuple[float, float]:
     exact = evidence.exact
     assert exact is not None
     first, last = float(exact.column(name)[0]), float(row[exact.names.index(name)])
-    return first, last - float(turns(np.array(last - first))) if evidence.unit(name) == "rad" else last
+    return first, last - float(whole_turns(last - first)) if evidence.unit(name) == "rad" else last
 
 
 def missed(evidence: Evidence, row: Array, name: str) -> float:
@@ -108,7 +109,7 @@ def _lateness(evidence: Evidence, gains: Array, driven: list[str]) -> Array:
     assert exact is not None
     for name in driven:
         turned = gains[:, exact.coordinate_names.index(name)]
-        whole = turns(turned)
+        whole = whole_turns(turned)
         if evidence.unit(name) == "rad" and np.all(whole != 0):
             return np.asarray(turned / whole)
     return np.ones(len(gains))
