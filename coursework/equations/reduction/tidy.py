@@ -27,7 +27,10 @@ Atoms = dict[sp.Expr, int]
 
 
 class Order:
-    """The author's order: names and functions as they first appear in the equations; and `sums` that he writes as one."""
+    """The author's order: names and functions as they first appear in the equations; and `sums` that he writes as one.
+
+    `has_decimals`: lengths stand in his formulas as 0.02, so a factor is written so too, and not as 1/50; 0.5 is any half.
+    """
 
     def __init__(self, formulas: list[Formula], variant: Variant) -> None:
         names = [name for formula in formulas for name in formula.names()]
@@ -37,6 +40,8 @@ class Order:
         self._declared = variant.names
         calls = [node.name for formula in formulas for node in formula.walk() if node.op == "call"]
         self._calls = {name: place for place, name in enumerate(dict.fromkeys([*calls, "cos", "sin"]))}
+        written = {node.name for formula in formulas for node in formula.walk() if node.op == "number"}
+        self.has_decimals = any(Fraction(name).denominator > 2 for name in written)
         self.sums = written_sums(formulas, frozenset(g.name for g in variant.given))
 
     def rank(self, atom: sp.Expr) -> tuple[int, ...]:
@@ -102,7 +107,15 @@ def quotient(above: sp.Expr, bottom: Product, order: Order) -> Formula:
     up, down = top.terms, bottom.terms
     if up == down:
         up = down = ()
-    return _fraction(top.factor / bottom.factor, atoms, up, down, order)
+    (above_all, up), (below_all, down) = _as_given(top.factor, up, order), _as_given(bottom.factor, down, order)
+    return _fraction(above_all / below_all, atoms, up, down, order)
+
+
+def _as_given(factor: Fraction, terms: tuple[Term, ...], order: Order) -> tuple[Fraction, tuple[Term, ...]]:
+    """Return a factor put back into a sum of different ones where lengths are decimals: 0.02 and 0.25, not 0.01, 2 and 25."""
+    if not order.has_decimals or all(abs(own) == 1 for own, _ in terms):
+        return factor, terms
+    return Fraction(1 if factor > 0 else -1), tuple((own * abs(factor), atoms) for own, atoms in terms)
 
 
 def as_formula(expr: sp.Expr, order: Order) -> Formula:
@@ -232,14 +245,18 @@ def _fraction(factor: Fraction, atoms: Atoms, up: tuple[Term, ...], down: tuple[
         return number(factor)
     above = {atom: power for atom, power in atoms.items() if power > 0}
     below = {atom: -power for atom, power in atoms.items() if power < 0}
-    top = _factors(abs(factor.numerator), above, up, order)
-    bottom = _factors(factor.denominator, below, down, order)
+    value = number(abs(factor))
+    if value.op != "number" or not order.has_decimals:
+        value, divisor = number(abs(factor.numerator)), number(factor.denominator)
+    else:
+        divisor = number(1)
+    top, bottom = _factors(value, above, up, order), _factors(divisor, below, down, order)
     tree = Formula("/", (top, bottom)) if bottom != number(1) else top
     return Formula("neg", (tree,)) if factor < 0 else tree
 
 
-def _factors(numeral: int, atoms: Atoms, terms: tuple[Term, ...], order: Order) -> Formula:
-    parts = [] if numeral == 1 else [number(numeral)]
+def _factors(numeral: Formula, atoms: Atoms, terms: tuple[Term, ...], order: Order) -> Formula:
+    parts = [] if numeral == number(1) else [numeral]
     for atom, power in sorted(atoms.items(), key=lambda item: order.rank(item[0])):
         base = _argument(atom, order) if atom in order.sums else _plain(atom, order)
         parts.append(base if power == 1 else Formula("^", (base, number(power))))
