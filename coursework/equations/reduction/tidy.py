@@ -24,6 +24,7 @@ from coursework.variant.record.variant import Variant
 # Beyond this many operations a formula is shown as it is: nobody reads it, and expanding it costs.
 MAX_OPERATIONS = 400
 Atoms = dict[sp.Expr, int]
+_ONE = Fraction(1)
 
 
 class Order:
@@ -108,7 +109,7 @@ def quotient(above: sp.Expr, bottom: Product, order: Order) -> Formula:
     if up == down:
         up = down = ()
     (above_all, up), (below_all, down) = _as_given(top.factor, up, order), _as_given(bottom.factor, down, order)
-    return _fraction(above_all / below_all, atoms, up, down, order)
+    return _fraction(above_all, atoms, up, down, order, below_all)
 
 
 def _as_given(factor: Fraction, terms: tuple[Term, ...], order: Order) -> tuple[Fraction, tuple[Term, ...]]:
@@ -240,19 +241,30 @@ def _addition(
     return None
 
 
-def _fraction(factor: Fraction, atoms: Atoms, up: tuple[Term, ...], down: tuple[Term, ...], order: Order) -> Formula:
-    if factor == 0 or not (atoms or up or down):
-        return number(factor)
+def _fraction(
+    factor: Fraction, atoms: Atoms, up: tuple[Term, ...], down: tuple[Term, ...], order: Order, by: Fraction = _ONE
+) -> Formula:
+    value = factor / by
+    if value == 0 or not (atoms or up or down):
+        return number(value)
     above = {atom: power for atom, power in atoms.items() if power > 0}
     below = {atom: -power for atom, power in atoms.items() if power < 0}
-    value = number(abs(factor))
-    if value.op != "number" or not order.has_decimals:
-        value, divisor = number(abs(factor.numerator)), number(factor.denominator)
-    else:
-        divisor = number(1)
-    top, bottom = _factors(value, above, up, order), _factors(divisor, below, down, order)
+    numeral, divisor = _numerals(abs(factor), abs(by)) if order.has_decimals else _integers(abs(value))
+    top, bottom = _factors(numeral, above, up, order), _factors(divisor, below, down, order)
     tree = Formula("/", (top, bottom)) if bottom != number(1) else top
-    return Formula("neg", (tree,)) if factor < 0 else tree
+    return Formula("neg", (tree,)) if value < 0 else tree
+
+
+def _integers(value: Fraction) -> tuple[Formula, Formula]:
+    return number(value.numerator), number(value.denominator)
+
+
+def _numerals(factor: Fraction, by: Fraction) -> tuple[Formula, Formula]:
+    """Return a factor above and one below as decimals, the quotient of the two where it is one: 0.4; 0.08 and 0.27."""
+    for above, below in ((factor / by, _ONE), (factor, by)):
+        if all(number(part).op == "number" for part in (above, below)):
+            return number(above), number(below)
+    return _integers(factor / by)
 
 
 def _factors(numeral: Formula, atoms: Atoms, terms: tuple[Term, ...], order: Order) -> Formula:

@@ -33,6 +33,11 @@ def test_a_length_is_printed_as_the_file_gave_it(length, factor):
         assert found["w2"].startswith(f"-{spelled(number(Fraction(length) * 4))}*w1*cos(phi1)")
 
 
+def test_a_quotient_of_two_lengths_that_is_no_decimal_keeps_both():
+    found = solved(NEEDLE.replace("{r}", "0.08").replace("0.25", "0.27"))
+    assert found["w2"] == "-0.08*w1*cos(phi1)/(0.27*cos(phi2))"
+
+
 def test_half_a_link_is_no_decimal():
     shown = str([spelled(formula) for pairs in coursework.solve("31").solutions for _, formula in pairs])
     assert "0.5" not in shown
