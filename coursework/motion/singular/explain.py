@@ -43,7 +43,7 @@ def explain(
     cause = joined([say("event.cause", where=where, unknowns=block.unknowns, which=which), _together(event, reduction)])
     holds = block.meaning
     if block.determinant is not None:
-        holds = meaning_of(block.determinant, equations.variant, block.equations, coordinates)
+        holds = meaning_of(block.determinant, equations.variant, block.unknowns, coordinates)
     kept = say("event.kept", row=rows) if rows else say("event.none_kept")
     if branches is None:
         event, branches = replace(event, kind="dead point"), ()
