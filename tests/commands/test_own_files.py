@@ -84,6 +84,17 @@ def texts(*names):
         yield name, file_of(name)
 
 
+def test_guides_that_become_parallel_carry_their_hinge_away_and_nothing_is_drawn_there():
+    text = file_of("slots").replace('w2 = "-0.4*n2*sin(n2*t)"', 'w2 = "n2"')
+    stop = solved(text).stop
+    # The guides turn at pi/2 from phi1 and -pi/2 from phi2: parallel where phi2 - phi1 is half a turn.
+    turn = mp.mpf(4) / 3 * mp.pi
+    time = mp.findroot(lambda t: 2 * mp.pi / 3 + turn * t - mp.pi / 6 - mp.sin(turn * t) / 2 - mp.pi, 0.3)
+    assert stop.time == pytest.approx(float(time), abs=1e-7) and set(stop.coordinates) == {"phi1", "phi2"}
+    assert "Towards it the way along the guides (s3 and s4) grows beyond all bounds" in str(stop.meaning)
+    assert "asks for" not in str(stop.meaning)
+
+
 def test_what_swings_and_what_turns_with_a_crank_is_said_of_the_data():
     found = meanings(solved(file_of("slots")).scene.mechanism)
     assert (str(found["swing1"]), str(found["delta4"])) == ("amplitude of phi1", "angle from AB to BF")
