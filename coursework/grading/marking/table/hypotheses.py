@@ -6,7 +6,7 @@ Used by `misconceptions.py`; what was made with other numbers stands in `other_d
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 
@@ -45,15 +45,15 @@ def claims(
         yield replace(printed.claim("clockwise"), student=back)
     if printed.closely:
         yield from shifted_rows(printed)
-    yield from _schemes(printed)
-    yield from _shifted_rows(printed)
-    yield from _steps(printed)
-    yield from _velocities(printed, () if back is None else ("sign_drive",))
-    yield from other_data(printed, confusions)
-    yield from other_tables(printed, others)
-    yield from other_columns(printed)
+    families: list[Callable[[TableUnderTest], Iterator[Claim]]] = [
+        _schemes, _shifted_rows, _steps, partial(_velocities, apart=() if back is None else ("sign_drive",)),
+        partial(other_data, confusions=confusions), partial(other_tables, others=others), other_columns,
+    ]  # fmt: skip
     if printed.closely:
-        yield from equation_claims(printed, equations)
+        families.append(partial(equation_claims, marks=equations))
+    for family in families:
+        for claim in family(printed):
+            yield replace(claim, family=family)
 
 
 def _schemes(printed: TableUnderTest) -> Iterator[Claim]:

@@ -13,23 +13,14 @@ import numpy as np
 
 from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.cells import (
-    ANGLES,
-    EARLIER,
-    KEY,
-    STEP,
-    STEP_TRUE,
-    Cells,
-    StudentTable,
-    alike,
-    mark_cells,
-)
+from coursework.grading.marking.table.cells import Cells, alike, mark_cells
 from coursework.grading.marking.table.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.hypotheses import claims
 from coursework.grading.marking.table.own_equations import OWN
 from coursework.grading.marking.table.own_rows import on_own_rows
 from coursework.grading.marking.table.points import explained_share
 from coursework.grading.marking.table.starts import cells_from_own_start, other_starts
+from coursework.grading.marking.table.ways import KEY, StudentTable
 from coursework.system.arrays import Array, Flags
 
 # Named from this share on, if it explains this much more than Euler's rules do; nearly as good ones are ties.
@@ -42,7 +33,6 @@ ALIKE = 0.98
 _CLOSER, _WHOLE = 3, 0.995
 _ROUND_OFF = 1e-9
 OTHER_STEP, ROWS_SHIFTED = "other_step", "rows_shifted"
-_STEPS, _VELOCITIES = (STEP, STEP_TRUE), (KEY, ANGLES, EARLIER)
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,16 +127,18 @@ def explanations(
         if share >= NAMED and share > against + BETTER and (known is None or share > known[0]) and claim.code != OWN:
             named[claim.code] = share, against, claim.names
         if claim.code == ROWS_SHIFTED:
-            holds = holds | _as_it_stood(key, put_right)
+            put_right.marks[_as_it_stood(key, put_right)] = KEY
         fit = explained_share(key, put_right, holds, only_velocities=claim.code == OTHER_STEP)
         if fit > euler_fit + BETTER and (claim.code not in fits or fit > fits[claim.code].share):
             fits[claim.code] = Fit(claim.code, fit, claim.names)
             tables[claim.code] = claim, holds
     for fitting in sorted(fits.values(), key=lambda found: -found.share)[:_CLOSER]:
         claim, holds = tables[fitting.code]
-        if claim.table is not None and fitting.share < _WHOLE:
-            near = alike(key, cells.student, claim.table())
-            fit = explained_share(key, cells, holds | near, only_velocities=claim.code == OTHER_STEP)
+        if claim.student is None and fitting.share < _WHOLE:
+            if claim.table is not None:
+                holds = holds | alike(key, cells.student, claim.table())
+            holds = holds | _as_it_was(key, cells, claim)
+            fit = explained_share(key, cells, holds, only_velocities=claim.code == OTHER_STEP)
             fits[claim.code] = replace(fitting, share=max(fit, fitting.share))
     if own := _other_step(key, cells):
         share, fit = own
@@ -172,6 +164,21 @@ def _as_it_stood(key: Key, put_back: Cells) -> Flags:
     """Return which cells of rows that were put back are the key's where they stood before."""
     before, after = (alike(key, put_back.student, np.roll(key.table, by, axis=0)) for by in (1, -1))
     return before | after
+
+
+def _as_it_was(key: Key, cells: Cells, claim: Claim) -> Flags:
+    """Return which cells a claim explains by what stood there before others were put right."""
+    values = cells.student.values
+    with np.errstate(invalid="ignore"):
+        put = (cells.marks == KEY) & (np.abs(values - claim.expected) > claim.tolerance)
+    was = np.where(put, claim.expected, values if cells.before is None else cells.before.values)
+    none = np.zeros(values.shape, dtype=bool)
+    if claim.family is None or np.array_equal(was, values, equal_nan=True):
+        return none
+    again = claim.family(TableUnderTest(key, replace(cells.student, values=was)))
+    with np.errstate(invalid="ignore"):
+        found = [np.abs(values - one.expected) <= one.tolerance for one in again if one.code == claim.code]
+    return max(found, key=np.count_nonzero, default=none)
 
 
 def _other_step(key: Key, cells: Cells) -> tuple[float, float] | None:
@@ -210,16 +217,9 @@ def indistinct(key: Key, units: Array, confusions: Mapping[str, float] | None = 
 
 def euler_cells(key: Key, cells: Cells) -> tuple[Flags, Flags]:
     """Return which cells follow Euler's rules, and of which they speak (start values apart)."""
-    m = len(key.coordinates)
-    values = cells.student.values
-    explained = np.zeros(values.shape, dtype=bool)
-    for way in cells.ways:
-        columns = slice(0, m) if way.name in _STEPS else slice(m, None)
-        if way.name in (*_STEPS, *_VELOCITIES):
-            explained[:, columns] |= way.holds(values)[:, columns]
     spoken = ~cells.missing
-    spoken[0, :m] = False
-    return explained & spoken, spoken
+    spoken[0, : len(key.coordinates)] = False
+    return cells.follows & spoken, spoken
 
 
 def _claimed(key: Key, cells: Cells, claim: Claim, explained: Flags, spoken: Flags) -> tuple[Cells, Flags, Flags]:

@@ -18,8 +18,8 @@ from coursework.grading.marking.equations.equations import EquationMarks, differ
 from coursework.grading.marking.equations.numbers import NoValue, real, size_of, value_of
 from coursework.grading.marking.equations.probe import kinds, names_at
 from coursework.grading.marking.key import Key, sensitivity
-from coursework.grading.marking.table.cells import HALF, SLACK
 from coursework.grading.marking.table.claims import Claim, TableUnderTest
+from coursework.grading.marking.table.ways import HALF, SLACK
 from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula
 

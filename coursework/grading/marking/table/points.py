@@ -12,7 +12,8 @@ from typing import Literal
 import numpy as np
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.cells import KEY, MISSING, SLACK, STEP, STEP_TRUE, Cells
+from coursework.grading.marking.table.cells import MISSING, Cells
+from coursework.grading.marking.table.ways import KEY, SLACK, STEP, STEP_TRUE
 from coursework.system.arrays import Array, Flags
 
 # Rows whose velocities are all shown and right, below which steps made with them prove nothing; right cells below each other,
@@ -145,6 +146,7 @@ def rows_that_follow(key: Key, cells: Cells) -> Flags:
         spare = _SPARE * largest + SLACK * key.ranges[:m] + np.fmax(units[1:, :m], h * units[1:, m : 2 * m])
         near = np.abs(np.diff(q, axis=0) - h / 2 * (w[1:] + w[:-1])) <= own + spare
     steps = np.isin(cells.marks[1:, :m], (STEP, STEP_TRUE)) & ~cells.wrong[:-1, m : 2 * m]
+    steps |= cells.marks[1:, :m] == KEY
     moves = np.asarray(_moves(q).any(axis=1) | ~_moves(key.table[:, :m]).any(axis=1))
     return _following(q, near | steps, moves)
 
