@@ -27,8 +27,8 @@ class Claim:
 
     `euler` names what it leaves to Euler's rules: "steps", "velocities", "all" or nothing.  `student` is the table it speaks
     about where it is not the one handed in (columns put back, origins taken off); `is_whole` where the start is claimed too.
-    `names` are the columns, starts or equations that it speaks of; `table` makes the whole table as the hypothesis has it,
-    `family` the claim about another table.
+    `names` are the columns, starts or equations that it speaks of; `part` is that of the task's step which was made; `table`
+    makes the whole table as the hypothesis has it, `family` the claim about another table.
     """
 
     code: str
@@ -39,6 +39,7 @@ class Claim:
     is_whole: bool = False
     names: tuple[str, ...] = ()
     table: Callable[[], Array] | None = None
+    part: float = 1.0
     family: Callable[[TableUnderTest], Iterator[Claim]] | None = None
 
 

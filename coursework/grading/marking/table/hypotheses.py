@@ -101,12 +101,13 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
     for part in (*STEPS, *([own.step / h] if own else [])):
         step = printed.steps(part * h * printed.w, part * h * units)
         longer = partial(_longer, part * h, m)
-        yield replace(printed.claim("other_step", step), table=printed.marched(printed.key.velocities_at, longer))
+        claims = [replace(printed.claim("other_step", step), table=printed.marched(printed.key.velocities_at, longer))]
         at = printed.slopes(t=printed.key.t * part)
         if printed.nearly(found := at(printed.q)):
-            yield printed.claim("other_step", step, printed.velocities(found, printed.spread(at)))
+            claims.append(printed.claim("other_step", step, printed.velocities(found, printed.spread(at))))
         if (times := round(1 / part)) > 1 and abs(times * part - 1) < _WHOLE:
-            yield printed.claim("other_step", printed.steps(_small_steps(printed, times, printed.q), spread))
+            claims.append(printed.claim("other_step", printed.steps(_small_steps(printed, times, printed.q), spread)))
+        yield from (replace(claim, part=part) for claim in claims)
 
 
 def _at_another_time(key: Key, ahead: float, t: Array, q: Array) -> Array:

@@ -17,7 +17,7 @@ from coursework.grading.marking.table.cells import Cells, alike, mark_cells
 from coursework.grading.marking.table.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.hypotheses import claims
 from coursework.grading.marking.table.own_equations import OWN
-from coursework.grading.marking.table.own_rows import on_own_rows
+from coursework.grading.marking.table.own_rows import more_on_grid, on_own_rows
 from coursework.grading.marking.table.points import explained_share
 from coursework.grading.marking.table.starts import cells_from_own_start, other_starts
 from coursework.grading.marking.table.ways import KEY, StudentTable
@@ -118,6 +118,7 @@ def explanations(
     named: dict[str, tuple[float, float, tuple[str, ...]]] = {}
     fits: dict[str, Fit] = {}
     tables: dict[str, tuple[Claim, Flags]] = {}
+    part = 1.0
     for claim in claims(printed, confusions or {}, others or {}, equations):
         if claim.code in hidden:
             continue
@@ -132,6 +133,7 @@ def explanations(
         if fit > euler_fit + BETTER and (claim.code not in fits or fit > fits[claim.code].share):
             fits[claim.code] = Fit(claim.code, fit, claim.names)
             tables[claim.code] = claim, holds
+            part = claim.part if claim.code == OTHER_STEP else part
     for fitting in sorted(fits.values(), key=lambda found: -found.share)[:_CLOSER]:
         claim, holds = tables[fitting.code]
         if claim.student is None and fitting.share < _WHOLE:
@@ -146,6 +148,10 @@ def explanations(
             named.setdefault(OTHER_STEP, (share, euler_share, ()))
         if fit > euler_fit + BETTER and (OTHER_STEP not in fits or fit > fits[OTHER_STEP].share):
             fits[OTHER_STEP] = Fit(OTHER_STEP, fit)
+            part = cells.student.own.step / key.step if cells.student.own else 1.0
+    if OTHER_STEP in fits:
+        share = min(1.0, fits[OTHER_STEP].share * more_on_grid(key, cells.student, 1.0 / part))
+        fits[OTHER_STEP] = replace(fits[OTHER_STEP], share=share)
     own_start = cells_from_own_start(key, cells) if _begins_elsewhere(key, cells) else None
     if own_start:
         share, starts = _share(*euler_cells(key, own_start)), other_starts(key, cells)
