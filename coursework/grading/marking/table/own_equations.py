@@ -94,6 +94,8 @@ def _claim(printed: TableUnderTest, code: str, used: Sequence[Used]) -> Iterator
 def _used(printed: TableUnderTest, lines: Sequence[Line]) -> list[Used]:
     """Return each line as the table uses it: as it stands, or with the single slip that explains more of its rows."""
     key, m, student = printed.key, printed.m, printed.student
+    if not lines:
+        return []
 
     def named(cells: Array) -> dict[str, Any]:
         names = names_at(key, np.tile(key.t, len(cells) // len(key.t)), cells[:, :m])
