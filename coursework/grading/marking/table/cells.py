@@ -101,7 +101,7 @@ def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> C
     follows[:, m:] |= ways[0].holds(values)[:, m:]
     before = None
     if (marks == WRONG).any():
-        right = marks == KEY
+        right = (marks == KEY) | alike(key, student, key.table)
         before = as_it_was(key, student, right, own)
         for way in from_what_was(key, student, right, own, before):
             holds = way.holds(values)

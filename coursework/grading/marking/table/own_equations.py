@@ -24,7 +24,7 @@ from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula
 
 # A line was used as it stands where it holds in this part of the rows, and with a slip where that holds in so many more.
-_HOLDS, _BETTER = 0.9, 0.2
+_HOLDS, _BETTER = 0.9, 0.1
 _SINGULAR = 1e-9
 OWN = "own_equations"
 

@@ -54,13 +54,20 @@ def as_it_was(key: Key, student: StudentTable, right: Flags, own: OwnWays) -> St
 
 
 def _marched(key: Key, student: StudentTable, right: Flags, follows: Flags, velocities: Array) -> tuple[Array, Array]:
-    """Return coordinates (n, m) and the digits of the table; a `right` one that is no step from the row above is that step."""
+    """Return coordinates (n, m) and digits; what is `right` or a misprint, and no step from above, is that step.
+
+    A misprint is what follows from nothing, and from which nothing follows, between cells that do follow.
+    """
     m, h = len(key.coordinates), key.step
     q, units = student.values[:, :m].copy(), student.units.copy()
+    misprints = ~right & ~follows
+    misprints[:-1] &= ~follows[1:]
+    misprints[:-2] &= follows[2:]
+    misprints[2:] &= (follows | right)[1:-1]
     for place in range(m):
         column, digits, rates = q[:, place].tolist(), units[:, place].tolist(), units[:, m + place].tolist()
         last = 0
-        for row in (np.flatnonzero(right[1:, place]) + 1).tolist():
+        for row in (np.flatnonzero(right[1:, place] | misprints[1:, place]) + 1).tolist():
             if follows[row, place] and last < row - 1:
                 continue
             moved = column[row - 1] + h * float(velocities[row - 1, place])
