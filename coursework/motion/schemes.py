@@ -17,6 +17,8 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
+import numpy as np
+
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import load_phrases, say
 
@@ -77,6 +79,26 @@ class Scheme:
     def slopes(self) -> int:
         """Return how many slopes a step computes."""
         return len(self.nodes)
+
+    @property
+    def damped(self) -> float:
+        """Return the largest product of step and rate with which a deviation that dies out does not grow in a step.
+
+        A step multiplies it by R(-x) = sum_k (-x)^k b a^(k-1) 1: 2 for explicit Euler, 2.785 for Runge-Kutta 4.
+
+        >>> SCHEMES["euler"].damped
+        2.0
+        """
+        inside: list[Fraction | int] = [1] * self.slopes
+        factors = [Fraction(1)]
+        for _ in range(self.slopes):
+            factors.append(
+                Fraction(sum(weight * one for weight, one in zip(self.weights, inside, strict=True))) * (-1) ** len(factors)
+            )
+            inside = [sum(a * one for a, one in zip(row, inside, strict=False)) for row in self.rows]
+        growing = [float(factor) for factor in reversed(factors)]
+        roots = [np.roots([*growing[:-1], growing[-1] - edge]) for edge in (1.0, -1.0)]
+        return min(float(root.real) for root in np.concatenate(roots) if abs(root.imag) < 1e-9 < root.real)
 
     def step(self, f: Slopes, t: Any, q: Any, h: Any, first: Any = None) -> Any:
         """Return the position after one step of h from q at t; `f(t, q)` gives the slopes, numbers or arrays.

@@ -29,7 +29,7 @@ from coursework.motion.geometry.oscillation import fastest
 from coursework.motion.geometry.start import start_values
 from coursework.motion.integration.exact_motion import NoVelocities, OutOfReach, exact_motion, no_rows, passing_motion
 from coursework.motion.integration.following import NotReached
-from coursework.motion.integration.integrate import Correction, march
+from coursework.motion.integration.integrate import Correction, left_by_scheme, march
 from coursework.motion.integration.motion import Motion, Stop, rows_before
 from coursework.motion.integration.passage import through
 from coursework.motion.integration.rates import Rates, compile_rates
@@ -213,6 +213,8 @@ class WayToMotion:
             last = motion.coordinates[-1].tolist() if len(motion.t) else self.begin
             if told := self.charged(NoVelocities((motion.stop.time, motion.stop.time), last)):
                 raise told
+            if self.search.event is None and (self.search.given_up or np.inf) > motion.stop.time:
+                return left_by_scheme(motion)
         return motion
 
     @computed("stop", "equations", "reduction", "rates", "closure", "start", "search")
@@ -252,8 +254,7 @@ class WayToMotion:
     @computed("exact", "stop", "equations", "reduction", "rates", "closure", "start", "search")
     def one_period(self) -> Motion:
         """The exact motion at `12 * PLACES + 1` equal times over a period; up to the last row where there is none or it stops."""
-        last = float(self.exact.t[-1]) if len(self.exact.t) else 0.0
-        period = self.variant.time.period
+        last, period = float(self.exact.t[-1]) if len(self.exact.t) else 0.0, self.variant.time.period
         end = last if period is None or (self.stop is not None and last < period) else period
         return self._exact_at(np.linspace(0.0, end, 12 * PLACES + 1)) if end > 0 else self.exact
 
@@ -263,9 +264,8 @@ class WayToMotion:
         return self.passing(compile_rates(self.equations, self.reduction) if self.settings.columns else self.rates)
 
     def _exact_at(self, times: Array) -> Motion:
-        equations, every = self.equations, self.every_rate
+        equations, every, count = self.equations, self.every_rate, len(self.reduction.blocks)
         positions = (lambda at: chain_positions(equations, at)) if is_chain(self.variant) else None
-        count = len(self.reduction.blocks)
         with suppress(OutOfReach):
             if passages := self.search.passages:
                 return passing_motion(every, self.start, times, passages, self.passed)

@@ -182,6 +182,12 @@ def _broken(what: str, index: int, t: float, step: float, q: Array, rates: Rates
     return Stop("not finite", t, float(index), (), {}, cause, say("event.rows_kept", step=step))
 
 
+def left_by_scheme(motion: Motion) -> Motion:
+    """Return rows that end where the true motion goes on: the scheme with its step has left it."""
+    assert motion.stop is not None
+    return replace(motion, stop=replace(motion.stop, kind=TOO_LARGE, meaning=say("event.smaller_step")))
+
+
 def _has_outgrown(q: Array) -> bool:
     return float(np.max(np.abs(q), initial=0.0)) > OUTGROWN
 

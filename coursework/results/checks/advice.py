@@ -16,6 +16,7 @@ from coursework.motion.integration.finer import finer
 from coursework.motion.integration.motion import Motion
 from coursework.motion.schemes import SCHEMES, title_of
 from coursework.results.checks.close_to_motion.rows import parts_at_breaks
+from coursework.results.checks.close_to_motion.stiffness import Stiff, stiff
 from coursework.results.checks.evidence import LIMIT, Evidence
 from coursework.results.checks.result import Finding, percent
 from coursework.variant.record.variant import MAX_ROWS, whole_steps
@@ -28,6 +29,10 @@ Judge = Callable[[Evidence], Sequence[Finding]]
 AIM = 0.8 * LIMIT
 # Steps tried; the first is enough in nine cases of ten.
 _TRIES = 12
+# An error of so many scales and more follows no order.
+_WILD = 10.0
+# So many times better than the order of the scheme says is luck.
+_LUCK = 6.0
 # Slopes that a step advised may take, counted as those of formulas: some three seconds.
 _MOST_WORK = 3e6
 
@@ -35,13 +40,14 @@ _MOST_WORK = 3e6
 @dataclass(frozen=True, slots=True)
 class Advice:
     """`option` and `step` (s) of --step, "" and None where none was found; `scheme` that does at the run's own step, and how far
-    its table is off (share).
+    its table is off (share).  `jumped`: a finer step that was tried and is worse, and how far its table is off.
     """
 
     option: str
     step: float | None
     scheme: str
     share: float
+    jumped: tuple[str, float] | None = None
 
     @property
     def sentence(self) -> Sentence:
@@ -55,7 +61,11 @@ class Advice:
         finer = say("advice.step", option=self.option, step=self.step)
         if not self.option[:1].isdigit():
             finer = say("advice.step_seconds", option=self.option, step=self.step)
-        return say("advice.take", what=joined([finer, better], "advice.or"))
+        take = say("advice.take", what=joined([finer, better], "advice.or"))
+        if self.jumped is None:
+            return take
+        option, share = self.jumped
+        return joined([take, say("advice.jumps", option=option, share=percent(share))])
 
 
 def with_advice(evidence: Evidence, found: Iterable[Finding], judge: Judge) -> list[Finding]:
@@ -63,7 +73,12 @@ def with_advice(evidence: Evidence, found: Iterable[Finding], judge: Judge) -> l
     listed = list(found)
     if not any(map(_curable, listed)) or evidence.restricted or evidence.stop is not None:
         return listed
-    advice = _advice(evidence, [one for one in listed if _curable(one)], judge)
+    found_stiff = stiff(evidence)
+    advice = _advice(evidence, [one for one in listed if _curable(one)], judge, found_stiff)
+    if found_stiff is not None:
+        place = next(place for place, one in enumerate(listed) if _curable(one))
+        told = joined([listed[place].sentence, found_stiff.sentence])
+        listed[place] = replace(listed[place], sentence=told, headline=found_stiff.sentence)
     if advice is None:
         return listed
     option = f"--step {advice.option}" if advice.option else f"--scheme {advice.scheme}"
@@ -77,16 +92,16 @@ def _curable(finding: Finding) -> bool:
     return finding.verdict == "COARSE" and finding.cured and (finding.group == "motion" or finding.code == "STOP")
 
 
-def _advice(evidence: Evidence, coarse: list[Finding], judge: Judge) -> Advice | None:
+def _advice(evidence: Evidence, coarse: list[Finding], judge: Judge, found: Stiff | None) -> Advice | None:
     own = evidence.motion.scheme
     if evidence.rerun is None or evidence.exact is None or not len(evidence.exact.t) or own not in scheme_names():
         return None
     scheme, share = _better_scheme(evidence, own, judge)
-    parts = _step(evidence, own, coarse, judge)
+    parts, jumped = _step(evidence, own, coarse, judge, found.parts(evidence.motion.step) if found else 1)
     if not parts:
         return Advice("", None, scheme, share) if scheme else None
     option, step = _spelled(evidence, parts)
-    return Advice(option, step, scheme, share)
+    return Advice(option, step, scheme, share, jumped)
 
 
 def _better_scheme(evidence: Evidence, own: str, judge: Judge) -> tuple[str, float]:
@@ -102,28 +117,49 @@ def _better_scheme(evidence: Evidence, own: str, judge: Judge) -> tuple[str, flo
     return (best, closeness) if closeness is not None and not any(map(_curable, findings)) else ("", 0.0)
 
 
-def _step(evidence: Evidence, own: str, coarse: list[Finding], judge: Judge) -> int:
-    """Return the parts of the step with which every motion check passes, 0 where that takes more rows than are computed."""
+def _step(evidence: Evidence, own: str, coarse: list[Finding], judge: Judge, fewest: int) -> tuple[int, tuple[str, float] | None]:
+    """Return the parts of the step, `fewest` or more, with which every motion check passes; 0 where that takes more rows than
+    are computed.
+
+    A step that does better than the order of the scheme lets expect may do so by chance: then one half as long must do too, else
+    the search goes on from there, and that step is returned with its share.
+    """
     assert evidence.rerun is not None
     order = SCHEMES[own].order if own in SCHEMES else 1  # exact rows have no error: what they lack they gain row by row
-    parts = 1
+    parts, jumped = 1, None
+    known = next((one.value for one in coarse if one.code == "ACCURACY" and one.value), 0.0)
     for _ in range(_TRIES):
-        needed = max(parts + 1, math.ceil(parts * max(_growth(one, order) for one in coarse)))
-        parts = needed if own == EXACT else parts_at_breaks(evidence, needed) or needed
-        rows = evidence.variant.time.end / evidence.motion.step * parts
-        if rows > MAX_ROWS or rows * order * evidence.rates.weight > _MOST_WORK:
-            return 0
+        needed = max(parts + 1, fewest, math.ceil(parts * max(_growth(one, order) for one in coarse)))
+        before, parts = parts, needed if own == EXACT else parts_at_breaks(evidence, needed) or needed
+        if not _affordable(evidence, parts, order):
+            return 0, None
         motion = None if own == EXACT else evidence.rerun(own, _spelled(evidence, parts)[1])
-        if motion is not None and (share := _glanced(evidence, motion, parts)) > LIMIT:
+        share = _glanced(evidence, motion, parts) if motion is not None else 0.0
+        expected = known * (before / parts) ** order
+        known = share
+        if share > LIMIT:
             coarse = [Finding("COARSE", "", share, LIMIT)]
             continue
         tried = _tried(evidence, own, parts, motion)
         if motion is not None and tried is None:
-            return 0  # nothing to judge it against is known
+            return 0, None  # nothing to judge it against is known
         coarse = [one for one in judge(tried) if _curable(one)] if tried is not None else [Finding("COARSE", "")]
-        if not coarse:
-            return parts
-    return 0
+        if coarse:
+            continue
+        if motion is None or share > expected / _LUCK or not _affordable(evidence, 2 * parts, order):
+            return parts, jumped
+        option, step = _spelled(evidence, 2 * parts)
+        finer = evidence.rerun(own, step)
+        known = _glanced(evidence, finer, 2 * parts) if finer is not None else 0.0
+        if known <= LIMIT:
+            return parts, jumped
+        parts, jumped, coarse = 2 * parts, (option, known), [Finding("COARSE", "", known, LIMIT)]
+    return 0, None
+
+
+def _affordable(evidence: Evidence, parts: int, order: int) -> bool:
+    rows = evidence.variant.time.end / evidence.motion.step * parts
+    return rows <= MAX_ROWS and rows * order * evidence.rates.weight <= _MOST_WORK
 
 
 def _glanced(evidence: Evidence, motion: Motion, parts: int) -> float:
@@ -145,7 +181,8 @@ def _growth(finding: Finding, order: int) -> float:
         return limit / value
     if finding.code == "PEAK":
         return value / limit
-    return float((value / AIM) ** (1 / order)) if limit == LIMIT else 2.0
+    # Of a table that is off by more than all that its column does, the error does not tell by how much.
+    return float((min(value, _WILD) / AIM) ** (1 / order)) if limit == LIMIT else 2.0
 
 
 def _tried(evidence: Evidence, scheme: str, parts: int, motion: Motion | None) -> Evidence | None:

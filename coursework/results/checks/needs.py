@@ -11,11 +11,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from coursework.motion.geometry.drive import resolution
+from coursework.results.checks.close_to_motion.stiffness import stiff
 from coursework.results.checks.computed_right.conditioning import condition
 from coursework.results.checks.evidence import LIMIT, Evidence
 from coursework.results.checks.result import floored
 from coursework.words.sentence import Sentence
-from coursework.words.sentences import say
+from coursework.words.sentences import joined, say
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,6 +31,13 @@ class Need:
 def _open_integral(evidence: Evidence) -> Sentence:
     found = resolution(evidence.equations)
     return say("check.unresolved", time=found.place)
+
+
+def _not_known(evidence: Evidence) -> Sentence:
+    if evidence.stop is not None:
+        return say("check.unknown")
+    found = stiff(evidence)
+    return say("check.out_of_reach") if found is None else joined([say("check.too_stiff"), found.sentence])
 
 
 def _too_few(evidence: Evidence) -> float | None:
@@ -48,7 +56,8 @@ ROW = Need(lambda evidence: len(evidence.motion.t) > 0, lambda _: say("check.no_
 WHOLE = Need(lambda evidence: not evidence.restricted, lambda _: say("check.only_some"))
 EXACT = Need(
     lambda evidence: evidence.exact is not None and len(evidence.exact.t) > 0,
-    lambda evidence: say("check.unknown" if evidence.stop is not None else "check.out_of_reach"),
+    lambda evidence: _not_known(evidence),
+    lambda evidence: found.sentence if (found := stiff(evidence)) is not None else "",
 )
 CLOSURE = Need(lambda evidence: evidence.closure is not None, lambda _: say("check.DRIFT.skip"))
 RESOLVED = Need(lambda evidence: resolution(evidence.equations).met, _open_integral, _open_integral)

@@ -20,9 +20,9 @@ Verdict = Literal["PASS", "COARSE", "FAIL", "SKIP", "ERROR"]
 OF_THE_SCALE = "unit.of_the_scale"
 OF_POWER, DIGITS_LEFT = "unit.of_power", "unit.digits"
 _DECIMALS = {OF_POWER: 4, DIGITS_LEFT: 1}
+# From here on a share is told as so many times the whole, and from there on as more than so many: nobody compares such numbers.
+_MANY, _MOST = 1000.0, 1e6
 # The status a command ends with is that of the worst verdict.
-# From here on a share is told as so many times the whole: thousands of percent are no number that a person compares.
-_MANY = 1000.0
 VERDICTS: tuple[Verdict, ...] = ("PASS", "COARSE", "FAIL", "SKIP", "ERROR")
 
 
@@ -92,6 +92,8 @@ def beside(unit: str, value: float) -> str:
 def percent(share: float) -> Sentence:
     """Return a share in percent: whole from 10 % on, two digits below; as a number of wholes from a thousand percent on."""
     value = 100 * share
+    if share >= _MOST:
+        return say("amount.share_beyond", value=_MOST)
     if value >= _MANY:
         return say("amount.share_times", value=share)
     if 0 < value < 1e-4:

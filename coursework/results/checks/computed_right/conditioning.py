@@ -58,12 +58,7 @@ def _condition(evidence: Evidence) -> Finding:
     when = float(motion.t[worst])
     left = _of_positions(evidence)
     if left is not None and left[0] < digits - _TOLD_APART:
-        digits, worst, name = left
-        key = "pass" if digits >= FEWEST else "fail"
-        told = {"digits": floored(digits, 1), "row": worst + 1, "name": name, "time": float(motion.t[worst])}
-        found = joined([say("check.CONDITION.lengths", **told), say(f"check.CONDITION.lengths_{key}")])
-        rows = ((say("check.CONDITION.worst"), largest_number, ""),)
-        return Finding(key.upper(), found, digits, FEWEST, say("unit.digits", number=digits), name, worst + 1, rows=rows)
+        return _far_apart(evidence, *left)
     told = floored(digits, 1)  # never more than there are: what is told as 6.0 passes, what fails is told as 5.9
     sentence = say("check.CONDITION.found", digits=told, row=worst + 1, time=when, number=largest_number)
     rows = (say("check.CONDITION.worst"), largest_number, ""), (say("check.CONDITION.first"), first_number, "")
@@ -71,6 +66,14 @@ def _condition(evidence: Evidence) -> Finding:
     if digits >= FEWEST:
         return Finding("PASS", sentence, digits, FEWEST, unit, None, worst + 1, rows=rows)
     return Finding("FAIL", joined([sentence, say("check.CONDITION.close")]), digits, FEWEST, unit, None, worst + 1, rows=rows)
+
+
+def _far_apart(evidence: Evidence, digits: float, row: int, name: str) -> Finding:
+    when = float(evidence.motion.t[row])
+    passes = digits >= FEWEST
+    found = say("check.CONDITION.lengths", digits=floored(digits, 1), row=row + 1, name=name, time=when)
+    found = joined([found, say("check.CONDITION.lengths_pass" if passes else "check.CONDITION.lengths_fail")])
+    return Finding("PASS" if passes else "FAIL", found, digits, FEWEST, say("unit.digits", number=digits), name, row + 1)
 
 
 def _of_positions(evidence: Evidence) -> tuple[float, int, str] | None:

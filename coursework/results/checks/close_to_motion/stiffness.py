@@ -1,0 +1,95 @@
+"""Stiff equations: a deviation dies out far faster than the motion changes, and an explicit step must be as short as that.
+
+Enters: `Evidence`.  Leaves: `Stiff`, None where they are not, or the scheme bears it.  Used by `advice.py` and `needs.py`.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from coursework.motion.integration.motion import Motion
+from coursework.motion.schemes import SCHEMES, title_of
+from coursework.results.checks.evidence import Evidence
+from coursework.system.arrays import Array
+from coursework.variant.record.variant import MAX_ROWS
+from coursework.words.sentence import Sentence
+from coursework.words.sentences import joined, say
+
+# Exact rows looked at; a half of them must be stiff, so that a pulse alone is none.
+_LOOKS = 40
+_FEW = 3
+# The parts of a run in which a deviation dies out: more, and it belongs to the motion itself.
+_TIMES = 20.0
+# What the slopes of a motion that is slow beside the deviation may change from row to row, of their size.
+_SLOW = 0.5
+_APART = float(np.cbrt(np.finfo(float).eps))
+
+
+@dataclass(frozen=True, slots=True)
+class Stiff:
+    """Deviations die out with `rate` (1/s); `scheme` keeps them small with steps up to `longest` (s), `rows` of them in all."""
+
+    rate: float
+    scheme: str
+    longest: float
+    rows: float
+
+    @property
+    def sentence(self) -> Sentence:
+        """Return what that means for the step."""
+        title = title_of(SCHEMES[self.scheme])
+        told = say("advice.stiff", rate=self.rate, time=1 / self.rate, title=title, step=self.longest)
+        return joined([told, say("advice.implicit")]) if self.rows > MAX_ROWS else told
+
+    def parts(self, step: float) -> int:
+        """Return the parts of a step that are short enough."""
+        return math.ceil(step / self.longest)
+
+
+def stiff(evidence: Evidence) -> Stiff | None:
+    """Return how stiff the equations are along the exact motion, None where the scheme bears them with this step."""
+    motion = evidence.motion
+    if motion.scheme not in SCHEMES or evidence.stop is not None or evidence.restricted:
+        return None
+    return evidence.once_of_rows("stiff", lambda: _stiff(evidence))
+
+
+def _stiff(evidence: Evidence) -> Stiff | None:
+    motion, exact = evidence.motion, evidence.exact
+    known = exact if exact is not None and len(exact.t) > _FEW else None  # else the start alone is sure to be on the motion
+    rows = (
+        np.unique(np.linspace(0, len(known.t) - 1, _LOOKS).astype(int)) if known is not None else np.arange(min(1, len(motion.t)))
+    )
+    on = known or motion
+    rate = float(np.median(_dying(evidence, on.t[rows], on.coordinates[rows]))) if len(rows) else 0.0
+    longest = SCHEMES[motion.scheme].damped / rate if rate > 0 else math.inf
+    if motion.step <= longest or rate * evidence.variant.time.end < _TIMES or (known is not None and not _is_slow(known)):
+        return None
+    return Stiff(rate, motion.scheme, longest, evidence.variant.time.end / longest)
+
+
+def _dying(evidence: Evidence, t: Array, q: Array) -> Array:
+    """Return the fastest rate (n,) in 1/s with which a deviation from rows `q` (n, m) dies out, 0 where none does."""
+    size = q.shape[1]
+    jacobian = np.zeros((len(t), size, size))
+    for place in range(size):
+        apart = np.zeros_like(q)
+        apart[:, place] = _APART * np.maximum(np.abs(q[:, place]), np.max(np.ptp(q, axis=0), initial=1e-9))
+        ahead, behind = (evidence.rates.table(t, q + sign * apart)[0][:, :size] for sign in (1, -1))
+        jacobian[:, :, place] = (ahead - behind) / (2 * apart[:, place, None])
+    jacobian[~np.isfinite(jacobian).all(axis=(1, 2))] = 0.0
+    values = np.linalg.eigvals(jacobian)
+    dying = np.where(np.abs(values.real) >= np.abs(values.imag), -values.real, 0.0)
+    return np.asarray(np.max(dying, axis=1, initial=0.0))
+
+
+def _is_slow(exact: Motion) -> bool:
+    """Return whether the exact motion changes little from row to row, but for a transient."""
+    slopes = exact.velocities[:, : exact.coordinates.shape[1]]
+    sizes = np.median(np.abs(slopes), axis=0)
+    changes = np.median(np.abs(np.diff(slopes, axis=0)), axis=0)
+    turned = np.median(np.abs(np.diff(exact.coordinates, axis=0)), axis=0)
+    return bool(np.all(changes <= _SLOW * sizes + 1e-12) and np.all(turned < 1.0))

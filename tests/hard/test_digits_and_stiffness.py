@@ -1,0 +1,118 @@
+"""What lengths far apart cost, how stiff equations are told, and a scheme that leaves the motion: against closed forms."""
+
+import math
+
+import mpmath as mp
+import pytest
+
+import coursework
+from coursework.motion.schemes import SCHEMES
+from coursework.results.checks import advice
+from coursework.results.checks.result import percent
+from coursework.variant.reading.reader import parse_variant
+from tests.hard.drives import Law, four_bar
+from tests.hard.edges import of_four_bar
+from tests.hard.scenes import check
+
+ANSWERS = '[ask]\nquantities = ["table", "checks"]\n'
+
+
+def far(base: float, scheme: str = "exact") -> str:
+    """Return a four-bar of two links of a micrometre and two of `base` (m)."""
+    text = four_bar(Law("steady", "n", {"n": "3 rad/s"}, lambda t: 3 * t), scheme=scheme, start=1.0)
+    for name, old, new in (("l1", "0.4", 1e-6), ("l2", "1.0", base), ("l3", "0.7", 2e-6), ("xC", "1.2", base)):
+        text = text.replace(f'{name} = "{old} m"', f'{name} = "{new!r} m"')
+    return text
+
+
+@pytest.mark.parametrize(("base", "verdict"), [(1e-3, "PASS"), (1e3, "PASS"), (1e4, "FAIL"), (3e5, "FAIL")])
+def test_digits_lost_to_lengths_far_apart_are_known(base, verdict):
+    mp.mp.dps = 50
+    run = coursework.solve(parse_variant(far(base)))
+    found = check(run, "CONDITION")
+    law = Law("", "", {}, lambda t: 3 * t)
+    true = of_four_bar(tuple(mp.mpf(one) for one in (1e-6, base, 2e-6, base)), law, lambda t: mp.mpf(3), mp.mpf(1))
+    places = range(0, 101, 5)
+    apart = max(
+        abs(float(mp.mpf(float(run.motion.column("th3")[i])) - true(mp.mpf(float(run.motion.t[i])))["th3"])) for i in places
+    )
+    assert found.verdict == verdict
+    assert found.value - 1.5 < -math.log10(apart)  # it never says many more digits than there are
+    assert ("so far apart" in found.sentence) == (found.value < 13)
+
+
+def test_lengths_of_one_size_are_told_as_before():
+    text = four_bar(Law("steady", "n", {"n": "3 rad/s"}, lambda t: 3 * t))
+    assert "The equations leave 15" in check(coursework.solve(parse_variant(text)), "CONDITION").sentence
+
+
+def equations(first: str, second: str, given: str, *, step: float, end: float, scheme: str) -> str:
+    """Return two equations of two turning things that start at 2 rad and 0 rad."""
+    return (
+        f'format = 1\n[given]\n{given}\n[coordinates]\nx = {{ start = "2 rad", rate = "u", unit = "rad" }}\n'
+        f'y = {{ start = "0 rad", rate = "v", unit = "rad" }}\n[time]\nstep = "{step!r} s"\nend = "{end!r} s"\n'
+        f'scheme = "{scheme}"\n[[constraint]]\nname = "1"\nequation = "{first}"\n'
+        f'[[constraint]]\nname = "2"\nequation = "{second}"\n{ANSWERS}'
+    )
+
+
+def van_der_pol(mu: float, *, step: float = 0.01, end: float = 2.0, scheme: str = "euler") -> str:
+    return equations(
+        "u = y*w", "v = (mu*(1 - x^2)*y - x)*w", f'w = "1 rad/s"\nmu = "{mu!r}"', step=step, end=end, scheme=scheme
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(("scheme", "longest"), [("euler", 2 / 3000), ("rk4", 2.785 / 3000)])
+def test_stiff_equations_are_told_as_such_with_a_step_that_does(scheme, longest):
+    run = coursework.solve(parse_variant(van_der_pol(1000.0, scheme=scheme)))
+    assert run.summary.startswith("The equations are stiff: a deviation dies out within 0.000334 s (rate 3e+03 1/s)")
+    found = check(run, "STOP")
+    assert found.verdict == "COARSE"  # the mechanism goes on: it is the scheme that stops
+    assert found.step is not None
+    assert found.step < longest
+    better = coursework.solve(parse_variant(van_der_pol(1000.0, step=found.step, scheme=scheme)))
+    assert check(better, "ACCURACY").verdict == "PASS"
+    assert "stiff" not in better.summary
+
+
+@pytest.mark.parametrize(("mu", "is_stiff"), [(10.0, False), (1000.0, True)])
+def test_what_the_scheme_bears_is_not_called_stiff(mu, is_stiff):
+    run = coursework.solve(parse_variant(van_der_pol(mu)))
+    assert ("stiff" in run.summary) == is_stiff
+
+
+def test_a_motion_too_stiff_to_be_followed_is_said_to_be_that():
+    text = equations("u = k*(cos(w*t) - x)", "v = w*y", 'k = "1000 1/s"\nw = "1 1/s"', step=0.01, end=2.0, scheme="euler")
+    run = coursework.solve(parse_variant(text))
+    assert check(run, "ACCURACY").verdict != "PASS"
+    assert "stiff" in run.summary
+    assert "steps up to 0.002 s" in run.summary
+
+
+def test_a_turning_four_bar_is_not_stiff_however_coarse():
+    for step in (0.05, 0.2, 1.0):
+        text = four_bar(Law("steady", "n", {"n": "5 rad/s"}, lambda t: 5 * t), step=step, end=20.0, scheme="euler")
+        assert "stiff" not in coursework.solve(parse_variant(text)).summary
+
+
+def test_how_far_a_scheme_damps():
+    known = {"euler": 2.0, "midpoint": 2.0, "heun": 2.0, "ralston": 2.0, "rk4": 2.785293563405282}
+    assert {name: scheme.damped for name, scheme in SCHEMES.items()} == pytest.approx(known)
+
+
+def test_a_step_that_does_by_luck_alone_is_not_advised(monkeypatch):
+    shares = {2: 1e-6, 4: 0.3}  # the half of the step that seems to do does not; what is finer does
+    glanced = advice._glanced
+    monkeypatch.setattr(advice, "_glanced", lambda evidence, motion, parts: shares.get(parts) or glanced(evidence, motion, parts))
+    run = coursework.solve(parse_variant(van_der_pol(10.0)))
+    found = check(run, "ACCURACY")
+    assert "with h/4 the table is off by 30 % again" in found.sentence.replace("\xa0", " ")
+    assert found.step is not None
+    assert found.step < 0.01 / 4
+
+
+@pytest.mark.parametrize(
+    ("share", "told"), [(9.99, "999\xa0%"), (10, "10 × 100 %"), (9e5, "9e+05 × 100 %"), (1e6, "more than 1,000,000 × 100 %")]
+)
+def test_an_error_is_no_number_of_a_hundred_digits(share, told):
+    assert percent(share).replace("\xa0", " ") == told.replace("\xa0", " ")
