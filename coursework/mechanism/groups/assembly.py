@@ -12,12 +12,9 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from coursework.system.arrays import Array, Flags
+from coursework.system.arrays import Array, Complex, Flags
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say, say_count
-
-Vectors: TypeAlias = NDArray[np.complex128]
-Rows: TypeAlias = Flags
 
 # A constant length, or (value, rate, second rate) of one that varies in time; each a number or one a row.
 Length: TypeAlias = ArrayLike | tuple[ArrayLike, ArrayLike, ArrayLike]
@@ -86,11 +83,10 @@ def tolerance(*data: NDArray[np.inexact]) -> Array:
     scale = np.abs(data[0])
     for part in data[1:]:
         scale = np.maximum(scale, np.abs(part))
-    limit: Array = ULPS * np.spacing(scale)
-    return limit
+    return np.asarray(ULPS * np.spacing(scale))
 
 
-def rows_where(failing: Rows, n: int) -> tuple[int, ...]:
+def rows_where(failing: Flags, n: int) -> tuple[int, ...]:
     """Return the indices of the failing rows out of `n`; one flag for all rows means every row."""
     return tuple(int(row) for row in np.flatnonzero(np.broadcast_to(failing, (n,))))
 
@@ -120,7 +116,7 @@ def dead(group: str, rows: tuple[int, ...], found: Sentence, *, placed: bool = T
     return AtDeadPoint(say("group.dead.point", group=group, row=rows[0], found=found, tail=tail), rows, found)
 
 
-def require_crossing(group: str, sine: Array, turned: Array, gap: Array, data: tuple[Vectors, Vectors], lines: str) -> None:
+def require_crossing(group: str, sine: Array, turned: Array, gap: Array, data: tuple[Complex, Complex], lines: str) -> None:
     """Raise unless two slides cross in every row: one position, one velocity.
 
     `sine` (n,) of the angle between them, `turned` (rad) the larger angle it came from; `gap` (m) between the
