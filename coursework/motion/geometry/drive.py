@@ -112,7 +112,7 @@ def _resolution(equations: VelocityEquations, end: float) -> Resolution:
     moving = [name for name, law in laws.laws.items() if (name in drives or law.of in {"", "t"}) and _is_of_time(law, laws)]
     edges = np.unique(np.concatenate([[0.0, end], inner[(inner > 0) & (inner < end)]]))
     if not moving or end <= 0:
-        return Resolution(edges, 0.0, 0.0, True)
+        return Resolution(edges, 0.0, True)
     return resolve(lambda begin, end: [laws.over(name, begin, end) for name in moving], edges)
 
 
