@@ -7,7 +7,7 @@ Used by every group and by `kinematics`; knows numpy only.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -27,7 +27,18 @@ ULPS = 8.0
 TEXTBOOK = {letter: letter for letter in "BCD"}
 
 
-class CannotAssemble(ValueError):
+class _InRows(ValueError):
+    """What is wrong in some `rows` (from 0), `row` the first of them; `reason` is the sentence without the row."""
+
+    def __init__(self, sentence: str, rows: tuple[int, ...], *more: Any) -> None:
+        super().__init__(sentence, rows, *more)  # all of them, so that it travels through a process pool
+        self.rows, self.row, self.reason = rows, rows[0], more[-1] or sentence
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+class CannotAssemble(_InRows):
     """The links of a group do not meet.
 
     `row` is the first failing row and `rows` all of them, counted from 0; `shortage` (m) says by how much a
@@ -42,17 +53,11 @@ class CannotAssemble(ValueError):
     """
 
     def __init__(self, sentence: str, rows: tuple[int, ...] = (0,), shortage: float = 0.0, reason: str = "") -> None:
-        super().__init__(sentence, rows, shortage, reason)  # all of them, so that it travels through a process pool
-        self.reason = reason or sentence
-        self.rows = rows
-        self.row = rows[0]
+        super().__init__(sentence, rows, shortage, reason)
         self.shortage = shortage
 
-    def __str__(self) -> str:
-        return str(self.args[0])
 
-
-class AtDeadPoint(ValueError):
+class AtDeadPoint(_InRows):
     """The determinant is zero and velocities are not defined; `row` the first row, `rows` all, from 0, `reason` why.
 
     >>> from coursework.procedures import AtDeadPoint, Pair, rrr
@@ -65,12 +70,6 @@ class AtDeadPoint(ValueError):
 
     def __init__(self, sentence: str, rows: tuple[int, ...] = (0,), reason: str = "") -> None:
         super().__init__(sentence, rows, reason)
-        self.reason = reason or sentence
-        self.rows = rows
-        self.row = rows[0]
-
-    def __str__(self) -> str:
-        return str(self.args[0])
 
 
 def tolerance(*data: NDArray[np.inexact]) -> Array:
