@@ -17,10 +17,10 @@ from coursework.commands.screen import in_language, tell, tell_own_file, title_o
 from coursework.report.output.formats import chosen
 from coursework.report.output.results import StudyResults
 from coursework.report.output.write import write_set
+from coursework.results.accuracy.problem import Problem
 from coursework.results.accuracy.record import AccuracyStudy
 from coursework.results.accuracy.study import make_study, time_of
 from coursework.run import Run
-from coursework.scene.quantities import problem_of
 from coursework.system.file_set import working_folder
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
@@ -56,16 +56,22 @@ def accuracy_page(variant: str, out: Path | None, formats: tuple[str, ...] | Non
 def timed_study(run: Run) -> AccuracyStudy:
     """Return the study with seconds, and what importing and reducing cost beside them."""
     scene = run.scene
+    time = run.variant.time
     if scene.closure is None and run.exact.evaluations == 0:
         raise InputError(say("fault.C022"))
+    units = tuple(coordinate.unit for coordinate in run.variant.coordinates)
+    problem = Problem(scene.rates, scene.start, time.step, len(run.exact.t) - 1, scene.closure, units)
     command = [sys.executable, "-c", "import numpy, sympy"]
     overhead = (
         (say("study.imports"), time_of(lambda: subprocess.run(command, check=True))),
-        (say("study.reduction"), sum(scene.ledger.seconds[name] for name in ("equations", "reduction", "rates"))),
+        (
+            say("study.reduction"),
+            sum(scene.ledger.seconds[name] for name in ("equations", "reduction", "rates")),
+        ),
     )
     made = scene.results.by_scheme
     with click.progressbar(length=45, label=in_language(say("screen.progress.measure")), file=sys.stderr) as bar:
         return make_study(
-            problem_of(scene), run.exact, made.motion.scheme,
+            problem, run.exact, made.motion.scheme,
             timed=True, overhead=overhead, progress=lambda _label: bar.update(1),
         )  # fmt: skip

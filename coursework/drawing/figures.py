@@ -100,13 +100,13 @@ def _mechanism(
     """Return the first row with names, lengths and what drives it; with the `values` of its coordinates also their angles."""
     arrows = {name: way for name in outline.driven if (way := driven_way(poses, name))}
     true_size = _on_nothing(outline, poses, 0, 1000.0)
-    crowded = crowded_hinges(true_size, mechanism)
+    around = [(true_size.place[name], SEVERAL) for name in crowded_hinges(true_size, mechanism)]
+    if values is not None:
+        around += room_of_angles(true_size, mechanism, values)
 
     def needed(mm: float) -> Iterator[tuple[complex, float]]:
         yield from room(outline, poses, [0], arrows, mm)
-        yield from (((true_size.place[name] * mm).conjugate(), SEVERAL) for name in crowded)
-        if values is not None:
-            yield from room_of_angles(_on_nothing(outline, poses, 0, mm), mechanism, values)
+        yield from (((at * mm).conjugate(), wide) for at, wide in around)
 
     board = fit(needed, HIGHEST)
     sheet = board.sheet()

@@ -18,7 +18,6 @@ import numpy as np
 from coursework.motion.integration.motion import Motion
 from coursework.scene.motion_results import MotionResults, Named
 from coursework.scene.scene import Scene
-from coursework.scene.way_to_motion import WayToMotion
 from coursework.system.on_demand import Computed, computed, needs_of
 from coursework.variant.record.variant import Variant
 from coursework.words.sentence import Sentence
@@ -28,7 +27,6 @@ if TYPE_CHECKING:
     from coursework.drawing.check_sheet.graph_check import GraphCheck
     from coursework.drawing.paper.record import Drawing
     from coursework.drawing.plans.plans import Plans
-    from coursework.results.accuracy.problem import Problem
     from coursework.results.accuracy.record import AccuracyStudy
     from coursework.results.kinematics.extra import ExtraTable
 
@@ -158,20 +156,16 @@ def graph_check(results: MotionResults) -> GraphCheck | None:
 @computed("stop", "rates", "start", "exact", "closure", "motion", "search")
 def accuracy(results: MotionResults) -> AccuracyStudy | None:
     """What accuracy costs in evaluations: every scheme, projections, an adaptive pair, the exact closure (not timed)."""
+    from coursework.results.accuracy.problem import Problem
     from coursework.results.accuracy.study import make_study
 
     scene = results.scene
     if scene.stop is not None or scene.settings.columns or scene.search.passages:
         return None  # no scheme has an error that its step alone decides where it goes through a singular position
-    return make_study(problem_of(scene), scene.exact, results.by_scheme.motion.scheme)
-
-
-def problem_of(scene: WayToMotion) -> Problem:
-    """Return what a study of accuracy needs of a scene."""
-    from coursework.results.accuracy.problem import Problem
-
     units = tuple(coordinate.unit for coordinate in scene.variant.coordinates)
-    return Problem(scene.rates, scene.start, scene.variant.time.step, len(scene.exact.t) - 1, scene.closure, units)
+    problem = Problem(scene.rates, scene.start, scene.variant.time.step, len(scene.exact.t) - 1, scene.closure, units)
+    results = results.by_scheme
+    return make_study(problem, scene.exact, results.motion.scheme)
 
 
 @computed("mechanism", "equations", "one_period")
