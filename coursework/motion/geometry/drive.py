@@ -111,7 +111,7 @@ def _resolution(equations: VelocityEquations, end: float) -> Resolution:
     moving = _moving(equations, laws)
     edges = np.unique(np.concatenate([[0.0, end], inner[(inner > 0) & (inner < end)]]))
     if not moving or end <= 0:
-        return Resolution(edges, 0.0, 0.0, True)
+        return Resolution(edges, 0.0, True)
     return resolve(lambda begin, end: [laws.over(name, begin, end) for name in moving], edges)
 
 

@@ -58,7 +58,6 @@ class Model:
     variant: Variant
     equations: VelocityEquations = field(repr=False)
     reduction: Reduction = field(repr=False)
-    _blocks: dict[int, Callable[..., Any]] = field(default_factory=dict, repr=False)
     _compiled: dict[Any, Callable[..., Any]] = field(default_factory=dict, repr=False)
 
     def bind(self, data: Any = None, settings: Settings | None = None) -> Scene:
@@ -144,14 +143,12 @@ class Model:
 
         `earlier` is laid out as `rates` returns it; only the columns that the block's equations hold are read.
         """
-        if block not in self._blocks:
-            own = self.blocks[block]
-            others = [name for name in self.variant.sought if name not in own.unknowns]
-            results = [symbol(name) for name in own.unknowns]
-            self._blocks[block] = self.compile(block_statements(own, block), results, others)
-        places = [self.velocities.index(name) for name in self.variant.sought if name not in self.blocks[block].unknowns]
+        own = self.blocks[block]
+        others = [name for name in self.variant.sought if name not in own.unknowns]
+        if block not in self._compiled:
+            self._compiled[block] = self.compile(block_statements(own, block), [symbol(name) for name in own.unknowns], others)
         read = np.asarray(earlier, dtype=float)
-        return self._at(self._blocks[block], t, q, data, [read[..., place] for place in places])
+        return self._at(self._compiled[block], t, q, data, [read[..., self.velocities.index(name)] for name in others])
 
     @property
     def program(self) -> Callable[..., Any]:
