@@ -277,12 +277,11 @@ class SceneRun:
         """Return the graph-analytical check, None where it was not asked for or the motion stops before its row."""
         return self.of(GRAPH_CHECK) if self.asks(GRAPH_CHECK) else None
 
-    def plan_with(self, *more: str) -> Plan:
-        """Return the plan where the pages show `more` besides what was asked for."""
-        plan = make_plan(
-            all_needs(type(self.scene)), [*(quantity.name for quantity in quantities_for(self.asked).values()), *more]
-        )
-        return replace(plan, needed_by={**plan.needed_by, **dict.fromkeys(more, say("plan.pages"))})
+    def plan_with(self, *more: str, pages: bool = True) -> Plan:
+        """Return the plan with `more` besides what was asked for; without `pages`, without what only they show."""
+        asked = [one.name for one in quantities_for(self.asked).values() if pages or not one.only_pages]
+        plan = make_plan(all_needs(type(self.scene)), [*asked, *more])
+        return replace(plan, needed_by={**plan.needed_by, **{name: say("plan.pages") for name in more if name not in asked}})
 
     def blocks_evaluated(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
         """Return the blocks of velocities that each row needs, and those that nothing asked for needs, by their unknowns."""

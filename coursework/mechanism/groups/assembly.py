@@ -23,6 +23,9 @@ Length: TypeAlias = ArrayLike | tuple[ArrayLike, ArrayLike, ArrayLike]
 # farther outside is a mechanism that really cannot be put together (hard case H05).
 ULPS = 8.0
 
+# What four decimals of a metre do not show.
+HIDDEN = 1e-4
+
 # The letters of a group's points in sentences, where no file gives its own.
 TEXTBOOK = {letter: letter for letter in "BCD"}
 
@@ -96,8 +99,10 @@ def at(value: ArrayLike, row: int) -> float:
     return float(entries[row if len(entries) > 1 else 0])
 
 
-def metres(value: float) -> Sentence:
-    """Return a length for a sentence; a small one is never rounded to a false zero."""
+def metres(value: float, beside: float = 1.0) -> Sentence:
+    """Return a length for a sentence; a small one is never rounded to a false zero, nor two alike that differ by `beside` (m)."""
+    if abs(beside) < HIDDEN:
+        return say("group.exact", metres=value)
     return say("group.metres" if abs(value) >= 0.001 or value == 0.0 else "group.small", metres=value)
 
 

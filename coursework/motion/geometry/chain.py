@@ -16,6 +16,7 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import Symbols
 from coursework.mechanism import groups
 from coursework.mechanism.groups import Guide, Pair, group_kind
+from coursework.mechanism.groups.assembly import HIDDEN
 from coursework.mechanism.groups.kind import Known
 from coursework.motion.geometry.drive import integrals
 from coursework.motion.geometry.time_derivatives import compile_rows
@@ -27,7 +28,7 @@ from coursework.variant.record.roles import letters_of
 from coursework.variant.record.variant import Coordinate, Group, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
-from coursework.words.sentences import say
+from coursework.words.sentences import joined, say
 
 if TYPE_CHECKING:
     import sympy as sp
@@ -75,6 +76,8 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
             reason = _in_letters_of(group, error.reason)
             if isinstance(error, groups.AtDeadPoint):  # of a place that is none the position is left open
                 reason = say("group.dead.undecided", found=reason)
+            elif 0 < error.shortage < HIDDEN:
+                reason = joined([reason, say("group.nearly")])
             known = {"kind": group.kind, "time": float(times[error.row]), "reason": reason}
             told = say("fault.V306", **known, letters=named) if named else say("fault.V305", **known)
             raise _fault(told, number, group, variant) from error

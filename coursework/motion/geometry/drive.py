@@ -1,6 +1,7 @@
 """The drive as numbers: its values, its integral from t = 0 with what that leaves open, its breaks and its fastest oscillation.
 
-Enters: the drive of a variant.  Leaves: plain functions of time.  Used by `closure.py`, `chain.py`, the march, checks, `sets.py`.
+Enters: the drive of a variant.  Leaves: plain functions of time.
+Used by `closure.py`, `chain.py`, the march, checks, `sets.py` and `sliders.py`.
 """
 
 from __future__ import annotations
@@ -115,8 +116,13 @@ def _resolution(equations: VelocityEquations, end: float) -> Resolution:
     return resolve(lambda begin, end: [laws.over(name, begin, end) for name in moving], edges)
 
 
-def resolved(equations: VelocityEquations, data: Mapping[str, Array], times: Array) -> Flags:
-    """Return for which sets of `data`, (n,) each, no drive does anything between `times` (k,) that the rule would not see."""
+def resolved(
+    equations: VelocityEquations, data: Mapping[str, Array], times: Array, points: int = POINTS, wanted: float = WANTED
+) -> Flags:
+    """Return for which sets of `data`, (n,) each, no drive does anything between `times` (k,) that the rule would not see.
+
+    `wanted`: what a rule of so many `points` may leave open between two of them (rad or m).
+    """
     sets = max(map(len, data.values()), default=1)
     seen = np.ones(sets, dtype=bool)
     moving = _moving(equations, _laws(equations, equations.variant.values))
@@ -127,7 +133,8 @@ def resolved(equations: VelocityEquations, data: Mapping[str, Array], times: Arr
         columns = {name: column[part, None] if np.ptp(column[part]) else float(column[first]) for name, column in data.items()}
         laws = _laws(equations, columns)
         for name in moving:
-            seen[part] &= np.all(left_open(laws.over(name, edges[:-1], edges[1:]), np.diff(edges) / 2) <= WANTED, axis=-1)
+            open_ = left_open(laws.over(name, edges[:-1], edges[1:]), np.diff(edges) / 2, points)
+            seen[part] &= np.all(open_ <= wanted, axis=-1)
     return seen
 
 
