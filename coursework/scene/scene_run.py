@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
-from coursework.equations.codegen.programs import SYMPY_VERSION
 from coursework.equations.reduction.blocks import Reduction
 from coursework.equations.reduction.solution import ShownEquation, Solution, shown_equations
 from coursework.motion.integration.motion import Motion, Stop
@@ -294,7 +293,9 @@ class SceneRun:
     @property
     def versions(self) -> dict[str, str]:
         """Return the versions that made the numbers."""
+        from importlib.metadata import version
+
         return {
             "coursework": VERSION, "python": platform.python_version(),
-            "numpy": np.__version__, "sympy": SYMPY_VERSION,
+            "numpy": np.__version__, "sympy": version("sympy"),
         }  # fmt: skip

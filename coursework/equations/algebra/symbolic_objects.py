@@ -1,0 +1,34 @@
+"""An expression -> SymPy's object of it, for whoever goes on by hand.
+
+Enters: an `Expression`.  Leaves: a SymPy expression in real symbols.  Used by `blocks.py`; SymPy is loaded here and nowhere else.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from coursework.equations.algebra.expression import Expression
+
+if TYPE_CHECKING:
+    import sympy as sp
+
+_NAMES = {"abs": "Abs", "+": "Add", "*": "Mul", "^": "Pow"}
+
+
+def symbolic(part: Expression) -> sp.Expr:
+    """Return SymPy's object of an expression."""
+    import sympy as sp
+
+    if part.op == "number":
+        return sp.Rational(part.value.numerator, part.value.denominator)
+    if part.op == "symbol":
+        return sp.Symbol(part.name, real=True)
+    args = [symbolic(arg) for arg in part.args]
+    if part.op == "pi":
+        return sp.pi
+    if part.op == "piecewise":
+        time, *pieces, last = args
+        return sp.Piecewise(*((piece, end > time) for piece, end in zip(pieces[::2], pieces[1::2], strict=True)), (last, True))
+    if part.op.startswith("_table_"):
+        return sp.Function(part.op)(*args)
+    return getattr(sp, _NAMES.get(part.op, part.op))(*args)
