@@ -109,8 +109,6 @@ class StraightLine:
                 )
                 return self._quotient(self._product(above), self._product([self._power(arg) for arg in below]))
             case "^":
-                if expr is POLE:
-                    raise FormulaRefused(say("fault.V513", text="1/0"))
                 found = self._power(expr)
                 return self._quotient(self._constant(1.0), found) if expr.args[1].is_negative else found
             case "piecewise":
@@ -190,6 +188,8 @@ class StraightLine:
 
     def _power(self, power: Expression) -> int:
         """Return a power, or where its exponent is negative what it is one divided by."""
+        if power is POLE:
+            raise FormulaRefused(say("fault.V513", text="1/0"))
         base, exponent = power.args
         value, twice = self._value(base), 2 * abs(exponent.value)
         if twice.denominator > 1 or twice > 2 * _MOST_FACTORS:
