@@ -10,17 +10,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from functools import lru_cache
 
-from coursework.equations.algebra.expression import (
-    MINUS,
-    ONE,
-    ZERO,
-    Expression,
-    add,
-    multiply,
-    node,
-    number,
-    power,
-)
+from coursework.equations.algebra.expression import MINUS, ONE, ZERO, Expression, add, multiply, node, number, power
 from coursework.equations.algebra.functions import call, cosine, sine
 
 
@@ -188,20 +178,46 @@ def together(part: Expression) -> tuple[Expression, Expression]:
     """Return what stands above and below when all terms are brought to one denominator."""
     if part.op == "*":
         sides = [together(factor) for factor in part.args]
-        return fraction(multiply(*(above for above, _ in sides)) / multiply(*(below for _, below in sides)))
+        return fraction(multiply(*[above for above, _ in sides], *[power(below, MINUS) for _, below in sides]))
     if part.op == "^":
-        above, below = together(part.args[0])
-        return fraction(power(above / below, part.args[1]))
+        (above, below), exponent = together(part.args[0]), part.args[1]
+        if exponent.value.denominator > 1 and below.op != "number":
+            return fraction(power(above / below, exponent))
+        return fraction(multiply(power(above, exponent), power(below, -exponent)))
     if part.op != "+":
         return fraction(part)
     sides = [together(term) for term in part.args]
-    divisors: dict[Expression, Fraction] = {}
+    number_below, divisors = 1, dict[Expression, Fraction]()
     for _, below in sides:
-        for factor in below.factors:
-            base, exponent = factor.base_and_power
-            divisors[base] = max(divisors.get(base, exponent.value), exponent.value)
-    common = multiply(*[power(base, number(exponent)) for base, exponent in divisors.items()])
-    return add(*[above * common / below for above, below in sides]), common
+        content, factors = _whole(below)
+        number_below = math.lcm(number_below, content.numerator)
+        for base, times in factors.items():
+            divisors[base] = max(divisors.get(base, times), times)
+    common = [number(number_below), *[power(base, number(times)) for base, times in divisors.items()]]
+    above = add(*[multiply(over, *common, *_below_one(below)) for over, below in sides])
+    return above, multiply(*common)
+
+
+def _whole(product: Expression) -> tuple[Fraction, dict[Expression, Fraction]]:
+    """Return the number in a product and the powers of its factors, sums without a common divisor of their numbers."""
+    total, powers = Fraction(1), dict[Expression, Fraction]()
+    for factor in product.factors:
+        base, exponent = factor.base_and_power
+        if base.op == "number" and exponent is ONE:
+            total *= base.value
+            continue
+        if base.op == "+" and exponent.value.denominator == 1:
+            sizes = [abs(term.split()[0]) for term in base.args]
+            content = Fraction(math.gcd(*(s.numerator for s in sizes)), math.lcm(*(s.denominator for s in sizes)))
+            base, total = base / number(content), total * content**exponent.value.numerator
+        powers[base] = powers.get(base, Fraction(0)) + exponent.value
+    return total, powers
+
+
+def _below_one(below: Expression) -> list[Expression]:
+    """Return the factors of 1/below, as `_whole` takes it apart."""
+    content, factors = _whole(below)
+    return [number(1 / content), *[power(base, number(-exponent)) for base, exponent in factors.items()]]
 
 
 def operations(part: Expression) -> int:
@@ -226,29 +242,3 @@ def operations(part: Expression) -> int:
         return counted[one]
 
     return count(part)
-
-
-def value(part: Expression) -> float:
-    """Return the value of an expression of numbers alone, nan where it has none."""
-    if part.op == "number":
-        return part.value.numerator / part.value.denominator
-    args = [value(arg) for arg in part.args]
-    try:
-        match part.op:
-            case "pi":
-                return math.pi
-            case "+":
-                return math.fsum(args)
-            case "*":
-                return math.prod(args)
-            case "^":
-                return math.pow(*args)
-            case "abs":
-                return abs(args[0])
-            case "sign":
-                return math.copysign(1.0, args[0]) if args[0] else 0.0
-            case "cot":
-                return 1 / math.tan(args[0])
-        return float(getattr(math, part.op)(*args))
-    except (ArithmeticError, ValueError):
-        return math.nan

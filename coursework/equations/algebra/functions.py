@@ -17,18 +17,17 @@ from coursework.equations.algebra.expression import (
     Expression,
     absolute,
     add,
-    has_minus,
     multiply,
     node,
     number,
     power,
 )
+from coursework.equations.algebra.tree import has_minus
 
 _ODD = {"sin", "tan", "cot", "asin", "atan", "sign"}
 _TRIGONOMETRIC = {"sin", "cos", "tan", "cot"}
 # Sines of parts of pi that are roots of one whole number, by (the angle, its sine squared).
 _SINES = {Fraction(part, 12): Fraction(square, 4) for part, square in ((0, 0), (2, 1), (3, 2), (4, 3), (6, 4))}
-_TANGENTS = {Fraction(1, 6): Fraction(1, 3), Fraction(1, 4): Fraction(1), Fraction(1, 3): Fraction(3)}
 
 
 def call(name: str, *args: Expression) -> Expression:
@@ -52,8 +51,6 @@ def call(name: str, *args: Expression) -> Expression:
     found = None
     if name in _TRIGONOMETRIC:
         found = _of_angle(name, first)
-    elif name in {"asin", "acos", "atan"} and not first.free_symbols:
-        found = _angle(name, first)
     elif name == "sign":
         outside = [factor for factor in first.factors if factor.op == "number"]
         found = ONE if first.op == "number" else call(name, multiply(*first.factors[1:])) if outside else None
@@ -99,32 +96,19 @@ def _quarter_turns(name: str, quarters: int, rest: Expression) -> Expression:
 
 def _of_part(name: str, part: Fraction) -> Expression | None:
     """Return a function of a part of pi: exactly, or of the smallest angle that gives it, None for that angle itself."""
-    if name in {"tan", "cot"}:
-        if part % 1 in {0, HALF.value}:
-            return ZERO if (part % 1 == 0) == (name == "tan") else POLE
-        least = part % 1 - (part % 1 > HALF.value)
-        root = _TANGENTS.get(abs(least))
-        if root is not None:
-            size = power(number(root), HALF if name == "tan" else -HALF)
-            return size if least > 0 else -size
-        return None if least == part else call(name, multiply(number(least), PI))
-    if name == "cos":
-        turned = (part + HALF.value) % 2
-        if 2 * part % 1 == 0 or (turned if turned <= 1 else turned - 1) in _SINES or 1 - turned % 1 in _SINES:
-            return _of_part("sin", part + HALF.value)
-        least = part % 2
-        if least > 1:
-            return -call(name, multiply(number(least - 1), PI))
-        if least > HALF.value:
-            return -call(name, multiply(number(1 - least), PI))
-        return None if least == part else call(name, multiply(number(least), PI))
-    least = part % 2
+    if name == "cot":
+        return call("tan", multiply(number(HALF.value - part), PI))
+    least = part % (1 if name == "tan" else 2)
     if least > 1:
         return -call(name, multiply(number(least - 1), PI))
     if least > HALF.value:
-        return call(name, multiply(number(1 - least), PI))
-    if least in _SINES:
-        return power(number(_SINES[least]), HALF)
+        other = call(name, multiply(number(1 - least), PI))
+        return other if name == "sin" else -other
+    square = _SINES.get(HALF.value - least if name == "cos" else least)
+    if name == "tan" and square is not None:
+        return POLE if square == 1 else power(number(square / (1 - square)), HALF)
+    if square is not None:
+        return power(number(square), HALF)
     return None if least == part else call(name, multiply(number(least), PI))
 
 
@@ -144,17 +128,3 @@ def _of_inverse(name: str, op: str, args: Sequence[Expression]) -> Expression | 
         return None
     sides = {"sin": (opposite, long), "cos": (adjacent, long), "tan": (opposite, adjacent), "cot": (adjacent, opposite)}
     return sides[name][0] / sides[name][1]
-
-
-def _angle(name: str, size: Expression) -> Expression | None:
-    """Return an inverse function of a number exactly where it is a usual part of pi."""
-    square = size**2
-    if square.op != "number":
-        return None
-    usual = _TANGENTS if name == "atan" else _SINES
-    part = next((part for part, root in usual.items() if root == square.value), None)
-    if part is None:
-        return None
-    if name == "acos":
-        part = HALF.value + part if has_minus(size) else HALF.value - part
-    return multiply(number(part), PI)

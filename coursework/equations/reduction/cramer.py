@@ -9,7 +9,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from coursework.equations.algebra.calculus import replaced
-from coursework.equations.algebra.expression import ONE, Expression, has_minus
+from coursework.equations.algebra.expression import ONE, Expression
+from coursework.equations.algebra.tree import has_minus
 from coursework.equations.reduction.blocks import Block, Reduction
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import expanded, symbol

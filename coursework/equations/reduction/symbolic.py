@@ -12,9 +12,10 @@ from contextlib import contextmanager
 from fractions import Fraction
 from math import comb, prod
 
-from coursework.equations.algebra.calculus import derivative, expand, piecewise, table, value
+from coursework.equations.algebra.calculus import derivative, expand, piecewise, table
 from coursework.equations.algebra.expression import PI, POLE, ZERO, Expression, node, number, variable
 from coursework.equations.algebra.functions import call, cosine, sine
+from coursework.equations.algebra.tree import value
 from coursework.equations.codegen.names import derivative as name_of_derivative
 from coursework.equations.codegen.names import private, public
 from coursework.mechanism.mechanism import Mechanism

@@ -13,7 +13,7 @@ from functools import reduce
 from math import gcd
 
 from coursework.equations.algebra.calculus import expand, operations, together
-from coursework.equations.algebra.expression import HALF, ONE, Expression
+from coursework.equations.algebra.expression import HALF, ONE, ZERO, Expression
 from coursework.equations.algebra.functions import cosine, sine
 from coursework.equations.codegen.names import private, public
 from coursework.equations.reduction.sums import Term, gathered, written_sums
@@ -123,7 +123,7 @@ def _lcm(a: int, b: int) -> int:
 
 
 def _terms(expr: Expression, order: Order) -> list[Term]:
-    return gathered([_term(part) for part in expr.terms], order.sums)
+    return gathered([_term(part) for part in expr.terms if part is not ZERO], order.sums)
 
 
 def _term(expr: Expression) -> Term:
