@@ -114,7 +114,7 @@ def add(*terms: Expression) -> Expression:
             factor, rest = term.split()
             found[rest] = found.get(rest, _ZERO) + factor
     parts = [rest if factor == 1 else _times(factor, rest) for rest, factor in found.items() if factor]
-    parts.sort(key=_in_order)
+    parts.sort()
     if total:
         parts.insert(0, number(total))
     return node("+", tuple(parts)) if len(parts) > 1 else parts[0] if parts else ZERO
@@ -122,10 +122,6 @@ def add(*terms: Expression) -> Expression:
 
 def _times(factor: Fraction, rest: Expression) -> Expression:
     return node("*", (number(factor), *rest.factors))
-
-
-def _in_order(part: Expression) -> tuple[Any, ...]:
-    return part.order
 
 
 def multiply(*factors: Expression) -> Expression:
@@ -156,7 +152,7 @@ def multiply(*factors: Expression) -> Expression:
         parts.append(part)
     if changed:
         return multiply(number(total), *parts)
-    parts.sort(key=_in_order)
+    parts.sort()
     if total != 1:
         if len(parts) == 1 and parts[0].op == "+":
             return add(*[multiply(number(total), term) for term in parts[0].args])

@@ -11,7 +11,7 @@ from fractions import Fraction
 from typing import Any, Self
 
 # What comes first in sums and products; functions follow by name.
-_KINDS = {"number": 7, "pi": 11, "symbol": 13, "^": 15, "*": 16, "+": 17, "abs": 20}
+_KINDS = {"pi": 11, "symbol": 13, "^": 15, "*": 16, "+": 17, "abs": 20}
 _SINGLE = {Fraction(0): 0, Fraction(1): 1, Fraction(1, 2): 2, Fraction(-1): 5}
 # What leads in a sum, so that a - b and not b - a is written without a minus.
 _RANKS = {"symbol": -2, "*": -1, "+": 0, "exp": 10, "log": 11, "sin": 20, "cos": 21, "tan": 22, "cot": 23}
@@ -20,16 +20,19 @@ _RANKS = {"symbol": -2, "*": -1, "+": 0, "exp": 10, "log": 11, "sin": 20, "cos":
 class Tree:
     """`op` is number, symbol, pi, + * ^, piecewise or the name of a function; `value` that of a number, `name` that of a symbol.
 
-    The arguments of "piecewise" are t, then each piece and the time at which it ends, last the piece that has no end.
+    `depth` counts its levels.  The arguments of "piecewise" are t, then each piece and the time at which it ends, last the piece
+    that has no end.
     """
 
-    __slots__ = ("__weakref__", "_free", "_hash", "_order", "args", "name", "op", "value")
+    __slots__ = ("__weakref__", "_free", "_hash", "_kind", "args", "depth", "name", "op", "value")
 
     def __init__(self, op: str, args: tuple[Self, ...], name: str, value: Fraction) -> None:
         self.op, self.args, self.name, self.value = op, args, name, value
         self._hash = hash(value if op == "number" else (op, name, args))
+        self.depth: int = 1 + max((arg.depth for arg in args), default=0)
         self._free: frozenset[Self] | None = None
-        self._order: tuple[Any, ...] | None = None
+        kind = _KINDS.get(op, 99) if op != "number" else _SINGLE.get(value, 7 + (value.denominator > 1))
+        self._kind = kind, op, len(args), name, value.numerator, value.denominator
 
     def __hash__(self) -> int:
         return self._hash
@@ -54,16 +57,14 @@ class Tree:
             self._free = frozenset(own).union(*(arg.free_symbols for arg in self.args))
         return self._free
 
-    @property
-    def order(self) -> tuple[Any, ...]:
-        """Return what sums and products sort their parts by."""
-        if self._order is None:
-            kind = _KINDS.get(self.op, 99)
-            if self.op == "number":
-                kind = _SINGLE.get(self.value, kind + (self.value.denominator > 1))
-            size, inner = len(self.args), tuple(arg.order for arg in self.args)
-            self._order = kind, self.op, size, self.name, self.value.numerator, self.value.denominator, inner
-        return self._order
+    def __lt__(self, other: Tree) -> bool:
+        one: Tree = self
+        while one is not other:
+            if (first := one._kind) != (second := other._kind):
+                return first < second
+            pairs = zip(one.args, other.args, strict=True)
+            one, other = next((pair for pair in pairs if pair[0] is not pair[1]), (other, other))
+        return False
 
     def walk(self) -> Iterator[Self]:
         """Yield every different part, this one first."""
@@ -126,11 +127,11 @@ def _monomial(term: Tree) -> dict[tuple[Any, ...], int]:
     found = {}
     for factor in term.factors:
         base, by = (factor.args[0], factor.args[1].value) if factor.op == "^" else (factor, Fraction(1))
-        inner = base.order
+        inner: tuple[Tree, ...] = (base,)
         if factor.op == "exp":  # exp(-2 x) is the power -2 of exp(x)
             parts = factor.args[0].factors
             by = parts[0].value if parts[0].op == "number" else by
-            inner = tuple(part.order for part in parts if part.op != "number")
+            inner = tuple(part for part in parts if part.op != "number")
         if factor.free_symbols:
             found[_RANKS.get(base.op, 99), inner, Fraction(1, by.denominator)] = by.numerator
     return found

@@ -42,6 +42,8 @@ TIME = symbol("t")
 _AT_BREAK = 1e-14
 # Multiplied out, (a + b + … )^8 of a few names has more terms than a computer has patience; nobody reads a hundred.
 _MOST_TERMS = 100
+# Points in points: what is so deep could not be differentiated and printed within the stack of a process.
+MOST_LEVELS = 100
 
 
 def constants(variant: Variant) -> dict[str, float]:
@@ -157,6 +159,8 @@ class Symbols:
         found = self._call(tree.name, args) if tree.op == "call" else _combine(tree, args)
         if tree.op in {"call", "^"} and POLE in found.factors:
             raise no_number(tree)
+        if found.depth > MOST_LEVELS:
+            raise FormulaFault(tree.column or 1, say("fault.V141", most=MOST_LEVELS))
         return found
 
     def _call(self, name: str, args: list[Expression]) -> Expression:

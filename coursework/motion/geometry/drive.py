@@ -224,4 +224,4 @@ def _slopes_of_sums(equations: VelocityEquations) -> list[Expression]:
             if rest.op not in {"sin", "cos"} or (slope := derivative(rest.args[0], TIME)).has(TIME) or slope == 0:
                 return []
             slopes.add(slope)
-    return sorted(slopes, key=lambda slope: slope.order)
+    return sorted(slopes)

@@ -95,9 +95,7 @@ def _waves(expr: Expression) -> tuple[list[tuple[Expression, Expression]], list[
 
     Last the formula with its symbols, None where time stands in the waves alone.
     """
-    found = sorted(
-        (part for part in expr.walk() if part.op in {"sin", "cos", "tan"} and part.has(TIME)), key=lambda part: part.order
-    )
+    found = sorted(part for part in expr.walk() if part.op in {"sin", "cos", "tan"} and part.has(TIME))
     waves = [(wave, local(f"_wave{place}")) for place, wave in enumerate(found)]
     slopes = [derivative(wave.args[0], TIME) for wave in found]
     still = replaced(expr, dict(waves))
