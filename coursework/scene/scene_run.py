@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
+from coursework.equations.algebra.symbolic_objects import sympy_version
 from coursework.equations.reduction.blocks import Reduction
 from coursework.equations.reduction.solution import ShownEquation, Solution, shown_equations
 from coursework.motion.integration.motion import Motion, Stop
@@ -293,9 +294,7 @@ class SceneRun:
     @property
     def versions(self) -> dict[str, str]:
         """Return the versions that made the numbers."""
-        from importlib.metadata import version
-
         return {
             "coursework": VERSION, "python": platform.python_version(),
-            "numpy": np.__version__, "sympy": version("sympy"),
+            "numpy": np.__version__, "sympy": sympy_version(),
         }  # fmt: skip

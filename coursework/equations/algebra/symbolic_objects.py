@@ -1,10 +1,13 @@
-"""An expression -> SymPy's object of it, for whoever goes on by hand.
+"""An expression -> SymPy's object of it, for whoever goes on by hand; and which SymPy that is.
 
-Enters: an `Expression`.  Leaves: a SymPy expression in real symbols.  Used by `blocks.py`; SymPy is loaded here and nowhere else.
+Enters: an `Expression`.  Leaves: a SymPy expression in real symbols.  Used by `blocks.py` and `scene_run.py`.
+SymPy is loaded here and nowhere else.
 """
 
 from __future__ import annotations
 
+from importlib.util import find_spec
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from coursework.equations.algebra.expression import Expression
@@ -32,3 +35,11 @@ def symbolic(part: Expression) -> sp.Expr:
     if part.op.startswith("_table_"):
         return sp.Function(part.op)(*args)
     return getattr(sp, _NAMES.get(part.op, part.op))(*args)
+
+
+def sympy_version() -> str:
+    """Return the version of SymPy without loading it: the metadata of a package take forty times as long as its own file."""
+    spec = find_spec("sympy")
+    assert spec is not None
+    assert spec.origin is not None
+    return Path(spec.origin).with_name("release.py").read_text(encoding="utf-8").split('"')[1]

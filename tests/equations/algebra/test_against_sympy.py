@@ -14,7 +14,7 @@ from coursework import InputError
 from coursework.equations.algebra.calculus import derivative, expand
 from coursework.equations.algebra.expression import PI, node, number, variable
 from coursework.equations.algebra.functions import call
-from coursework.equations.algebra.symbolic_objects import symbolic
+from coursework.equations.algebra.symbolic_objects import symbolic, sympy_version
 from coursework.equations.algebra.tree import has_minus
 from coursework.equations.reduction.cramer import cramer
 from coursework.equations.reduction.solution import shown_equations, solutions
@@ -176,3 +176,7 @@ def test_the_blocks_of_a_scene_are_sympy_when_asked_for():
         ["v_r1*sin(v_phi1)", "v_r2*sin(v_phi2)"], ["-v_r1*cos(v_phi1)", "-v_r2*cos(v_phi2)"]
     ]  # fmt: skip
     assert all(isinstance(entry, sp.Expr) for entry in block.right_side)
+
+
+def test_the_version_is_that_of_the_package():
+    assert sympy_version() == sp.__version__
