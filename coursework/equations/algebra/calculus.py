@@ -50,7 +50,7 @@ def replaced(part: Expression, by: Mapping[Expression, Expression]) -> Expressio
     return changed(part)
 
 
-@lru_cache(maxsize=8192)
+@lru_cache(maxsize=4096)
 def derivative(part: Expression, by: Expression) -> Expression:
     """Return the derivative of an expression by a symbol."""
     if by not in part.free_symbols:

@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import reduce
 from math import gcd
 
-from coursework.equations.algebra.calculus import expand, operations, together
+from coursework.equations.algebra.calculus import operations, together
 from coursework.equations.algebra.expression import HALF, ONE, ZERO, Expression
 from coursework.equations.algebra.functions import cosine, sine
 from coursework.equations.codegen.names import private, public
@@ -115,7 +115,7 @@ def as_sum(expr: Expression, order: Order) -> Formula:
     """Return an expression as the plain sum of its terms, as a velocity equation is written."""
     if operations(expr) > MAX_OPERATIONS:
         return _plain(expr, order)
-    return _sum(tuple(sorted(_terms(expand(expr), order), key=order.term)), order)
+    return _sum(tuple(sorted(_terms(expanded(expr), order), key=order.term)), order)
 
 
 def _lcm(a: int, b: int) -> int:

@@ -7,6 +7,7 @@ import pytest
 import coursework
 from coursework import InputError
 from coursework.equations.reduction.symbolic import MOST_LEVELS
+from coursework.variant.formula.tree import spelled
 from coursework.variant.reading.reader import parse_variant
 
 TEXT = """[points]
@@ -53,3 +54,14 @@ def iterated(value):
 def test_one_level_more_is_refused_with_its_place():
     with pytest.raises(InputError, match=r"V141 deep\.toml:3 .*points\.Q.*more than 100 levels deep"):
         _ = coursework.solve(variant(MOST_LEVELS + 1)).equations
+
+
+def test_a_power_of_a_long_sum_is_shown_as_it_is():
+    """(d0 + … + d24 + f)^8 multiplied out has more than ten million terms."""
+    names = [f"d{place}" for place in range(25)]
+    text = TEXT.format(first="0", second=f"({' + '.join(names)} + f)^8*g").replace("w1 = U", "w1 + Q.x = U")
+    text = text.replace('equation = "w1 + Q.x = U"', 'closure = "Q.x = 0"').replace('"0.29"', '"0"')
+    given = "[given]\n" + "".join(f'{name} = "0.01"\n' for name in names)
+    run = coursework.solve(parse_variant(given + text, "wide.toml"), quantities=["table"])
+    shown = [spelled(one.left) for one in run.equations]
+    assert any(")^8" in left and len(left) < 1000 for left in shown), shown
