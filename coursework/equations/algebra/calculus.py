@@ -195,7 +195,8 @@ def together(part: Expression) -> tuple[Expression, Expression]:
             divisors[base] = max(divisors.get(base, times), times)
     common = [number(number_below), *[power(base, number(times)) for base, times in divisors.items()]]
     above = add(*[multiply(over, *common, *_below_one(below)) for over, below in sides])
-    return above, multiply(*common)
+    both = number(math.gcd(number_below, _content(above).numerator))
+    return above / both, multiply(1 / both, *common)
 
 
 def _whole(product: Expression) -> tuple[Fraction, dict[Expression, Fraction]]:
@@ -207,11 +208,16 @@ def _whole(product: Expression) -> tuple[Fraction, dict[Expression, Fraction]]:
             total *= base.value
             continue
         if base.op == "+" and exponent.value.denominator == 1:
-            sizes = [abs(term.split()[0]) for term in base.args]
-            content = Fraction(math.gcd(*(s.numerator for s in sizes)), math.lcm(*(s.denominator for s in sizes)))
+            content = _content(base)
             base, total = base / number(content), total * content**exponent.value.numerator
         powers[base] = powers.get(base, Fraction(0)) + exponent.value
     return total, powers
+
+
+def _content(part: Expression) -> Fraction:
+    """Return the largest number that divides every term."""
+    sizes = [abs(_whole(term)[0]) for term in part.terms]
+    return Fraction(math.gcd(*(size.numerator for size in sizes)), math.lcm(*(size.denominator for size in sizes)))
 
 
 def _below_one(below: Expression) -> list[Expression]:

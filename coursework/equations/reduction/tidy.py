@@ -1,7 +1,7 @@
 """Expression -> formula in the author's order and the textbook's compact form.
 
 Enters: expressions of a small block.  Leaves: `Formula` for a page.  Nothing numeric reads it.
-A rewrite of our own: common factors out, cos a cos b + sin a sin b -> cos(a - b) and its three sisters.
+A rewrite of our own: common factors out, and angles together by `addition_theorems.py`.
 Used by `conditioning.py`, `blocks.py`, `equations.py` and `solution.py`.
 """
 
@@ -14,20 +14,23 @@ from math import gcd
 
 from coursework.equations.algebra.calculus import operations, together
 from coursework.equations.algebra.expression import HALF, ONE, ZERO, Expression
-from coursework.equations.algebra.functions import cosine, sine
 from coursework.equations.codegen.names import private, public
-from coursework.equations.reduction.sums import Term, gathered, written_sums
+from coursework.equations.reduction.addition_theorems import pair_angles
+from coursework.equations.reduction.sums import Atoms, Term, gathered, written_sums
 from coursework.equations.reduction.symbolic import expanded
 from coursework.variant.formula.tree import Formula, named, number, product_of
 from coursework.variant.record.variant import Variant
 
 # Beyond this many operations a formula is shown as it is: nobody reads it, and expanding it costs.
 MAX_OPERATIONS = 400
-Atoms = dict[Expression, int]
+_ONE = Fraction(1)
 
 
 class Order:
-    """The author's order: names and functions as they first appear in the equations; and `sums` that he writes as one."""
+    """The author's order: names and functions as they first appear in the equations; and `sums` that he writes as one.
+
+    `has_decimals`: lengths stand in his formulas as 0.02, so a factor is written so too, and not as 1/50; 0.5 is any half.
+    """
 
     def __init__(self, formulas: list[Formula], variant: Variant) -> None:
         names = [name for formula in formulas for name in formula.names()]
@@ -37,6 +40,8 @@ class Order:
         self._declared = variant.names
         calls = [node.name for formula in formulas for node in formula.walk() if node.op == "call"]
         self._calls = {name: place for place, name in enumerate(dict.fromkeys([*calls, "cos", "sin"]))}
+        written = {node.name for formula in formulas for node in formula.walk() if node.op == "number"}
+        self.has_decimals = any(Fraction(name).denominator > 2 for name in written)
         self.sums = written_sums(formulas, frozenset(g.name for g in variant.given))
 
     def rank(self, atom: Expression) -> tuple[int, ...]:
@@ -74,7 +79,7 @@ def product(expr: Expression, order: Order) -> Product:
         return Product(Fraction(0), (), ())
     if operations(expr) > MAX_OPERATIONS:
         return Product(Fraction(1), ((expr, 1),), ())
-    terms = _pair_angles(_terms(expanded(expr), order), order)
+    terms = pair_angles(_terms(expanded(expr), order), order.rank)
     if not terms:
         return Product(Fraction(0), (), ())
     common = _common(terms)
@@ -98,7 +103,15 @@ def quotient(above: Expression, bottom: Product, order: Order) -> Formula:
     up, down = top.terms, bottom.terms
     if up == down:
         up = down = ()
-    return _fraction(top.factor / bottom.factor, atoms, up, down, order)
+    (above_all, up), (below_all, down) = _as_given(top.factor, up, order), _as_given(bottom.factor, down, order)
+    return _fraction(above_all, atoms, up, down, order, below_all)
+
+
+def _as_given(factor: Fraction, terms: tuple[Term, ...], order: Order) -> tuple[Fraction, tuple[Term, ...]]:
+    """Return a factor put back into a sum of different ones where lengths are decimals: 0.02 and 0.25, not 0.01, 2 and 25."""
+    if not order.has_decimals or all(abs(own) == 1 for own, _ in terms):
+        return factor, terms
+    return Fraction(1 if factor > 0 else -1), tuple((own * abs(factor), atoms) for own, atoms in terms)
 
 
 def as_formula(expr: Expression, order: Order) -> Formula:
@@ -151,81 +164,34 @@ def _divide(atoms: tuple[tuple[Expression, int], ...], common: Atoms) -> tuple[t
     return tuple((atom, power) for atom, power in left.items() if power)
 
 
-def _pair_angles(terms: list[Term], order: Order) -> list[Term]:
-    """Join pairs of terms by the addition theorems until none is left."""
-    merged = True
-    while merged:
-        merged = False
-        for i, first in enumerate(terms):
-            for j in range(i + 1, len(terms)):
-                joined = _join(first, terms[j], order)
-                if joined is not None:
-                    terms = [term for k, term in enumerate(terms) if k not in {i, j}] + ([joined] if joined[0] else [])
-                    merged = True
-                    break
-            if merged:
-                break
-    return terms
-
-
-def _join(first: Term, second: Term, order: Order) -> Term | None:
-    if abs(first[0]) != abs(second[0]):
-        return None
-    a, b = dict(first[1]), dict(second[1])
-    # A divisor of one term only is a factor that the other has more of.
-    shared = {atom: power for atom in {**a, **b} if (power := min(a.get(atom, 0), b.get(atom, 0)))}
-    only_a = {atom: p for atom in {**a, **b} if (p := a.get(atom, 0) - shared.get(atom, 0))}
-    only_b = {atom: p for atom in {**b, **a} if (p := b.get(atom, 0) - shared.get(atom, 0))}
-    trig_a, trig_b = _two_angles(only_a), _two_angles(only_b)
-    if trig_a is None or trig_b is None:
-        return None
-    found = _addition(trig_a, trig_b, first[0], second[0], order)
-    if found is None:
-        return None
-    factor, merged = found
-    times, rest = merged.split()
-    atoms = dict(shared)
-    if rest is not ONE:
-        atoms[rest] = atoms.get(rest, 0) + 1
-    return factor * times, tuple(atoms.items())
-
-
-def _two_angles(atoms: Atoms) -> list[tuple[str, Expression]] | None:
-    """Return [(sin|cos, angle), (sin|cos, angle)] of a product of exactly two such functions."""
-    found = [(atom.op, atom.args[0]) for atom, power in atoms.items() for _ in range(power) if atom.op in {"sin", "cos"}]
-    return found if len(found) == 2 and sum(atoms.values()) == 2 else None
-
-
-def _addition(
-    a: list[tuple[str, Expression]], b: list[tuple[str, Expression]], p: Fraction, q: Fraction, order: Order
-) -> tuple[Fraction, Expression] | None:
-    angles = sorted({angle for _, angle in a}, key=lambda x: order.rank(cosine(x)))
-    if {angle for _, angle in b} != set(angles):
-        return None
-    x, y = angles if len(angles) == 2 else (angles[0], angles[0])
-    kinds = {"".join(sorted(kind for kind, _ in part)) for part in (a, b)}
-    if kinds == {"coscos", "sinsin"}:
-        cosines = p if a[0][0] == a[1][0] == "cos" else q
-        return cosines, cosine(x - y) if p == q else cosine(x + y)
-    if kinds == {"cossin"} and x != y:
-        leading = p if ("sin", x) in a else q
-        return leading, sine(x + y) if p == q else sine(x - y)
-    return None
-
-
-def _fraction(factor: Fraction, atoms: Atoms, up: tuple[Term, ...], down: tuple[Term, ...], order: Order) -> Formula:
-    if factor == 0 or not (atoms or up or down):
-        return number(factor)
+def _fraction(
+    factor: Fraction, atoms: Atoms, up: tuple[Term, ...], down: tuple[Term, ...], order: Order, by: Fraction = _ONE
+) -> Formula:
+    value = factor / by
+    if value == 0 or not (atoms or up or down):
+        return number(value)
     above = {atom: power for atom, power in atoms.items() if power > 0}
     below = {atom: -power for atom, power in atoms.items() if power < 0}
-    top = _factors(abs(factor.numerator), above, up, order)
-    bottom = _factors(factor.denominator, below, down, order)
+    numeral, divisor = _numerals(abs(factor), abs(by)) if order.has_decimals else _integers(abs(value))
+    top, bottom = _factors(numeral, above, up, order), _factors(divisor, below, down, order)
     tree = Formula("/", (top, bottom)) if bottom != number(1) else top
-    return Formula("neg", (tree,)) if factor < 0 else tree
+    return Formula("neg", (tree,)) if value < 0 else tree
 
 
-def _factors(numeral: int, atoms: Atoms, terms: tuple[Term, ...], order: Order) -> Formula:
-    parts = [] if numeral == 1 else [number(numeral)]
+def _integers(value: Fraction) -> tuple[Formula, Formula]:
+    return number(value.numerator), number(value.denominator)
+
+
+def _numerals(factor: Fraction, by: Fraction) -> tuple[Formula, Formula]:
+    """Return a factor above and one below as decimals, the quotient of the two where it is one: 0.4; 0.08 and 0.27."""
+    for above, below in ((factor / by, _ONE), (factor, by)):
+        if all(number(part).op == "number" for part in (above, below)):
+            return number(above), number(below)
+    return _integers(factor / by)
+
+
+def _factors(numeral: Formula, atoms: Atoms, terms: tuple[Term, ...], order: Order) -> Formula:
+    parts = [] if numeral == number(1) else [numeral]
     for atom, power in sorted(atoms.items(), key=lambda item: order.rank(item[0])):
         base = _argument(atom, order) if atom in order.sums else _plain(atom, order)
         parts.append(base if power == 1 else Formula("^", (base, number(power))))

@@ -27,7 +27,7 @@ from tests.equations.algebra.systems import chain, system
 NAMES = ("v_r1", "v_r2", "v_phi1", "v_phi2", "t", "v_s")
 MADE = {"sin": sp.sin, "cos": sp.cos, "tan": sp.tan, "exp": sp.exp, "atan": sp.atan}
 OPS = {"Add": "+", "Mul": "*", "Pow": "^"}
-# First 8 letters of the SHA-256 of what was printed while SymPy reduced the equations (1.14, 24 Nov 2026).
+# First 8 letters of the SHA-256 of what is printed where SymPy (1.14) reduces the equations.
 PRINTED = json.loads((Path(__file__).parents[2] / "reference" / "printed_formulas.json").read_text(encoding="utf-8"))
 
 

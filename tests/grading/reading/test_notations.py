@@ -8,7 +8,7 @@ import coursework
 from coursework.grading.marking.equations.equations import Judge
 from coursework.grading.marking.key import key_of
 from coursework.grading.reading.equations.lines import read_lines
-from tests.grading.scenes import expected
+from tests.grading.scenes import expected, variant_of
 
 PLAIN = """VMy - 2*r3*w3*cos(phi3) - r3*w3*sin(phi3) = 0
 2*r3*w3*sin(phi3) - r3*w3*cos(phi3) + 0.5*r3*w4 = 0
@@ -65,7 +65,7 @@ w1 = -r2*r3*w3*sin(phi3)*(2*cos(phi2) + sin(phi2))/D; w2 = r1*r3*w3*sin(phi3)*(2
 
 @cache
 def judge(name="31"):
-    return Judge(key_of(coursework.load(name)))
+    return Judge(key_of(variant_of(name)))
 
 
 def marked(text, name="31"):

@@ -7,33 +7,31 @@ Used by `read_submission.py`.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
-from coursework.grading.reading.equations.labels import bare_equations, without_labels, without_words
-from coursework.grading.reading.equations.meanings import Meanings, key, meaning_of, put_in
+from coursework.grading.reading.equations.labels import bare_equations, without_labels
+from coursework.grading.reading.equations.meanings import Meanings, meaning_of, put_in
 from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings, spellings_of
 from coursework.grading.reading.equations.plain_text import plain
 from coursework.grading.reading.equations.repair import Sides, is_name, sides_of
-from coursework.grading.reading.equations.signs import plain_signs, relates_two_sides
+from coursework.grading.reading.equations.signs import relates_two_sides
 from coursework.grading.reading.expected import Expected
 from coursework.grading.reading.student_work import EquationLine, EquationReading
 from coursework.variant.formula import reader
-from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.tree import Formula, FormulaFault, mapped
 from coursework.variant.toml.source import Source
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import closest, say
 
 MORE_LINES = 20  # beyond twice the equations needed
-_WORD = re.compile(r"[^\W\d]\w*")
+WORD = re.compile(r"[^\W\d]\w*")
 _PIECE = re.compile(r"[^\W\d]+\d+|[^\W\d_]+")  # of names written without a sign between them
-_OWN_NAME = re.compile(r"[^\W\d][\w']{0,40}")
+OWN_NAME = re.compile(r"[^\W\d][\w']{0,40}")
 _NUMBER = re.compile(r"[-+]?\s*(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
-_QUANTITY = re.compile(r"\s*[-+]?\s*\d[\d.,]*(?:[eE][-+]?\d+)?\s*[^\d\s=*+()]{0,8}(?:[-^]?\d)?\s*[.,;]?\s*")
-_DASH = re.compile(r"^\s*[-–—−]\s+")
-_SHORT = 80  # characters of a name and its number
-_FEWEST = 4  # words of an expression that is no prose
+DASH = re.compile(r"^\s*[-–—−]\s+")
+# A name and a formula: that of what is to vanish, as F(2) = r1*w1… is handed to a program that seeks roots.
+_FUNCTION_OF_ROOTS = re.compile(r"\s*[^\W\d]\w{0,20}\s*(?:[(\[]\s*\d{1,2}\s*[)\]])?\s*=([^=]+)")
+_TURNED = re.compile(r"(?:sin|cos)\s*[\[({]?\s*\\?[^\W\d]", re.IGNORECASE)  # names that nobody knows are an equation all the same
 
 
 def most_lines(expected: Expected) -> int:
@@ -54,7 +52,7 @@ def read_line(
     A line that can be meant in several ways has the others too: a label may be a number, a formula without a name the value of
     any velocity.  `own` are the definitions of the same text; `listed`: every line of it begins with a dash, perhaps no minus.
     """
-    names = _Names(spellings_for(expected), expected, own or {}, listed)
+    names = Names(spellings_for(expected), expected, own or {}, listed)
     found, fault = _readings(text, names)
     firm = [reading for reading in found if not reading.is_loose]
     if firm:
@@ -68,15 +66,15 @@ def read_line(
         fault = Fault(say("fault.G063", example=example), column=1)
     short = text[: reader.MAX_CHARACTERS]
     told = Fault(fault.message, file, line, fault.column)
-    relates = len(names_in(short, names.spellings)) > 1
+    relates = len(names_in(short, names.spellings)) > 1 or (relates_two_sides(short) and _TURNED.search(short) is not None)
     return EquationLine(file, line, short, None, None, fault=told, others=others, relates=relates)
 
 
-def _readings(text: str, names: _Names) -> tuple[list[EquationReading], Fault | None]:
+def _readings(text: str, names: Names) -> tuple[list[EquationReading], Fault | None]:
     """Return the ways to read a line, the likeliest first, and what is wrong with it as it stands, None where nothing is."""
     found: list[EquationReading] = []
     fault: Fault | None = None
-    shortest = _DASH.sub("", text) if names.listed else text
+    shortest = DASH.sub("", without_labels(text)) if names.listed else text
     for candidate in dict.fromkeys((shortest, without_labels(text), text)):
         strict = _strict(candidate, names)
         if isinstance(strict, Fault):
@@ -97,10 +95,14 @@ def _readings(text: str, names: _Names) -> tuple[list[EquationReading], Fault | 
                     fault = named = Fault(read.message, column=_column_of(read.place, text))
             else:
                 found += [replace(one, guessed=one.guessed or closely) for one in read if one.text not in {o.text for o in found}]
+    for candidate in written:
+        if zero := _FUNCTION_OF_ROOTS.fullmatch(without_labels(candidate)):
+            read = _of_sides(sides_of(zero[1], names.spellings), names)
+            found += [] if isinstance(read, Fault) else [replace(one, is_loose=True) for one in read]
     return found, fault
 
 
-def _of_sides(sides: Sides, names: _Names) -> list[EquationReading] | Fault:
+def _of_sides(sides: Sides, names: Names) -> list[EquationReading] | Fault:
     """Return the equations that a chain of sides means: each side equals the last one that can be read.
 
     A number at the end of a longer chain is its value in some row; what stands between sides and cannot be read leaves it open
@@ -113,10 +115,10 @@ def _of_sides(sides: Sides, names: _Names) -> list[EquationReading] | Fault:
             return read
         return [EquationReading(*read, " = ".join(texts), guessed=not sides.is_whole)]
     kept = [text for text in texts if not isinstance(_strict(f"{text} = 0", names), Fault)]
-    is_loose = any(text not in kept for text in texts if not _OWN_NAME.fullmatch(text.strip()))
+    is_loose = any(text not in kept for text in texts if not OWN_NAME.fullmatch(text.strip()))
     while len(kept) > 2 and _NUMBER.fullmatch(kept[-1]) and float(kept[-1].replace(" ", "")):
         kept.pop()
-    if len(kept) < 2 or all(_OWN_NAME.fullmatch(text) or _NUMBER.fullmatch(text) for text in kept):
+    if len(kept) < 2 or all(OWN_NAME.fullmatch(text) or _NUMBER.fullmatch(text) for text in kept):
         read = _strict(" = ".join(texts), names)
         assert isinstance(read, Fault)  # no equation has three sides
         return read
@@ -130,12 +132,12 @@ def _of_sides(sides: Sides, names: _Names) -> list[EquationReading] | Fault:
 
 def names_in(text: str, spellings: Spellings) -> set[str]:
     """Return the declared names that stand in a text, in any spelling; t and pi are no names here."""
-    words = [piece for word in _WORD.findall(plain(text, spellings)) for piece in (word, *_PIECE.findall(word))]
+    words = [piece for word in WORD.findall(plain(text, spellings)) for piece in (word, *_PIECE.findall(word))]
     return {known for word in words if (known := spellings.canonical(word)) is not None} - {*BUILT_IN}
 
 
-def _read(text: str, names: _Names) -> EquationReading | Fault:
-    """Return a text as one equation."""
+def read_as_one(text: str, names: Names) -> EquationReading | Fault:
+    """Return a text as one equation, the likeliest reading, or its fault."""
     found, fault = _readings(text, names)
     if found:
         return found[0]
@@ -143,75 +145,19 @@ def _read(text: str, names: _Names) -> EquationReading | Fault:
     return fault
 
 
-def _of_any_velocity(text: str, names: _Names) -> tuple[EquationReading, ...]:
+def _of_any_velocity(text: str, names: Names) -> tuple[EquationReading, ...]:
     """Return what a formula of a spreadsheet may be, "=V1*SIN(…)": the value of any velocity that is sought."""
     if not text.lstrip().startswith("=") or len(text) > reader.MAX_CHARACTERS:
         return ()
     formula = text.lstrip(" =")
-    found = (_read(f"{velocity} = {formula}", names) for velocity in names.expected.variant.sought)
+    found = (read_as_one(f"{velocity} = {formula}", names) for velocity in names.expected.variant.sought)
     return tuple(replace(reading, guessed=True) for reading in found if not isinstance(reading, Fault))
-
-
-def definition(text: str, expected: Expected, own: Meanings) -> tuple[str, Formula] | None:
-    """Return the name and the formula of a line that defines a name of the student's own, None for any other line."""
-    names = _Names(spellings_for(expected), expected, own)
-    name, formula = own_name(text, names.spellings)
-    if not name or not formula.strip() or "=" in formula:
-        return None
-    read = _read(f"0 = {formula}", names)
-    return None if isinstance(read, Fault) else (key(name), read.right)
-
-
-def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
-    """Return the one word on the left of a line, where it may be a name of the student's own, and what it equals; else ""."""
-    if len(text) > reader.MAX_CHARACTERS:
-        return "", ""
-    plainly = plain_signs(text.replace("$", " "))
-    bare = without_words(without_labels(plainly), lambda word: is_name(word, spellings))
-    name, sign, formula = bare.partition("=")
-    name = re.sub(r"[{}\\]", "", name.strip(" :\t"))
-    meant = spellings.canonical(name)
-    # A letter that only its size tells from a datum is the student's own: nobody solves for a datum.
-    is_own = meant is None or (meant in spellings.data and spell(name) != meant)
-    return (name, formula) if sign and is_own and _OWN_NAME.fullmatch(name) else ("", "")
-
-
-def is_equation_without_sign(text: str, expected: Expected) -> bool:
-    """Return whether a line without a sign of equality is the left side of an equation, read or not, and not a line of prose."""
-    if len(text) > reader.MAX_CHARACTERS or not any(sign in text for sign in "+-−*·⋅×") or relates_two_sides(text):
-        return False
-    names = _Names(spellings_for(expected), expected)
-    if not names_in(text, names.spellings):
-        return False
-    return not isinstance(_read(text, names), Fault) or _is_mostly_names(text, names)
-
-
-def _is_mostly_names(text: str, names: _Names) -> bool:
-    """Return whether a line is made of names of the variant, numbers and signs, but for one word."""
-    words = _WORD.findall(plain(text, names.spellings))
-    strange = [word for word in words if not names.is_name(word)]
-    return len(strange) <= 1 and bool(names_in(text, names.spellings) & {*names.expected.variant.sought}) and len(words) > _FEWEST
-
-
-def are_listed(lines: Sequence[str]) -> bool:
-    """Return whether several lines begin with a dash and a blank, every one of them."""
-    return len(lines) > 1 and all(_DASH.match(line) for line in lines)
-
-
-def is_datum(text: str, expected: Expected) -> bool:
-    """Return whether a line says a number only of what no equation is solved for: "r1 = 0.953 m", "phi1 = 1.63"."""
-    if len(text) > _SHORT:
-        return False
-    name, sign, value = plain_signs(without_labels(text)).partition("=")
-    name = re.sub(r"[{}\\$\s]", "", name)
-    meant = spellings_for(expected).canonical(name) if _OWN_NAME.fullmatch(name) else None
-    return bool(sign) and meant is not None and meant not in expected.variant.sought and _QUANTITY.fullmatch(value) is not None
 
 
 def read_constraints(source: Source, file: str, expected: Expected) -> list[EquationLine]:
     """Return the equations of a variant file; files are strict, nothing in them is repaired."""
     entries = source.data.get("constraint")
-    names = _Names(spellings_for(expected), expected)
+    names = Names(spellings_for(expected), expected)
     lines: list[EquationLine] = []
     for place, entry in enumerate(entries if isinstance(entries, list) else []):
         if not isinstance(entry, dict):
@@ -241,7 +187,7 @@ def faults_as_lines(error: InputError, file: str) -> list[EquationLine]:
 
 
 @dataclass(frozen=True, slots=True)
-class _Names:
+class Names:
     """What names in a line may be: those of the variant in any spelling, and what others mean."""
 
     spellings: Spellings
@@ -254,7 +200,7 @@ class _Names:
         return is_name(word, self.spellings) or meaning_of(word, self.expected, self.own) is not None
 
 
-def _strict(text: str, names: _Names) -> tuple[Formula, Formula] | Fault:
+def _strict(text: str, names: Names) -> tuple[Formula, Formula] | Fault:
     """Return both sides with declared names, or the fault; its `place` is the name nobody declared."""
     try:
         sides = reader.parse_equation(text)

@@ -14,12 +14,14 @@ from coursework.grading.reading.table.headers import unit_of
 
 _WORD = r"(?:equation|eqn?|gleichung|gl|уравнение|ур|рівняння|рівн|ф-ла|формула|formula|方程|式|№|no)"
 _LABEL = re.compile(
-    rf"[\s$]*(?:[*•‣▪]\s+)?(?:{_WORD}[\s.№]*\(?\d{{1,3}}[a-zа-я]?\)?\s*[:.)]?(?!=)(?=\s|\w|[-+−(])"
-    r"|[(\[](?:\d{1,3}(?:\.\d{1,3})?['a-zа-я]?|[A-ZА-Я]\.\d{1,3})[)\]]\s*[:.]?(?!=)|[(\[][A-ZА-Я][)\]]:?\s+|\d{1,3}[)]\s*|\d{1,3}(?:\.\d{1,2})*[.:](?=\s)(?!=)|\d{1,3}\s*[°º]\.?\s*"
-    r"|\(?[IVXivx]{1,5}[).]\s+|\*\*[^*=]{1,30}\*\*[:.]?\s*|\*\s+|>\s+|[|{⎧⎨⎪⎩]\s+|(?<=[•‣▪]\s))\s*",
+    rf"[\s$]*(?:[*•‣▪◦●■◆►▶➢➤✓]\s+|[-–]\s\[[ x]\]\s)?(?:[(\[]?{_WORD}[\s.№]*\(?\d{{1,3}}[a-zа-я]?\)?\]?\s*"
+    r"[:.)]?(?!=)(?=\s|\w|[-+−(])"
+    r"|[(\[{<](?:\d{1,3}(?:\.\d{1,3})?(?:['a-zа-я]|\.[a-zа-я])?|[A-ZА-Я]\.\d{1,3}|\*{1,3})[)\]}>]\s*[:.]?(?!=)"
+    r"|[\u2460-\u2473\u2474-\u249b]\s*|\d{1,3}/\s+|[a-zа-я]\.\s+|[(\[][A-ZА-Я][)\]]:?\s+|\d{1,3}[)]\s*|\d{1,3}(?:\.\d{1,2})*[.:](?=\s)(?!=)|\d{1,3}\s*[°º]\.?\s*"
+    r"|\(?[IVXivx]{1,5}[).]\s+|\*\*[^*=]{1,30}\*\*[:.]?\s*|\*\s+|>\s+|[|{⎧⎨⎪⎩]\s+|(?<=[•‣▪◦●■◆►▶➢➤✓\]]\s))\s*",
     re.IGNORECASE,
 )
-_LABEL_AT_END = re.compile(r"\s(?:[-–—.…]+\s*)?[(\[](?:\d{1,3}(?:[.,]\d{1,3})?['a-zа-я]?|\*{1,3}|[IVX]{1,5})[)\]]\s*$")
+_LABEL_AT_END = re.compile(r"\s(?:[-–—.…]+\s*)?[(\[/<](?:\d{1,3}(?:[.,]\d{1,3})?['a-zа-я]?|\*{1,3}|[IVX]{1,5})[)\]/>]\s*$")
 _VANISHES = re.compile(r"(=\s*0(?:[.,]0+)?)(?!\w|[.,]\d)(?!\s*[-+*/^])")
 _UNIT_AT_END = re.compile(r"[,;]?\s{0,9}(?:\[([^\[\]]{1,12})\]|\(([^()]{1,12})\)|(?:,|(?<=[\w)])\s)\s*(\S{1,8}))\s*$")
 _WORDS = re.compile(r"[\s:,.–-]*([^\W\d_]+)\.?(?=[\s:,.(]|$)(?!\s*=)")
@@ -28,6 +30,7 @@ _COUNTED = re.compile(
     r"(?:link|bar|point|step|case|part|loop|звен|ланк|точк|шаг|крок|пункт|контур|构件|杆)\w*\.?\s*$", re.IGNORECASE
 )
 _NUMBER = re.compile(r"\s*\d{1,3}(?:\t|\s\s|\s(?=[-+]))\s*")
+_SAID = re.compile(r"[,;.]\s+([^\W\d_]{2,})")
 _TABBED = re.compile(r"^\s*\d{1,3}\t")
 _ASIDE_AT_END = re.compile(r"\s\(([^()=]{1,40})\)\s*$")
 _NUMBERED = re.compile(r"\s*\d{1,3}\s[-–—]\s")
@@ -89,12 +92,14 @@ def _begun(text: str, is_name: Callable[[str], bool]) -> str:
 def without_words(text: str, is_name: Callable[[str], bool]) -> str:
     """Return a line without the words before its equation, what they have in parentheses, and the number of a link."""
     start = 0
-    while (found := _WORDS.match(text, start)) and _is_prose(found[1], is_name, start) and found.end() < len(text):
+    while (found := _WORDS.match(text, start)) and found.end() < len(text):
+        if not _is_prose(found[1], is_name, start) and not _is_point(text, found, is_name, start):
+            break
         start = found.end()
         if aside := _ASIDE.match(text, start):
             start = aside.end()
-    if _COUNTED.search(text[:start]) and (number := re.match(r"\s*\d{1,3}[):.,]?\s+", text[start:])):
-        start += number.end()
+        if _COUNTED.search(text[:start]) and (number := re.match(r"\s*\d{1,3}[):.,]?\s+", text[start:])):
+            start += number.end()
     rest = text[start:]
     return rest.lstrip(" :,.") if start and not re.match(r"\s*[*/^=(]", rest) else text
 
@@ -109,6 +114,13 @@ def _is_prose(word: str, is_name: Callable[[str], bool], after: int) -> bool:
     return is_axis or not word.isupper() or len(word) > _SHORT
 
 
+def _is_point(text: str, found: re.Match[str], is_name: Callable[[str], bool], after: int) -> bool:
+    """Return whether a capital stands among words, as a point of the sheet does: "am Punkt C gilt"."""
+    following = _WORDS.match(text, found.end())
+    among = following is not None and len(following[1]) > 1 and _is_prose(following[1], is_name, after)
+    return among and after > 0 and len(found[1]) == 1 and found[1].isupper()
+
+
 def _without(label: re.Pattern[str], text: str) -> str:
     """Return what follows a number that something parts from it, "" where none begins the line."""
     found = label.match(text)
@@ -120,8 +132,11 @@ def _ended(text: str, is_name: Callable[[str], bool]) -> str:
     if found := _VANISHES.search(text):
         return text[: found.end()]
     aside = _ASIDE_AT_END.search(text)
-    if aside and "=" in text[: aside.start()] and (said := re.findall(r"[^\W\d]\w*", aside[1])) and not any(map(is_name, said)):
-        return text[: aside.start()]
+    if aside and "=" in text[: aside.start()] and (said := re.findall(r"[^\W\d]\w*", aside[1])) and not is_name(said[0]):
+        return _ended(text[: aside.start()], is_name)
+    for said_after in _SAID.finditer(text, text.rfind("=") + 1):
+        if not is_name(said_after[1]):
+            return text[: said_after.start()]
     found = _UNIT_AT_END.search(text)
     if found and "=" in text[: found.start()]:
         unit = next(group for group in found.groups() if group)

@@ -24,7 +24,8 @@ _DELIMITERS = re.compile(r"\\[\[\]()]|\$\$?")
 _DROPPED = re.compile(
     r"\\(?:left|right)\s*(?:\\[{}|]|\.)"
     r"|\\(?:left|right|[bB]ig+[lrm]?|displaystyle|textstyle|limits|nonumber|notag|hfill|noindent)(?![A-Za-z])|\\[,;!: ]"
-    r"|\\(?:label|tag|hspace|vspace|phantom|intertext|ref|eqref)\s*\*?\{[^{}]*\}|\\eqno\s*\([^()]*\)|&"
+    r"|\\(?:label|tag|hspace|vspace|phantom|intertext|ref|eqref)\s*\*?\{[^{}]*\}"
+    r"|\\(?:text|textrm|mbox|hbox)\s*\{\s*\([^{}=]{0,40}\)\s*\}|\\eqno\s*\([^()]*\)|&"
 )
 _SPACE = re.compile(r"\\q?quad(?![A-Za-z])|~")
 _UPRIGHT = re.compile(

@@ -13,18 +13,16 @@ from dataclasses import dataclass, field
 from itertools import islice
 
 from coursework.grading.reading.equations.answers import read_answer
-from coursework.grading.reading.equations.equations import (
+from coursework.grading.reading.equations.equations import most_lines, names_in, read_line, spellings_for
+from coursework.grading.reading.equations.latex import logical_lines
+from coursework.grading.reading.equations.line_kinds import (
     are_listed,
     definition,
     is_datum,
     is_equation_without_sign,
-    most_lines,
-    names_in,
+    is_part_of_equation,
     own_name,
-    read_line,
-    spellings_for,
 )
-from coursework.grading.reading.equations.latex import logical_lines
 from coursework.grading.reading.equations.meanings import key
 from coursework.grading.reading.equations.names_in_text import Spellings
 from coursework.grading.reading.equations.parts import parts_of
@@ -37,12 +35,17 @@ from coursework.variant.formula.tree import Formula
 _SIGNS = {";": ";", "tab": "\t"}  # a comma may stand in an equation, a blank always does
 _EDGES = " \t;,\"'"  # what a spreadsheet puts round a line that was typed into one cell
 _WORD = re.compile(r"[^\W\d]\w*")
-_GOES_ON = re.compile(r"(?:(?<![-+*/=>\s])\s*[-+*/=−·(]|\w\s*(?:\.{3}|…|\\))\s*$")
-_GOES_ON_SIGN = re.compile(r"\s*(?:\.{3}|…|\\)\s*$")
+_GOES_ON = re.compile(r"(?:(?<![-+*/=>\s])\s*[-+*/=−·(]|\w\s*(?:\.{3}|…|\\)|[-+*/=−·(]\s*(?:\.{3}|…|\\|&))\s*$")
+_GOES_ON_SIGN = re.compile(r"\s*(?:\.{3}|…|\\|&)\s*$")
 _IS_FORMULA = re.compile(r"[=*·+(\\]|\d")
-_BEGINS = re.compile(r"\s+[-+*/=−]")
-_NUMBERED = re.compile(r"^\s*\(?\d{1,3}\)?\s*#")  # of a line; a remark begins with the sign alone
-_REMARK = re.compile(r"(?<!\\)%.*|(?<![:/])//.*|/\*.{0,200}?\*/|\(\*.{0,200}?\*\)")
+_BEGINS = re.compile(r"\s*[-+*/=−–]")
+_ALIGNED = re.compile(r"(?:\s|&|\\q?quad(?![A-Za-z])|\\[,;:! ]|\\hspace\*?\{[^{}]*\}|\{\})+")  # before a line that goes on
+_VANISHED = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*(?:\\\w+\s*)*$")
+_NUMBERED = re.compile(r"^\s*(?:\(?\d{1,3}\)?\s*#|#\d{1,3}[.:)]?\s)")  # of a line; a remark begins with the sign alone
+_QUOTES = '"“”„«»`'
+_REMARK = re.compile(
+    r"(?<!\\)%(?!(?:var)?(?:omega|phi|theta|alpha|beta|gamma|psi)_).*|(?<![:/])//.*|/\*.{0,200}?\*/|\(\*.{0,200}?\*\)"
+)
 # So many lines of a text are tried for each equation that may be handed in, and so many characters: each costs its time.
 _TRIED, _CHARACTERS = 10, 60_000
 _MOST_LINES, _MOST_DEFINITIONS = 20_000, 100
@@ -65,7 +68,8 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
     and lines that cannot be read are told only where others can.
     """
     most = most_lines(expected)
-    lines = list(islice(_pieces(text) if beside is None else _beside(text, _SIGNS.get(beside.separator)), _MOST_LINES))
+    pieces = _pieces(text, expected) if beside is None else _beside(text, expected, _SIGNS.get(beside.separator))
+    lines = list(islice(pieces, _MOST_LINES))
     own = _definitions(lines, expected) if beside is None else {}
     listed = are_listed([line for _, line in lines if "=" in line])
     found, answers = Lines(), dict[str, AnswerLine]()
@@ -88,22 +92,23 @@ def read_lines(text: str, name: str, expected: Expected, beside: Reading | None 
     return found
 
 
-def _written(text: str) -> Iterator[tuple[int, str]]:
+def _written(text: str, expected: Expected) -> Iterator[tuple[int, str]]:
     """Give the lines that are neither blank nor remarks with their numbers."""
-    for number, line in _continued(logical_lines(text)):
-        bare = _REMARK.sub("", _NUMBERED.sub("", line).partition("#")[0]).strip()
+    for number, line in _continued(logical_lines(text), expected):
+        bare = _REMARK.sub("", _NUMBERED.sub("", line).partition("#")[0]).strip().strip(_QUOTES)
+        bare = bare.strip("'") if bare.startswith("'") else bare
         if bare:
             yield number, bare
 
 
-def _continued(lines: Iterable[tuple[int, str]]) -> Iterator[tuple[int, str]]:
-    """Give the lines, one that goes on in the next together with it: it ends with a sign, or the next is set in and begins so."""
+def _continued(lines: Iterable[tuple[int, str]], expected: Expected) -> Iterator[tuple[int, str]]:
+    """Give the lines, one that goes on in the next together with it; a sign that ends one and begins the other stands once."""
     first, kept = 0, ""
     for number, line in lines:
-        set_in = line[:1].isspace() and _BEGINS.match(line) and "=" in line and "=" not in kept
-        goes_on = _GOES_ON.search(kept) and _IS_FORMULA.search(kept) and not (kept.rstrip().endswith("=") and "=" in line)
-        if kept and (goes_on or (set_in and _IS_FORMULA.search(kept))) and len(kept) < MAX_CHARACTERS and line.strip():
-            kept = f"{_GOES_ON_SIGN.sub('', kept)} {line.strip()}"
+        if kept and line.strip() and len(kept) < MAX_CHARACTERS and _goes_on(kept, line, expected):
+            begun = _GOES_ON_SIGN.sub("", kept).rstrip()
+            rest = _unaligned(line)
+            kept = f"{begun} {rest[1:] if begun[-1:] == rest[:1] and _BEGINS.match(rest) else rest}".rstrip()
             continue
         if kept:
             yield first, kept
@@ -112,16 +117,39 @@ def _continued(lines: Iterable[tuple[int, str]]) -> Iterator[tuple[int, str]]:
         yield first, kept
 
 
-def _pieces(text: str) -> Iterator[tuple[int, str]]:
+def _goes_on(kept: str, line: str, expected: Expected) -> bool:
+    """Return whether an equation goes on in the next line: it ends with a sign or in a parenthesis, or that begins with one."""
+    if not _IS_FORMULA.search(kept):
+        return False
+    both = "=" in kept and "=" in line
+    if _GOES_ON.search(kept):
+        return not (kept.rstrip().endswith("=") and "=" in line)
+    if "=" in kept and not both and kept.count("(") > kept.count(")"):
+        return True
+    rest = _unaligned(line)
+    if both or not _BEGINS.match(rest):
+        return False
+    if "=" in line:
+        return line[:1].isspace() or is_part_of_equation(kept, expected)
+    return "=" in kept and not _VANISHED.search(kept) and is_equation_without_sign(rest, expected)
+
+
+def _unaligned(line: str) -> str:
+    """Return a line without what sets it in or aligns it."""
+    found = _ALIGNED.match(line)
+    return line[found.end() :] if found else line
+
+
+def _pieces(text: str, expected: Expected) -> Iterator[tuple[int, str]]:
     """Give the equations and answers, several of which may stand in one line."""
-    for number, line in _written(text):
+    for number, line in _written(text, expected):
         for part in parts_of(line):
             yield number, part
 
 
-def _beside(text: str, sign: str | None) -> Iterator[tuple[int, str]]:
+def _beside(text: str, expected: Expected, sign: str | None) -> Iterator[tuple[int, str]]:
     """Give the lines that may be an equation or an answer, with a name and "=", and no rows of a table separated by `sign`."""
-    for number, line in _written(text):
+    for number, line in _written(text, expected):
         bare = line.strip(_EDGES)
         if "=" in bare and not (sign and sign in bare) and _WORD.search(bare):
             yield number, bare

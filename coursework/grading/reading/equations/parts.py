@@ -12,11 +12,12 @@ from collections.abc import Iterator
 from coursework.grading.reading.equations.signs import ARROWS, relates_two_sides
 from coursework.variant.formula.reader import MAX_CHARACTERS
 
-_BETWEEN = re.compile(rf"{ARROWS.pattern}|\\q?quad(?![A-Za-z])|\t+|\s{{3,}}|\s(?:and|und|et|y|и|та|і|且|和)\s")
+_BETWEEN = re.compile(rf"{ARROWS.pattern}|\\q?quad(?![A-Za-z])|\t+|\s{{3,}}|&&|\s(?:and|und|et|y|и|та|і|且|和)\s")
 _OPENING, _CLOSING = "([{", ")]}"
 _MATRICES = re.compile(r"\s*\[([^\[\]]*)\]\s*[*·⋅×]?\s*\[([^\[\]]*)\]\s*=\s*\[([^\[\]]*)\]\s*[.,;]?\s*")
 _BRACKETS = re.compile(r"\\(?:left|right)\s*[()\[\]|.]|(?<=\[)\s*\[|\](?=\s*\])")  # round a matrix that has its own
 _MOST_ROWS = 12
+_BETWEEN_DOLLARS = re.compile(r"\$\$?([^$]{3,})\$\$?")
 
 
 def parts_of(line: str) -> list[str]:
@@ -29,6 +30,10 @@ def parts_of(line: str) -> list[str]:
         return rows
     if len(line) > MAX_CHARACTERS:
         return [line]
+    if line.count("$") > 2 and not relates_two_sides(_BETWEEN_DOLLARS.sub(" ", line)):
+        # Prose round formulas: of those, what relates two sides.
+        formulas = [found[1].strip() for found in _BETWEEN_DOLLARS.finditer(line)]
+        return [piece for formula in formulas if relates_two_sides(formula) for piece in parts_of(formula)] or [line]
     spans: list[tuple[int, int, bool]] = []  # where a piece begins and ends, and whether it relates two sides
     start = 0
     for cut, after in [*_cuts(line), (len(line), len(line))]:

@@ -9,18 +9,19 @@ from __future__ import annotations
 import re
 
 from coursework.grading.reading.equations.latex import without_latex
-from coursework.grading.reading.equations.names_in_text import Spellings
+from coursework.grading.reading.equations.names_in_text import BUILT_IN, Spellings
 from coursework.grading.reading.equations.signs import plain_signs
 
 _PREFIX = re.compile(r"\b(?:np|numpy|math|Math|cmath|sp|sympy|tf|jnp)\.(?=[A-Za-z])")
 _FRACTIONS = {"½": "(1/2)", "¼": "(1/4)", "¾": "(3/4)", "⅓": "(1/3)", "⅔": "(2/3)"}
 _NAME = r"([^\W\d](?:\w|\{\w{0,9}\}){0,40})"
+_PRIME = r"\s*['′’](?:\s*[\[(]\s*t\s*[\])])?"
 _DERIVATIVES = (
     re.compile(rf"\(\(\s*d\s*{_NAME}\s*\)\s*/\s*\(\s*d\s*t\s*\)\)"),  # as \frac leaves it
     re.compile(rf"\bd\s*\(\s*{_NAME}\s*\)\s*/\s*d\s*t\b"),
     re.compile(rf"\bd\s*/\s*d\s*t\s*\(?\s*{_NAME}\s*\)?"),
     re.compile(rf"\bd[\s_]*{_NAME}\s*/\s*d\s*t\b"),
-    re.compile(rf"{_NAME}\s*['′’]"),
+    re.compile(rf"{_NAME}{_PRIME}"),
     re.compile(r"([^\W\d]\u0307(?:\w|\{\w{0,9}\}){0,40})"),
     re.compile(r"\b([^\W\d]\w{0,40}?_?dot(?:_?\d{1,3})?)\b"),
     re.compile(rf"\bdot[\s_]*\(?\s*{_NAME}\s*\)?"),
@@ -28,8 +29,13 @@ _DERIVATIVES = (
     re.compile(rf"\bd_?{_NAME}_?dt\b"),
     re.compile(rf"\bD_?{_NAME}"),
 )
+# As programs name them, where no name of the variant is meant: dphi3, phi3p, phi3d.
+_SHORT_DERIVATIVES = (re.compile(r"\bd_?([^\W\d]\w{0,40})\b"), re.compile(r"\b([^\W\d]\w{0,40}?)_?[dp]\b"))
+_DOTTED = re.compile(r"\bdot\s*\(\s*([^\W\d]+)\s*\)_?(\d{1,3})")
+_STAR_MATH = re.compile(r"%(?=[a-z]{3,8}_)")
+_SUBSCRIPT = re.compile(r"\bSubscript\s*\[\s*(\w{1,20})\s*,\s*(\w{1,9})\s*\]")  # of Mathematica
 _INDEXED = re.compile(r"(?<![\w.])([^\W\d]\w*)\s?(?:\[\s*([\w\s,]{1,12})\s*\]|\(\s*(\d{1,2})\s*\))")
-_OF_TIME = re.compile(r"(?<![\w.])([^\W\d]\w*)\s*\(\s*t\s*\)")
+_OF_TIME = re.compile(r"(?<![\w.])([^\W\d]\w*)\s*(?:\(\s*t\s*\)|\[\s*t\s*\])")
 _EQUATION = re.compile(r"\bEq\s*\((.*),([^,]*)\)\s*$")  # of SymPy
 _POWER = re.compile(r"\bpow\s*\(((?:[^(),]|\([^()]*\))*),\s*(\d)\s*\)")
 
@@ -43,10 +49,14 @@ def plain(text: str, spellings: Spellings) -> str:
     text = plain_signs(_PREFIX.sub("", without_latex(plain_signs(text))))
     for sign, fraction in _FRACTIONS.items():
         text = text.replace(sign, fraction)
+    text = _STAR_MATH.sub("", re.sub(r"\bcdot\b", "*", text))
+    text = _DOTTED.sub(r"dot(\1\2)", _SUBSCRIPT.sub(r"\1\2", text))
     text = _OF_TIME.sub(lambda found: _of_time(found, spellings), _INDEXED.sub(lambda found: _indexed(found, spellings), text))
     text = _EQUATION.sub(r"\1 = \2", _POWER.sub(r"(\1)^\2", text))
     for pattern in _DERIVATIVES:
         text = pattern.sub(lambda found: _rate(found, spellings), text)
+    for pattern in _SHORT_DERIVATIVES:
+        text = pattern.sub(lambda found: found[0] if spellings.canonical(found[0]) else _rate(found, spellings), text)
     return text
 
 
@@ -60,7 +70,8 @@ def _indexed(found: re.Match[str], spellings: Spellings) -> str:
 
 def _of_time(found: re.Match[str], spellings: Spellings) -> str:
     """Return `phi3(t)` as the coordinate; a datum before (t) is multiplied."""
-    return found[1] if spellings.canonical(found[1]) in {*spellings.rates, *spellings.rates.values()} else found[0]
+    meant = spellings.canonical(found[1])
+    return found[0] if meant is None or meant in {*spellings.data, *BUILT_IN} else found[1]
 
 
 def _rate(found: re.Match[str], spellings: Spellings) -> str:

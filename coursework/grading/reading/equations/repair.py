@@ -20,6 +20,7 @@ _NAMED = re.compile(r"^(\s*[^\W\d]\w*)\s*(?:[:;\t]\s*=|=\s*=)\s*")  # the name b
 _DECIMAL_COMMA = re.compile(r"(?<![\w.,])(\d+),(\d+)(?![\d,])")
 _SUBSCRIPT = re.compile(r"(?<!\w)([^\W\d]\w*)\[\s*[\w\s,:.-]*\]")  # an index that no name of the variant has: not guessed
 _WORDS = {"ф": "phi", "Ф": "phi", "щ": "w"}
+_ELSEWHERE = {"sen": "sin"}  # functions as other countries call them
 _DIVIDED = re.compile(r"(?<=[\w)])\s*:\s*(?=[\w(])")
 _TIMES = re.compile(r"(?<=[\w)])\s+[xх]\s+(?=[\w(])")
 _TOKEN = re.compile(
@@ -85,8 +86,8 @@ def _spelled(kind: str, text: str, spellings: Spellings) -> list[_Token]:
     if kind != "name":
         return [_Token(kind, text)]
     plain = "".join(_WORDS.get(letter, LOOK_ALIKE.get(letter, letter)) for letter in text)
-    if plain.lower() in _FUNCTIONS:
-        return [_Token("function", plain.lower())]
+    if (function := _ELSEWHERE.get(plain.lower(), plain.lower())) in _FUNCTIONS:
+        return [_Token("function", function)]
     if known := spellings.canonical(plain) or spellings.canonical(text):
         return [_Token("name", known)]
     parts = _split(plain, spellings) if len(plain) <= 60 else None

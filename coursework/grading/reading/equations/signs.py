@@ -16,7 +16,7 @@ _SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", "0123456789+-", st
 _RAISED = re.compile(f"[{''.join(_SUPERSCRIPTS)}]+")
 _DOT = "\u0307"
 _SIGNS = {
-    **dict.fromkeys("≡≈≅≃≐≑≔≝", "="), **dict.fromkeys("−‐‑‒–—―﹣", "-"),
+    **dict.fromkeys("≡≈≅≃≐≑≔≝", "="), **dict.fromkeys("−‐‑‒–—―﹣", "-"), "﹢": "+",
     **dict.fromkeys("∗•∙⋅·●∘×✕✖⨯⸱・\u2062", "*"), **dict.fromkeys("⁄∕÷", "/"), **dict.fromkeys("〖⟦❨", "("),
     **dict.fromkeys("〗⟧❩", ")"), **dict.fromkeys("，、", ","), "。": ".", "【": "[", "】": "]", "；": ";", "：": ":",
     **dict.fromkeys("\u00ad\u200b\u200c\u200d\u200e\u200f\u2060\u2061\u2063\u2064\ufe0e\ufe0f\ufeff", ""),

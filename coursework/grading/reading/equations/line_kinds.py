@@ -1,0 +1,105 @@
+"""What a line of text is: a definition of the student's own, a datum, an equation without its sign, a part of one.
+
+Enters: lines, `Expected`.  Leaves: answers to those questions; nothing is marked here.  Used by `lines.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from coursework.grading.reading.equations.equations import (
+    DASH,
+    OWN_NAME,
+    WORD,
+    Names,
+    names_in,
+    read_as_one,
+    spellings_for,
+)
+from coursework.grading.reading.equations.labels import without_labels, without_words
+from coursework.grading.reading.equations.meanings import Meanings, key
+from coursework.grading.reading.equations.names_in_text import Spellings
+from coursework.grading.reading.equations.plain_text import plain
+from coursework.grading.reading.equations.repair import is_name
+from coursework.grading.reading.equations.signs import plain_signs, relates_two_sides
+from coursework.grading.reading.expected import Expected
+from coursework.variant.formula import reader
+from coursework.variant.formula.alphabet import spell
+from coursework.variant.formula.tree import Formula
+from coursework.words.errors import Fault
+
+_QUANTITY = re.compile(r"\s*[-+]?\s*\d[\d.,]*(?:[eE][-+]?\d+)?\s*[^\d\s=*+()]{0,8}(?:[-^]?\d)?\s*[.,;]?\s*")
+_AT_START = re.compile(r"\(\s*(?:t\s*=\s*)?0\s*\)")
+_SHORT = 80  # characters of a name and its number
+_POINT = re.compile(r"\s*\w?[A-ZА-Я]\w?\s*[:.)]?\s*")  # a heading, not a sum
+_FEWEST = 4  # words of an expression that is no prose
+
+
+def definition(text: str, expected: Expected, own: Meanings) -> tuple[str, Formula] | None:
+    """Return the name and the formula of a line that defines a name of the student's own, None for any other line."""
+    names = Names(spellings_for(expected), expected, own)
+    name, formula = own_name(text, names.spellings)
+    if not name or not formula.strip() or "=" in formula:
+        return None
+    read = read_as_one(f"0 = {formula}", names)
+    return None if isinstance(read, Fault) else (key(name), read.right)
+
+
+def own_name(text: str, spellings: Spellings) -> tuple[str, str]:
+    """Return the one word on the left of a line, where it may be a name of the student's own, and what it equals; else ""."""
+    if len(text) > reader.MAX_CHARACTERS:
+        return "", ""
+    plainly = plain_signs(text.replace("$", " "))
+    bare = without_words(without_labels(plainly), lambda word: is_name(word, spellings))
+    name, sign, formula = bare.partition("=")
+    name = re.sub(r"[{}\\]", "", name.strip(" :\t"))
+    meant = spellings.canonical(name)
+    # A letter that only its size tells from a datum is the student's own: nobody solves for a datum.
+    is_own = meant is None or (meant in spellings.data and spell(name) != meant)
+    return (name, formula) if sign and is_own and OWN_NAME.fullmatch(name) else ("", "")
+
+
+def is_equation_without_sign(text: str, expected: Expected) -> bool:
+    """Return whether a line without a sign of equality is the left side of an equation, read or not, and not a line of prose."""
+    if len(text) > reader.MAX_CHARACTERS or not any(sign in text for sign in "+-−*·⋅×") or relates_two_sides(text):
+        return False
+    names = Names(spellings_for(expected), expected)
+    if not names_in(text, names.spellings):
+        return False
+    return not isinstance(read_as_one(text, names), Fault) or _is_mostly_names(text, names)
+
+
+def is_part_of_equation(text: str, expected: Expected) -> bool:
+    """Return whether a line without a sign of equality is a sum or a term that the next line may go on with."""
+    if is_equation_without_sign(text, expected):
+        return True
+    if len(text) > _SHORT or relates_two_sides(text) or _POINT.fullmatch(text):
+        return False
+    names = Names(spellings_for(expected), expected)
+    return bool(names_in(text, names.spellings)) and not isinstance(read_as_one(text, names), Fault)
+
+
+def _is_mostly_names(text: str, names: Names) -> bool:
+    """Return whether a line is made of names of the variant, numbers and signs, but for one word."""
+    words = WORD.findall(plain(text, names.spellings))
+    strange = [word for word in words if not names.is_name(word)]
+    return len(strange) <= 1 and bool(names_in(text, names.spellings) & {*names.expected.variant.sought}) and len(words) > _FEWEST
+
+
+def are_listed(lines: Sequence[str]) -> bool:
+    """Return whether several lines begin with a dash and a blank, every one of them, behind its number where it has one."""
+    return len(lines) > 1 and all(DASH.match(without_labels(line)) for line in lines)
+
+
+def is_datum(text: str, expected: Expected) -> bool:
+    """Return whether a line says a number only, of a datum or of the start: "r1 = 0.953 m", "w1(0) = 2"."""
+    if len(text) > _SHORT:
+        return False
+    spellings = spellings_for(expected)
+    bare = without_words(without_labels(_AT_START.sub("@", plain_signs(text))), lambda word: is_name(word, spellings))
+    name, sign, value = bare.partition("=")
+    name, begins, _ = re.sub(r"[{}\\$\s]", "", name).partition("@")
+    meant = spellings.canonical(name) if OWN_NAME.fullmatch(name) else None
+    is_given = meant is not None and (bool(begins) or meant not in expected.variant.sought)
+    return bool(sign) and is_given and _QUANTITY.fullmatch(value) is not None

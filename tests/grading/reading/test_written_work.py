@@ -1,0 +1,58 @@
+"""Equations in prose, numbered, over several lines, of mechanisms in no catalogue: right or a question, no slip ever right."""
+
+import re
+
+import pytest
+
+from tests.grading.reading.notations import PLAIN
+from tests.grading.reading.test_notations import marked
+from tests.grading.reading.written_work import FORMS
+
+OWN = ("geared", "offset")
+# Where a dash stands before each line, turning the second of two signs is turning both.
+DASHES = {form for form in FORMS if re.search(r"[-–—] ?\{e\}$", form)}
+
+
+def turned(text):
+    """The text with one sign turned, each in turn."""
+    for found in re.finditer(r"(?<= )[-+](?= )", text):
+        yield text[: found.start()] + {"-": "+", "+": "-"}[found[0]] + text[found.end() :]
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_right_equations_are_right_or_a_question(form):
+    for name in (*OWN, list(PLAIN)[len(form) % 3]):
+        found = marked(FORMS[form](PLAIN[name]), name)
+        told = [(mark.verdict, mark.line.text, mark.line.repaired) for mark in found.marks if mark.verdict != "right"]
+        assert not found.wrong, told
+        assert found.share == 1.0 or found.unread is not None, told
+
+
+def test_hardly_any_form_is_a_question():
+    asked = {(form, name) for form in [*FORMS][::2] for name in OWN if marked(FORMS[form](PLAIN[name]), name).share < 1.0}
+    assert len(asked) <= 0.02 * len(FORMS), asked
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_a_turned_sign_is_never_right(form):
+    for name in OWN:
+        for wrong in [*turned(PLAIN[name])][len(form) % 3 :: 3]:
+            if form in DASHES and re.search(r"^\S+ - \S+ = 0$", wrong, re.MULTILINE):
+                continue
+            assert marked(FORMS[form](wrong), name).share < 1.0, wrong
+
+
+@pytest.mark.parametrize(
+    "form", ["Am Punkt C gilt: {e}", "对点C有：{e}", "Для точки C имеем {e} (12)", "(3) Somit ist {e}", "{k}.) {e}", "–"]
+)
+def test_a_hint_points_at_the_sign_as_handed_in(form):
+    for name in OWN:
+        lines = PLAIN[name].split("\n")
+        line = lines[-1]
+        at = line.rindex(" + ") + 1 if " + " in line else line.rindex(" - ") + 1
+        wrong = "\n".join([*lines[:-1], f"{line[:at]}{'-' if line[at] == '+' else '+'}{line[at + 1 :]}"])
+        mark = marked(FORMS[form](wrong), name).marks[-1]
+        assert (mark.verdict, mark.hint.kind) == ("wrong", "sign")
+        shift = mark.line.text.index(line[0])
+        assert mark.hint.column == shift + at + 1, (mark.line.text, mark.hint)
+        assert mark.line.text[mark.hint.column - 1] in "+-–"
