@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
-from coursework.equations.codegen.programs import SYMPY_VERSION
+from coursework.equations.algebra.symbolic_objects import sympy_version
 from coursework.equations.reduction.blocks import Reduction
 from coursework.equations.reduction.solution import ShownEquation, Solution, shown_equations
 from coursework.motion.integration.motion import Motion, Stop
@@ -295,5 +295,5 @@ class SceneRun:
         """Return the versions that made the numbers."""
         return {
             "coursework": VERSION, "python": platform.python_version(),
-            "numpy": np.__version__, "sympy": SYMPY_VERSION,
+            "numpy": np.__version__, "sympy": sympy_version(),
         }  # fmt: skip

@@ -31,7 +31,7 @@ from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say
 
 if TYPE_CHECKING:
-    import sympy as sp
+    from coursework.equations.algebra.expression import Expression
 
 # What a crank may turn from one position to the next (rad), so that a link that follows it is in the same turn.
 _TURN = 1.0
@@ -59,7 +59,7 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
     names = [c.name for c in variant.coordinates]
     q = np.tile([coordinate.start_or_guess or 0.0 for coordinate in variant.coordinates], (len(times), 1))
 
-    def values(wanted: list[sp.Expr]) -> Array:
+    def values(wanted: list[Expression]) -> Array:
         return compile_rows(equations, wanted, 0)(times, q)
 
     q[:, driven] += moved
@@ -138,7 +138,7 @@ def _mode(equations: VelocityEquations, group: Group, q: Array) -> int | None:
     starts = [(c.start_or_guess, c.unit) for c in chosen if c.start_or_guess is not None]
     if len(starts) == len(chosen):
 
-        def values(wanted: list[sp.Expr]) -> Array:
+        def values(wanted: list[Expression]) -> Array:
             return compile_rows(equations, wanted, 0)(np.zeros(1), q)
 
         def distance(mode: int) -> float:
@@ -154,7 +154,7 @@ def _nearest(value: float, start: float, unit: str) -> float:
     return value + 2 * np.pi * round((start - value) / (2 * np.pi)) if unit == "rad" else value
 
 
-def dyad(symbols: Symbols, group: Group, mode: int, values: Callable[[list[sp.Expr]], Array]) -> groups.GroupMotion:
+def dyad(symbols: Symbols, group: Group, mode: int, values: Callable[[list[Expression]], Array]) -> groups.GroupMotion:
     """Return the positions of one dyad, row by row; `values` gives the numbers (n, k) of k expressions.
 
     Raises `CannotAssemble` with the first row at which it cannot be put together.

@@ -29,13 +29,12 @@ _SEMIAXES = REACH + np.sqrt(REACH**2 - 1)
 
 @dataclass(frozen=True, slots=True)
 class Resolution:
-    """`edges` (s) of stretches; `error` (rad or m) bounds what the integrals leave open; most of it lies at `place` (s).
+    """`edges` (s) of stretches; most of what the integrals leave open lies at `place` (s).
 
     `met` says whether that is as little as wanted.
     """
 
     edges: Array
-    error: float
     place: float
     met: bool
 
@@ -70,7 +69,7 @@ def resolve(enclosed: Callable[[Array, Array], list[Enclosure]], edges: Array) -
         middle = (begin + half)[~done]
         begin, end = np.sort(np.concatenate([begin[~done], middle])), np.sort(np.concatenate([middle, end[~done]]))
     starts = np.sort(np.concatenate(settled))
-    return Resolution(np.append(starts, edges[-1]), error, worst[1], bool(error <= WANTED * max(1.0, way)))
+    return Resolution(np.append(starts, edges[-1]), worst[1], bool(error <= WANTED * max(1.0, way)))
 
 
 def left_open(law: Enclosure, half: Array, points: int = POINTS) -> Array:

@@ -21,7 +21,7 @@ from coursework.variant.formula.tree import Formula
 from coursework.words.sentences import joined, say
 
 if TYPE_CHECKING:
-    import sympy as sp
+    from coursework.equations.algebra.expression import Expression
 
 # A double has sixteen digits; six of them are more than any table of the coursework shows.
 DIGITS, FEWEST = 16.0, 6.0
@@ -106,7 +106,7 @@ def _of_positions(evidence: Evidence) -> tuple[float, int, str] | None:
     return float(np.clip(digits, 0.0, DIGITS)), int(rows[row]), coordinates[place].name
 
 
-def _formula(coefficient: sp.Expr, equations: VelocityEquations) -> Formula:
+def _formula(coefficient: Expression, equations: VelocityEquations) -> Formula:
     return equations.once(("formula", coefficient), lambda: as_formula(coefficient, equations.order))
 
 
