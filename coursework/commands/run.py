@@ -43,7 +43,7 @@ def run_variant(
     if precision == "single":
         with under_way("round_off"):
             status = tell_round_off(solve(read, _stepping(read, scheme), step_of(step, read), end, quantities=("table",)))
-        if status or not (formats or out):
+        if not (formats or out):
             return status
     if error is not None and step != "auto":
         raise InputError(say("fault.C029"))

@@ -58,3 +58,10 @@ def test_what_is_known_when_the_budget_ends_is_written(files, monkeypatch):
     assert "E001" in ended.output
     assert len(Path("o/table.csv").read_text(encoding="utf-8").splitlines()) == 22
     assert not Path("o/report.html").exists()
+
+
+def test_single_precision_of_a_motion_that_stops_still_leaves_the_table(files):
+    told = CliRunner().invoke(main, ["run", "stops.toml", "--precision", "single", "--format", "csv", "--out", "o"])
+    assert told.exit_code == 1
+    assert "so there is no error to show" in told.output
+    assert Path("o/table.csv").exists()
