@@ -87,9 +87,11 @@ def _first_last(context: PageContext, found: list[Split], number: int, many: int
 
 
 def _why(context: PageContext, found: list[Split], step: LocalError | None) -> list[Part]:
-    """Return the sentences: along the tangent; half the step; what the period adds."""
+    """Return the sentences: exact rows first; along the tangent; half the step; what the period adds."""
     say, scheme = context.words, _scheme(context)
     told: list[str] = []
+    if context.run.tableau is None and context.run.distance_to_exact is not None:
+        told.append(say("why.exact", sentence=context.told(context.run.distance_to_exact.sentence)))
     if step is not None and step.is_round_off:
         told.append(say("why.straight"))
     elif step is not None and scheme is not None:
@@ -104,8 +106,6 @@ def _why(context: PageContext, found: list[Split], step: LocalError | None) -> l
             told.append(say("why.order", scheme=title[:1].upper() + title[1:], order=scheme.order, less=2**scheme.order))
     if context.run.tableau is not None and (largest := largest_error_sentence(context)):
         told.append(largest)
-    if context.run.tableau is None and context.run.distance_to_exact is not None:
-        told.append(say("why.exact", sentence=context.told(context.run.distance_to_exact.sentence)))
     told += _period(context, found)
     return [Paragraph(context.lettered(say.sentences(told)))] if told else []
 

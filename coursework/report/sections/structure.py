@@ -128,8 +128,8 @@ def _sliders(context: PageContext, found: Structure) -> str:
     if found.without == found.mobility:
         return ""
     added = [clean(link.name) for link in found.links][found.without.links :]
-    numbers = context.words.listing(added)
-    return context.words("structure.without", sliders=numbers, numbers=_numbers(found.without), **_letters(context))
+    values = {"sliders": context.words.listing(added), "numbers": _numbers(found.without), **_letters(context)}
+    return context.words.count("structure.without", len(added), **values)
 
 
 def _freedoms(context: PageContext, found: Structure) -> str:

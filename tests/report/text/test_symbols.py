@@ -27,9 +27,10 @@ def test_names(name: str, text: str, typst: str) -> None:
     assert symbol(name).typst == typst
 
 
-def test_an_angular_acceleration_is_written_as_a_language_does() -> None:
+def test_an_acceleration_is_written_as_a_language_does() -> None:
     rates = Rates(frozenset({"w3", "u2", "w"}), "ε")
     assert [symbol(f"d{name}", rates).text for name in ("w3", "u2", "w")] == ["ε₃", "u̇₂", "ε"]
+    assert symbol("du2", Rates(frozenset({"u2"}), linear="a")).text == "a₂"
     assert symbol("dw3", rates).typst == "ε_3" and symbol("w3", rates).text == "ω₃"
 
 
