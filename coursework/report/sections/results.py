@@ -26,6 +26,7 @@ from coursework.scene.quantities import CHECKS
 
 ROWS = ("first", "last", "total")
 CAUSES = ("scheme", "period")  # what a difference is made of; of rows that are the motion itself there is nothing to tell apart
+MOST_BESIDE_WORDS = 9  # columns beside heads of rows that are words
 SHORT = 2  # digits of a cause too small for the decimals of its column
 HARDLY = 1e-3  # of a difference: a smaller part that the period has in it is none to count
 FINE = 1  # decimals that a difference is printed with beyond those of its column
@@ -37,7 +38,7 @@ def results(context: PageContext) -> list[Part]:
     if not context.run.asks(CHECKS) or not len(context.run.motion.t):
         return parts
     found = [split for split in splits(context) if split.name not in context.run.variant.known_rates]
-    parted = pieces([split.name for split in found]) if found else []
+    parted = pieces([split.name for split in found], MOST_BESIDE_WORDS) if found else []
     for number, (first, last) in enumerate(parted, start=1):
         parts.append(_first_last(context, found[first:last], number, len(parted)))
     step = largest_step_error(context) if _scheme(context) is not None else None
