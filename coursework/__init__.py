@@ -5,7 +5,7 @@
     coursework.exact("31")              # the same table without the scheme's error
     coursework.write_report(run, "report.html")
 
-Nothing is imported until it is used: `coursework --help` must not wait for SymPy.
+Nothing is imported until it is used: `coursework --help` must not wait for NumPy.
 
 Changes.  1.0.0: the first version.
 """

@@ -21,7 +21,7 @@ with contextlib.redirect_stdout(io.StringIO()):
         assert not end.code, end.code
 """
 HEAVY = {"numpy", "sympy", "pydantic", "pandas", "scipy", "matplotlib", "jinja2", "typst"}
-PAGES = {"pandas", "scipy", "matplotlib", "jinja2", "typst", "coursework.report.pages"}
+PAGES = {"sympy", "pandas", "scipy", "matplotlib", "jinja2", "typst", "coursework.report.pages"}
 EXTRA = {
     "coursework.results.kinematics.accelerations",
     "coursework.results.kinematics.points",
@@ -61,7 +61,7 @@ def command(*arguments):
         # The words beside a graph tell the extremes of a velocity, which are where its derivative is zero.
         (
             command("run", "31", "--quantities", "table,plots", "--format", "html"),
-            {"pandas", "scipy", *EXTRA} - {"coursework.results.kinematics.accelerations"},
+            {"sympy", "pandas", "scipy", *EXTRA} - {"coursework.results.kinematics.accelerations"},
         ),
         (command("check", "31"), PAGES | EXTRA),
         (command("run", "31", "--plan"), PAGES | EXTRA),
@@ -76,5 +76,6 @@ def test_what_is_not_imported(code, absent, tmp_path):
 
 def test_the_look_at_imports_sees_them(tmp_path):
     assert {"numpy", "sympy", "pandas"} <= imported(
-        "import coursework\ncoursework.solve('31', quantities=['table']).table", tmp_path
+        "import coursework\nrun = coursework.solve('31', quantities=['table'])\nrun.table, run.scene.reduction.blocks[0].matrix",
+        tmp_path,
     )

@@ -132,7 +132,7 @@ def test_the_feasible_phases_end_where_the_reference_says(alpha):
     for distance, possible in ((1e-6, True), (-1e-6, False)):
         variant = parse_variant(PAGE.replace('"4.35 rad"', f'"{bound + inwards * distance!r} rad"'))
         run = coursework.solve(variant, "rk4", step=0.001, quantities=["table"])
-        assert (run.scene.event is None) == possible
+        assert (run.scene.search.event is None) == possible
 
 
 def test_without_geometry_the_motion_is_refined_and_labelled():

@@ -17,11 +17,12 @@ from coursework.assigning.handout import Handout, difficulty_text, make_handout
 from coursework.assigning.key import key_csv, key_equations, key_html
 from coursework.assigning.page_words import Plain
 from coursework.assigning.ranges import MEASURES
-from coursework.assigning.sheet import sheet, sheet_html, sheets_pdf
+from coursework.assigning.sheet import sheet, sheet_html
 from coursework.assigning.variants import Assignment
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.platforms.escapes import text_cell
 from coursework.grading.platforms.roster import ACCEPTED, Roster
+from coursework.report.pages.pdf import pdf_of
 from coursework.report.text.words import Words
 from coursework.scene.scene import Scene
 from coursework.system.csv_text import csv_text
@@ -71,7 +72,7 @@ def assign(
         made(1)
     written = ["ID.toml", "sheets/ID.html", "key/ID.csv", "key/ID.html", ROSTER, CLASS]
     if wishes.pdf:
-        paper = sheets_pdf(pages)
+        paper = pdf_of("sheets.typ", pages)  # each sheet begins on a page of its own
         _write(out / PDF, paper.content)
         missed(paper.missing)
         written.append(PDF)

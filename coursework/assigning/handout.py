@@ -10,7 +10,6 @@ from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 
-from coursework.assigning.reader import determined
 from coursework.assigning.variants import Individual
 from coursework.drawing.check_sheet.graph_check import GraphCheck, check_graph
 from coursework.drawing.figures import draw_start
@@ -24,6 +23,7 @@ from coursework.motion.schemes import DEFAULT_SCHEME
 from coursework.motion.settings import Settings
 from coursework.report.wording.data_meanings import meanings
 from coursework.scene.scene import Scene
+from coursework.variant.record.changes import determined
 from coursework.variant.record.entries import ROWS_BEFORE_N
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import InputError

@@ -12,9 +12,9 @@ from pathlib import Path
 from typing import Any
 
 from coursework.assigning.ranges import MEASURES, Difficulty, Limits, Range, Ranges
-from coursework.mechanism.groups import group_kind
 from coursework.variant.formula.alphabet import spell
 from coursework.variant.formula.units import KINDS, UnitFault, read, unlike
+from coursework.variant.record.changes import determined
 from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath, Positions
 from coursework.variant.toml.source import Source, read_source
@@ -179,10 +179,10 @@ class _Reader:
         section = self._table("limits")
         self._known(section, LIMITS, ("limits",))
         return Limits(
-            self._number("limits", "least_determinant", "1", 0.0, 1.0),
-            self._number("limits", "least_transmission", "rad", 0.0, 1.5707963267948966),
-            self._number("limits", "largest_velocity", "1/s", 0.0, 1e12),
-            self._number("limits", "least_rows_a_turn", "1", 0.0, MOST_ROWS_A_TURN),
+            self._number("limits", "least_determinant", "1", 1.0),
+            self._number("limits", "least_transmission", "rad", 1.5707963267948966),
+            self._number("limits", "largest_velocity", "1/s", 1e12),
+            self._number("limits", "least_rows_a_turn", "1", MOST_ROWS_A_TURN),
             self._tries(section),
         )
 
@@ -193,7 +193,7 @@ class _Reader:
         self._say(("limits", "tries"), "fault.A027", most=MOST_TRIES)
         return 1
 
-    def _number(self, section: str, key: str, si: str, least: float, most: float) -> float | None:
+    def _number(self, section: str, key: str, si: str, most: float) -> float | None:
         value = self._table(section).get(key) if isinstance(self.source.data.get(section), dict) else None
         if value is None:
             return None
@@ -201,8 +201,8 @@ class _Reader:
         if self._amount(path, value, si) is None:
             return None
         number = read(value, si).value
-        if not least < number <= most:
-            self._say(path, "fault.A026", least=least, most=most, found=str(value)[:40])
+        if not 0.0 < number <= most:
+            self._say(path, "fault.A026", least=0.0, most=most, found=str(value)[:40])
             return None
         return number
 
@@ -210,7 +210,7 @@ class _Reader:
         section = self._table("difficulty")
         self._known(section, DIFFICULTY, ("difficulty",))
         usual = Difficulty()
-        band = self._number("difficulty", "band", "1", 0.0, MOST_BAND)
+        band = self._number("difficulty", "band", "1", MOST_BAND)
         listed = section.get("numbers", list(usual.numbers))
         if not isinstance(listed, list):
             self._say(("difficulty", "numbers"), "fault.A029", known=tuple(MEASURES))
@@ -222,14 +222,6 @@ class _Reader:
                     ("difficulty", "numbers", index), "fault.A030", name=str(name)[:40], advice=advice, known=tuple(MEASURES)
                 )
         return Difficulty(usual.band if band is None else band, tuple(dict.fromkeys(map(str, listed))))
-
-
-def determined(template: Variant) -> frozenset[str]:
-    """Return the coordinates whose start the template's geometry gives: listed, they would contradict it."""
-    by_groups = {name for group in template.groups if not group_kind(group.kind).driven for name in group.coordinates}
-    closed = any(one.is_closure for one in template.constraints)
-    driven = set(template.known_rates)
-    return frozenset(c.name for c in template.coordinates if c.name in by_groups or (closed and c.rate not in driven))
 
 
 def _decimals(value: Decimal) -> int:

@@ -14,6 +14,7 @@ from fractions import Fraction
 from coursework.assigning.handout import Handout
 from coursework.assigning.page_words import lettered, symbol_runs, velocities
 from coursework.drawing.lettering.turns import Signed, Turn, signed, turns
+from coursework.mechanism.groups.kind import summed
 from coursework.mechanism.mechanism import Mechanism
 from coursework.report.formulas.display import marked_text
 from coursework.report.formulas.typst_math import Setter
@@ -21,7 +22,7 @@ from coursework.report.text.numbers import POINT
 from coursework.report.text.parts import Runs
 from coursework.report.text.symbols import Rates
 from coursework.report.text.words import Words
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, evaluate_any, named, number, part_of_pi
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, evaluate_any, named, part_of_pi
 from coursework.variant.record.entries import Binding, Coordinate
 from coursework.variant.record.variant import Variant
 from coursework.words.templates import clean
@@ -105,7 +106,7 @@ def _velocity(variant: Variant, name: str, words: Words) -> tuple[str, str, str]
 
 def _way(variant: Variant, parts: Signed, words: Words, key: str) -> str:
     """Return a direction in words: one of the axes, or at which angle to the x axis."""
-    angle = _sum(parts)
+    angle = summed(parts)
     if set(angle.names()) <= {"pi"}:
         value = evaluate(angle, {})
         quarter = round(2 * value / math.pi)
@@ -122,17 +123,6 @@ def _set(variant: Variant, formula: Formula, words: Words) -> str:
     text = Setter(typst=False, rates=Rates(frozenset(velocities(variant))), in_sentence=True).set(formula).source
     mark = words("decimal")
     return marked_text(text if mark == POINT else text.replace(", ", "; "), mark)
-
-
-def _sum(parts: Signed) -> Formula:
-    """Return terms with their signs as one formula."""
-    if not parts:
-        return number(0)
-    (first, sign), *others = parts
-    found = first if sign > 0 else Formula("neg", (first,))
-    for part, one in others:
-        found = Formula("+" if one > 0 else "-", (found, part))
-    return found
 
 
 def _arms(mechanism: Mechanism, name: str) -> Iterator[tuple[str, Signed]]:

@@ -13,7 +13,6 @@ from coursework.assigning.page_words import Plain, datum, drives, lettered, math
 from coursework.assigning.senses import sense_rows
 from coursework.grading.marking.rubric import PARTS, Answer, Rubric
 from coursework.report.formulas.svg import Drawn, draw
-from coursework.report.pages.pdf import Paper, pdf_of
 from coursework.report.text.parts import Runs
 from coursework.report.text.words import Words
 from coursework.variant.record.variant import Variant
@@ -59,11 +58,6 @@ def sheet_html(page: Plain) -> str:
     """Return a task sheet for the screen, which prints on A4 and fetches nothing."""
     drawn = pictures(mathematics(page["drive"]))
     return filled("sheet.html.j2", page=page, pictures=drawn.pictures, glyphs=drawn.glyphs)
-
-
-def sheets_pdf(pages: Sequence[Plain]) -> Paper:
-    """Return one PDF with every sheet, each beginning on a page of its own.  Raises `OutputError`."""
-    return pdf_of("sheets.typ", list(pages))
 
 
 def pictures(sources: Sequence[str]) -> Drawn:

@@ -15,7 +15,7 @@ from typing import Any
 from coursework.assigning.accept import Acceptance, Accepted
 from coursework.assigning.draw import Lots
 from coursework.assigning.ranges import Ranges
-from coursework.assigning.reader import determined, ranges_file, ranges_of, read_ranges
+from coursework.assigning.reader import ranges_file, ranges_of, read_ranges
 from coursework.grading.marking.key import decimals_accepted, key_of
 from coursework.grading.platforms.names import file_stem
 from coursework.motion.schemes import DEFAULT_SCHEME
@@ -24,6 +24,7 @@ from coursework.scene.model.model import Model, compile_model
 from coursework.scene.model.variant_text import variant_text
 from coursework.variant.catalogue import load
 from coursework.variant.reading.reader import parse_variant
+from coursework.variant.record.changes import determined
 from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.rewriting import SAID_OF_NUMBERS, rewritten

@@ -61,7 +61,7 @@ def timed_study(run: Run) -> AccuracyStudy:
         raise InputError(say("fault.C022"))
     units = tuple(coordinate.unit for coordinate in run.variant.coordinates)
     problem = Problem(scene.rates, scene.start, time.step, len(run.exact.t) - 1, scene.closure, units)
-    command = [sys.executable, "-c", "import numpy, sympy"]
+    command = [sys.executable, "-c", "import numpy"]
     overhead = (
         (say("study.imports"), time_of(lambda: subprocess.run(command, check=True))),
         (

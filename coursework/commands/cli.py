@@ -149,10 +149,10 @@ def run_command(variants: tuple[str, ...], **options: Any) -> int:
 def animate_command(variant: str, out: Path | None, scheme: str | None, budget: float, memory: float, language: str) -> int:
     """Write VARIANT in motion as one animated picture, the true mechanism beside that of the table."""
     from coursework.commands.animate import animate_variant
-    from coursework.commands.screen import tell_last
+    from coursework.commands.screen import tell_faults
     from coursework.system.budget import Budget, watched
 
-    with watched(Budget(budget, memory), variant, tell_last):
+    with watched(Budget(budget, memory), variant, tell_faults):
         return animate_variant(variant, out, scheme, language)
 
 
@@ -163,10 +163,10 @@ def animate_command(variant: str, out: Path | None, scheme: str | None, budget: 
 def check_command(variant: str, budget: float, memory: float) -> int:
     """Look at VARIANT: its faults, mobility, blocks, and whether the whole motion is possible."""
     from coursework.commands.check import check_variant
-    from coursework.commands.screen import tell_last
+    from coursework.commands.screen import tell_faults
     from coursework.system.budget import Budget, watched
 
-    with watched(Budget(budget, memory), variant, tell_last):
+    with watched(Budget(budget, memory), variant, tell_faults):
         return check_variant(variant)
 
 
@@ -208,10 +208,10 @@ def accuracy_command(
 ) -> int:
     """Show what accuracy costs in time for VARIANT."""
     from coursework.commands.accuracy import accuracy_page
-    from coursework.commands.screen import tell_last
+    from coursework.commands.screen import tell_faults
     from coursework.system.budget import Budget, watched
 
-    with watched(Budget(budget, memory), variant, tell_last):
+    with watched(Budget(budget, memory), variant, tell_faults):
         return accuracy_page(variant, out, formats, language)
 
 

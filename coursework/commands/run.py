@@ -6,6 +6,7 @@ Enters: the options of the command.  Leaves: files, lines on the screen, an exit
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,10 @@ from coursework.report.output.formats import FORMATS, PAGES, Format, chosen
 from coursework.report.output.results import Results
 from coursework.report.output.write import write_set
 from coursework.run import Run
+from coursework.scene.quantities import TABLE, quantities_for
+from coursework.system.budget import Ended
 from coursework.system.file_set import files_of, working_folder
+from coursework.system.on_demand import under_way
 from coursework.variant.reading.set_values import with_set
 from coursework.variant.record.variant import Variant
 from coursework.variant.record.vocabulary import EXACT
@@ -34,9 +38,11 @@ def run_variant(
     """Return the exit status of one run."""
     wanted = chosen(formats, "run")
     tell_own_file(variant)
-    read = with_set(variant_of(variant), set_values, check_row)
+    with under_way("reading"):
+        read = with_set(variant_of(variant), set_values, check_row)
     if precision == "single":
-        status = tell_round_off(solve(read, _stepping(read, scheme), step_of(step, read), end, quantities=("table",)))
+        with under_way("round_off"):
+            status = tell_round_off(solve(read, _stepping(read, scheme), step_of(step, read), end, quantities=("table",)))
         if status or not (formats or out):
             return status
     if error is not None and step != "auto":
@@ -47,11 +53,11 @@ def run_variant(
         found = solve(read, scheme, end=end, quantities=("table",))
         if found.scene.stop is not None:
             return tell_stop(found, say("screen.no_step"))
-        h = auto_step(found, error)
+        with under_way("step_search"):
+            h = auto_step(found, error)
     run = make_run(read, step=h, end=end, scheme=scheme, **options)
     if plan:
-        on_pages = ("solutions",) if any(PAGES in each.serves for each in wanted) else ()
-        for line in run.plan_with(*on_pages).lines():
+        for line in Results(run, language, live).plan(any(PAGES in each.serves for each in wanted)).lines():
             tell(line)
         used, left = run.blocks_evaluated()
         title = run.scheme_title
@@ -152,10 +158,26 @@ def step_of(text: str | None, variant: Variant) -> float | None:
 
 
 def write_all(run: Run, folder: Path, formats: Sequence[Format], language: str, live: bool) -> list[str]:
-    """Compute everything, then write the files as one set; return their names."""
-    results = Results(run, language, live)
+    """Compute everything, then write the files as one set; return their names.
+
+    Where the budget is spent before, the tables are written with what is known by then.
+    """
+    try:
+        return _write(Results(run, language, live), folder, formats)
+    except Ended:
+        known = [
+            one.name for one in quantities_for(run.asked).values() if one.name == TABLE.name or one.name in vars(run.results)
+        ]
+        tables = [each for each in formats if PAGES not in each.serves]
+        if tables and "motion" in vars(run.scene):
+            written = _write(Results(replace(run, asked=tuple(known)), language, live=False), folder, tables)
+            tell(say("screen.known", out=folder, files=", ".join(written), known=", ".join(known)))
+        raise
+
+
+def _write(results: Results, folder: Path, formats: Sequence[Format]) -> list[str]:
     results.compute(any(PAGES in each.serves for each in formats))
-    with working_folder(folder) as hidden:
+    with under_way("writing"), working_folder(folder) as hidden:
         written = write_set(results, formats, folder, hidden)
     tell_unprinted(results.unprinted)
     return written

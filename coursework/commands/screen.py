@@ -100,11 +100,6 @@ def tell_unprinted(letters: str) -> None:
         tell(say("screen.unprinted", letters=letters), err=True)
 
 
-def tell_faults(error: CourseworkError) -> None:
-    """Print every fault of an error, a line each."""
+def tell_faults(error: CourseworkError | Fault) -> None:
+    """Print every fault of an error, a line each, or the one for which the process is ended from outside."""
     click.echo(error.told(in_language), err=True)
-
-
-def tell_last(fault: Fault) -> None:
-    """Print why the process is ended from outside."""
-    click.echo(fault.told(in_language), err=True)

@@ -20,7 +20,7 @@ import click
 
 from coursework.api import variant_of
 from coursework.commands.run import make_run, run_variant, step_of
-from coursework.commands.screen import in_language, tell, tell_last, tell_own_file, tell_unprinted
+from coursework.commands.screen import in_language, tell, tell_faults, tell_own_file, tell_unprinted
 from coursework.commands.templates import with_templates
 from coursework.report.output.formats import PAGES, chosen
 from coursework.report.output.results import Results
@@ -165,7 +165,7 @@ def run_variants(
     """Return the exit status of one run, or the worst of several."""
     limits = Budget(budget, memory)
     if not is_several(variants) and not combined:
-        with watched(limits, variants[0], tell_last):
+        with watched(limits, variants[0], tell_faults):
             return run_variant(variants[0], out=out, formats=formats, language=language, **options)
     for_one = {name: options.pop(name) for name in ("plan", "profile", "precision", "error", "verbose")}
     if for_one["plan"] or for_one["profile"] or for_one["error"] or for_one["precision"] == "single" or options["step"] == "auto":

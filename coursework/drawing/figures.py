@@ -29,6 +29,7 @@ from coursework.drawing.paper.symbols import lowered_name, name_word, rate_word,
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.integration.motion import Motion, Stop
+from coursework.system.angles import dot
 from coursework.variant.formula.tree import Formula, terms
 from coursework.variant.record.variant import Variant
 from coursework.words.errors import InputError
@@ -70,7 +71,7 @@ def draw_start(
     time = float(t[0])
     if all_rows(equations, motion):
         t, coordinates = np.append(t, motion.t), np.vstack([coordinates, motion.coordinates])
-    board, svg = _mechanism(mechanism, outline, read(t, coordinates), 0, values)
+    board, svg = _mechanism(mechanism, outline, read(t, coordinates), values)
     angles = say("drawing.mechanism.angles") if "data-angle" in svg else ""
     told = {"scale": board.scale_text, "driven": _driven_words(outline, equations.variant), "angles": angles}
     caption = say("drawing.mechanism.later", row=row + 1, time=time, **told) if row else say("drawing.mechanism.caption", **told)
@@ -88,30 +89,28 @@ def draw_stop(mechanism: Mechanism, equations: VelocityEquations, motion: Motion
     if all_rows(equations, motion):
         t, coordinates = np.append(t, motion.t), np.vstack([coordinates, motion.coordinates])
     poses = read_poses(outline, equations)(t, coordinates)
-    board, svg = _mechanism(mechanism, outline, poses, 0)
+    board, svg = _mechanism(mechanism, outline, poses)
     caption = say("drawing.stop.caption", time=stop.time, scale=board.scale_text)
     return Drawing("dead-point", svg, board.width, board.height, caption, say("drawing.stop.alt"))
 
 
 def _mechanism(
-    mechanism: Mechanism, outline: Outline, poses: Poses, row: int, values: Mapping[str, float] | None = None
+    mechanism: Mechanism, outline: Outline, poses: Poses, values: Mapping[str, float] | None = None
 ) -> tuple[Board, str]:
-    """Return one row with names, lengths and what drives it; with the `values` of its coordinates also their angles."""
-    arrows = {name: way for name in outline.driven if (way := driven_way(poses, name, row))}
-
-    empty = Sheet(1.0, 1.0, (0.0, 0.0, 1.0, 1.0))
-    true_size = Painter(empty, outline, poses, row, lambda z: (z * 1000).conjugate(), 1000.0)
+    """Return the first row with names, lengths and what drives it; with the `values` of its coordinates also their angles."""
+    arrows = {name: way for name in outline.driven if (way := driven_way(poses, name))}
+    true_size = _on_nothing(outline, poses, 0, 1000.0)
     around = [(true_size.place[name], SEVERAL) for name in crowded_hinges(true_size, mechanism)]
     if values is not None:
         around += room_of_angles(true_size, mechanism, values)
 
     def needed(mm: float) -> Iterator[tuple[complex, float]]:
-        yield from room(outline, poses, [row], arrows, mm)
+        yield from room(outline, poses, [0], arrows, mm)
         yield from (((at * mm).conjugate(), wide) for at, wide in around)
 
     board = fit(needed, HIGHEST)
     sheet = board.sheet()
-    painter = Painter(sheet, outline, poses, row, board.put, board.mm)
+    painter = Painter(sheet, outline, poses, 0, board.put, board.mm)
     painter.fixed()
     painter.moving()
     shafts = {
@@ -151,19 +150,21 @@ def room(
     outline: Outline, poses: Poses, rows: list[int], arrows: Mapping[str, complex], mm: float
 ) -> Iterator[tuple[complex, float]]:
     """Yield what takes room at so many mm a metre, with the origin at 0."""
-    empty = Sheet(1.0, 1.0, (0.0, 0.0, 1.0, 1.0))
     for row in rows:
-        painter = Painter(empty, outline, poses, row, lambda z: (z * mm).conjugate(), mm)
+        painter = _on_nothing(outline, poses, row, mm)
         yield from painter.extent()
         for name, way in arrows.items():
             yield painter.at[name] + ARROW * way.conjugate(), 5.5
 
 
-def driven_way(poses: Poses, name: str, row: int) -> complex:
-    """Return the direction in which a drive moves a point in a row, or in the next row in which it does."""
-    velocity = poses.velocity(name)
-    later = [*range(row, len(velocity)), *range(row)]
-    return next((complex(velocity[k] / abs(velocity[k])) for k in later if abs(velocity[k]) > 0), 0j)
+def _on_nothing(outline: Outline, poses: Poses, row: int, mm: float) -> Painter:
+    """Return who would draw a row at so many mm a metre, with the origin at 0, to ask how much room that takes."""
+    return Painter(Sheet(1.0, 1.0, (0.0, 0.0, 1.0, 1.0)), outline, poses, row, lambda z: (z * mm).conjugate(), mm)
+
+
+def driven_way(poses: Poses, name: str) -> complex:
+    """Return the direction in which a drive moves a point in the first row in which it does."""
+    return next((complex(v / abs(v)) for v in poses.velocity(name) if abs(v) > 0), 0j)
 
 
 def _marks(painter: Painter, sheet: Sheet, mechanism: Mechanism) -> list[str]:
@@ -189,7 +190,7 @@ def _marks(painter: Painter, sheet: Sheet, mechanism: Mechanism) -> list[str]:
             if rail.rider in riders and name in {part.name for part in terms(points[rail.rider])}:
                 near = min(ends, key=lambda end: abs(end - at))
                 along = (ends[1] - ends[0]) / abs(ends[1] - ends[0])
-                foot = at + along * _dot(along, near - at)
+                foot = at + along * dot(along, near - at)
                 if not _between(ends, at):
                     sheet.line(at, foot, AXIS)
         drawn.append(name)
@@ -213,11 +214,7 @@ def _origin(painter: Painter, sheet: Sheet, points: Mapping[str, Formula]) -> li
 
 def _between(ends: tuple[complex, complex], at: complex) -> bool:
     way = ends[1] - ends[0]
-    return 0 <= _dot(way, at - ends[0]) <= _dot(way, way)
-
-
-def _dot(a: complex, b: complex) -> float:
-    return (a.conjugate() * b).real
+    return 0 <= dot(way, at - ends[0]) <= dot(way, way)
 
 
 def _driven_words(outline: Outline, variant: Variant) -> str:

@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.drawing.figures import HIGHEST, VELOCITY, room
 from coursework.drawing.lettering.naming import point_names
@@ -26,7 +25,7 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.integration.motion import Motion
 from coursework.results.kinematics.points import point_rows
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, Complex
 from coursework.words.sentences import say
 
 POSITIONS = 12
@@ -35,7 +34,6 @@ CURVE = 'fill="none" stroke="black" stroke-width="0.3"'
 LONGEST = 38.0  # mm of the longest velocity of a hodograph
 MOST_MARKED = 13  # rows named beside a hodograph; of more rows every second, fifth, tenth … is named
 AT_REST = 1e-9  # of the size of the mechanism, or of the largest velocity
-Complex = NDArray[np.complex128]
 
 
 def draw_positions(mechanism: Mechanism, equations: VelocityEquations, period: Motion) -> Drawing | None:

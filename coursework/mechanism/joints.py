@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from coursework.mechanism.groups import group_kind
 from coursework.mechanism.groups.joint import MESHING, PIN_IN_GUIDE, PRISMATIC, REVOLUTE, ROLLING, Joint
 from coursework.variant.formula.tree import Formula, named
+from coursework.variant.record.entries import reached
 from coursework.variant.record.variant import Group, Link, Variant
 
 FRAME = "0"
@@ -50,11 +51,6 @@ class Linkage:
         """Return the count of links and of pairs by the freedoms they take."""
         takes = [joint.kind.takes for joint in self.joints]
         return Mobility(len(self.bodies), takes.count(2), takes.count(1))
-
-    def points(self, wanted: Callable[[Joint], bool]) -> tuple[str, ...]:
-        """Return the named points of the wanted joints, each once."""
-        where = (joint.where for joint in self.joints if wanted(joint))
-        return tuple(dict.fromkeys(point.name for point in where if point is not None and point.op == "name"))
 
 
 def with_sliders(found: Linkage) -> Linkage:
@@ -196,10 +192,5 @@ def _guide(group: Group, index: int, carried: Mapping[str, str], points: Mapping
 
 def _carrier(formula: Formula, carried: Mapping[str, str], points: Mapping[str, Formula]) -> str:
     """Return the body that a formula moves with: that of the latest coordinate in it, its points written out."""
-    names, waiting = set(), [*formula.names()]
-    while waiting:
-        name = waiting.pop()
-        if name not in names:
-            names.add(name)
-            waiting += points[name].names() if name in points else ()
+    names = reached(formula.names(), points)
     return next((body for coordinate, body in reversed([*carried.items()]) if coordinate in names), FRAME)

@@ -35,7 +35,6 @@ class Settings:
     project: int = 0
     gain: float = 0.0
     columns: tuple[str, ...] = ()
-    single: bool = False
     order: int = 1
 
     def checked(self, step: float) -> Settings:

@@ -84,8 +84,7 @@ class MotionResults:
         corrected = scene.settings.project or scene.settings.gain
         if not (small and has_extended()) or scene.search.passages or motion.stop is not None or corrected or not self.marched:
             return None
-        extended: Array = march_in(np.longdouble, scene.rates, motion.scheme, scene.begin, motion.step, len(motion.t) - 1)
-        return extended
+        return np.asarray(march_in(np.longdouble, scene.rates, motion.scheme, scene.begin, motion.step, len(motion.t) - 1))
 
     @computed(
         "motion", "exact", "extended_precision", "equations", "rates", "start", "closure", "stop", "reduction", "search", "flow"

@@ -85,7 +85,8 @@ class Quantity(Generic[T]):
     `compute` carries the name, what it needs and the function; `shows` is where a reader finds it.  `restrictable`: can be
     had for some columns alone; `usual`: computed where nobody says what is wanted; `order` of the highest derivative of the
     motion that it shows, 2 for accelerations; `refuses` returns why a variant cannot
-    have it, None where it can; `beside` maps another quantity to the record that takes this one's place where both are asked for.
+    have it, None where it can; `beside` maps another quantity to the record that takes this one's place where both are asked for;
+    `only_pages`: no file but a page shows it.
     """
 
     compute: Computed[T]
@@ -95,6 +96,7 @@ class Quantity(Generic[T]):
     order: int = 1
     refuses: Callable[[Variant], Sentence | None] = field(default=lambda variant: None)
     beside: Mapping[str, Quantity[Any]] = field(default_factory=dict)
+    only_pages: bool = False
 
     @property
     def name(self) -> str:
@@ -253,7 +255,7 @@ def _itself(_: MotionResults, rows: ExtraTable) -> ExtraTable:
 
 _POINT_COLUMNS = Columns(_point_columns, _moving)
 TABLE = Quantity(table, OwnSection(), restrictable=True, usual=True)
-PLOTS = Quantity(plots, OwnSection(), restrictable=True, usual=True)
+PLOTS = Quantity(plots, OwnSection(), restrictable=True, usual=True, only_pages=True)
 CHECKS = Quantity(MotionResults.checks, OwnSection(), usual=True)
 ACCELERATIONS = Quantity(MotionResults.accelerations, Columns(_acceleration_columns), order=2)
 POINT_ACCELERATIONS = Quantity(MotionResults.point_accelerations, _POINT_COLUMNS, order=2)
@@ -262,13 +264,13 @@ POINTS = Quantity(
 )
 ANALOGS = Quantity(analogs, OwnTable(_itself), order=2)
 INVARIANTS = Quantity(invariants, OwnTable(_itself), order=2)
-ACCURACY = Quantity(accuracy, OwnSection())
+ACCURACY = Quantity(accuracy, OwnSection(), only_pages=True)
 GRAPH_CHECK = Quantity(graph_check, OwnSection())
-TRAJECTORIES = Quantity(trajectories, OwnFigure(_drawings), refuses=_refuse_no_points)
+TRAJECTORIES = Quantity(trajectories, OwnFigure(_drawings), refuses=_refuse_no_points, only_pages=True)
 PLANS = Quantity(
     plans, OwnFigure(lambda _, found, written: found.drawings(written), _plans_listing), order=2, refuses=_refuse_no_points
 )
-HODOGRAPHS = Quantity(hodographs, OwnFigure(_drawings), refuses=_refuse_no_points)
+HODOGRAPHS = Quantity(hodographs, OwnFigure(_drawings), refuses=_refuse_no_points, only_pages=True)
 
 QUANTITIES: tuple[Quantity[Any], ...] = (
     TABLE, PLOTS, CHECKS, ACCELERATIONS, POINTS, ANALOGS, INVARIANTS, ACCURACY, GRAPH_CHECK, PLANS, TRAJECTORIES, HODOGRAPHS,

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
-from coursework.equations.codegen.programs import SYMPY_VERSION
+from coursework.equations.algebra.symbolic_objects import sympy_version
 from coursework.equations.reduction.blocks import Reduction
 from coursework.equations.reduction.solution import ShownEquation, Solution, shown_equations
 from coursework.motion.integration.motion import Motion, Stop
@@ -277,12 +277,11 @@ class SceneRun:
         """Return the graph-analytical check, None where it was not asked for or the motion stops before its row."""
         return self.of(GRAPH_CHECK) if self.asks(GRAPH_CHECK) else None
 
-    def plan_with(self, *more: str) -> Plan:
-        """Return the plan where the pages show `more` besides what was asked for."""
-        plan = make_plan(
-            all_needs(type(self.scene)), [*(quantity.name for quantity in quantities_for(self.asked).values()), *more]
-        )
-        return replace(plan, needed_by={**plan.needed_by, **dict.fromkeys(more, say("plan.pages"))})
+    def plan_with(self, *more: str, pages: bool = True) -> Plan:
+        """Return the plan with `more` besides what was asked for; without `pages`, without what only they show."""
+        asked = [one.name for one in quantities_for(self.asked).values() if pages or not one.only_pages]
+        plan = make_plan(all_needs(type(self.scene)), [*asked, *more])
+        return replace(plan, needed_by={**plan.needed_by, **{name: say("plan.pages") for name in more if name not in asked}})
 
     def blocks_evaluated(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
         """Return the blocks of velocities that each row needs, and those that nothing asked for needs, by their unknowns."""
@@ -296,5 +295,5 @@ class SceneRun:
         """Return the versions that made the numbers."""
         return {
             "coursework": VERSION, "python": platform.python_version(),
-            "numpy": np.__version__, "sympy": SYMPY_VERSION,
+            "numpy": np.__version__, "sympy": sympy_version(),
         }  # fmt: skip

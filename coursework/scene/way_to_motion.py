@@ -34,7 +34,7 @@ from coursework.motion.integration.motion import Motion, Stop, rows_before
 from coursework.motion.integration.passage import through
 from coursework.motion.integration.rates import Rates, compile_rates
 from coursework.motion.settings import Settings
-from coursework.motion.singular.event import Event, NotFollowed
+from coursework.motion.singular.event import NotFollowed
 from coursework.motion.singular.explain import explain, explain_passage
 from coursework.motion.singular.scaled_flow import Flow, compile_flow
 from coursework.motion.singular.search import Search, search_event
@@ -128,11 +128,6 @@ class WayToMotion:
             line = self.variant.nearest_line("time", "end")
             fault = Fault(error.faults[0].message, self.variant.file, line)
             raise self.charged(error) or InputError([fault]) from None
-
-    @property
-    def event(self) -> Event | None:
-        """The first dead or change point of the true motion."""
-        return self.search.event
 
     @computed("search", "flow", "equations", "reduction")
     def stop(self) -> Stop | None:

@@ -1,6 +1,6 @@
-"""Whole turns in an angle: what two angles of the same position may differ by.
+"""Angles and vectors of the plane: the whole turns by which two angles may differ, products of vectors x + iy.
 
-Enters: differences of angles (rad).  Leaves: whole turns (rad).  Used by every floor above that compares angles.
+Enters: differences of angles (rad), vectors.  Leaves: whole turns (rad), products.  Used by every floor above.
 """
 
 from __future__ import annotations
@@ -18,3 +18,13 @@ def whole_turns(differences: ArrayLike) -> Array:
     [6.283, -0.0, -12.566]
     """
     return np.asarray(2 * np.pi * np.round(np.asarray(differences) / (2 * np.pi)))
+
+
+def dot(a: complex, b: complex) -> float:
+    """Return a . b."""
+    return (a.conjugate() * b).real
+
+
+def cross(a: complex, b: complex) -> float:
+    """Return the z component of a x b."""
+    return (a.conjugate() * b).imag

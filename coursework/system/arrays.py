@@ -10,3 +10,4 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
+Complex = NDArray[np.complex128]

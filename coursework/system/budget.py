@@ -36,8 +36,11 @@ class BudgetSpent(CourseworkError):
     """A run took more time or memory than it may."""
 
 
-class _Ended(BaseException):
-    """Raised wherever the run happens to be; no library's `except Exception` holds it up."""
+class Ended(BaseException):
+    """Raised wherever the run happens to be; no library's `except Exception` holds it up.
+
+    Who catches it on its way has `GRACE` seconds.
+    """
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +67,7 @@ def watched(budget: Budget, name: str, last_word: Callable[[Fault], None] | None
         finally:
             watch.stop()
             signal.signal(signal.SIGTERM, before)
-    except _Ended:
+    except Ended:
         raise BudgetSpent([watch.fault] if watch.fault else []) from None
 
 
@@ -93,7 +96,7 @@ class _Watch(threading.Thread):
     def answer(self, number: int, frame: FrameType | None) -> None:
         """End the run, in the main thread; a SIGTERM of somebody else ends it as an interrupt does."""
         if self.fault:
-            raise _Ended
+            raise Ended
         raise KeyboardInterrupt
 
     def _spent(self) -> Fault | None:

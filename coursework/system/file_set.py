@@ -17,7 +17,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import IO
 
-from coursework.system.whole_files import refused
+from coursework.system.whole_files import refused, take_lock
 from coursework.words.errors import Fault, OutputError
 from coursework.words.sentences import say
 
@@ -160,7 +160,7 @@ def _new_hidden(target: Path) -> tuple[IO[bytes], Path]:
     file = path.open("xb")
     try:
         with suppress(OSError):  # a disk without locks
-            _lock(file)
+            take_lock(file)
         hidden.mkdir()
     except BaseException:
         file.close()
@@ -173,24 +173,12 @@ def _is_abandoned(lock: Path) -> bool:
     """Return whether nobody holds a lock; one that is not there is held by nobody."""
     try:
         with lock.open("r+b") as file:
-            _lock(file)
+            take_lock(file)
     except FileNotFoundError:
         return True
     except OSError:
         return False
     return True
-
-
-def _lock(file: IO[bytes]) -> None:
-    """Take a lock that ends with the process.  Raises `OSError` where another process has it."""
-    if sys.platform == "win32":
-        import msvcrt
-
-        msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
-    else:
-        import fcntl
-
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
 
 
 def _remove(path: Path) -> None:

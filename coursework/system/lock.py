@@ -8,13 +8,12 @@ The lock is the system's and ends with the process, whatever ends that; a file l
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import IO
 
-from coursework.system.whole_files import clear_leftovers, refused
+from coursework.system.whole_files import clear_leftovers, refused, take_lock
 from coursework.words.errors import Fault, OutputError
 from coursework.words.sentences import say
 
@@ -51,34 +50,14 @@ def _opened(path: Path) -> IO[bytes]:
     """Return the locked file.  The one before may have removed it between the opening and the locking: then there is another."""
     while True:
         file = path.open("a+b", buffering=0)
-        if not _locked(file):
+        try:
+            take_lock(file, _FAR)
+        except BlockingIOError:
             file.seek(0)
             holder = file.read(20).decode("ascii", errors="replace").strip()
             file.close()
-            raise OutputError([Fault(say("fault.W018", process=holder or "?"), str(path.parent))])
+            raise OutputError([Fault(say("fault.W018", process=holder or "?"), str(path.parent))]) from None
         with suppress(OSError):
             if os.path.samestat(os.fstat(file.fileno()), path.stat()):
                 return file
         file.close()
-
-
-if sys.platform == "win32":
-    import msvcrt
-
-    def _locked(file: IO[bytes]) -> bool:
-        file.seek(_FAR)
-        try:
-            msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
-        except OSError:
-            return False
-        return True
-
-else:
-    import fcntl
-
-    def _locked(file: IO[bytes]) -> bool:
-        try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            return False
-        return True

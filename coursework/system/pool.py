@@ -16,7 +16,7 @@ import sys
 import threading
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
-from contextlib import contextmanager, suppress
+from contextlib import AbstractContextManager, contextmanager, suppress
 from dataclasses import dataclass
 from itertools import islice
 from typing import Any, Generic, TypeVar
@@ -62,7 +62,7 @@ class Trade(Generic[Job, Answer]):
     quiet: bool = True  # nothing that a process writes to standard error is shown
 
 
-class Worker(Generic[Job, Answer]):
+class Worker(AbstractContextManager["Worker[Job, Answer]"], Generic[Job, Answer]):
     """One process at a time, started when there is a job for it; a context manager."""
 
     def __init__(self, trade: Trade[Job, Answer]) -> None:
@@ -71,9 +71,6 @@ class Worker(Generic[Job, Answer]):
         self._at_work = threading.Lock()
         self._answered = self._grown = 0
         self._late = self._closed = False
-
-    def __enter__(self) -> Worker[Job, Answer]:
-        return self
 
     def __exit__(self, *_: object) -> None:
         self.close()
@@ -165,7 +162,7 @@ class Worker(Generic[Job, Answer]):
         child.wait()
 
 
-class Pool(Generic[Job, Answer]):
+class Pool(AbstractContextManager["Pool[Job, Answer]"], Generic[Job, Answer]):
     """Workers of one trade, each started when it is needed; a context manager, which ends them whatever they are doing."""
 
     def __init__(self, trade: Trade[Job, Answer], workers: int) -> None:
@@ -174,9 +171,6 @@ class Pool(Generic[Job, Answer]):
         for worker in reversed(self._workers):
             self._idle.put(worker)
         self._threads = ThreadPoolExecutor(workers)
-
-    def __enter__(self) -> Pool[Job, Answer]:
-        return self
 
     def __exit__(self, *_: object) -> None:
         self.close()

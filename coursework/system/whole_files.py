@@ -9,9 +9,11 @@ from __future__ import annotations
 import errno
 import os
 import secrets
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import IO
 
 from coursework.words.errors import Fault, OutputError
 from coursework.words.sentences import say
@@ -55,6 +57,22 @@ def clear_leftovers(folder: Path) -> None:
     """Remove what a process that was killed had begun to write into a folder, which nobody else writes into now."""
     for left in folder.rglob(f"{_BEGUN}*.part"):
         left.unlink(missing_ok=True)
+
+
+def take_lock(file: IO[bytes], at: int = 0) -> None:
+    """Take a lock, on Windows of one byte, that ends with the process.  Raises `BlockingIOError` where another process has it."""
+    if sys.platform == "win32":
+        import msvcrt
+
+        file.seek(at)
+        try:
+            msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+        except OSError as error:
+            raise BlockingIOError from error
+    else:
+        import fcntl
+
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
 
 
 def write_through(path: Path, content: bytes) -> None:

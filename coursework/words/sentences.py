@@ -253,11 +253,6 @@ def closest(word: str, known: Sequence[str], alike: float = 0.6) -> str:
     return say("hint.closest", name=found[0]) if found else ""
 
 
-def listing(words: Iterable[str]) -> Sentence:
-    """Return "a, b and c"."""
-    return say("join.listing", words=tuple(words))
-
-
 def ranges(numbers: Iterable[int], most: int = 8) -> tuple[str, ...]:
     """Return whole numbers in order as a person writes them, of many the first.
 

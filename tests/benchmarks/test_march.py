@@ -11,6 +11,8 @@ import pytest
 import sympy as sp
 
 import coursework
+from coursework.equations.algebra.expression import add, variable
+from coursework.equations.algebra.symbolic_objects import symbolic
 from coursework.equations.reduction.blocks import reduce
 from coursework.motion.integration.exact_motion import exact_motion
 from coursework.motion.integration.integrate import march
@@ -74,8 +76,8 @@ def compiled(compiler, folder):
 
 def as_sympy(equations):
     """Return the equations as bare SymPy expressions, and the unknowns."""
-    rows = [sp.Add(*[c * sp.Symbol(n, real=True) for n, c in e.coefficients.items()]) - e.right_side for e in equations.equations]
-    return rows, [sp.Symbol(name, real=True) for name in equations.unknowns]
+    sums = [add(*[c * variable(n) for n, c in e.coefficients.items()], -e.right_side) for e in equations.equations]
+    return list(map(symbolic, sums)), [sp.Symbol(name, real=True) for name in equations.unknowns]
 
 
 def uncached(work):

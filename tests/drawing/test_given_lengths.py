@@ -19,6 +19,7 @@ from coursework.drawing.paper.sheet import Sheet
 from coursework.report.text.symbols import symbol
 from coursework.variant.catalogue import names
 from tests.drawing import measured
+from tests.sample import sampled
 from tests.solved import solved
 
 # What lies at no point drawn, or changes with the motion: an origin, a drive's radius, the law of a crank's length.
@@ -43,7 +44,7 @@ def ends_of(svg: str, word: str) -> tuple[complex, complex]:
     return tips[0], tips[1]
 
 
-@pytest.mark.parametrize("name", names())
+@pytest.mark.parametrize("name", sampled(names()))
 def test_every_given_length_is_written_on_the_drawing(name: str) -> None:
     run = solved(name, quantities=["table"])
     drawing = run.mechanism()

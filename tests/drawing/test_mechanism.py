@@ -20,6 +20,7 @@ from coursework.variant.catalogue import names
 from coursework.variant.formula.tree import spelled
 from tests.drawing import measured
 from tests.hard.scenes import scene
+from tests.sample import sampled
 from tests.solved import solved
 
 
@@ -41,7 +42,7 @@ def outline_of(name: str, **changes: object) -> Outline:
     return found
 
 
-@pytest.mark.parametrize("name", names())
+@pytest.mark.parametrize("name", sampled(names()))
 def test_every_variant_has_a_drawing_with_its_links_and_points(name: str) -> None:
     drawing, outline = drawing_of(name), outline_of(name)
     said = {word.text for word in measured.words(drawing.svg)}

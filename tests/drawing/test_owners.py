@@ -15,6 +15,7 @@ from coursework.variant.catalogue import names
 from tests.drawing import measured
 from tests.drawing.check_sheet.checked import svg_of
 from tests.drawing.test_mechanism import drawing_of
+from tests.sample import sampled
 
 FARTHEST = 8.0  # mm from its line to a word that nothing leads to it
 SENSE = 6.0  # mm before a word with the arrow of a rotation
@@ -27,7 +28,7 @@ def test_no_word_lies_on_a_link_or_an_arrow(name: str) -> None:
     assert measured.crossed(drawing_of(name).svg, "data-link", "data-driven") == []
 
 
-@pytest.mark.parametrize("name", CONSTRUCTED)
+@pytest.mark.parametrize("name", sampled(CONSTRUCTED))
 def test_no_word_of_a_construction_lies_on_a_link_or_an_arrow(name: str) -> None:
     assert measured.crossed(svg_of(name), "data-link", "data-velocity") == []
 
@@ -54,7 +55,7 @@ def test_a_length_stands_beside_the_part_that_has_it(name: str) -> None:
 
 
 @pytest.mark.parametrize("kind", ["mechanism", "construction"])
-@pytest.mark.parametrize("name", CONSTRUCTED)
+@pytest.mark.parametrize("name", sampled(CONSTRUCTED))
 def test_the_name_of_a_link_stands_beside_it(name: str, kind: str) -> None:
     svg = drawing_of(name).svg if kind == "mechanism" else svg_of(name)
     drawn = [*measured.lines(svg, "data-link"), *measured.lines(svg, "data-velocity")]

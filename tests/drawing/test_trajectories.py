@@ -14,6 +14,7 @@ from coursework.drawing.paper.record import Drawing
 from coursework.run import Run
 from coursework.variant.catalogue import names
 from tests.drawing import measured
+from tests.sample import sampled
 from tests.solved import solved
 
 
@@ -33,7 +34,7 @@ def path(svg: str, key: str, value: str) -> np.ndarray:
     return np.array([complex(float(x), float(y)) for x, y in re.findall(r"(-?[\d.]+) (-?[\d.]+)", found[0].get("d", ""))])
 
 
-@pytest.mark.parametrize("name", names())
+@pytest.mark.parametrize("name", sampled(names()))
 def test_no_word_lies_on_another(name: str) -> None:
     drawings = drawings_of(name)
     assert "positions" in drawings

@@ -135,7 +135,7 @@ def test_h28_two_crossings_of_a_driven_chain_inside_one_step(depth):
         closures=["l @ p = (s, 0) + l @ q"],
     )
     run = solve(text)
-    event = run.scene.event
+    event = run.scene.search.event
     if depth == 1e-10:  # nearer to a change point than any length is cut to
         assert event.kind == "change point"
         assert abs(event.time - 0.505) < 1e-7

@@ -28,7 +28,8 @@ def test_links_and_frame_of_variant_31():
     variant = coursework.load("31")
     mechanism = build(variant)
     assert mechanism.linkage.bodies == tuple(link.name for link in variant.links)
-    assert set(mechanism.linkage.points(lambda found: found.pins and FRAME in found.bodies)) == set(variant.frame.hinges)
+    hinges = [joint.where.name for joint in mechanism.linkage.joints if joint.pins and FRAME in joint.bodies]
+    assert set(hinges) == set(variant.frame.hinges)
     assert mechanism.mobility.degrees == 2
 
 

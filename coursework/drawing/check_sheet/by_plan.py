@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from coursework.drawing.check_sheet.pose import Pose
+from coursework.system.angles import dot
 
 NOUGHT = 1e-13  # of the largest velocity found: what is smaller is round-off
 FREE = 1e-9  # of the largest singular value: below it a combination of velocities is not determined
@@ -54,7 +55,7 @@ def solve_plan(pose: Pose, velocities: Mapping[str, complex]) -> Solved:
         for name in body.points[1:]:
             arm = 1j * (pose.positions[name] - pose.positions[first])
             for axis in (1 + 0j, 1j):
-                part = (axis.conjugate() * arm).real
+                part = dot(axis, arm)
                 require({**vector(name, axis), **vector(first, axis, -1.0), turn[body.name]: -part / size})
         if body.guide:
             require({turn[body.name]: 1.0})
@@ -69,7 +70,7 @@ def solve_plan(pose: Pose, velocities: Mapping[str, complex]) -> Solved:
         arm = 1j * (pose.positions[slide.rider] - pose.positions[first])
         normal = 1j * slide.along
         if first != slide.rider:
-            part = (normal.conjugate() * arm).real
+            part = dot(normal, arm)
             require({**vector(first, normal), **vector(slide.rider, normal, -1.0), turn[slide.link]: part / size})
         if slide.block in turn:
             require({turn[slide.link]: 1.0, turn[slide.block]: -1.0})

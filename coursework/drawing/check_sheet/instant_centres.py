@@ -3,7 +3,7 @@
 Enters: a `Pose` in SI, points and vectors as complex numbers x + iy.  Leaves: `Findings`.
 It knows positions and known velocities only, none of the velocity equations: that is what makes it a check of them.
 Source: Ponomarev, coursework guide, graph-analytical check (mathematics.md section 3); Aronhold's construction link by link.
-Used by `check_plan.py`, `drawing.py`, `graph_check.py`, `graph_words.py`, `layout.py`, `readings.py` and `sketch.py`.
+Used by `check_plan.py`, `drawing.py`, `graph_check.py`, `graph_words.py`, `layout.py` and `readings.py`.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 
 from coursework.drawing.check_sheet.by_plan import solve_plan
 from coursework.drawing.check_sheet.pose import Body, Pose
+from coursework.system.angles import cross, dot
 
 # Sine of the angle below which two lines count as parallel: positions of an Euler row are good to 1e-15, so nothing
 # that is parallel by construction comes near it, and a centre 1e9 times farther than the mechanism is a translation.
@@ -54,16 +55,6 @@ class Findings:
     def drawn(self) -> dict[str, Centre]:
         """Return the centres that are drawn: those that were found without a plan."""
         return {name: centre for name, centre in self.centres.items() if name not in self.planned}
-
-
-def cross(a: complex, b: complex) -> float:
-    """Return the z component of a x b."""
-    return (a.conjugate() * b).imag
-
-
-def dot(a: complex, b: complex) -> float:
-    """Return a . b."""
-    return (a.conjugate() * b).real
 
 
 def construct(pose: Pose) -> Findings:

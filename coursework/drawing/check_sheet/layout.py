@@ -11,48 +11,34 @@ from dataclasses import dataclass, replace
 
 from coursework.drawing.check_sheet.instant_centres import Centre, Findings
 from coursework.drawing.check_sheet.sketch import Sketch
-from coursework.drawing.paper.symbols import ratio
+from coursework.drawing.paper.board import SPEEDS, Board, Circle, around
+from coursework.drawing.paper.cover import Rectangle
 from coursework.drawing.plans.foot import FOOT
-from coursework.words.sentence import Sentence
 
 PAGE = (170.0, 190.0)  # mm: the text width of A4 with margins of 20 mm, and room for a caption
 LANDSCAPE = (257.0, 138.0)  # mm: the same page lying, with room for heading and caption
 EDGE = 3.0  # mm
 SCALES = tuple(sorted(m * 10.0**k for k in range(-2, 9) for m in (1.0, 2.0, 2.5, 4.0, 5.0)))
 ARROWS = (45.0, 30.0, 20.0)  # mm: the longest velocity is at most as long
-ROUND = tuple(sorted(m * 10.0**k for k in range(-9, 9) for m in (1.0, 2.0, 5.0)))
 ROOM = {"point": 8.0, "hinge": 11.0, "tip": 6.0, "rim": 3.0}  # mm around, for symbols and labels
 CENTRE_ROOM = 6.0
 CROSS = 1.5  # mm: the arms of the cross that marks a centre
 
-Box = tuple[float, float, float, float]
-
 
 @dataclass(frozen=True, slots=True)
-class Layout:
-    """`scale` 10 for 1:10; `speed` m/s per mm; the sheet `width` x `height` (mm), `wide` on a lying page; `near` centres.
+class Layout(Board):
+    """A board with `speed` m/s per mm, `wide` on a lying page; `near` are the links whose centre lies on the sheet."""
 
-    `near` are the links whose centre lies on the sheet.
-    """
-
-    scale: float
     speed: float
     wide: bool
-    width: float
-    height: float
-    origin: complex
     near: frozenset[str]
-
-    def put(self, z: complex) -> complex:
-        """Return the place on the sheet (mm, y down) of a point (m)."""
-        return self.origin + (z * 1000 / self.scale).conjugate()
 
     def arrow(self, velocity: complex) -> complex:
         """Return the arrow (mm, y down) of a velocity (m/s)."""
         return (velocity / self.speed).conjugate()
 
     @property
-    def field(self) -> Box:
+    def field(self) -> Rectangle:
         """Return left, top, right, bottom of the room for the drawing."""
         return (EDGE, EDGE, self.width - EDGE, self.height - FOOT)
 
@@ -67,11 +53,6 @@ class Layout:
         """Return how many special points lie on the sheet."""
         return sum(self.holds(special) for special in specials.values())
 
-    @property
-    def scale_text(self) -> Sentence:
-        """Return "1:10", or "5:1" for an enlargement."""
-        return ratio(self.scale)
-
 
 def lay_out(sketch: Sketch, findings: Findings) -> Layout:
     """Return the layout with the largest scale at which links and velocities fit; of two ways, that with more centres.
@@ -84,7 +65,7 @@ def lay_out(sketch: Sketch, findings: Findings) -> Layout:
             found = [way for wide in (False, True) if (way := _try(sketch, findings, scale, longest, wide))]
             if found:
                 return max(found, key=lambda way: (len(way.near), way.has(findings.specials), not way.wide))
-    return Layout(smallest, 1.0, False, *PAGE, complex(PAGE[0] / 2, PAGE[1] / 2), frozenset())
+    return Layout(smallest, *PAGE, complex(PAGE[0] / 2, PAGE[1] / 2), 1.0, False, frozenset())
 
 
 def _possible(sketch: Sketch) -> Iterator[float]:
@@ -102,66 +83,43 @@ def _points(sketch: Sketch) -> list[str]:
 def _try(sketch: Sketch, findings: Findings, scale: float, longest: float, wide: bool) -> Layout | None:
     mm = 1000 / scale
     fastest = max((abs(v) for v in findings.velocities.values()), default=0.0)
-    speed = next((s for s in ROUND if fastest / s <= longest), ROUND[-1])
-    box = _box(sketch, findings, mm, speed)
+    speed = next((s for s in SPEEDS if fastest / s <= longest), SPEEDS[-1])
     most_wide, most_high = LANDSCAPE if wide else PAGE
-    room = (most_wide - 2 * EDGE, most_high - EDGE - FOOT)
-    if not _fits(box, room):
+
+    def fits(circles: list[Circle]) -> bool:
+        left, low, right, high = around(circles)
+        return right - left <= most_wide - 2 * EDGE and high - low <= most_high - EDGE - FOOT
+
+    circles = [*_needed(sketch, findings, mm, speed)]
+    if not fits(circles):
         return None
-    near = set()
+    left, low, right, high = around(circles)
+    middle = complex(left + right, low + high) / 2
+    drawn = [centre.at * mm for centre in findings.drawn.values() if centre.at is not None and centre.lines]
+    specials = [special.at * mm for special in findings.specials.values() if special.at is not None]
     # The nearest first: a far one must not take the room of those that fit.
-    for name, centre in sorted(findings.drawn.items(), key=lambda item: abs((item[1].at or 0j) * mm - _middle(box))):
-        if centre.at is not None and centre.lines:
-            wider = _join(box, centre.at * mm, CENTRE_ROOM)
-            if _fits(wider, room):
-                box = wider
-                near.add(name)
-    for special in findings.specials.values():
-        if special.at is not None and _fits(wider := _join(box, special.at * mm, CENTRE_ROOM), room):
-            box = wider
-    across, high = box[2] - box[0], box[3] - box[1]
-    width = max(PAGE[0], across + 2 * EDGE)
-    height = high + EDGE + FOOT
-    top = (height - FOOT + EDGE - high) / 2
-    origin = complex((width - across) / 2 - box[0], top + box[3])
-    sheet = Layout(scale, speed, wide, width, height, origin, frozenset(near))
+    for at in (*sorted(drawn, key=lambda at: abs(at - middle)), *specials):
+        if fits([*circles, (at, CENTRE_ROOM)]):
+            circles.append((at, CENTRE_ROOM))
+    left, low, right, high = around(circles)
+    width = max(PAGE[0], right - left + 2 * EDGE)
+    origin = complex((width - right - left) / 2, EDGE + high)
+    sheet = Layout(scale, width, high - low + EDGE + FOOT, origin, speed, wide, frozenset())
     # One whose name has little room may lie on the sheet all the same.
-    return replace(sheet, near=frozenset(near | {name for name, centre in findings.drawn.items() if sheet.holds(centre)}))
+    return replace(sheet, near=frozenset(name for name, centre in findings.drawn.items() if sheet.holds(centre)))
 
 
-def _box(sketch: Sketch, findings: Findings, mm: float, speed: float) -> Box:
-    """Return what must be on the sheet (mm, y up): left, bottom, right, top."""
+def _needed(sketch: Sketch, findings: Findings, mm: float, speed: float) -> Iterator[Circle]:
+    """Yield what must be on the sheet (mm, y up)."""
     positions = sketch.pose.positions
-    points = _points(sketch)
-    first = positions[points[0]] * mm if points else 0j
-    box = (first.real, first.imag, first.real, first.imag)
-    for name in points:
-        at = positions[name] * mm
-        box = _join(box, at, ROOM["hinge" if name in sketch.hinges else "point"])
+    for name in _points(sketch):
+        yield positions[name] * mm, ROOM["hinge" if name in sketch.hinges else "point"]
         if velocity := findings.velocities.get(name, 0j):
-            box = _join(box, at + velocity / speed, ROOM["tip"])
+            yield positions[name] * mm + velocity / speed, ROOM["tip"]
     for slot in sketch.outline.slots:
         beside, low, high = sketch.poses.line(slot)
         along = complex(sketch.poses.along(slot.base, slot.toward)[sketch.row])
         foot = sketch.poses.pose(sketch.row)[slot.at] + 1j * along * beside
-        for way in (low, high):
-            box = _join(box, (foot + along * way) * mm, ROOM["tip"] + 10)
+        yield from (((foot + along * way) * mm, ROOM["tip"] + 10) for way in (low, high))
     for centre, contact in sketch.wheels.values():
-        radius = abs(positions[contact] - positions[centre]) * mm
-        box = _join(box, positions[centre] * mm, radius + ROOM["rim"])
-    return box
-
-
-def _join(box: Box, at: complex, around: float) -> Box:
-    return (
-        min(box[0], at.real - around), min(box[1], at.imag - around),
-        max(box[2], at.real + around), max(box[3], at.imag + around),
-    )  # fmt: skip
-
-
-def _fits(box: Box, room: tuple[float, float]) -> bool:
-    return box[2] - box[0] <= room[0] and box[3] - box[1] <= room[1]
-
-
-def _middle(box: Box) -> complex:
-    return complex(box[0] + box[2], box[1] + box[3]) / 2
+        yield positions[centre] * mm, abs(positions[contact] - positions[centre]) * mm + ROOM["rim"]

@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from coursework.drawing.check_sheet.instant_centres import cross
 from coursework.drawing.check_sheet.pose import Body, Pose, Slide
 from coursework.drawing.outline.ground import racks
 from coursework.drawing.outline.outline import Bar, Outline
@@ -23,6 +22,7 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.mechanism.mechanism import Mechanism
 from coursework.motion.geometry.time_derivatives import jets
 from coursework.motion.integration.motion import Motion
+from coursework.system.angles import cross
 from coursework.system.arrays import Array
 from coursework.variant.record.variant import Variant
 from coursework.words.sentences import say

@@ -23,6 +23,7 @@ from coursework.drawing.paper.placing import Owner
 from coursework.drawing.paper.sheet import ITALIC, Word
 from coursework.drawing.paper.symbols import length_word
 from coursework.mechanism.mechanism import Mechanism
+from coursework.system.angles import dot
 
 PEN = 'stroke="black" stroke-width="0.15"'
 SHORTEST = 0.8  # mm: a shorter length is not seen
@@ -90,7 +91,7 @@ def _dimensions(painter: Painter, mechanism: Mechanism, shown: Sequence[str]) ->
         if abs(way) > SHORTEST:
             yield Dimension(word, begin, end, way / abs(way))
     for offset in offsets(painter, mechanism):
-        far = abs(_dot(offset.across, painter.at[offset.rider] - painter.at[offset.point]))
+        far = abs(dot(offset.across, painter.at[offset.rider] - painter.at[offset.point]))
         if offset.stub is None and {offset.point, offset.rider} <= {*shown} and far > SHORTEST:
             yield Dimension(length_word(offset.length), offset.point, offset.rider, offset.across)
     origin = next((name for name, formula in mechanism.points if name in shown and is_origin(formula)), ORIGIN)
@@ -102,7 +103,7 @@ def _dimensions(painter: Painter, mechanism: Mechanism, shown: Sequence[str]) ->
         if all(part.op == "name" and part.name in given for part in parts):
             for part, along in zip(parts, (1 + 0j, 1j), strict=True):
                 way = painter.at[name] - painter.at[origin]
-                if part.name not in said and abs(_dot(along, way)) > SHORTEST:
+                if part.name not in said and abs(dot(along, way)) > SHORTEST:
                     said.add(part.name)
                     yield Dimension(length_word(part), origin, name, along)
 
@@ -111,9 +112,9 @@ def _place(painter: Painter, one: Dimension) -> Segment | None:
     """Draw a dimension where it covers least; return its line, None where there is no room."""
     a, b = painter.at[one.begin], painter.at[one.end]
     across = 1j * one.along
-    heights = (_dot(across, a), _dot(across, b))
+    heights = (dot(across, a), dot(across, b))
     levels = dict.fromkeys(level for off in LEVELS for level in (max(heights) + off, min(heights) - off))
-    everything = [_dot(across, painter.at[name]) for name in painter.names]
+    everything = [dot(across, painter.at[name]) for name in painter.names]
     levels |= dict.fromkeys((max(everything) + CLEAR, min(everything) - CLEAR))
     away = {level: AWAY * sum(abs(level - height) for height in heights) for level in levels}
     best, chosen = math.inf, None
@@ -127,7 +128,7 @@ def _place(painter: Painter, one: Dimension) -> Segment | None:
             if (line := _extension(painter, foot, end))
         ]
         straight = abs(ends[0] - a) + abs(ends[1] - b) < 1e-9
-        trimmed = one.along * (AT_POINT if straight else 0.0) * (1 if _dot(one.along, b - a) > 0 else -1)
+        trimmed = one.along * (AT_POINT if straight else 0.0) * (1 if dot(one.along, b - a) > 0 else -1)
         outer = _ends(*ends)
         whole = [(outer[0] + trimmed, outer[1] - trimmed), *lines]
         looked = [at for begin, end in whole for at in _samples(begin, end)]
@@ -170,14 +171,10 @@ def _extension(painter: Painter, foot: tuple[str, complex], end: complex) -> Seg
     if abs(way) <= OFF:
         return None
     unit = way / abs(way)
-    start = BELOW if name in painter.outline.hinges and _dot(unit, painter.ground(name)) > 0.9 else OFF
+    start = BELOW if name in painter.outline.hinges and dot(unit, painter.ground(name)) > 0.9 else OFF
     return (at + start * unit, end + PAST * unit) if abs(way) > start else None
 
 
 def _samples(begin: complex, end: complex) -> Iterator[complex]:
     count = max(2, math.ceil(abs(end - begin) / SAMPLE))
     yield from (begin + (k + 0.5) / count * (end - begin) for k in range(count))
-
-
-def _dot(a: complex, b: complex) -> float:
-    return (a.conjugate() * b).real

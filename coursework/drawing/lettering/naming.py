@@ -12,6 +12,7 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 
 from coursework.drawing.lettering.offsets import offsets
+from coursework.drawing.outline.ground import wheel_on
 from coursework.drawing.outline.lengths import lengths
 from coursework.drawing.outline.outline import Bar
 from coursework.drawing.paper.cover import Segment
@@ -20,6 +21,7 @@ from coursework.drawing.paper.placing import Owner, Place
 from coursework.drawing.paper.sheet import BOLD, ITALIC
 from coursework.drawing.paper.symbols import length_word, name_word, short
 from coursework.mechanism.mechanism import Mechanism
+from coursework.system.angles import dot
 from coursework.variant.formula.tree import Formula, named, terms
 
 PARTS = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)  # of a line: where the word of it may stand, the middle first
@@ -74,7 +76,7 @@ def beside(painter: Painter, line: Segment, gap: float, towards: int = 1) -> lis
     """Return the places beside a line, rather on the side away from the middle of the mechanism; `towards` -1: on the other."""
     a, b = line
     side = 1j * (b - a) * towards
-    outside = side if _dot(1j * (b - a), (a + b) / 2 - painter.middle) > 0 else -side
+    outside = side if dot(1j * (b - a), (a + b) / 2 - painter.middle) > 0 else -side
     return [(a + part * (b - a), outside, gap) for part in PARTS]
 
 
@@ -120,7 +122,7 @@ def part_lengths(painter: Painter, mechanism: Mechanism, near: Sequence[Segment]
     ]
     named += [(offset.length, *offset.stub) for offset in offsets(painter, mechanism) if offset.stub]
     for track, (_, radius) in zip(painter.outline.tracks, mechanism.variant.frame.circles, strict=True):
-        wheel = painter.wheel_on(track)
+        wheel = wheel_on(painter.outline, painter.poses.pose(0), track)
         # Along a link between the two centres it would read as a length of that link.
         if wheel and not any({track.centre, wheel.centre} <= {*bar.corners} for bar in painter.outline.bars):
             named.append((radius, painter.at[track.centre], painter.at[wheel.contact]))
@@ -164,7 +166,3 @@ def lies_on(line: Segment, other: Segment) -> bool:
 def points_as_lines(points: Iterable[complex]) -> list[Segment]:
     """Return points as segments of no length, for words that may be taken for theirs."""
     return [(at, at) for at in points]
-
-
-def _dot(a: complex, b: complex) -> float:
-    return (a.conjugate() * b).real

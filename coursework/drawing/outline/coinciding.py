@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.drawing.outline.outline import Outline
-from coursework.drawing.outline.poses import Complex, Poses
-from coursework.system.arrays import Array
+from coursework.drawing.outline.poses import Poses
+from coursework.system.arrays import Array, Complex
 
 MOST = 180  # rows that are looked at
 PAPER = 100.0  # mm: as large as the mechanism is thought to be drawn

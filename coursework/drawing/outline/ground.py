@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from coursework.drawing.outline.outline import Outline, Rail, Track, Wheel
+from coursework.system.angles import dot
 
 FREE = 0.75  # cosine of the angle to a link beside which the ground of a hinge may stand
 TOUCHING = 0.02  # of its radius: a wheel within this of a fixed circle rolls on it
@@ -31,7 +32,7 @@ def hinge_ground(outline: Outline, places: Places, name: str) -> complex:
     """Return the direction from a hinge to its ground: below, as in a textbook, unless a link hides it there."""
     at = places[name]
     arms = [places[p] - at for bar in outline.bars if name in bar.corners for p in bar.corners if places[p] != at]
-    near = {way: max((_dot(arm, way) / abs(arm) for arm in arms), default=0.0) for way in (-1j, -1 + 0j, 1 + 0j, 1j)}
+    near = {way: max((dot(arm, way) / abs(arm) for arm in arms), default=0.0) for way in (-1j, -1 + 0j, 1 + 0j, 1j)}
     return -1j if near[-1j] < FREE else min(near, key=lambda way: round(near[way], 6))
 
 
@@ -41,7 +42,7 @@ def rail_side(outline: Outline, places: Places, rail: Rail) -> int:
     wheels = [wheel.centre for wheel in outline.wheels if wheel.contact == rail.rider and rail.rolls]
     others = [places[name] for name in wheels or outline.shown if wheels or name != rail.rider]
     middle = sum(others, 0j) / len(others) if others else 0j
-    return 1 if others and _dot(1j * along, middle - places[rail.at]) < 0 else -1
+    return 1 if others and dot(1j * along, middle - places[rail.at]) < 0 else -1
 
 
 def wheel_on(outline: Outline, places: Places, track: Track) -> Wheel | None:
@@ -74,9 +75,5 @@ def racks(outline: Outline, places: Places) -> list[Rack]:
             links = [bar.link for bar in outline.bars if bar.corners == (rail.rider,)]
             if links and abs(way.imag) <= ON_LINE * abs(way):
                 to_gear = places[wheel.centre] - places[wheel.contact]
-                found.append(Rack(links[0], rail, wheel.contact, 1 if _dot(1j * along, to_gear) < 0 else -1))
+                found.append(Rack(links[0], rail, wheel.contact, 1 if dot(1j * along, to_gear) < 0 else -1))
     return found
-
-
-def _dot(a: complex, b: complex) -> float:
-    return (a.conjugate() * b).real

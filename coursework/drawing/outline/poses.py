@@ -10,16 +10,13 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.drawing.outline.outline import Outline, Rail, Slot
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import symbol
 from coursework.motion.geometry.time_derivatives import compile_rows
 from coursework.motion.integration.motion import Motion
-from coursework.system.arrays import Array
-
-Complex = NDArray[np.complex128]
+from coursework.system.arrays import Array, Complex
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,6 +16,7 @@ from coursework.drawing.outline.outline import Bar, Block, Outline, Rail, Slot, 
 from coursework.mechanism.joints import FRAME, Linkage, chain_of_groups, link_names
 from coursework.mechanism.mechanism import Mechanism
 from coursework.variant.formula.tree import Formula, named, number, terms
+from coursework.variant.record.entries import reached
 from coursework.variant.record.variant import Variant
 
 
@@ -135,7 +136,7 @@ class _Pencil:
                 taken = {bar.link for bar in self.bars}
                 called = number_of[0] if number_of and number_of[0] not in taken else coordinate.rate
                 self.bars.append(Bar(called, tuple(dict.fromkeys(corners)), coordinate.rate))
-                if not self.moves(corners[0]):
+                if reached(corners[:1], self.points).isdisjoint(c.name for c in self.variant.coordinates):
                     self.hinges.append(corners[0])
 
     def arms_of(self, coordinate: str) -> list[tuple[str, str]]:
@@ -198,16 +199,3 @@ class _Pencil:
             self.points[name] = formula
             self.named[formula] = name
         return self.named[formula]
-
-    def moves(self, name: str) -> bool:
-        """Return whether a point depends on a coordinate."""
-        coordinates = {c.name for c in self.variant.coordinates}
-        waiting, seen = [name], set()
-        while waiting:
-            one = waiting.pop()
-            if one in coordinates:
-                return True
-            if one in self.points and one not in seen:
-                seen.add(one)
-                waiting += self.points[one].names()
-        return False

@@ -53,21 +53,21 @@ class Board:
         return Sheet(self.width, self.height, (EDGE, EDGE, self.width - EDGE, self.height - EDGE))
 
 
-def fit(room: Callable[[float], Iterable[Circle]], highest: float, narrowest: float = 100.0, foot: float = 0.0) -> Board:
+def fit(room: Callable[[float], Iterable[Circle]], highest: float, narrowest: float = 100.0) -> Board:
     """Return the board with the largest scale at which everything is within a column and `highest` mm.
 
-    `room(mm)` says what takes room at so many mm a metre; `foot` mm are kept free below.
+    `room(mm)` says what takes room at so many mm a metre.
     """
 
     def holds(scale: float) -> bool:
         left, top, right, bottom = around(room(1000 / scale))
-        return right - left <= COLUMN - 2 * EDGE and bottom - top <= highest - 2 * EDGE - foot
+        return right - left <= COLUMN - 2 * EDGE and bottom - top <= highest - 2 * EDGE
 
     # What takes room at a smaller scale takes less of it.
     scale = SCALES[min(bisect.bisect_left(SCALES, True, key=holds), len(SCALES) - 1)]
     left, top, right, bottom = around(room(1000 / scale))
     width = max(narrowest, right - left + 2 * EDGE)
-    return Board(scale, width, bottom - top + 2 * EDGE + foot, complex((width - right - left) / 2, EDGE - top))
+    return Board(scale, width, bottom - top + 2 * EDGE, complex((width - right - left) / 2, EDGE - top))
 
 
 def around(circles: Iterable[Circle]) -> Rectangle:

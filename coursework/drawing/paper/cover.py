@@ -23,8 +23,7 @@ def shared(low: Array, high: Array, others: Sequence[Rectangle] | Array) -> Arra
     The others are (left, top, right, bottom), (..., m, 4); what stands before are rows of a motion.
     """
     boxes = np.asarray(others).reshape(*low.shape[:-2], -1, 4)[..., None, :, :]
-    sides: Array = np.minimum(high[..., None, :], boxes[..., 2:]) - np.maximum(low[..., None, :], boxes[..., :2])
-    return sides
+    return np.asarray(np.minimum(high[..., None, :], boxes[..., 2:]) - np.maximum(low[..., None, :], boxes[..., :2]))
 
 
 def clipped(low: Array, high: Array, begin: Array, step: Array) -> Array:
@@ -34,8 +33,7 @@ def clipped(low: Array, high: Array, begin: Array, step: Array) -> Array:
         second = (high[..., None, :] - begin[..., None, :, :]) / step[..., None, :, :]
     enters, leaves = np.minimum(first, second), np.maximum(first, second)
     begins = np.maximum(np.maximum(enters[..., 0], enters[..., 1]), 0.0)
-    found: Array = np.maximum(np.minimum(np.minimum(leaves[..., 0], leaves[..., 1]), 1.0) - begins, 0.0)
-    return found
+    return np.asarray(np.maximum(np.minimum(np.minimum(leaves[..., 0], leaves[..., 1]), 1.0) - begins, 0.0))
 
 
 def through(begin: Array, step: Array, boxes: Sequence[Rectangle]) -> Array:
@@ -46,8 +44,7 @@ def through(begin: Array, step: Array, boxes: Sequence[Rectangle]) -> Array:
         first, second = (corners[:, :2] - begin[:, None]) / moved, (corners[:, 2:] - begin[:, None]) / moved
     enters = np.maximum(np.minimum(first, second).max(axis=2), 0.0)
     leaves = np.minimum(np.maximum(first, second).min(axis=2), 1.0)
-    found: Array = np.count_nonzero(leaves > enters, axis=1)
-    return found
+    return np.asarray(np.count_nonzero(leaves > enters, axis=1))
 
 
 class Lines:
@@ -86,8 +83,7 @@ class Lines:
         square = np.maximum(self.length**2, STILL)
         off = (points[:, None] - self.begin) * self.step
         way = np.minimum(np.maximum((off[..., 0] + off[..., 1]) / square, 0.0), 1.0)
-        feet: Array = self.begin + way[..., None] * self.step
-        return feet
+        return np.asarray(self.begin + way[..., None] * self.step)
 
     def apart(self, low: Array, high: Array) -> Array:
         """Return the distance (n, m) of each rectangle from each segment, 0 where they meet."""
@@ -97,8 +93,7 @@ class Lines:
         for end in (self.begin, self.end):
             beyond = np.maximum(np.maximum(low[:, None] - end, end - high[:, None]), 0.0)
             far = np.minimum(far, np.hypot(beyond[..., 0], beyond[..., 1]))
-        found: Array = np.where(self.parts(low, high) > 0, 0.0, far)
-        return found
+        return np.asarray(np.where(self.parts(low, high) > 0, 0.0, far))
 
     def crossed(self, begin: Array, step: Array) -> Array:
         """Return how many segments (n,) are crossed on each way from `begin` (n, 2) by `step` (n, 2)."""
@@ -106,10 +101,8 @@ class Lines:
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             turned = _cross(step[:, None], self.step)
             along, across = _cross(between, self.step) / turned, _cross(between, step[:, None]) / turned
-        found: Array = np.count_nonzero((along > 0) & (along < 1) & (across > 0) & (across < 1), axis=1)
-        return found
+        return np.asarray(np.count_nonzero((along > 0) & (along < 1) & (across > 0) & (across < 1), axis=1))
 
 
 def _cross(a: Array, b: Array) -> Array:
-    found: Array = a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
-    return found
+    return np.asarray(a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0])

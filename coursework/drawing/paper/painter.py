@@ -16,8 +16,10 @@ from functools import cached_property
 from coursework.drawing.outline.ground import hinge_ground, inward, racks, rail_side, wheel_on
 from coursework.drawing.outline.outline import Bar, Block, Outline, Rail, Slot, Track, Wheel
 from coursework.drawing.outline.poses import Poses
-from coursework.drawing.paper.cover import Rectangle, Segment
+from coursework.drawing.paper.board import around
+from coursework.drawing.paper.cover import Segment
 from coursework.drawing.paper.sheet import PITCH, Sheet, inside, middle_of, plain
+from coursework.system.angles import dot
 
 LINK = 'stroke="black" stroke-width="0.8"'
 THIN = 'stroke="black" stroke-width="0.2"'
@@ -143,7 +145,7 @@ class Painter:
         """Draw the part of a fixed circle near its wheel, hatched inside the solid, with the radius that leads there."""
         middle = self.at[track.centre]
         radius = abs(self.at[track.rim] - middle)
-        wheel = self.wheel_on(track)
+        wheel = wheel_on(self.outline, self.poses.pose(0), track)
         if not radius or wheel is None:
             return
         out = self.at[wheel.contact] - middle
@@ -157,10 +159,6 @@ class Painter:
         for a, b in itertools.pairwise(kept):
             self.sheet.hatch(a, b, solid * (middle - a))
 
-    def wheel_on(self, track: Track) -> Wheel | None:
-        """Return the wheel that touches a fixed circle in row 1; later rows of a scheme drift away from it."""
-        return wheel_on(self.outline, self.poses.pose(0), track)
-
     def hinge(self, name: str) -> None:
         """Draw a hinge of the frame: a triangle on hatched ground, on the side away from the links."""
         at, down = self.at[name], self.ground(name)
@@ -170,15 +168,12 @@ class Painter:
         self.sheet.line(foot - 4.6 * side, foot + 4.6 * side, FRAME)
         self.sheet.hatch(foot - 4.6 * side, foot + 4.6 * side, down)
         self.grounds.append((foot - 4.6 * side, foot + 4.6 * side))
-        self.sheet.boxes.append(_around(at + 3.5 * down, 4.0))
+        self.sheet.boxes.append(around([(at + 3.5 * down, 4.0)]))
 
     def in_ground(self, place: complex) -> bool:
         """Return whether a place lies in the symbol of a hinge below its ring, where no arrow can be seen to end."""
-        for name in self.outline.hinges:
-            off = (place - self.at[name]) * self.ground(name).conjugate()
-            if JOINT < off.real < GROUND and abs(off.imag) < HALF_GROUND:
-                return True
-        return False
+        offs = ((place - self.at[name]) * self.ground(name).conjugate() for name in self.outline.hinges)
+        return any(JOINT < off.real < GROUND and abs(off.imag) < HALF_GROUND for off in offs)
 
     def at_joint(self, place: complex) -> bool:
         """Return whether a place lies on the ring of a joint, or so near that an arrow would end in it."""
@@ -242,8 +237,7 @@ class Painter:
         along = complex(self.poses.along(block.base, block.toward)[self.row]).conjugate()
         long, high = BLOCK[0] * along, BLOCK[1] * 1j * along
         corners = (at + long + high, at - long + high, at - long - high, at + long - high)
-        xs, ys = [z.real for z in corners], [z.imag for z in corners]
-        self.sheet.boxes.append((min(xs), min(ys), max(xs), max(ys)))
+        self.sheet.boxes.append(around((corner, 0.0) for corner in corners))
         if not block.open:
             self.sheet.path(corners, RING, closed=True)
             return
@@ -264,7 +258,7 @@ class Painter:
             return
         along = (touch - at) / abs(touch - at)
         gear = next(self.at[wheel.centre] for wheel in self.outline.wheels if wheel.contact == contact)
-        side = 1j * along * BLOCK[1] * (1 if _dot(1j * along, gear - touch) < 0 else -1)
+        side = 1j * along * BLOCK[1] * (1 if dot(1j * along, gear - touch) < 0 else -1)
         end = touch + 12 * along
         self.sheet.path([at, end, end + side, at + side], RING, closed=True)
 
@@ -277,11 +271,3 @@ class Painter:
         pinned = name in self.outline.hinges or any(name == block.at for block in self.outline.blocks)
         ring = members > 1 or pinned or any(name == wheel.centre for wheel in self.outline.wheels)
         self.sheet.circle(self.at[name], JOINT if ring else 1.0, RING if ring else DOT)
-
-
-def _dot(a: complex, b: complex) -> float:
-    return (a.conjugate() * b).real
-
-
-def _around(at: complex, half: float) -> Rectangle:
-    return (at.real - half, at.imag - half, at.real + half, at.imag + half)

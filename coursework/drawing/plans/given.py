@@ -6,6 +6,7 @@ Enters: an `Outline` and its variant.  Leaves: names of points.  Used by `plans.
 from __future__ import annotations
 
 from coursework.drawing.outline.outline import Outline
+from coursework.variant.record.entries import reached
 from coursework.variant.record.variant import Variant
 
 
@@ -17,14 +18,8 @@ def given_points(outline: Outline, variant: Variant) -> tuple[str, ...]:
     formulas = dict(outline.points)
     coordinates = {c.name: c for c in variant.coordinates}
 
-    def moved_by(name: str, seen: frozenset[str] = frozenset()) -> set[str]:
-        if name in coordinates:
-            return {name}
-        below = formulas[name].names() if name in formulas and name not in seen else ()
-        return {one for part in below for one in moved_by(part, seen | {name})}
-
     def pushed(name: str) -> bool:
-        moving = [coordinates[one] for one in moved_by(name)]
+        moving = [coordinates[one] for one in coordinates.keys() & reached([name], formulas)]
         return any(c.unit == "m" for c in moving) and all(c.rate in variant.known_rates for c in moving)
 
     drawn = dict.fromkeys(name for bar in outline.bars for name in bar.corners)

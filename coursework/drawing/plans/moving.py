@@ -1,7 +1,7 @@
 """How every point of an outline and of the links it draws moves, over all rows of a motion.
 
 Enters: an `Outline`, velocity equations, a motion and its accelerations.  Leaves: `Kinematics`.
-Used by `plans.py`, `polygons.py`, `special_points.py`, `vectors.py` and `check_plan.py`.
+Used by `plans.py`, `polygons.py`, `vectors.py` and `check_plan.py`.
 """
 
 from __future__ import annotations
@@ -10,15 +10,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coursework.drawing.outline.outline import Bar, Outline
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.motion.geometry.time_derivatives import jets
 from coursework.motion.integration.motion import Motion
-from coursework.system.arrays import Array
-
-Complex = NDArray[np.complex128]
+from coursework.system.arrays import Array, Complex
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,7 +13,7 @@ from coursework.drawing.lettering.naming import PARTS, lies_on
 from coursework.drawing.paper.board import COLUMN, EDGE, around
 from coursework.drawing.paper.placing import Owner
 from coursework.drawing.paper.record import Drawing
-from coursework.drawing.paper.sheet import ITALIC, SMALL_LETTER, Sheet, Word
+from coursework.drawing.paper.sheet import ITALIC, SMALL_LETTER, Sheet
 from coursework.drawing.paper.sheet import width as width_of
 from coursework.drawing.paper.symbols import decimal, name_word, short
 from coursework.drawing.plans.foot import FOOT, draw_foot
@@ -72,7 +72,7 @@ def draw_plan(
         inset.draw(sheet, pole + corner)
     at_pole = [name for name, tip in images.items() if abs(tip - pole) <= SEEN * LONGEST]
     still = [image(name) for name in dict.fromkeys((*hinges, *at_pole))]
-    sheet.label(_pole(plan, "".join(f", {name}" for name in still)), [(pole, -1 + 1j, 1.2)], ITALIC)
+    sheet.label(("p", NAMES[plan], "".join(f", {name}" for name in still)), [(pole, -1 + 1j, 1.2)], ITALIC)
     tips = [(tip, tip) for tip in (pole, *images.values())]
     for name, tip in images.items():
         if name not in at_pole:
@@ -139,7 +139,3 @@ class _Inset:
         for tip, name in tips:
             sheet.label((name, "", ""), [(tip, tip - pole, 0.8)], ITALIC)
         sheet.words.append((corner.real, corner.imag, right, bottom))  # no word of the plan beside it crosses its border
-
-
-def _pole(plan: str, still: str) -> Word:
-    return ("p", NAMES[plan], still)

@@ -17,9 +17,10 @@ from dataclasses import replace
 import numpy as np
 
 from coursework.drawing.outline.outline import Bar, Outline, Slot
-from coursework.drawing.plans.moving import Complex, Kinematics
+from coursework.drawing.plans.moving import Kinematics
 from coursework.drawing.plans.special_points import PARALLEL, Leg, special_name, special_points
 from coursework.drawing.plans.vectors import POLE, Found, Line, Polygons, Vectors
+from coursework.system.arrays import Complex
 
 
 def polygons(
@@ -33,8 +34,7 @@ def polygons(
     a link that is taken which lies nearest in `row` (from 0), the one on paper, and `on_sheet`: its place (m) and the points
     from which lines lead there.
     """
-    plan = _Plan(outline, kinematics, rates, stretching)
-    plan.row, plan.on_sheet = row, on_sheet
+    plan = _Plan(outline, kinematics, rates, stretching, row, on_sheet)
     plan.draw(given)
     return Polygons(kinematics.t, tuple(plan.paper.segments.values()), tuple(plan.paper.found))
 
@@ -43,9 +43,10 @@ class _Plan:
     """The polygons while they are drawn: which images there are, which links turn in a known way."""
 
     def __init__(
-        self, outline: Outline, kinematics: Kinematics, rates: Sequence[str], stretching: frozenset[frozenset[str]]
+        self, outline: Outline, kinematics: Kinematics, rates: Sequence[str], stretching: frozenset[frozenset[str]], row: int,
+        on_sheet: Callable[[complex, tuple[str, ...]], bool],
     ) -> None:  # fmt: skip
-        self.outline, self.kinematics = outline, kinematics
+        self.outline, self.kinematics, self.row, self.on_sheet = outline, kinematics, row, on_sheet
         self.paper = Vectors(kinematics, outline.hinges, stretching, images=[*outline.hinges])
         self.images = self.paper.images
         self.bars = [bar for bar in outline.bars if bar.corners]
@@ -58,8 +59,6 @@ class _Plan:
         self.under: set[tuple[str, str]] = set()
         self.slots: dict[tuple[str, str], str] = {}  # what lies under a point on a link, once it is drawn
         self.specials: dict[str, str] = {}  # of a link
-        self.row = 0
-        self.on_sheet: Callable[[complex, tuple[str, ...]], bool] = lambda place, ends: True
 
     def draw(self, given: Sequence[str]) -> None:
         """Draw on until every point has its image."""

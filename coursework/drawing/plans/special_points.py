@@ -16,8 +16,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from coursework.drawing.plans.moving import Complex
 from coursework.drawing.plans.vectors import Line
+from coursework.system.arrays import Complex
 
 PARALLEL = 1e-9  # sine of the angle below which two lines meet in no row
 FAR = 5.0  # of the distance of the legs: a point farther away is found on no paper

@@ -12,8 +12,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from coursework.drawing.outline.outline import Bar
-from coursework.drawing.plans.moving import Complex, Kinematics, Moving
-from coursework.system.arrays import Array
+from coursework.drawing.plans.moving import Kinematics, Moving
+from coursework.system.arrays import Array, Complex
 
 POLE = "pole"
 VELOCITY, ACCELERATION = "velocity", "acceleration"

@@ -1,1 +1,1 @@
-"""THE door between symbols and numbers: SymPy expressions -> straight-line Python over `math` or NumPy (`programs`)."""
+"""THE door between symbols and numbers: expressions -> straight-line Python over `math` or NumPy (`programs`)."""

@@ -1,9 +1,9 @@
-"""THE door between symbols and numbers: SymPy expressions -> straight-line Python over `math` or NumPy.
+"""THE door between symbols and numbers: expressions -> straight-line Python over `math` or NumPy.
 
-Enters: assignments in SymPy, made by this program.  Leaves: plain functions.
+Enters: assignments, made by this program.  Leaves: plain functions.
 No text of a user's file passes here: names were checked against letters, digits and _ when the file was read and are
 private ones here (`names.py`), numbers are printed by us.  Every other floor calls what `compile_function` returns and
-never sees SymPy's numbers.
+never sees a symbol.
 """
 
 from __future__ import annotations
@@ -18,13 +18,12 @@ from types import CodeType
 from typing import Any
 
 import numpy as np
-import sympy as sp
 
+from coursework.equations.algebra.expression import Expression
 from coursework.equations.codegen.straight_line import CALLS, Line, StraightLine
 from coursework.equations.codegen.tabulated import TableLaw
 from coursework.system.arrays import Array
 
-SYMPY_VERSION: str = sp.__version__
 _NAME = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
 
 
@@ -32,8 +31,8 @@ _NAME = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
 class Assign:
     """`target = value`."""
 
-    target: sp.Symbol
-    value: sp.Expr
+    target: Expression
+    value: Expression
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,9 +42,9 @@ class Solve:
     With `adjugate` the unknowns are multiplied by it: adj(A) b, which has a value where the determinant vanishes, too.
     """
 
-    unknowns: tuple[sp.Symbol, ...]
-    determinant: sp.Symbol
-    entries: tuple[sp.Expr, ...]  # matrix row by row, then the right side
+    unknowns: tuple[Expression, ...]
+    determinant: Expression
+    entries: tuple[Expression, ...]  # matrix row by row, then the right side
     adjugate: bool = False
 
 
@@ -108,7 +107,7 @@ def renamed(lines: Iterable[Line], rename: Mapping[str, str]) -> list[Line]:
 
 def program(
     wanted: Sequence[Statement],
-    definitions: Mapping[sp.Symbol, sp.Expr],
+    definitions: Mapping[Expression, Expression],
     data: Collection[str],
     tables: Mapping[str, TableLaw],
 ) -> Program:
@@ -125,7 +124,7 @@ def program(
     return Program(tuple(collected.known), lines, tuple(collected.reads), read, dict(tables))
 
 
-def _targets(statement: Statement) -> tuple[sp.Symbol, ...]:
+def _targets(statement: Statement) -> tuple[Expression, ...]:
     return (statement.target,) if isinstance(statement, Assign) else (*statement.unknowns, statement.determinant)
 
 

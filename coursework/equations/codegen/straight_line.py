@@ -1,9 +1,9 @@
-"""SymPy expressions -> lines of Python in which every value is computed once, and what the data alone give once for all.
+"""Expressions -> lines of Python in which every value is computed once, and what the data alone give once for all.
 
 Enters: statements made by this program.  Leaves: text that means the same over `math` and over NumPy.
 Used by `programs.py` only.
 Local value numbering (A. V. Aho, R. Sethi, J. D. Ullman, "Compilers", 1986, 9.8): equal values get one number, and a value
-that is read more than once gets a name.  SymPy's own `cse` and printers do it too and took a third of the time of a scene.
+that is read more than once gets a name.
 """
 
 from __future__ import annotations
@@ -13,14 +13,11 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 
-import sympy as sp
-
+from coursework.equations.algebra.expression import POLE, Expression
 from coursework.words.errors import InputError
 from coursework.words.sentences import say
 
 CALLS = {"sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "abs", "sign", "sqrt", "pow"}
-_SPELT = {"Abs": "abs"}
-_INVERSE = {"cot": "tan", "sec": "cos", "csc": "sin"}  # SymPy writes tan(pi/2 - x) as cot(x)
 _MOST_FACTORS = 16  # powers up to this one are products
 _SUM, _PRODUCT, _ATOM = 1, 2, 3
 # Operations that may be done once for all where their operands are known: no table, whose range is told row by row, no choice.
@@ -51,8 +48,8 @@ class StraightLine:
     """
 
     data: Collection[str]
-    definitions: Mapping[sp.Symbol, sp.Expr]
-    written: set[sp.Symbol]
+    definitions: Mapping[Expression, Expression]
+    written: set[Expression]
     _forms: list[tuple[str | int, ...]] = field(default_factory=lambda: [("",)])
     _numbers: dict[tuple[str | int, ...], int] = field(default_factory=dict)
     _uses: list[int] = field(default_factory=lambda: [0])
@@ -61,13 +58,13 @@ class StraightLine:
     known_reads: dict[str, None] = field(default_factory=dict)
     _folded: dict[int, float] = field(default_factory=dict)
     _settled: set[int] = field(default_factory=set)
-    _seen: dict[sp.Expr, int] = field(default_factory=dict)
+    _seen: dict[Expression, int] = field(default_factory=dict)
     _statements: list[tuple[tuple[str, ...], tuple[int, ...], str]] = field(default_factory=list)
     _names: dict[int, str] = field(default_factory=dict)
     _lines: list[Line] = field(default_factory=list)
     _helpers: int = 0
 
-    def add(self, targets: Sequence[sp.Symbol], expressions: Sequence[sp.Expr], call: str = "") -> None:
+    def add(self, targets: Sequence[Expression], expressions: Sequence[Expression], call: str = "") -> None:
         """Add `target = expression`, or `targets = call((expressions…))`."""
         values = tuple(self._value(expr) for expr in expressions)
         for value in values:
@@ -89,38 +86,37 @@ class StraightLine:
             self._lines.append(Line(targets, text))
         return self._lines
 
-    def _value(self, expr: sp.Expr) -> int:
+    def _value(self, expr: Expression) -> int:
         if expr not in self._seen:
             self._seen[expr] = self._valued(expr)
         return self._seen[expr]
 
-    def _valued(self, expr: sp.Expr) -> int:
-        if isinstance(expr, sp.Symbol):
-            return self._symbol(expr)
-        if isinstance(expr, sp.Rational):
-            # A quotient of two integers is rounded once by Python, so the decimal of the task sheet comes back exactly.
-            return self._constant(int(expr.p) / int(expr.q))
-        if isinstance(expr, sp.Add):
-            return self._sum([self._value(arg) for arg in expr.args])
-        if isinstance(expr, sp.Mul):
-            below = [arg for arg in expr.args if isinstance(arg, sp.Pow) and arg.exp.is_Number and arg.exp.is_negative]
-            above = [self._value(arg) for arg in expr.args if arg not in below] if below else list(map(self._value, expr.args))
-            return self._quotient(self._product(above), self._product([self._power(arg.base, -arg.exp) for arg in below]))
-        if isinstance(expr, sp.Pow):
-            if expr.exp.is_Number and expr.exp.is_negative:
-                return self._quotient(self._constant(1.0), self._power(expr.base, -expr.exp))
-            return self._power(expr.base, expr.exp)
-        if isinstance(expr, sp.Piecewise):
-            return self._pieces(expr.args)
-        if isinstance(expr, sp.DiracDelta) or (isinstance(expr, sp.Derivative) and isinstance(expr.expr, sp.sign)):
-            return self._constant(0.0)  # the slope of a sign, which is nothing but at the jump itself
-        if isinstance(expr, sp.Function):
-            return self._function(type(expr).__name__, [self._value(arg) for arg in expr.args])
-        if isinstance(expr, (sp.Float, sp.NumberSymbol)):
-            return self._constant(float(expr))
-        raise FormulaRefused(say("fault.V513", text=str(expr)[:60]))
+    def _valued(self, expr: Expression) -> int:
+        match expr.op:
+            case "symbol":
+                return self._symbol(expr)
+            case "number":
+                # A quotient of two integers is rounded once by Python, so the decimal of the task sheet comes back exactly.
+                return self._constant(expr.value.numerator / expr.value.denominator)
+            case "pi":
+                return self._constant(math.pi)
+            case "+":
+                return self._sum([self._value(arg) for arg in expr.args])
+            case "*":
+                below = [arg for arg in expr.args if arg.op == "^" and arg.args[1].is_negative]
+                above = (
+                    [self._value(arg) for arg in expr.args if arg not in below] if below else list(map(self._value, expr.args))
+                )
+                return self._quotient(self._product(above), self._product([self._power(arg) for arg in below]))
+            case "^":
+                found = self._power(expr)
+                return self._quotient(self._constant(1.0), found) if expr.args[1].is_negative else found
+            case "piecewise":
+                time, *parts = expr.args
+                return self._pieces(self._value(time), parts[::2], parts[1::2])
+        return self._function(expr.op, [self._value(arg) for arg in expr.args])
 
-    def _symbol(self, name: sp.Symbol) -> int:
+    def _symbol(self, name: Expression) -> int:
         if name in self.definitions and name not in self.written:
             self.written.add(name)
             self.add([name], [self.definitions[name]])
@@ -190,12 +186,15 @@ class StraightLine:
         sign = 1 if (above > 0) == (below > 0) else -1
         return sign * self._number("/", abs(above), abs(below))
 
-    def _power(self, base: sp.Expr, exponent: sp.Expr) -> int:
-        value = self._value(base)
-        twice = 2 * exponent
-        if not (twice.is_Integer and 0 < twice <= 2 * _MOST_FACTORS):
+    def _power(self, power: Expression) -> int:
+        """Return a power, or where its exponent is negative what it is one divided by."""
+        if power is POLE:
+            raise FormulaRefused(say("fault.V513", text="1/0"))
+        base, exponent = power.args
+        value, twice = self._value(base), 2 * abs(exponent.value)
+        if twice.denominator > 1 or twice > 2 * _MOST_FACTORS:
             # A negative number to a fractional power is no real number; `**` would go on in complex ones.
-            return self._function("pow", [value, self._value(exponent)])
+            return self._function("pow", [value, self._constant(float(abs(exponent.value)))])
         whole, half = divmod(int(twice), 2)
         factors = [self._function("sqrt", [value])] if half else []
         while whole:
@@ -206,9 +205,8 @@ class StraightLine:
         return self._product(factors)
 
     def _function(self, name: str, values: list[int]) -> int:
-        name = _SPELT.get(name, name)
-        if name in _INVERSE:
-            return self._quotient(self._constant(1.0), self._function(_INVERSE[name], values))
+        if name == "cot":
+            return self._quotient(self._constant(1.0), self._function("tan", values))
         if name not in CALLS and not name.startswith("_table_"):
             raise FormulaRefused(say("fault.V515", name=name))
         known: Callable[..., float] | None = getattr(math, name, None)
@@ -217,14 +215,13 @@ class StraightLine:
                 return self._constant(known(*self._apart(values)[0]))
         return self._number(name, *values)
 
-    def _pieces(self, pieces: Sequence[tuple[sp.Expr, sp.Basic]]) -> int:
+    def _pieces(self, time: int, pieces: Sequence[Expression], ends: Sequence[Expression]) -> int:
         """Return the piece that holds.  The times at which pieces end grow, so it is found by halving."""
         if len(pieces) == 1:
-            return self._value(pieces[0][0])
+            return self._value(pieces[0])
         half = len(pieces) // 2
-        condition = pieces[half - 1][1]
-        sides = [self._value(side) for side in condition.args]
-        return self._number(f"if {condition.rel_op}", *sides, self._pieces(pieces[:half]), self._pieces(pieces[half:]))
+        before, after = self._pieces(time, pieces[:half], ends[: half - 1]), self._pieces(time, pieces[half:], ends[half:])
+        return self._number("if >", self._value(ends[half - 1]), time, before, after)
 
     def _text(self, value: int, level: int, *, inline: bool = False, known: bool = False) -> str:
         """Return a value as it stands inside a sum, a product or alone; `inline` without naming anything new.

@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 
-import sympy as sp
-
+from coursework.equations.algebra.expression import ONE, Expression
+from coursework.equations.algebra.functions import cosine, sine
 from coursework.equations.reduction.sums import Atoms, Term
 
-Rank = Callable[[sp.Expr], tuple[int, ...]]
+Rank = Callable[[Expression], tuple[int, ...]]
 
 
 def pair_angles(terms: list[Term], rank: Rank) -> list[Term]:
@@ -47,36 +47,31 @@ def _join(first: Term, second: Term, rank: Rank) -> Term | None:
     if found is None:
         return None
     factor, merged = found
-    coefficient, rest = merged.as_coeff_Mul()
+    times, rest = merged.split()
     atoms = dict(shared)
-    if rest != 1:
+    if rest is not ONE:
         atoms[rest] = atoms.get(rest, 0) + 1
-    return factor * Fraction(int(coefficient.p), int(coefficient.q)), tuple(atoms.items())
+    return factor * times, tuple(atoms.items())
 
 
-def _two_angles(atoms: Atoms) -> list[tuple[str, sp.Expr]] | None:
+def _two_angles(atoms: Atoms) -> list[tuple[str, Expression]] | None:
     """Return [(sin|cos, angle), (sin|cos, angle)] of a product of exactly two such functions."""
-    found = [
-        (type(atom).__name__, atom.args[0])
-        for atom, power in atoms.items()
-        for _ in range(power)
-        if isinstance(atom, (sp.sin, sp.cos))
-    ]
+    found = [(atom.op, atom.args[0]) for atom, power in atoms.items() for _ in range(power) if atom.op in {"sin", "cos"}]
     return found if len(found) == 2 and sum(atoms.values()) == 2 else None
 
 
 def _addition(
-    a: list[tuple[str, sp.Expr]], b: list[tuple[str, sp.Expr]], p: Fraction, q: Fraction, rank: Rank
-) -> tuple[Fraction, sp.Expr] | None:
-    angles = sorted({angle for _, angle in a}, key=lambda x: rank(sp.cos(x)))
+    a: list[tuple[str, Expression]], b: list[tuple[str, Expression]], p: Fraction, q: Fraction, rank: Rank
+) -> tuple[Fraction, Expression] | None:
+    angles = sorted({angle for _, angle in a}, key=lambda x: rank(cosine(x)))
     if {angle for _, angle in b} != set(angles):
         return None
     x, y = angles if len(angles) == 2 else (angles[0], angles[0])
     kinds = {"".join(sorted(kind for kind, _ in part)) for part in (a, b)}
     if kinds == {"coscos", "sinsin"}:
         cosines = p if a[0][0] == a[1][0] == "cos" else q
-        return cosines, sp.cos(x - y) if p == q else sp.cos(x + y)
+        return cosines, cosine(x - y) if p == q else cosine(x + y)
     if kinds == {"cossin"} and x != y:
         leading = p if ("sin", x) in a else q
-        return leading, sp.sin(x + y) if p == q else sp.sin(x - y)
+        return leading, sine(x + y) if p == q else sine(x - y)
     return None

@@ -1,7 +1,6 @@
 """A(q, t) u = b(q, t) -> blocks in order, each with its determinant and what that means.
 
 Enters: `VelocityEquations`.  Leaves: `Reduction`.  Blocks of one and two by Cramer's rule, larger ones numerically (LU).
-Never SymPy's solvers or simplifiers: they take minutes on a six-bar where this takes milliseconds.
 Used by `reduction/`, `scene_run.py`, `way_to_motion.py`, `integration/`, `kinematics/` and `live/`.
 """
 
@@ -9,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
-import sympy as sp
-
+from coursework.equations.algebra.expression import ZERO, Expression, add
+from coursework.equations.algebra.symbolic_objects import symbolic
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
 from coursework.equations.reduction.independent import choose
 from coursework.equations.reduction.magnitude import largest
@@ -24,20 +24,23 @@ from coursework.variant.formula.tree import Formula, number
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
+if TYPE_CHECKING:
+    import sympy as sp
+
 
 @dataclass(frozen=True, slots=True)
 class Block:
     """Unknown velocities solved together.
 
-    `matrix` (size, size) and `right_side` (size,) in SymPy, with the velocities of earlier blocks by name; `determinant`
+    `coefficients` (size, size) and `sides` (size,), with the velocities of earlier blocks by name; `determinant`
     as shown (None for three unknowns and more); `meaning` of a vanishing determinant; `largest` absolute value the
     determinant can take (0 where no bound is known).
     """
 
     unknowns: tuple[str, ...]
     equations: tuple[str, ...]
-    matrix: tuple[tuple[sp.Expr, ...], ...]
-    right_side: tuple[sp.Expr, ...]
+    coefficients: tuple[tuple[Expression, ...], ...]
+    sides: tuple[Expression, ...]
     determinant: Formula | None
     meaning: str
     largest: float = 0.0
@@ -48,25 +51,35 @@ class Block:
         return len(self.unknowns)
 
     @property
-    def entries(self) -> tuple[sp.Expr, ...]:
-        """Return the matrix row by row, then the right side."""
-        return (*(entry for row in self.matrix for entry in row), *self.right_side)
+    def matrix(self) -> tuple[tuple[sp.Expr, ...], ...]:
+        """Return the coefficients (size, size) as SymPy's objects."""
+        return tuple(tuple(map(symbolic, row)) for row in self.coefficients)
 
     @property
-    def symbols(self) -> set[sp.Symbol]:
+    def right_side(self) -> tuple[sp.Expr, ...]:
+        """Return the right sides (size,) as SymPy's objects."""
+        return tuple(map(symbolic, self.sides))
+
+    @property
+    def entries(self) -> tuple[Expression, ...]:
+        """Return the coefficients row by row, then the right sides."""
+        return (*(entry for row in self.coefficients for entry in row), *self.sides)
+
+    @property
+    def symbols(self) -> set[Expression]:
         """Return every symbol in the matrix and the right side."""
         return {symbol for entry in self.entries for symbol in entry.free_symbols}
 
     @property
-    def symbolic_determinant(self) -> sp.Expr:
+    def symbolic_determinant(self) -> Expression:
         """Return the determinant of a block of one or two."""
-        m = self.matrix
+        m = self.coefficients
         return m[0][0] if self.size == 1 else m[0][0] * m[1][1] - m[0][1] * m[1][0]
 
     @property
-    def numerators(self) -> tuple[sp.Expr, ...]:
+    def numerators(self) -> tuple[Expression, ...]:
         """Return determinant times unknown (Cramer) of a block of one or two."""
-        m, r = self.matrix, self.right_side
+        m, r = self.coefficients, self.sides
         if self.size == 1:
             return (r[0],)
         return r[0] * m[1][1] - m[0][1] * r[1], m[0][0] * r[1] - r[0] * m[1][0]
@@ -97,7 +110,7 @@ def angles_in_determinants(blocks: Sequence[Block], equations: VelocityEquations
     """Return the angles that are not driven and stand in a determinant: a wide step of one can cross a dead point unseen."""
     key = ("in determinants", tuple((block.equations, block.unknowns) for block in blocks))
     inside = equations.once(
-        key, lambda: {s for block in blocks for row in block.matrix for entry in row for s in entry.free_symbols}
+        key, lambda: {s for block in blocks for row in block.coefficients for entry in row for s in entry.free_symbols}
     )
     variant = equations.variant
     free = (c.name for c in variant.coordinates if c.rate not in variant.known_rates and c.unit == "rad")
@@ -140,7 +153,7 @@ def _block(members: tuple[VelocityEquation, ...], unknowns: tuple[str, ...], equ
 
 def _bare(members: tuple[VelocityEquation, ...], unknowns: tuple[str, ...], equations: VelocityEquations) -> Block | None:
     """Return a block as far as no datum changes it."""
-    matrix = tuple(tuple(equation.coefficients.get(name, sp.S.Zero) for name in unknowns) for equation in members)
+    matrix = tuple(tuple(equation.coefficients.get(name, ZERO) for name in unknowns) for equation in members)
     right_side = tuple(_moved(equation, unknowns) for equation in members)
     names = tuple(equation.name for equation in members)
     if len(unknowns) > 2:
@@ -151,7 +164,7 @@ def _bare(members: tuple[VelocityEquation, ...], unknowns: tuple[str, ...], equa
     return None if determinant == number(0) else replace(bare, determinant=determinant)
 
 
-def _moved(equation: VelocityEquation, unknowns: Collection[str]) -> sp.Expr:
+def _moved(equation: VelocityEquation, unknowns: Collection[str]) -> Expression:
     """Return the right side with the terms of earlier velocities moved over."""
     earlier = [slope * symbol(name) for name, slope in equation.coefficients.items() if name not in unknowns]
-    return sp.Add(equation.right_side, *[-term for term in earlier])
+    return add(equation.right_side, *[-term for term in earlier])

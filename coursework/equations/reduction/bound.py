@@ -13,8 +13,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-import sympy as sp
-
+from coursework.equations.algebra.expression import MINUS, ONE, ZERO, Expression
+from coursework.equations.algebra.functions import cosine, sine
 from coursework.equations.reduction.symbolic import TIME, Symbols, Vector, placed, symbol
 from coursework.mechanism.joints import chain_of_groups, link_names
 from coursework.mechanism.mechanism import Mechanism
@@ -28,18 +28,18 @@ from coursework.words.sentences import say
 class Speed:
     """A velocity as `sum coefficients[u] u + rest`, u the unknown velocities."""
 
-    coefficients: Mapping[str, sp.Expr]
-    rest: sp.Expr
+    coefficients: Mapping[str, Expression]
+    rest: Expression
 
-    def plus(self, other: Speed, factor: sp.Expr = sp.S.One) -> Speed:
+    def plus(self, other: Speed, factor: Expression = ONE) -> Speed:
         """Return self + factor * other."""
         total = dict(self.coefficients)
         for name, slope in other.coefficients.items():
-            total[name] = total.get(name, sp.S.Zero) + factor * slope
+            total[name] = total.get(name, ZERO) + factor * slope
         return Speed({name: slope for name, slope in total.items() if slope != 0}, self.rest + factor * other.rest)
 
 
-_STILL = Speed({}, sp.S.Zero)
+_STILL = Speed({}, ZERO)
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +73,7 @@ class Geometry:
         found = []
         for binding in self.variant.bindings:
             with placed(self.variant, f"unknowns.{binding.name}", self._line(binding)):
-                found.append(Bound(binding.name, self._speed(binding).plus(_of(binding.name), sp.S.NegativeOne)))
+                found.append(Bound(binding.name, self._speed(binding).plus(_of(binding.name), MINUS)))
         return tuple(found)
 
     def rates_of_links(self, known: set[str]) -> tuple[Bound, ...]:
@@ -93,14 +93,14 @@ class Geometry:
         """Return the velocity that a binding names."""
         if binding.link:
             rate = self._rate(binding.link, binding)
-            return rate.plus(self._rate(binding.relative, binding), sp.S.NegativeOne) if binding.relative else rate
+            return rate.plus(self._rate(binding.relative, binding), MINUS) if binding.relative else rate
         assert binding.along is not None
         angle = self._symbols.scalar(binding.along)
         point = self._symbols.vectors[binding.point]
         moved = self._moved(point)
         if binding.relative:
             moved = _minus(moved, self._material(binding.relative, point, binding))
-        return _STILL.plus(moved[0], sp.cos(angle)).plus(moved[1], sp.sin(angle))
+        return _STILL.plus(moved[0], cosine(angle)).plus(moved[1], sine(angle))
 
     def _moved(self, point: Vector) -> tuple[Speed, Speed]:
         """Return the velocity of a point by its position."""
@@ -141,7 +141,7 @@ class Geometry:
             touched = self._touched(link, vectors[link.contact])
             centre = vectors[link.wheel]
             arm = vectors[link.contact][0] - centre[0], vectors[link.contact][1] - centre[1]
-            if touched is not None and arm != (0, 0):
+            if touched is not None and arm != (ZERO, ZERO):
                 slip = _minus(_turned(self._moved(centre), rate, arm), touched)
                 return _STILL.plus(slip[0], -arm[1]).plus(slip[1], arm[0])
         points = [*link.points, *([link.wheel] if link.wheel else [])]
@@ -153,7 +153,7 @@ class Geometry:
         bar = self._bodies.get(link.slides or "")
         if bar is not None and bar.rate is not None:
             along = _of(bar.rate) if bar.rate in self.variant.sought else _known(bar.rate)
-            return rate.plus(along, sp.S.NegativeOne) if along != rate else None
+            return rate.plus(along, MINUS) if along != rate else None
         return None
 
     def _touched(self, wheel: Link, contact: Vector) -> tuple[Speed, Speed] | None:
@@ -208,7 +208,7 @@ def _bodies(mechanism: Mechanism) -> dict[str, _Body]:
 
 
 def _of(name: str) -> Speed:
-    return Speed({name: sp.S.One}, sp.S.Zero)
+    return Speed({name: ONE}, ZERO)
 
 
 def _known(name: str) -> Speed:
@@ -216,7 +216,7 @@ def _known(name: str) -> Speed:
 
 
 def _minus(one: tuple[Speed, Speed], other: tuple[Speed, Speed]) -> tuple[Speed, Speed]:
-    return one[0].plus(other[0], sp.S.NegativeOne), one[1].plus(other[1], sp.S.NegativeOne)
+    return one[0].plus(other[0], MINUS), one[1].plus(other[1], MINUS)
 
 
 def _turned(start: tuple[Speed, Speed], rate: Speed, arm: Vector) -> tuple[Speed, Speed]:

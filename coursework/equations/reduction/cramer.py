@@ -8,8 +8,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-import sympy as sp
-
+from coursework.equations.algebra.calculus import replaced
+from coursework.equations.algebra.expression import ONE, Expression
+from coursework.equations.algebra.tree import has_minus
 from coursework.equations.reduction.blocks import Block, Reduction
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import expanded, symbol
@@ -51,27 +52,27 @@ def cramer(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[
 
 def _worked(equations: VelocityEquations, reduction: Reduction, wanted: Sequence[bool]) -> Iterator[Cramer | None]:
     order = equations.order
-    before: dict[str, sp.Expr] = {}
+    before: dict[str, Expression] = {}
     for block, is_wanted in zip(reduction.blocks, wanted, strict=True):
         if block.size == 2 and is_wanted:
             yield _of_two(block, before, order)
             continue
         if block.size == 1 and is_wanted and not block.symbolic_determinant.free_symbols & _moving(equations):
-            before[block.unknowns[0]] = expanded(block.right_side[0] / block.symbolic_determinant)
+            before[block.unknowns[0]] = expanded(block.sides[0] / block.symbolic_determinant)
         yield None
 
 
-def _moving(equations: VelocityEquations) -> set[sp.Symbol]:
+def _moving(equations: VelocityEquations) -> set[Expression]:
     return {symbol(coordinate.name) for coordinate in equations.variant.coordinates}
 
 
-def _of_two(block: Block, before: dict[str, sp.Expr], order: Order) -> Cramer:
-    signs = [-1 if row[0].could_extract_minus_sign() or (row[0] == 0 and row[1].could_extract_minus_sign()) else 1
-             for row in block.matrix]  # fmt: skip
-    (a, b), (c, d) = ([sign * entry for entry in row] for sign, row in zip(signs, block.matrix, strict=True))
-    plain = [sign * side for sign, side in zip(signs, block.right_side, strict=True)]
+def _of_two(block: Block, before: dict[str, Expression], order: Order) -> Cramer:
+    signs = [-1 if has_minus(row[0]) or (row[0] == 0 and has_minus(row[1])) else 1
+             for row in block.coefficients]  # fmt: skip
+    (a, b), (c, d) = ([sign * entry for entry in row] for sign, row in zip(signs, block.coefficients, strict=True))
+    plain = [sign * side for sign, side in zip(signs, block.sides, strict=True)]
     known = {name: value for name, value in before.items() if any(symbol(name) in side.free_symbols for side in plain)}
-    put = [expanded(side.xreplace({symbol(name): value for name, value in known.items()})) for side in plain]
+    put = [expanded(replaced(side, {symbol(name): value for name, value in known.items()})) for side in plain]
     shorter = bool(known) and sum(_size(side, order) for side in put) < sum(_size(side, order) for side in plain)
     first, second = put if shorter else plain
     numerators = (first * d - b * second, a * second - c * first)
@@ -86,13 +87,13 @@ def _of_two(block: Block, before: dict[str, sp.Expr], order: Order) -> Cramer:
     )
 
 
-def _factored(expression: sp.Expr, order: Order) -> Formula:
-    return quotient(expression, product(sp.S.One, order), order)
+def _factored(expression: Expression, order: Order) -> Formula:
+    return quotient(expression, product(ONE, order), order)
 
 
-def _side(expression: sp.Expr, order: Order) -> Formula:
+def _side(expression: Expression, order: Order) -> Formula:
     return as_sum(expression, order) if expression != 0 else number(0)
 
 
-def _size(expression: sp.Expr, order: Order) -> int:
+def _size(expression: Expression, order: Order) -> int:
     return sum(1 for _ in _side(expression, order).walk())

@@ -1,6 +1,6 @@
 """Mechanism -> velocity equations A(q, t) u = b(q, t): as written, or differentiated from positions.
 
-Enters: a `Mechanism`.  Leaves: `VelocityEquations` (SymPy rows) and the position equations behind them.
+Enters: a `Mechanism`.  Leaves: `VelocityEquations` and the position equations behind them.
 Raises `InputError` naming the term that is not linear in the unknown velocities.
 Used by `reduction/`, `way_to_motion.py`, `accuracy/`, `checks/`, `drawing/` and `geometry/`.
 """
@@ -11,8 +11,7 @@ from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass, field
 from typing import TypeVar, cast
 
-import sympy as sp
-
+from coursework.equations.algebra.expression import ONE, ZERO, Expression, add
 from coursework.equations.codegen.tabulated import TableLaw
 from coursework.equations.reduction.bound import Geometry
 from coursework.equations.reduction.symbolic import TIME, Symbols, placed, symbol
@@ -24,7 +23,7 @@ from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
 
 Fact = TypeVar("Fact")
-Linear = tuple[dict[str, sp.Expr], sp.Expr]
+Linear = tuple[dict[str, Expression], Expression]
 _LONGEST_WRITTEN = 60  # characters of an expression that stands within a sentence
 
 
@@ -34,14 +33,14 @@ class VelocityEquation:
 
     name: str
     because: str
-    coefficients: dict[str, sp.Expr]
-    right_side: sp.Expr
+    coefficients: dict[str, Expression]
+    right_side: Expression
     written: tuple[Formula, Formula] | None = None
     line: int = 0
 
     def shown(self, order: Order) -> tuple[Formula, Formula]:
         """Return both sides as a page shows them."""
-        left = sp.Add(*[slope * symbol(name) for name, slope in self.coefficients.items()])
+        left = add(*[slope * symbol(name) for name, slope in self.coefficients.items()])
         return self.written or (as_sum(left, order), as_sum(self.right_side, order))
 
 
@@ -53,7 +52,7 @@ class Position:
     """
 
     name: str
-    expression: sp.Expr
+    expression: Expression
     target: str
     unit: str = "m"
     written: str = ""
@@ -208,7 +207,7 @@ def _derived(position: Position, because: str, variant: Variant, symbols: Symbol
             coefficients[coordinate.rate] = slope
         else:
             rest += slope * symbol(coordinate.rate)
-    drive = sp.S.Zero if position.target in {"zero", "start"} else symbol(position.target)
+    drive = ZERO if position.target in {"zero", "start"} else symbol(position.target)
     return VelocityEquation(position.name, because, coefficients, drive - rest, line=line)
 
 
@@ -218,7 +217,7 @@ def _written(constraint: Constraint, variant: Variant, symbols: Symbols) -> Velo
     right, right_rest = _linear(constraint.right, unknown, symbols)
     coefficients = {}
     for name in variant.sought:
-        slope = left.get(name, sp.S.Zero) - right.get(name, sp.S.Zero)
+        slope = left.get(name, ZERO) - right.get(name, ZERO)
         if slope != 0:
             coefficients[name] = slope
     written = constraint.left, constraint.right
@@ -244,14 +243,14 @@ def _linear(tree: Formula, unknown: set[str], symbols: Symbols) -> Linear:
     if not inside:
         return {}, symbols.scalar(tree)
     if tree.op == "name":
-        return {tree.name: sp.S.One}, sp.S.Zero
+        return {tree.name: ONE}, ZERO
     if tree.op == "neg":
         part, rest = _linear(tree.args[0], unknown, symbols)
         return {name: -slope for name, slope in part.items()}, -rest
     if tree.op in {"+", "-"}:
         sign = 1 if tree.op == "+" else -1
         (first, a), (second, b) = (_linear(arg, unknown, symbols) for arg in tree.args)
-        both = {name: first.get(name, sp.S.Zero) + sign * second.get(name, sp.S.Zero) for name in {**first, **second}}
+        both = {name: first.get(name, ZERO) + sign * second.get(name, ZERO) for name in {**first, **second}}
         return both, a + sign * b
     if tree.op in {"*", "/"}:
         carrier, factor = tree.args

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import sympy as sp
-
+from coursework.equations.algebra.calculus import replaced
+from coursework.equations.algebra.expression import Expression
 from coursework.equations.reduction.blocks import Reduction
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import expanded, symbol
@@ -49,7 +49,7 @@ def solutions(equations: VelocityEquations, reduction: Reduction) -> tuple[Solut
     Earlier velocities stay names, or are put in where the formula becomes shorter so.
     """
     order = equations.order
-    before: dict[sp.Symbol, sp.Expr] = {}
+    before: dict[Expression, Expression] = {}
     found: list[Solution] = []
     for block in reduction.blocks:
         if block.size > 2:
@@ -61,7 +61,7 @@ def solutions(equations: VelocityEquations, reduction: Reduction) -> tuple[Solut
         for name, numerator in zip(block.unknowns, block.numerators, strict=True):
             plain = quotient(numerator, bottom, order)
             if before and before.keys() & numerator.free_symbols:
-                other = quotient(numerator.xreplace(before), bottom, order)
+                other = quotient(replaced(numerator, before), bottom, order)
                 plain = other if _size(other) < _size(plain) else plain
             shown.append((name, plain))
             if block.size == 1 and not _divisor(plain).names():

@@ -9,15 +9,15 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-import sympy as sp
-
+from coursework.equations.algebra.calculus import derivative, replaced
+from coursework.equations.algebra.expression import ZERO, Expression, add
 from coursework.equations.codegen.names import private
 from coursework.equations.codegen.programs import Assign, Solve, Statement
 from coursework.equations.reduction.blocks import Block
 from coursework.equations.reduction.symbolic import local, symbol
 
 
-def block_statements(block: Block, index: int, targets: Sequence[sp.Symbol] = ()) -> list[Statement]:
+def block_statements(block: Block, index: int, targets: Sequence[Expression] = ()) -> list[Statement]:
     """Return what gives the velocities of a block, under their own names or as `targets`, and its determinant `_det{index}`."""
     determinant = local(f"_det{index}")
     unknowns = tuple(targets or map(symbol, block.unknowns))
@@ -45,14 +45,14 @@ def clock_statements(blocks: Sequence[Block], clock: int, rates: Sequence[str], 
     statements += [Assign(scaled[name], symbol(name) * determinant) for block in blocks[:clock] for name in block.unknowns]
     for index in range(clock + 1, len(blocks)):
         block = blocks[index]
-        later = replace(block, right_side=tuple(_scaled_side(side, determinant, scaled) for side in block.right_side))
+        later = replace(block, sides=tuple(_scaled_side(side, determinant, scaled) for side in block.sides))
         statements += block_statements(later, index, [scaled[name] for name in block.unknowns])
     moved = [scaled[rate] if rate in scaled else determinant * symbol(rate) for rate in rates]
     return [*statements, *map(Assign, map(local, results), [*moved, determinant])]
 
 
-def _scaled_side(side: sp.Expr, determinant: sp.Symbol, scaled: Mapping[str, sp.Symbol]) -> sp.Expr:
+def _scaled_side(side: Expression, determinant: Expression, scaled: Mapping[str, Expression]) -> Expression:
     """Return a right side, linear in earlier velocities, times the determinant of the clock."""
     earlier = {symbol(name): target for name, target in scaled.items() if symbol(name) in side.free_symbols}
-    rest = side.xreplace(dict.fromkeys(earlier, sp.S.Zero))
-    return sp.Add(determinant * rest, *(sp.diff(side, name) * target for name, target in earlier.items()))
+    rest = replaced(side, dict.fromkeys(earlier, ZERO))
+    return add(determinant * rest, *(derivative(side, name) * target for name, target in earlier.items()))

@@ -10,19 +10,18 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from itertools import combinations_with_replacement
 
-import sympy as sp
-
+from coursework.equations.algebra.expression import Expression, add, multiply, number
 from coursework.equations.reduction.symbolic import symbol
 from coursework.variant.formula.tree import Formula
 
-Atoms = dict[sp.Expr, int]
-Term = tuple[Fraction, tuple[tuple[sp.Expr, int], ...]]
+Atoms = dict[Expression, int]
+Term = tuple[Fraction, tuple[tuple[Expression, int], ...]]
 Sum = tuple[Term, ...]  # each part a product of data
 
 
-def written_sums(formulas: Iterable[Formula], data: frozenset[str]) -> dict[sp.Expr, Sum]:
+def written_sums(formulas: Iterable[Formula], data: frozenset[str]) -> dict[Expression, Sum]:
     """Return the sums of `data` alone that are factors or lengths in formulas, each by its expression."""
-    found: dict[sp.Expr, Sum] = {}
+    found: dict[Expression, Sum] = {}
     for formula in formulas:
         for node in formula.walk():
             for factor in node.args if node.op in {"*", "@"} else node.args[:1] if node.op == "/" else ():
@@ -31,8 +30,8 @@ def written_sums(formulas: Iterable[Formula], data: frozenset[str]) -> dict[sp.E
                 parts = [*_parts(factor, 1, data)]
                 whole = tuple(part for part in parts if part is not None and part[1])
                 if len(whole) == len(parts):
-                    found[sp.Add(*map(_expression, whole))] = whole
-    return {expr: whole for expr, whole in found.items() if isinstance(expr, sp.Add) and len(expr.args) == len(whole)}
+                    found[add(*map(_expression, whole))] = whole
+    return {expr: whole for expr, whole in found.items() if expr.op == "+" and len(expr.args) == len(whole)}
 
 
 def _parts(formula: Formula, sign: int, data: frozenset[str]) -> Iterator[Term | None]:
@@ -60,18 +59,17 @@ def _product(formula: Formula, data: frozenset[str]) -> Term | None:
     return _times(first, by)
 
 
-def _expression(part: Term) -> sp.Expr:
+def _expression(part: Term) -> Expression:
     factor, atoms = part
-    return sp.Mul(sp.Rational(factor.numerator, factor.denominator), *(name**power for name, power in atoms))
+    return multiply(number(factor), *(name**power for name, power in atoms))
 
 
-def gathered(terms: list[Term], sums: dict[sp.Expr, Sum]) -> list[Term]:
+def gathered(terms: list[Term], sums: dict[Expression, Sum]) -> list[Term]:
     """Return terms in which what a sum was multiplied out to is one term again, in the place of its first.
 
-    >>> from sympy.abc import a, b, x
-    >>> one = Fraction(1)
+    >>> a, b, x, one = symbol("a"), symbol("b"), symbol("x"), Fraction(1)
     >>> gathered([(one, ((a, 1), (x, 1))), (one, ((b, 1), (x, 1)))], {a + b: ((one, ((a, 1),)), (one, ((b, 1),)))})
-    [(Fraction(1, 1), ((x, 1), (a + b, 1)))]
+    [(Fraction(1, 1), ((v_x, 1), (+(v_a, v_b), 1)))]
     """
     for expr, parts in sums.items():
         for power, multiplied_out in ((2, _squared(parts)), (1, parts)):
@@ -79,7 +77,7 @@ def gathered(terms: list[Term], sums: dict[sp.Expr, Sum]) -> list[Term]:
     return terms
 
 
-def _each_gathered(terms: list[Term], factor: tuple[sp.Expr, int], parts: Sum) -> list[Term]:
+def _each_gathered(terms: list[Term], factor: tuple[Expression, int], parts: Sum) -> list[Term]:
     place = 0
     while place < len(terms):
         group = _group(terms, place, parts)

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import sympy as sp
 
+from coursework.equations.algebra.expression import Expression
 from coursework.equations.codegen.names import private
 from coursework.equations.codegen.programs import Assign, Program, Statement, as_columns, compile_later, program
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
@@ -47,7 +47,7 @@ class LinearSystem:
         return matrix, values[..., count : count + m], values[..., count + m :]
 
 
-def scene_program(equations: VelocityEquations, statements: Sequence[Statement], given: Iterable[sp.Symbol] = ()) -> Program:
+def scene_program(equations: VelocityEquations, statements: Sequence[Statement], given: Iterable[Expression] = ()) -> Program:
     """Return the program of some statements; `given` symbols are arguments even where laws define them."""
     definitions = equations.symbols.definitions.without(set(given))
     return program(statements, definitions, constants(equations.variant), equations.tables)
@@ -63,7 +63,7 @@ def compile_system(equations: VelocityEquations, rows: Sequence[VelocityEquation
     return LinearSystem(names, equations.unknowns, known, entries, *compile_values(equations, wanted))
 
 
-def compile_values(equations: VelocityEquations, wanted: Sequence[sp.Expr]) -> tuple[Callable[..., Any], Callable[..., Any]]:
+def compile_values(equations: VelocityEquations, wanted: Sequence[Expression]) -> tuple[Callable[..., Any], Callable[..., Any]]:
     """Return (scalar, rows) functions of (t, *coordinates) that give the values of `wanted`."""
     results = [f"_out{place}" for place in range(len(wanted))]
 

@@ -1,8 +1,7 @@
-"""SymPy expression -> formula in the author's order and the textbook's compact form.
+"""Expression -> formula in the author's order and the textbook's compact form.
 
 Enters: expressions of a small block.  Leaves: `Formula` for a page.  Nothing numeric reads it.
 A rewrite of our own: common factors out, and angles together by `addition_theorems.py`.
-SymPy's own simplifiers take seconds where this takes a millisecond, and shuffle the author's terms.
 Used by `conditioning.py`, `blocks.py`, `equations.py` and `solution.py`.
 """
 
@@ -13,8 +12,8 @@ from fractions import Fraction
 from functools import reduce
 from math import gcd
 
-import sympy as sp
-
+from coursework.equations.algebra.calculus import operations, together
+from coursework.equations.algebra.expression import HALF, ONE, ZERO, Expression
 from coursework.equations.codegen.names import private, public
 from coursework.equations.reduction.addition_theorems import pair_angles
 from coursework.equations.reduction.sums import Atoms, Term, gathered, written_sums
@@ -45,18 +44,18 @@ class Order:
         self.has_decimals = any(Fraction(name).denominator > 2 for name in written)
         self.sums = written_sums(formulas, frozenset(g.name for g in variant.given))
 
-    def rank(self, atom: sp.Expr) -> tuple[int, ...]:
+    def rank(self, atom: Expression) -> tuple[int, ...]:
         """Return the place of a symbol, function or power: names before functions."""
-        if isinstance(atom, sp.Symbol):
+        if atom.op == "symbol":
             return (0, self._names.get(atom.name, len(self._names)))
-        if isinstance(atom, sp.Pow):
-            return self.rank(atom.base)
+        if atom.op == "^":
+            return self.rank(atom.args[0])
         if atom in self.sums:
             return min(self.rank(name) for _, names in self.sums[atom] for name, _ in names)
         inner = tuple(sorted(self._names.get(s.name, len(self._names)) for s in atom.free_symbols))
-        return (1, self._calls.get(_call_name(atom), 99), *inner)
+        return (1, self._calls.get(atom.op, 99), *inner)
 
-    def public(self, symbol: sp.Symbol) -> str:
+    def public(self, symbol: Expression) -> str:
         """Return what a symbol is called in text: the declared name, or "∂r/∂phi" for a derivative."""
         return public(symbol.name, self._declared)
 
@@ -65,24 +64,20 @@ class Order:
         return tuple(sorted(self.rank(atom) for atom, _ in term[1]))
 
 
-def _call_name(atom: sp.Expr) -> str:
-    return {"Abs": "abs"}.get(type(atom).__name__, type(atom).__name__)
-
-
 @dataclass(frozen=True, slots=True)
 class Product:
     """factor * product of atoms * sum of terms (empty for 1), tidied."""
 
     factor: Fraction
-    atoms: tuple[tuple[sp.Expr, int], ...]
+    atoms: tuple[tuple[Expression, int], ...]
     terms: tuple[Term, ...]
 
 
-def product(expr: sp.Expr, order: Order) -> Product:
+def product(expr: Expression, order: Order) -> Product:
     """Return an expression as one product; a sum that cannot be taken apart becomes its terms."""
     if expr == 0:
         return Product(Fraction(0), (), ())
-    if expr.count_ops() > MAX_OPERATIONS:
+    if operations(expr) > MAX_OPERATIONS:
         return Product(Fraction(1), ((expr, 1),), ())
     terms = pair_angles(_terms(expanded(expr), order), order.rank)
     if not terms:
@@ -99,7 +94,7 @@ def product(expr: sp.Expr, order: Order) -> Product:
     return Product(content, tuple(common.items()), () if len(terms) == 1 else tuple(terms))
 
 
-def quotient(above: sp.Expr, bottom: Product, order: Order) -> Formula:
+def quotient(above: Expression, bottom: Product, order: Order) -> Formula:
     """Return above / bottom with common factors cancelled."""
     top = product(above, order)
     atoms = dict(top.atoms)
@@ -119,45 +114,40 @@ def _as_given(factor: Fraction, terms: tuple[Term, ...], order: Order) -> tuple[
     return Fraction(1 if factor > 0 else -1), tuple((own * abs(factor), atoms) for own, atoms in terms)
 
 
-def as_formula(expr: sp.Expr, order: Order) -> Formula:
+def as_formula(expr: Expression, order: Order) -> Formula:
     """Return an expression as a formula, tidied."""
-    if expr.count_ops() > MAX_OPERATIONS:
+    if operations(expr) > MAX_OPERATIONS:
         return _plain(expr, order)
     # Bringing to one denominator costs more than all the rest; most expressions have none.
-    divided = any(power.exp.is_negative for power in expr.atoms(sp.Pow))
-    above, below = sp.fraction(sp.together(expr)) if divided else (expr, sp.S.One)
+    divided = any(part.op == "^" and part.args[1].is_negative for part in expr.walk())
+    above, below = together(expr) if divided else (expr, ONE)
     return quotient(above, product(below, order), order)
 
 
-def as_sum(expr: sp.Expr, order: Order) -> Formula:
+def as_sum(expr: Expression, order: Order) -> Formula:
     """Return an expression as the plain sum of its terms, as a velocity equation is written."""
-    if expr.count_ops() > MAX_OPERATIONS:
+    if operations(expr) > MAX_OPERATIONS:
         return _plain(expr, order)
-    return _sum(tuple(sorted(_terms(sp.expand(expr), order), key=order.term)), order)
+    return _sum(tuple(sorted(_terms(expanded(expr), order), key=order.term)), order)
 
 
 def _lcm(a: int, b: int) -> int:
     return a * b // gcd(a, b)
 
 
-def _terms(expr: sp.Expr, order: Order) -> list[Term]:
-    return gathered([_term(part) for part in sp.Add.make_args(expr)], order.sums)
+def _terms(expr: Expression, order: Order) -> list[Term]:
+    return gathered([_term(part) for part in expr.terms if part is not ZERO], order.sums)
 
 
-def _term(expr: sp.Expr) -> Term:
-    coefficient, rest = expr.as_coeff_Mul()
+def _term(expr: Expression) -> Term:
+    factor, rest = expr.split()
     atoms: Atoms = {}
-    factor = Fraction(1)
-    if coefficient.is_Rational:
-        factor = Fraction(int(coefficient.p), int(coefficient.q))
-    else:
-        atoms[coefficient] = 1
-    for part in sp.Mul.make_args(rest):
-        base, power = part.as_base_exp()
-        if not power.is_Integer:
-            base, power = part, 1
-        if base != 1:
-            atoms[base] = atoms.get(base, 0) + int(power)
+    for part in rest.factors:
+        base, exponent = part.base_and_power
+        if exponent.value.denominator > 1:
+            base, exponent = part, ONE
+        if base is not ONE:
+            atoms[base] = atoms.get(base, 0) + int(exponent.value)
     return factor, tuple(atoms.items())
 
 
@@ -169,7 +159,7 @@ def _common(terms: list[Term]) -> Atoms:
     return {atom: power for atom, power in first.items() if power}
 
 
-def _divide(atoms: tuple[tuple[sp.Expr, int], ...], common: Atoms) -> tuple[tuple[sp.Expr, int], ...]:
+def _divide(atoms: tuple[tuple[Expression, int], ...], common: Atoms) -> tuple[tuple[Expression, int], ...]:
     left = {atom: power - common.get(atom, 0) for atom, power in atoms}
     return tuple((atom, power) for atom, power in left.items() if power)
 
@@ -221,31 +211,28 @@ def _sum(terms: tuple[Term, ...], order: Order) -> Formula:
     return total or number(0)
 
 
-def _plain(expr: sp.Expr, order: Order) -> Formula:
+def _plain(expr: Expression, order: Order) -> Formula:
     """Return one atom as a formula without rewriting inside."""
-    if isinstance(expr, sp.Symbol):
-        return named(order.public(expr))
-    if expr == sp.pi:
-        return named("pi")
-    if expr.is_Rational:
-        return number(Fraction(int(expr.p), int(expr.q)))
-    if expr.is_Number:
-        return Formula("number", name=repr(float(expr)))
-    if isinstance(expr, sp.Pow):
-        base = _plain(expr.base, order)
-        if expr.exp == sp.Rational(1, 2):
-            return Formula("call", (base,), "sqrt")
-        return Formula("^", (base, _plain(expr.exp, order)))
-    if isinstance(expr, (sp.Add, sp.Mul)):
-        parts = sorted(expr.args, key=lambda part: (not part.is_Number) * 1 if expr.is_Mul else 0)
-        return reduce(lambda a, b: _joined(a, b, expr.is_Mul), [_plain(part, order) for part in parts])
-    arguments = tuple(_argument(arg, order) for arg in expr.args)
-    return Formula("call", arguments, _call_name(expr))
+    match expr.op:
+        case "symbol":
+            return named(order.public(expr))
+        case "pi":
+            return named("pi")
+        case "number":
+            return number(expr.value)
+        case "^":
+            base = _plain(expr.args[0], order)
+            if expr.args[1] is HALF:
+                return Formula("call", (base,), "sqrt")
+            return Formula("^", (base, _plain(expr.args[1], order)))
+        case "+" | "*":
+            return reduce(lambda a, b: _joined(a, b, expr.op == "*"), [_plain(part, order) for part in expr.args])
+    return Formula("call", tuple(_argument(arg, order) for arg in expr.args), expr.op)
 
 
-def _argument(expr: sp.Expr, order: Order) -> Formula:
+def _argument(expr: Expression, order: Order) -> Formula:
     """Return what stands inside a function: a positive term first, so that φ1 - φ2 is not written -φ2 + φ1."""
-    terms = sorted(map(_term, sp.Add.make_args(expr)), key=lambda term: (term[0] < 0, order.term(term)))
+    terms = sorted(map(_term, expr.terms), key=lambda term: (term[0] < 0, order.term(term)))
     return _sum(tuple(terms), order)
 
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from coursework.mechanism.derivation.segments import ZERO
 from coursework.mechanism.mechanism import Mechanism
 from coursework.variant.formula.tree import Formula, constant, evaluate
+from coursework.variant.record.entries import reached
 
 Pair = tuple[Formula, Formula]
 RIGHT = 1e-12  # of a right angle
@@ -38,10 +39,7 @@ def contours_of(mechanism: Mechanism) -> tuple[Contour, ...]:
     """
     coordinates = {coordinate.name for coordinate in mechanism.variant.coordinates}
     points = dict(mechanism.points)
-    moved: set[str] = set()
-    for name, formula in points.items():
-        if any(part in coordinates or part in moved for part in formula.names()):
-            moved.add(name)
+    moved = {name for name in points if coordinates & reached([name], points)}
     found = []
     for one in mechanism.constraints:
         if not one.is_closure:

@@ -12,6 +12,7 @@ from fractions import Fraction
 
 from coursework.mechanism.mechanism import Mechanism
 from coursework.variant.formula.tree import Formula, named, number
+from coursework.variant.record.entries import reached
 from coursework.variant.record.variant import Link, Variant
 
 ZERO = number(0)
@@ -91,7 +92,7 @@ def point_graph(mechanism: Mechanism) -> PointGraph:
     variant = mechanism.variant
     rates = {coordinate.name: coordinate.rate for coordinate in variant.coordinates}
     points = dict(mechanism.points)
-    fixed = _fixed(points, rates)
+    fixed = {name for name in points if rates.keys().isdisjoint(reached([name], points))}
     segments: dict[frozenset[str], Segment] = {}
     for start, end, vector in _drawn(mechanism, fixed):
         segment = _segment(start, end, vector, variant, rates)
@@ -102,15 +103,6 @@ def point_graph(mechanism: Mechanism) -> PointGraph:
     used = {name for pair in segments for name in pair}
     known = [known for known in _known(variant, points, fixed) if known.point in used]
     return PointGraph(tuple(known), tuple(segments.values()))
-
-
-def _fixed(points: Mapping[str, Formula], rates: Mapping[str, str]) -> set[str]:
-    """Return the points that no coordinate moves."""
-    moved: set[str] = set()
-    for name, formula in points.items():  # each stands after those it needs
-        if any(part in rates or part in moved for part in formula.names()):
-            moved.add(name)
-    return set(points) - moved
 
 
 def _drawn(mechanism: Mechanism, fixed: set[str]) -> Iterator[tuple[str, str, Formula]]:

@@ -59,18 +59,22 @@ class End:
 @dataclass(frozen=True, slots=True)
 class Placement:
     """`pivots` and points of `fixed` guides (m) with their angles (degrees), `lengths` (m), the angle (degrees) of a guide on
-    the body that carries it, None without one; `motion` in all rows.
+    the body that carries it, None without one.
     """
 
     pivots: tuple[complex, ...]
     fixed: tuple[tuple[complex, int], ...]
     lengths: tuple[float, ...]
     carried: int | None
-    motion: GroupMotion
 
 
-def place(kind: GroupKind, ends: Sequence[End], carrier: End | None, taken: Sequence[complex]) -> Placement | None:
-    """Return the best placement of a group on `ends`, None where it closes in none; `taken` (m) are places with something."""
+def place(
+    kind: GroupKind, ends: Sequence[End], carrier: End | None, taken: Sequence[complex]
+) -> tuple[Placement, GroupMotion] | None:
+    """Return the best placement of a group on `ends` and how it moves in all rows, None where it closes in none.
+
+    `taken` (m) are places with something.
+    """
     rated = [
         (_score(kind, found, trial, ends, carrier, taken), -number, trial)
         for number, trial in enumerate(_trials(kind, ends, carrier))
@@ -78,19 +82,11 @@ def place(kind: GroupKind, ends: Sequence[End], carrier: End | None, taken: Sequ
     ]
     for _, _, trial in sorted(rated, key=lambda entry: entry[:2], reverse=True):
         if (found := _solved(kind, trial, ends, carrier, 1)) is not None:
-            return Placement(trial.pivots, trial.fixed, trial.lengths, trial.carried, found)
+            return trial, found
     return None
 
 
-@dataclass(frozen=True, slots=True)
-class _Trial:
-    pivots: tuple[complex, ...]
-    fixed: tuple[tuple[complex, int], ...]
-    lengths: tuple[float, ...]
-    carried: int | None
-
-
-def _trials(kind: GroupKind, ends: Sequence[End], carrier: End | None) -> Iterator[_Trial]:
+def _trials(kind: GroupKind, ends: Sequence[End], carrier: End | None) -> Iterator[Placement]:
     shape = kind.shape
     hung = ends[0] if ends else carrier
     assert hung is not None
@@ -107,7 +103,7 @@ def _trials(kind: GroupKind, ends: Sequence[End], carrier: End | None) -> Iterat
             rods = tuple(_rounded(part * size, unit) for part in lengths)
             for guides in itertools.product(beside, repeat=fixed):
                 for angle in _DIRECTIONS if carrier is not None else (None,):
-                    yield _Trial(chosen, guides, rods, angle)
+                    yield Placement(chosen, guides, rods, angle)
 
 
 def _near(middle: complex, far: float, degrees: int, unit: float) -> complex:
@@ -119,7 +115,7 @@ def _rounded(value: float, unit: float) -> float:
     return round(round(value / unit) * unit, 9) + 0.0
 
 
-def _solved(kind: GroupKind, trial: _Trial, ends: Sequence[End], carrier: End | None, every: int) -> GroupMotion | None:
+def _solved(kind: GroupKind, trial: Placement, ends: Sequence[End], carrier: End | None, every: int) -> GroupMotion | None:
     """Return the group in every so many rows, None where it does not close or comes near a dead point."""
     points = [_pair(end.path[::every]) for end in ends] + [_pair(np.array([pivot])) for pivot in trial.pivots]
     guides = [Guide(_pair(np.array([through])), math.radians(angle)) for through, angle in trial.fixed]
@@ -139,7 +135,7 @@ def _pair(path: Vectors) -> Pair:
 
 
 def _score(
-    kind: GroupKind, found: GroupMotion, trial: _Trial, ends: Sequence[End], carrier: End | None, taken: Sequence[complex]
+    kind: GroupKind, found: GroupMotion, trial: Placement, ends: Sequence[End], carrier: End | None, taken: Sequence[complex]
 ) -> float:
     """Return how good a choice is: far from dead points, all moves, the next point as far as this one, nothing crowded."""
     hung = ends[0] if ends else carrier

@@ -16,7 +16,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from coursework.mechanism.drafts.candidates import ROWS, End, Placement, place
-from coursework.mechanism.groups import GroupKind, group_kind
+from coursework.mechanism.groups import GroupKind, GroupMotion, group_kind
 from coursework.mechanism.groups.plane import Vectors, vectors
 from coursework.system.arrays import Array
 from coursework.variant.record.vocabulary import GROUP_KINDS
@@ -168,17 +168,17 @@ class _Drafting:
         carrier = None if kind.shape.points else self._carrier()
         ends = self.waiting[: kind.shape.points]
         taken = [*self.draft.places.values(), *(end.middle for end in self.waiting)]
-        found = place(kind, ends, carrier, taken)
-        if found is None and len(ends) > 1:  # two moving points may come too near to each other
+        placed = place(kind, ends, carrier, taken)
+        if placed is None and len(ends) > 1:  # two moving points may come too near to each other
             ends = ends[:1]
-            found = place(kind, ends, carrier, taken)
-        if found is None:
+            placed = place(kind, ends, carrier, taken)
+        if placed is None:
             raise DoesNotClose(number)
         hung = [end.name for end in (*ends, *([carrier] if carrier else ()))]
         self.waiting = [end for end in self.waiting if end.name not in hung]
-        group = self._named(kind, bodies, coordinates, [end.name for end in ends], found, carrier)
+        group = self._named(kind, bodies, coordinates, [end.name for end in ends], placed[0], carrier)
         self.draft.groups.append(group)
-        self.waiting.append(self._end(group, found))
+        self.waiting.append(self._end(group, placed[1]))
 
     def _carrier(self) -> End:
         """Return the point whose body is to carry a guide, taken from those that wait."""
@@ -205,13 +205,13 @@ class _Drafting:
         self.draft.lengths.update(zip(lengths, found.lengths, strict=True))
         return GroupDraft(kind, tuple(points), tuple(guides), tuple(lengths), next(self._letters), coordinates)
 
-    def _end(self, group: GroupDraft, found: Placement) -> End:
+    def _end(self, group: GroupDraft, motion: GroupMotion) -> End:
         """Return the point where a group meets, with the body that goes with it: the last that turns, if one does."""
-        path: Vectors = vectors(found.motion.meets.position)
+        path: Vectors = vectors(motion.meets.position)
         angles = [place for place, coordinate in enumerate(group.coordinates) if coordinate.unit == "rad"]
         if not angles:
             return End(group.meets, path, "", np.zeros(ROWS))
-        angle: Array = np.unwrap(found.motion.coordinates[:, angles[-1]])
+        angle: Array = np.unwrap(motion.coordinates[:, angles[-1]])
         return End(group.meets, path, group.coordinates[angles[-1]].name, angle)
 
     def _new_point(self, place: complex) -> str:

@@ -7,17 +7,14 @@ Used by every group and by `kinematics`; knows numpy only.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from coursework.system.arrays import Array, Flags
+from coursework.system.arrays import Array, Complex, Flags
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import joined, say, say_count
-
-Vectors: TypeAlias = NDArray[np.complex128]
-Rows: TypeAlias = Flags
 
 # A constant length, or (value, rate, second rate) of one that varies in time; each a number or one a row.
 Length: TypeAlias = ArrayLike | tuple[ArrayLike, ArrayLike, ArrayLike]
@@ -26,11 +23,25 @@ Length: TypeAlias = ArrayLike | tuple[ArrayLike, ArrayLike, ArrayLike]
 # farther outside is a mechanism that really cannot be put together (hard case H05).
 ULPS = 8.0
 
+# What four decimals of a metre do not show.
+HIDDEN = 1e-4
+
 # The letters of a group's points in sentences, where no file gives its own.
 TEXTBOOK = {letter: letter for letter in "BCD"}
 
 
-class CannotAssemble(ValueError):
+class _InRows(ValueError):
+    """What is wrong in some `rows` (from 0), `row` the first of them; `reason` is the sentence without the row."""
+
+    def __init__(self, sentence: str, rows: tuple[int, ...], *more: Any) -> None:
+        super().__init__(sentence, rows, *more)  # all of them, so that it travels through a process pool
+        self.rows, self.row, self.reason = rows, rows[0], more[-1] or sentence
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+class CannotAssemble(_InRows):
     """The links of a group do not meet.
 
     `row` is the first failing row and `rows` all of them, counted from 0; `shortage` (m) says by how much a
@@ -45,17 +56,11 @@ class CannotAssemble(ValueError):
     """
 
     def __init__(self, sentence: str, rows: tuple[int, ...] = (0,), shortage: float = 0.0, reason: str = "") -> None:
-        super().__init__(sentence, rows, shortage, reason)  # all of them, so that it travels through a process pool
-        self.reason = reason or sentence
-        self.rows = rows
-        self.row = rows[0]
+        super().__init__(sentence, rows, shortage, reason)
         self.shortage = shortage
 
-    def __str__(self) -> str:
-        return str(self.args[0])
 
-
-class AtDeadPoint(ValueError):
+class AtDeadPoint(_InRows):
     """The determinant is zero and velocities are not defined; `row` the first row, `rows` all, from 0, `reason` why.
 
     >>> from coursework.procedures import AtDeadPoint, Pair, rrr
@@ -68,12 +73,6 @@ class AtDeadPoint(ValueError):
 
     def __init__(self, sentence: str, rows: tuple[int, ...] = (0,), reason: str = "") -> None:
         super().__init__(sentence, rows, reason)
-        self.reason = reason or sentence
-        self.rows = rows
-        self.row = rows[0]
-
-    def __str__(self) -> str:
-        return str(self.args[0])
 
 
 def tolerance(*data: NDArray[np.inexact]) -> Array:
@@ -86,11 +85,10 @@ def tolerance(*data: NDArray[np.inexact]) -> Array:
     scale = np.abs(data[0])
     for part in data[1:]:
         scale = np.maximum(scale, np.abs(part))
-    limit: Array = ULPS * np.spacing(scale)
-    return limit
+    return np.asarray(ULPS * np.spacing(scale))
 
 
-def rows_where(failing: Rows, n: int) -> tuple[int, ...]:
+def rows_where(failing: Flags, n: int) -> tuple[int, ...]:
     """Return the indices of the failing rows out of `n`; one flag for all rows means every row."""
     return tuple(int(row) for row in np.flatnonzero(np.broadcast_to(failing, (n,))))
 
@@ -101,8 +99,10 @@ def at(value: ArrayLike, row: int) -> float:
     return float(entries[row if len(entries) > 1 else 0])
 
 
-def metres(value: float) -> Sentence:
-    """Return a length for a sentence; a small one is never rounded to a false zero."""
+def metres(value: float, beside: float = 1.0) -> Sentence:
+    """Return a length for a sentence; a small one is never rounded to a false zero, nor two alike that differ by `beside` (m)."""
+    if abs(beside) < HIDDEN:
+        return say("group.exact", metres=value)
     return say("group.metres" if abs(value) >= 0.001 or value == 0.0 else "group.small", metres=value)
 
 
@@ -120,7 +120,7 @@ def dead(group: str, rows: tuple[int, ...], found: Sentence, *, placed: bool = T
     return AtDeadPoint(say("group.dead.point", group=group, row=rows[0], found=found, tail=tail), rows, found)
 
 
-def require_crossing(group: str, sine: Array, turned: Array, gap: Array, data: tuple[Vectors, Vectors], lines: str) -> None:
+def require_crossing(group: str, sine: Array, turned: Array, gap: Array, data: tuple[Complex, Complex], lines: str) -> None:
     """Raise unless two slides cross in every row: one position, one velocity.
 
     `sine` (n,) of the angle between them, `turned` (rad) the larger angle it came from; `gap` (m) between the

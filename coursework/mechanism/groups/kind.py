@@ -6,7 +6,7 @@ Used by the files of the kinds and `motion/geometry/chain.py`; others meet it as
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from coursework.mechanism.groups.joint import Joint
@@ -87,6 +87,21 @@ def plus(*terms: Formula) -> Formula:
     for term in terms[1:]:
         total = Formula("+", (total, term))
     return total
+
+
+def summed(terms: Iterable[tuple[Formula, int]]) -> Formula:
+    """Return the sum of terms with their signs, 0 for none.
+
+    >>> summed([(named("a"), -1), (named("b"), 1)]) == Formula("+", (Formula("neg", (named("a"),)), named("b")))
+    True
+    """
+    total: Formula | None = None
+    for term, sign in terms:
+        if total is None:
+            total = term if sign > 0 else Formula("neg", (term,))
+        else:
+            total = Formula("+" if sign > 0 else "-", (total, term))
+    return number(0) if total is None else total
 
 
 def along(length: Formula, angle: Formula) -> Formula:

@@ -37,17 +37,14 @@ def direction(angle: Array) -> Vectors:
 
 def angle_of(z: Vectors) -> Array:
     """Return the angle of `z` in (-pi, pi], rad; a negative zero must not turn pi into -pi."""
-    angle: Array = np.arctan2(z.imag + 0.0, z.real)
-    return angle
+    return np.asarray(np.arctan2(z.imag + 0.0, z.real))
 
 
 def dot(p: Vectors, q: Vectors) -> Array:
     """Return p.q."""
-    product: Array = p.real * q.real + p.imag * q.imag
-    return product
+    return np.asarray(p.real * q.real + p.imag * q.imag)
 
 
 def cross(p: Vectors, q: Vectors) -> Array:
     """Return p x q, positive with q to the left of p; the determinant of the matrix with columns p, q."""
-    product: Array = p.real * q.imag - p.imag * q.real
-    return product
+    return np.asarray(p.real * q.imag - p.imag * q.real)

@@ -61,7 +61,7 @@ def rpr(
     if (spare < -rounding).any():
         rows = rows_where(spare < -rounding, n)
         short = -at(spare, rows[0])
-        apart_at, offset = metres(at(apart, rows[0])), metres(at(np.abs(e0), rows[0]))
+        apart_at, offset = (metres(at(one, rows[0]), short) for one in (apart, np.abs(e0)))
         raise refuse("RPR", rows, say("group.offset", **TEXTBOOK, apart=apart_at, offset=offset, short=metres(short)), short)
     if (apart <= rounding).any():
         raise dead("RPR", rows_where(apart <= rounding, n), say("group.dead.on_pivot", **TEXTBOOK), placed=False)

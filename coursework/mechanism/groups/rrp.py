@@ -53,7 +53,7 @@ def rrp(b: Pair, guide: Guide, *, length: Length, mode: int, positions_only: boo
     if (spare < -rounding).any():
         rows = rows_where(spare < -rounding, n)
         far, short = at(np.abs(q), rows[0]), -at(spare, rows[0])
-        reason = say("group.rod", **TEXTBOOK, far=metres(far), length=metres(at(r, rows[0])), short=metres(short))
+        reason = say("group.rod", **TEXTBOOK, far=metres(far, short), length=metres(at(r, rows[0]), short), short=metres(short))
         raise refuse("RRP", rows, reason, short)
     limit = spare <= rounding
     along = mode * np.sqrt(np.where(limit, 0.0, spare * (r + np.abs(q))))

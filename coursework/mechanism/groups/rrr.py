@@ -106,14 +106,14 @@ def _growth(u: Vectors, r: Array, rate: Array | None) -> Vectors:
 
 def _out_of_reach(rows: tuple[int, ...], apart: Array, r_i: Array, r_j: Array) -> CannotAssemble:
     row = rows[0]
-    far = metres(at(apart, row))
     short = at(apart - (r_i + r_j), row)
     if short > 0.0:
-        reach = metres(at(r_i + r_j, row))
-        return refuse("RRR", rows, say("group.short", **TEXTBOOK, apart=far, reach=reach, short=metres(short)), short)
-    gap = at(np.abs(r_i - r_j), row)
-    short = at(np.abs(r_i - r_j) - apart, row)
-    return refuse("RRR", rows, say("group.fold", **TEXTBOOK, apart=far, gap=metres(gap), short=metres(short)), short)
+        key, name, other = "group.short", "reach", at(r_i + r_j, row)
+    else:
+        key, name, other = "group.fold", "gap", at(np.abs(r_i - r_j), row)
+        short = at(np.abs(r_i - r_j) - apart, row)
+    lengths = {"apart": metres(at(apart, row), short), name: metres(other, short), "short": metres(short)}
+    return refuse("RRR", rows, say(key, **TEXTBOOK, **lengths), short)
 
 
 def _closure(group: Group) -> Closed:

@@ -11,7 +11,6 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
-import sympy as sp
 from numpy.typing import NDArray
 
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
@@ -27,7 +26,7 @@ TOLERANCE = 1e-8
 _CONFIGURATIONS = 5
 # Data taken at random: each its own value moved by up to half of the spread, no two by the same part.
 _SPREAD, _GOLDEN = 0.02, 0.6180339887498949
-_SMOOTH = (sp.sin, sp.cos, sp.tan, sp.exp)
+_SMOOTH = {"number", "symbol", "pi", "+", "*", "sin", "cos", "tan", "exp"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,8 +77,8 @@ def _is_smooth(equations: VelocityEquations) -> bool:
     both = (*equations.from_closure, *equations.equations, *equations.bound)
     written = [position.expression for position in equations.positions]
     written += [part for equation in both for part in (*equation.coefficients.values(), equation.right_side)]
-    parts = {part for expression in written for part in expression.atoms(sp.Function, sp.Pow)}
-    return all(isinstance(part, _SMOOTH) or (isinstance(part, sp.Pow) and part.exp.is_Integer) for part in parts)
+    parts = {part for expression in written for part in expression.walk()}
+    return all(part.op in _SMOOTH or (part.op == "^" and part.args[1].value.denominator == 1) for part in parts)
 
 
 def _judged(equations: VelocityEquations, times: Array, positions: Array) -> Agreement:

@@ -16,6 +16,7 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import Symbols
 from coursework.mechanism import groups
 from coursework.mechanism.groups import Guide, Pair, group_kind
+from coursework.mechanism.groups.assembly import HIDDEN
 from coursework.mechanism.groups.kind import Known
 from coursework.motion.geometry.drive import integrals
 from coursework.motion.geometry.time_derivatives import compile_rows
@@ -27,10 +28,10 @@ from coursework.variant.record.roles import letters_of
 from coursework.variant.record.variant import Coordinate, Group, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentence import Sentence
-from coursework.words.sentences import say
+from coursework.words.sentences import joined, say
 
 if TYPE_CHECKING:
-    import sympy as sp
+    from coursework.equations.algebra.expression import Expression
 
 # What a crank may turn from one position to the next (rad), so that a link that follows it is in the same turn.
 _TURN = 1.0
@@ -58,7 +59,7 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
     names = [c.name for c in variant.coordinates]
     q = np.tile([coordinate.start_or_guess or 0.0 for coordinate in variant.coordinates], (len(times), 1))
 
-    def values(wanted: list[sp.Expr]) -> Array:
+    def values(wanted: list[Expression]) -> Array:
         return compile_rows(equations, wanted, 0)(times, q)
 
     q[:, driven] += moved
@@ -75,6 +76,8 @@ def chain_positions(equations: VelocityEquations, times: Array) -> Array:
             reason = _in_letters_of(group, error.reason)
             if isinstance(error, groups.AtDeadPoint):  # of a place that is none the position is left open
                 reason = say("group.dead.undecided", found=reason)
+            elif 0 < error.shortage < HIDDEN:
+                reason = joined([reason, say("group.nearly")])
             known = {"kind": group.kind, "time": float(times[error.row]), "reason": reason}
             told = say("fault.V306", **known, letters=named) if named else say("fault.V305", **known)
             raise _fault(told, number, group, variant) from error
@@ -135,7 +138,7 @@ def _mode(equations: VelocityEquations, group: Group, q: Array) -> int | None:
     starts = [(c.start_or_guess, c.unit) for c in chosen if c.start_or_guess is not None]
     if len(starts) == len(chosen):
 
-        def values(wanted: list[sp.Expr]) -> Array:
+        def values(wanted: list[Expression]) -> Array:
             return compile_rows(equations, wanted, 0)(np.zeros(1), q)
 
         def distance(mode: int) -> float:
@@ -151,7 +154,7 @@ def _nearest(value: float, start: float, unit: str) -> float:
     return value + 2 * np.pi * round((start - value) / (2 * np.pi)) if unit == "rad" else value
 
 
-def dyad(symbols: Symbols, group: Group, mode: int, values: Callable[[list[sp.Expr]], Array]) -> groups.GroupMotion:
+def dyad(symbols: Symbols, group: Group, mode: int, values: Callable[[list[Expression]], Array]) -> groups.GroupMotion:
     """Return the positions of one dyad, row by row; `values` gives the numbers (n, k) of k expressions.
 
     Raises `CannotAssemble` with the first row at which it cannot be put together.

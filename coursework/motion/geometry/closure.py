@@ -10,8 +10,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-import sympy as sp
 
+from coursework.equations.algebra.expression import Expression
 from coursework.equations.codegen.programs import as_columns
 from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.matching import blocks as block_order
@@ -195,7 +195,7 @@ def compile_closure(equations: VelocityEquations, start: Sequence[float]) -> Clo
     )  # fmt: skip
 
 
-def _without_value(equations: VelocityEquations, wanted: list[sp.Expr], start: Sequence[float]) -> list[str]:
+def _without_value(equations: VelocityEquations, wanted: list[Expression], start: Sequence[float]) -> list[str]:
     """Return the names of the positions that cannot be computed, themselves or a derivative of theirs."""
     positions = equations.positions
     columns = len(wanted) // len(positions) - 1
@@ -210,13 +210,13 @@ def _without_value(equations: VelocityEquations, wanted: list[sp.Expr], start: S
 
 
 def _blocks(
-    expressions: list[sp.Expr], names: list[sp.Symbol], equations: VelocityEquations
+    expressions: list[Expression], names: list[Expression], equations: VelocityEquations
 ) -> tuple[Array, tuple[tuple[list[int], list[int]], ...]]:
     """Return sums and differences of the equations with fewer coordinates each, and the order to solve them in."""
     places = {name: i for i, name in enumerate(names)}
     definitions = equations.symbols.definitions
 
-    def inside(expr: sp.Expr) -> frozenset[int]:
+    def inside(expr: Expression) -> frozenset[int]:
         todo, found = list(expr.free_symbols), set()
         while todo:
             name = todo.pop()

@@ -1,6 +1,7 @@
 """The drive as numbers: its values, its integral from t = 0 with what that leaves open, its breaks and its fastest oscillation.
 
-Enters: the drive of a variant.  Leaves: plain functions of time.  Used by `closure.py`, `chain.py`, the march, checks, `sets.py`.
+Enters: the drive of a variant.  Leaves: plain functions of time.
+Used by `closure.py`, `chain.py`, the march, checks, `sets.py` and `sliders.py`.
 """
 
 from __future__ import annotations
@@ -9,8 +10,9 @@ from collections.abc import Mapping, Sequence
 from weakref import WeakKeyDictionary
 
 import numpy as np
-import sympy as sp
 
+from coursework.equations.algebra.calculus import derivative, expand
+from coursework.equations.algebra.expression import Expression, multiply
 from coursework.equations.codegen.programs import as_columns
 from coursework.equations.codegen.tabulated import TableLaw
 from coursework.equations.reduction.equations import VelocityEquations
@@ -111,12 +113,17 @@ def _resolution(equations: VelocityEquations, end: float) -> Resolution:
     moving = _moving(equations, laws)
     edges = np.unique(np.concatenate([[0.0, end], inner[(inner > 0) & (inner < end)]]))
     if not moving or end <= 0:
-        return Resolution(edges, 0.0, 0.0, True)
+        return Resolution(edges, 0.0, True)
     return resolve(lambda begin, end: [laws.over(name, begin, end) for name in moving], edges)
 
 
-def resolved(equations: VelocityEquations, data: Mapping[str, Array], times: Array) -> Flags:
-    """Return for which sets of `data`, (n,) each, no drive does anything between `times` (k,) that the rule would not see."""
+def resolved(
+    equations: VelocityEquations, data: Mapping[str, Array], times: Array, points: int = POINTS, wanted: float = WANTED
+) -> Flags:
+    """Return for which sets of `data`, (n,) each, no drive does anything between `times` (k,) that the rule would not see.
+
+    `wanted`: what a rule of so many `points` may leave open between two of them (rad or m).
+    """
     sets = max(map(len, data.values()), default=1)
     seen = np.ones(sets, dtype=bool)
     moving = _moving(equations, _laws(equations, equations.variant.values))
@@ -127,7 +134,8 @@ def resolved(equations: VelocityEquations, data: Mapping[str, Array], times: Arr
         columns = {name: column[part, None] if np.ptp(column[part]) else float(column[first]) for name, column in data.items()}
         laws = _laws(equations, columns)
         for name in moving:
-            seen[part] &= np.all(left_open(laws.over(name, edges[:-1], edges[1:]), np.diff(edges) / 2) <= WANTED, axis=-1)
+            open_ = left_open(laws.over(name, edges[:-1], edges[1:]), np.diff(edges) / 2, points)
+            seen[part] &= np.all(open_ <= wanted, axis=-1)
     return seen
 
 
@@ -177,10 +185,12 @@ def refuse_short_tables(equations: VelocityEquations) -> None:
         raise InputError(faults)
 
 
-def argument_slopes(equations: VelocityEquations) -> list[sp.Expr]:
+def argument_slopes(equations: VelocityEquations) -> list[Expression]:
     """Return d argument/dt (rad/s) of every sine and cosine in the drive whose argument moves."""
     definitions = [equations.symbols.definitions[symbol(law.name)] for law in equations.variant.drive]
-    slopes = (sp.diff(call.args[0], TIME) for definition in definitions for call in definition.atoms(sp.sin, sp.cos))
+    slopes = (
+        derivative(one.args[0], TIME) for definition in definitions for one in definition.walk() if one.op in {"sin", "cos"}
+    )
     return [slope for slope in slopes if slope != 0]
 
 
@@ -232,7 +242,7 @@ def frequencies(equations: VelocityEquations) -> tuple[float, ...]:
     return tuple(sorted({abs(float(value)) for value in values}))
 
 
-def _slopes_of_sums(equations: VelocityEquations) -> list[sp.Expr]:
+def _slopes_of_sums(equations: VelocityEquations) -> list[Expression]:
     """Return d argument/dt of the sines the drives are sums of, nothing where one of them is no such sum."""
     laws = {symbol(law.name) for law in (*equations.variant.drive, *equations.variant.functions)}
     slopes = set()
@@ -240,11 +250,11 @@ def _slopes_of_sums(equations: VelocityEquations) -> list[sp.Expr]:
         definition = equations.symbols.definitions[symbol(law.name)]
         if definition.free_symbols & laws:
             return []
-        for term in sp.Add.make_args(sp.expand(definition)):
-            _, rest = term.as_independent(TIME, as_Add=False)
+        for term in expand(definition).terms:
+            rest = multiply(*[factor for factor in term.factors if factor.has(TIME)])
             if term == 0:
                 continue
-            if not isinstance(rest, (sp.sin, sp.cos)) or (slope := sp.diff(rest.args[0], TIME)).has(TIME) or slope == 0:
+            if rest.op not in {"sin", "cos"} or (slope := derivative(rest.args[0], TIME)).has(TIME) or slope == 0:
                 return []
             slopes.add(slope)
-    return sorted(slopes, key=str)
+    return sorted(slopes)

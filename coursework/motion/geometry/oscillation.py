@@ -9,10 +9,11 @@ import math
 from fractions import Fraction
 
 import numpy as np
-import sympy as sp
 
+from coursework.equations.algebra.calculus import derivative, expand, replaced
+from coursework.equations.algebra.expression import Expression, number
 from coursework.equations.reduction.equations import VelocityEquations
-from coursework.equations.reduction.symbolic import TIME, symbol
+from coursework.equations.reduction.symbolic import TIME, local, symbol
 from coursework.equations.reduction.system import compile_values
 from coursework.system.arrays import Array
 
@@ -36,7 +37,7 @@ def fastest(equations: VelocityEquations) -> float:
     found = [0.0]
     for law in equations.variant.drive:
         whole = written_out(equations.symbols.definitions[symbol(law.name)], equations)
-        pieces = [piece for piece, _ in whole.args] if isinstance(whole, sp.Piecewise) else [whole]
+        pieces = whole.args[1::2] if whole.op == "piecewise" else [whole]
         found += [_highest(piece, equations) for piece in pieces]
     return max(found)
 
@@ -56,15 +57,15 @@ def turns_repeat(equations: VelocityEquations) -> float:
     return 2 * math.pi / base if base else math.inf
 
 
-def written_out(expr: sp.Expr, equations: VelocityEquations) -> sp.Expr:
+def written_out(expr: Expression, equations: VelocityEquations) -> Expression:
     """Return a drive with the other drives it is written with in their places."""
     definitions = equations.symbols.definitions
     while names := expr.free_symbols & definitions.keys():
-        expr = expr.xreplace({name: definitions[name] for name in names})
+        expr = replaced(expr, {name: definitions[name] for name in names})
     return expr
 
 
-def _highest(expr: sp.Expr, equations: VelocityEquations) -> float:
+def _highest(expr: Expression, equations: VelocityEquations) -> float:
     """Return the highest harmonic of one formula, or the steepest slope of an argument that does not grow evenly."""
     waves, slopes, even, still = equations.once(("waves", expr), lambda: _waves(expr))
     if not waves:
@@ -76,11 +77,11 @@ def _highest(expr: sp.Expr, equations: VelocityEquations) -> float:
     base = _common(steepest)
     if not base:
         # Without a common period each term is looked at alone; a product of two waves has their sum in it.
-        terms = sp.Add.make_args(sp.expand(expr))
+        terms = expand(expr).terms
         return max(_highest(term, equations) for term in terms) if len(terms) > 1 else float(np.sum(steepest))
     # What stands outside the waves (a factor exp(-t)) is no oscillation: it is taken as it is in the middle of the run.
-    middle = sp.Float(equations.variant.time.end / 2)
-    wave = expr if still is None else still.xreplace({TIME: middle}).xreplace({dummy: wave for wave, dummy in waves})
+    middle = number(Fraction(equations.variant.time.end / 2))
+    wave = expr if still is None else replaced(replaced(still, {TIME: middle}), {dummy: wave for wave, dummy in waves})
     count = _SAMPLES * round(float(np.max(steepest)) / base)
     (values,) = _values([wave], 2 * np.pi / base * np.arange(count) / count, equations)
     power = np.abs(np.fft.rfft(values)[1:]) ** 2
@@ -89,19 +90,19 @@ def _highest(expr: sp.Expr, equations: VelocityEquations) -> float:
     return base * float(1 + np.flatnonzero(power > _POWER * np.max(power))[-1])
 
 
-def _waves(expr: sp.Expr) -> tuple[list[tuple[sp.Expr, sp.Dummy]], list[sp.Expr], bool, sp.Expr | None]:
+def _waves(expr: Expression) -> tuple[list[tuple[Expression, Expression]], list[Expression], bool, Expression | None]:
     """Return the waves of one formula and symbols for them, the slopes of their arguments, and whether all are constant.
 
     Last the formula with its symbols, None where time stands in the waves alone.
     """
-    found = sorted((wave for wave in expr.atoms(sp.sin, sp.cos, sp.tan) if wave.has(TIME)), key=str)
-    waves = [(wave, sp.Dummy(real=True)) for wave in found]
-    slopes = [sp.diff(wave.args[0], TIME) for wave in found]
-    still = expr.xreplace(dict(waves))
+    found = sorted(part for part in expr.walk() if part.op in {"sin", "cos", "tan"} and part.has(TIME))
+    waves = [(wave, local(f"_wave{place}")) for place, wave in enumerate(found)]
+    slopes = [derivative(wave.args[0], TIME) for wave in found]
+    still = replaced(expr, dict(waves))
     return waves, slopes, not any(slope.has(TIME) for slope in slopes), still if still.has(TIME) else None
 
 
-def _values(wanted: list[sp.Expr], times: Array, equations: VelocityEquations) -> list[Array]:
+def _values(wanted: list[Expression], times: Array, equations: VelocityEquations) -> list[Array]:
     _, rows = compile_values(equations, wanted)
     with np.errstate(all="ignore"):
         found = rows(times, *np.zeros(len(equations.variant.coordinates)))

@@ -1,6 +1,6 @@
 """Any expression of the positions -> its value, rate and second rate along a motion.
 
-Enters: SymPy expressions of a scene.  Leaves: arrays.  Used for points, closed-form chains and accelerations.
+Enters: expressions of a scene.  Leaves: arrays.  Used for points, closed-form chains and accelerations.
 """
 
 from __future__ import annotations
@@ -8,8 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-import sympy as sp
-
+from coursework.equations.algebra.calculus import derivative as derivative_by
+from coursework.equations.algebra.calculus import replaced
+from coursework.equations.algebra.expression import ZERO, Expression, add
 from coursework.equations.codegen.names import acceleration, private
 from coursework.equations.codegen.programs import Assign, Program, as_columns, compile_function
 from coursework.equations.reduction.equations import VelocityEquation, VelocityEquations
@@ -20,12 +21,12 @@ from coursework.system.arrays import Array
 RowFunction = Callable[..., Any]
 
 
-def derivative(velocity: str) -> sp.Symbol:
+def derivative(velocity: str) -> Expression:
     """Return the symbol of the derivative of a velocity."""
     return local(acceleration(velocity))
 
 
-def compile_rows(equations: VelocityEquations, wanted: Sequence[sp.Expr], order: int) -> Callable[..., Array]:
+def compile_rows(equations: VelocityEquations, wanted: Sequence[Expression], order: int) -> Callable[..., Array]:
     """Return `rows(t, q, u, du)` -> (n, len(wanted)); u and du are read from order 1 and 2 on.
 
     `t` (n,), `q` (n, m) coordinates, `u` (n, k) rates then unknowns in file order, `du` (n, k) their derivatives.
@@ -53,7 +54,7 @@ def compile_rows(equations: VelocityEquations, wanted: Sequence[sp.Expr], order:
     return rows
 
 
-def second_rate(equations: VelocityEquations, rate: sp.Expr) -> sp.Expr:
+def second_rate(equations: VelocityEquations, rate: Expression) -> Expression:
     """Return d rate / d t, with `derivative(NAME)` for that of the velocity NAME."""
     symbols = equations.symbols
     total = symbols.partial(rate, TIME)
@@ -61,18 +62,18 @@ def second_rate(equations: VelocityEquations, rate: sp.Expr) -> sp.Expr:
         total += symbols.partial(rate, coordinate) * its_rate
     for name in (*equations.variant.rates, *(name for name, _ in equations.variant.unknowns)):
         if symbol(name) not in symbols.definitions:
-            total += sp.diff(rate, symbol(name)) * derivative(name)
+            total += derivative_by(rate, symbol(name)) * derivative(name)
     return total
 
 
-def acceleration_rest(equations: VelocityEquations, equation: VelocityEquation) -> sp.Expr:
+def acceleration_rest(equations: VelocityEquations, equation: VelocityEquation) -> Expression:
     """Return db/dt - dA/dt u of one velocity equation A u = b: what its coefficients times the accelerations are equal to."""
-    moving = sp.Add(*[slope * symbol(name) for name, slope in equation.coefficients.items()], -equation.right_side)
-    still = {derivative(name): sp.S.Zero for name in equations.unknowns}
-    return -second_rate(equations, moving).xreplace(still)
+    moving = add(*[slope * symbol(name) for name, slope in equation.coefficients.items()], -equation.right_side)
+    still = {derivative(name): ZERO for name in equations.unknowns}
+    return -replaced(second_rate(equations, moving), still)
 
 
-def jets(equations: VelocityEquations, wanted: Sequence[sp.Expr], order: int) -> list[Callable[..., Array]]:
+def jets(equations: VelocityEquations, wanted: Sequence[Expression], order: int) -> list[Callable[..., Array]]:
     """Return the row functions of value, rate (order >= 1) and second rate (order 2) of some expressions."""
     levels = [list(wanted)]
     if order >= 1:

@@ -31,12 +31,10 @@ _SUBSTEPS = 4
 
 
 class NotReached(Exception):
-    """The closure could not be followed beyond row `row` (counted from 0)."""
+    """The closure could not be followed beyond a time."""
 
-    def __init__(self, row: int, time: float) -> None:
+    def __init__(self, time: float) -> None:
         super().__init__(f"the position could not be followed beyond t = {time:.9g} s")
-        self.row = row
-        self.time = time
 
 
 def follow_closure(closure: Closure, rates: Rates, times: Array, spent: Callable[[int], object] | None = None) -> Array:
@@ -49,7 +47,7 @@ def follow_closure(closure: Closure, rates: Rates, times: Array, spent: Callable
     kept, known = closure.targets(times)
     first = closure.newton(0.0, _placed(closure.start, closure, known[0]), kept[0])
     if first is None:
-        raise NotReached(0, 0.0)
+        raise NotReached(0.0)
     positions = np.empty((len(times), len(first)))
     positions[0] = first
     follower = _Follower(closure, rates, _signs(rates, first))
@@ -67,7 +65,7 @@ def follow_closure(closure: Closure, rates: Rates, times: Array, spent: Callable
             begin, end = times[row : row + 2].tolist()
             found = follower.single(begin, end, positions[row], kept[row + 1], known[row + 1])
             if found is None:
-                raise NotReached(row + 1, end)
+                raise NotReached(end)
             positions[row + 1] = found
             row, at_once = row + 1, max(1, len(certain))
     return positions

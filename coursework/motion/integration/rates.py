@@ -25,7 +25,7 @@ from coursework.motion.schemes import Slopes
 from coursework.system.arrays import Array
 
 if TYPE_CHECKING:
-    import sympy as sp
+    from coursework.equations.algebra.expression import Expression
 
 _SOLVED = 25  # formulas that a block solved by numbers takes as long as
 # Part of its time by which a step ends before a break of the drive: its last slope must still see the old formula.
@@ -155,9 +155,9 @@ def _closure(equations: VelocityEquations, reduction: Reduction, wanted: Sequenc
         coordinates |= needed
 
 
-def _behind(symbols: set[sp.Symbol], definitions: Mapping[sp.Symbol, sp.Expr]) -> set[sp.Symbol]:
+def _behind(symbols: set[Expression], definitions: Mapping[Expression, Expression]) -> set[Expression]:
     """Return some symbols and all that their definitions need."""
-    found: set[sp.Symbol] = set()
+    found: set[Expression] = set()
     todo = list(symbols)
     while todo:
         symbol = todo.pop()

@@ -22,7 +22,7 @@ from coursework.scene.scene import Scene
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
-    """`data`: the outline by key, points by name; `places`: x and y of each point in their order (SymPy, m)."""
+    """`data`: the outline by key, points by name; `places`: x and y of each point in their order (m)."""
 
     data: dict[str, Any]
     places: tuple[Any, ...]

@@ -38,7 +38,7 @@ class Functions:
 
 
 def live_functions(scene: Scene, places: Sequence[Any]) -> Functions:
-    """Return the functions of a scene; `places` are the expressions (SymPy, m or rad) that are drawn."""
+    """Return the functions of a scene; `places` are the expressions (m or rad) that are drawn."""
     variant, equations = scene.variant, scene.equations
     blocks = scene.reduction.blocks
     velocities = (*variant.rates, *(name for name, _ in variant.unknowns))

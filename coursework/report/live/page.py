@@ -7,16 +7,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
+from coursework.motion.geometry.drive import resolution
 from coursework.motion.schemes import SCHEMES, title_of
 from coursework.report.live.drawn import Drawn, drawn_of
 from coursework.report.live.frames import frames_of
 from coursework.report.live.functions import live_functions
 from coursework.report.live.numbers import live_numbers
 from coursework.report.live.script import embedded, hash_of, script_of
-from coursework.report.live.sliders import sliders_of
+from coursework.report.live.sliders import followed, sliders_of
 from coursework.report.text.words import Words
 from coursework.scene.scene_run import SceneRun
 from coursework.words.line_ends import marked
@@ -24,6 +25,7 @@ from coursework.words.sentences import Phrases, load_phrases
 
 # Script and data of one page (bytes), and rows of a table that a laboratory computes anew at every move.
 MOST_BYTES, MOST_ROWS = 60_000, 512
+FINE = 16  # points of the true motion from row to row, as laboratory_motion.js makes them
 MOST_CELLS = 2000  # of a table finer than the file's that are written out
 _PUT_TOGETHER = ("scheme_", "on_", "off_")  # words whose keys a script puts together
 SPEEDS = (0.05, 0.1, 0.2, 1.0)
@@ -56,17 +58,20 @@ class LivePart:
 
 
 def live_part(run: SceneRun, phrases: Phrases, label: Callable[[str], str], unit: Callable[[str], str]) -> LivePart | None:
-    """Return the live part of a run, None where there is no row to show.
+    """Return the live part of a run, None where there is no row to show or the true motion is not known.
+
+    There is no laboratory where a table is too large, or the drive does more than a script would see.
 
     `label` writes the name of a quantity or a point, `unit` a unit, both as text.
     """
-    if not len(run.motion.t):
+    if not len(run.motion.t) or not resolution(run.scene.equations).met:
         return None
     drawn = drawn_of(run.scene, label)
     said = _said(run, drawn, phrases, label, unit)
-    if len(run.motion.t) <= MOST_ROWS:
+    sliders = sliders_of(run, unit) if len(run.motion.t) <= MOST_ROWS else {}
+    sudden = bool(sliders) and not followed(run, sliders, run.step / FINE)
+    if len(run.motion.t) <= MOST_ROWS and not sudden:
         functions = live_functions(run.scene, drawn.places)
-        sliders = sliders_of(run, unit)
         data = said | live_numbers(run, functions) | {"sliders": sliders, "given_order": list(run.variant.values)}
         script = script_of(functions.text, _LABORATORY)
         part = _part(run, phrases, script, embedded(_asked(data, script) | {"most_cells": MOST_CELLS}), True)
@@ -75,7 +80,8 @@ def live_part(run: SceneRun, phrases: Phrases, label: Callable[[str], str], unit
     script = script_of("", _RECORDED)
     said = _asked(said, script)
     room = MOST_BYTES - len(script.encode()) - len(embedded(said).encode())
-    return _part(run, phrases, script, embedded(said | frames_of(run, drawn, room)), False)
+    part = _part(run, phrases, script, embedded(said | frames_of(run, drawn, room)), False)
+    return replace(part, words=part.words | {"no_laboratory": part.words["sudden"]}) if sudden else part
 
 
 def _part(run: SceneRun, phrases: Phrases, script: str, data: str, laboratory: bool) -> LivePart:

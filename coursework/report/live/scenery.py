@@ -17,9 +17,8 @@ from coursework.drawing.outline.ground import hinge_ground, inward, racks, rail_
 from coursework.drawing.outline.outline import Outline, Slot
 from coursework.drawing.outline.poses import Poses
 from coursework.drawing.paper.cover import STILL
-from coursework.system.arrays import Array
+from coursework.system.arrays import Array, Complex
 
-Complex = NDArray[np.complex128]
 # As drawing.js draws them: how far a slot and a rail go on behind the last place of a rider, how deep a rack and a hatching are,
 # how far beside its block a rail runs.
 SLOT_END, RAIL_END, RACK, HATCH, BESIDE = 10.0, 25.0, 7.0, 6.0, 7.0

@@ -1,6 +1,7 @@
 """The data of a task sheet that a reader may move, and how far.
 
-Enters: a `SceneRun`.  Leaves: for each such datum the ends of its slider (SI), and the unit in which it was given.
+Enters: a `SceneRun`.  Leaves: for each such datum the ends of its slider (SI), and the unit in which it was given; whether the
+page can follow the motion that far.
 Used by `page.py`.
 """
 
@@ -10,8 +11,16 @@ import math
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
+
+from coursework.motion.geometry.drive import resolved
 from coursework.scene.scene_run import SceneRun
 from coursework.variant.formula.units import UNITS
+
+# Places of a slider at which the drive is looked at, and what may stay open of its way in one step (rad or m): a fold leaves so
+# much, a pulse far more.
+_PLACES, _POINTS, _OPEN = 5, 2, 1e-4
+_ROUNDING = 1e-12
 
 
 def sliders_of(run: SceneRun, unit: Callable[[str], str]) -> dict[str, dict[str, Any]]:
@@ -36,3 +45,16 @@ def sliders_of(run: SceneRun, unit: Callable[[str], str]) -> dict[str, dict[str,
         written = given.unit if si == given.si else given.si
         found[given.name] = {"low": low, "high": high, "unit": unit(written), "size": float(size) if si == given.si else 1.0}
     return found
+
+
+def followed(run: SceneRun, sliders: dict[str, dict[str, Any]], step: float) -> bool:
+    """Return whether steps of this length (s) see all that the drive does, wherever a slider stands."""
+    variant = run.variant
+    driving = {name for law in (*variant.drive, *variant.functions) for formula in law.formulas for name in formula.names()}
+    ends = {name: (slider["low"], slider["high"]) for name, slider in sliders.items() if name in driving}
+    moved = [(name, place) for name in ends for place in np.linspace(*ends[name], _PLACES)]
+    data = {name: np.full(1 + len(moved), value) for name, value in variant.values.items()}
+    for index, (name, place) in enumerate(moved, start=1):
+        data[name][index] = place
+    times = np.arange(int(run.end / step * (1 + _ROUNDING)) + 1).astype(np.float64) * step
+    return bool(np.all(resolved(run.scene.equations, data, times, _POINTS, _OPEN)))

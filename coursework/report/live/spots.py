@@ -15,8 +15,8 @@ import numpy as np
 from coursework.drawing.outline.outline import Bar, Outline
 from coursework.drawing.outline.poses import Poses
 from coursework.drawing.paper.cover import clipped, shared
-from coursework.report.live.scenery import Complex, Scenery, pairs, scenery_of
-from coursework.system.arrays import Array
+from coursework.report.live.scenery import Scenery, pairs, scenery_of
+from coursework.system.arrays import Array, Complex
 
 # Units across the drawing, on a wide screen and on a phone, as in drawing.js; the lengths below are units too.
 WIDTHS = (640, 380)

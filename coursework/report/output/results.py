@@ -12,8 +12,9 @@ from typing import TYPE_CHECKING, Any
 from coursework.report.output.gate import pass_gate
 from coursework.report.output.record import record, stamp_of, study_record
 from coursework.report.output.tables import run_tables, study_csv
+from coursework.scene.quantities import PLOTS, quantities_for
 from coursework.scene.scene_run import SceneRun
-from coursework.system.on_demand import under_way
+from coursework.system.on_demand import Plan, under_way
 from coursework.words.sentences import say
 
 if TYPE_CHECKING:
@@ -41,6 +42,18 @@ class Results:
             _ = self.run.extra_tables, self.run.graph_check
         with under_way("gate"):
             pass_gate(self.run, pages)
+        for one in quantities_for(self.run.asked).values():
+            if pages or not one.only_pages:
+                self.run.of(one)
+
+    def plan(self, pages: bool) -> Plan:
+        """Return what files, screen and, where there are any, pages call for."""
+        run = self.run
+        shown = ["solutions"] if pages else []
+        shown += [one for one, seen in (("extremes", run.asks(PLOTS)), ("exact", self.live)) if seen and pages]
+        # Exact rows have those of a scheme beside them; a motion that stops is asked with which phases it would not.
+        shown += [one for one, said in (("scheme_rows", run.tableau is None), ("phases", run.stop is not None)) if said]
+        return run.plan_with(*shown, pages=pages)
 
     @cached_property
     def stamp(self) -> str:

@@ -1,7 +1,7 @@
 """The report on paper: `reports/report.typ` filled with the model.
 
 Enters: a `ReportModel`.  Leaves: the bytes of a tagged PDF (PDF/UA-1), the same in every process, and the letters that no
-face here has.  Used by `assigning/sheet.py`, `commands/several.py` and `report/output/formats.py`.
+face here has.  Used by `assigning/assign.py`, `commands/several.py` and `report/output/formats.py`.
 """
 
 from __future__ import annotations

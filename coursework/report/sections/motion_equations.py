@@ -15,6 +15,7 @@ from coursework.mechanism.derivation.contours import Contour, contours_of
 from coursework.mechanism.derivation.derive import Combination, Derivation, Numbered, derive
 from coursework.mechanism.derivation.paths import Path, Term
 from coursework.mechanism.derivation.segments import ZERO, Angle
+from coursework.mechanism.groups.kind import summed
 from coursework.mechanism.proposal import proposed
 from coursework.report.formulas import typst_math as setting
 from coursework.report.formulas.display import display
@@ -108,14 +109,9 @@ def _vector(point: str, about: str) -> str:
 def _projection(context: PageContext, one: Numbered) -> Display:
     projection = one.projection
     left = named(f"V{projection.path.points[-1]}{projection.axis}")
-    right = None if projection.start == ZERO else projection.start
-    for term in projection.terms:
-        piece = _term(term)
-        if right is None:
-            right = piece if term.sign > 0 else Formula("neg", (piece,))
-        else:
-            right = Formula("+" if term.sign > 0 else "-", (right, piece))
-    made = display(left, right if right is not None else ZERO, context.rates, one.name)
+    start = [] if projection.start == ZERO else [(projection.start, 1)]
+    right = summed([*start, *((_term(term), term.sign) for term in projection.terms)])
+    made = display(left, right, context.rates, one.name)
     end_math, end_text = setting.math(projection.end, context.rates), setting.text(projection.end, context.rates)
     return replace(made, math=f"{made.math} = {end_math}", text=f"{made.text} = {end_text}")
 

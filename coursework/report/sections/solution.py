@@ -8,6 +8,7 @@ from __future__ import annotations
 from coursework.equations.reduction.blocks import Block
 from coursework.equations.reduction.cramer import Cramer, cramer
 from coursework.equations.reduction.solution import Solution
+from coursework.mechanism.groups.kind import summed
 from coursework.report.formulas import typst_math as setting
 from coursework.report.formulas.display import display, marked_text
 from coursework.report.sections.first_step import first_step
@@ -77,17 +78,9 @@ def _by_cramer(context: PageContext, block: Block, shown: Cramer, formulas: Solu
 
 def _gathered(row: tuple[Formula, Formula], names: list[Formula]) -> Formula:
     """Return a11 w1 + a12 w2, a term with a minus subtracted, one that is nought left out."""
-    total: Formula | None = None
-    for coefficient, name in zip(row, names, strict=True):
-        if coefficient == number(0):
-            continue
-        is_negative = coefficient.op == "neg"
-        term = Formula("*", (coefficient.args[0] if is_negative else coefficient, name))
-        if total is None:
-            total = Formula("neg", (term,)) if is_negative else term
-        else:
-            total = Formula("-" if is_negative else "+", (total, term))
-    return total if total is not None else number(0)
+    signed = [(part.args[0], -1) if part.op == "neg" else (part, 1) for part in row]
+    terms = [(Formula("*", (part, name)), sign) for (part, sign), name in zip(signed, names, strict=True) if part != number(0)]
+    return summed(terms)
 
 
 def _delta(context: PageContext, delta: str, place: int) -> tuple[str, str]:

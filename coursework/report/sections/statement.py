@@ -21,6 +21,7 @@ from coursework.report.wording.sought import sought
 from coursework.results.checks.summary import summary
 from coursework.scene.quantities import CHECKS, TABLE
 from coursework.variant.formula.tree import Formula, constant, terms
+from coursework.variant.record.entries import reached
 from coursework.variant.record.variant import Variant
 from coursework.words.templates import clean
 
@@ -156,7 +157,7 @@ def _moves(mechanism: Mechanism, name: str) -> bool:
     """Return whether a name stands for something that changes, or is built from such a thing."""
     variant, points = mechanism.variant, dict(mechanism.points)
     changing = {*variant.columns, *(law.name for law in (*variant.drive, *variant.functions)), "t"}
-    return name in changing or (name in points and any(_moves(mechanism, part) for part in points[name].names()))
+    return not changing.isdisjoint(reached([name], points))
 
 
 def _leads_through(mechanism: Mechanism, rider: str, through: Formula, angle: Formula) -> str:

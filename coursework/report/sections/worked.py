@@ -9,10 +9,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from coursework.equations.algebra.calculus import expand, operations, replaced
+from coursework.equations.algebra.expression import ZERO, Expression, add
 from coursework.equations.reduction.symbolic import expanded, symbol
 from coursework.equations.reduction.tidy import as_sum, product, quotient
 from coursework.motion.geometry.time_derivatives import acceleration_rest, compile_rows, derivative, second_rate
@@ -47,12 +49,12 @@ def _accelerations(context: PageContext, extra: ExtraTable) -> list[Part]:
     """The velocity equations once more differentiated, Coriolis's terms named, one equation of them in numbers."""
     equations, reduction = context.run.scene.equations, context.run.reduction
     used = [one for one in equations.equations if one.name in reduction.used]
-    if len(used) > MOST_EQUATIONS or any(slope.count_ops() > MOST_SIGNS for one in used for slope in one.coefficients.values()):
+    if len(used) > MOST_EQUATIONS or any(operations(slope) > MOST_SIGNS for one in used for slope in one.coefficients.values()):
         return []
     rests = [expanded(acceleration_rest(equations, one)) for one in used]
     lines: list[tuple[Formula, Formula]] = []
     for one, rest in zip(used, rests, strict=True):
-        left = sum(slope * symbol(f"d{name}") for name, slope in one.coefficients.items())
+        left = add(*[slope * symbol(f"d{name}") for name, slope in one.coefficients.items()])
         lines.append((as_sum(left, equations.order), as_sum(rest, equations.order)))
     if not lines or any(len(spelled(side)) > LONGEST for line in lines for side in line):
         return []
@@ -74,7 +76,7 @@ def _accelerations(context: PageContext, extra: ExtraTable) -> list[Part]:
     return parts
 
 
-def _solved(context: PageContext, rests: Mapping[str, Any]) -> Iterator[tuple[str, Formula]]:
+def _solved(context: PageContext, rests: Mapping[str, Expression]) -> Iterator[tuple[str, Formula]]:
     """Yield the derivative of the first velocity of each block of one or two as a formula, those with Coriolis's term first."""
     equations, found = context.run.scene.equations, []
     by_name = {one.name: one for one in equations.equations}
@@ -84,10 +86,10 @@ def _solved(context: PageContext, rests: Mapping[str, Any]) -> Iterator[tuple[st
         rows = [by_name[name] for name in block.equations]
         right = [
             rests[one.name]
-            - sum(slope * symbol(f"d{name}") for name, slope in one.coefficients.items() if name not in block.unknowns)
+            - add(*[slope * symbol(f"d{name}") for name, slope in one.coefficients.items() if name not in block.unknowns])
             for one in rows
         ]
-        matrix = [[one.coefficients.get(name, 0) for name in block.unknowns] for one in rows]
+        matrix = [[one.coefficients.get(name, ZERO) for name in block.unknowns] for one in rows]
         if block.size == 1:
             above, below = right[0], matrix[0][0]
         else:
@@ -100,12 +102,12 @@ def _solved(context: PageContext, rests: Mapping[str, Any]) -> Iterator[tuple[st
         yield name, formula
 
 
-def _coriolis(context: PageContext, rests: list[Any]) -> list[str]:
+def _coriolis(context: PageContext, rests: list[Expression]) -> list[str]:
     """Return the products 2 u w of a sliding velocity and an angular one that stand in the second derivatives."""
     variant = context.run.variant
     slides = [c.rate for c in variant.coordinates if c.unit == "m"]
     turns = [c.rate for c in variant.coordinates if c.unit == "rad"]
-    terms = [term for rest in rests for term in rest.expand().as_ordered_terms()]
+    terms = [term for rest in rests for term in expand(rest).terms]
     found = [(u, w) for u in slides for w in turns if any({symbol(u), symbol(w)} <= term.free_symbols for term in terms)]
     return [THIN.join(("2", context.lettering(w), context.lettering(u))) for u, w in found]
 
@@ -118,14 +120,14 @@ def _points(context: PageContext, extra: ExtraTable) -> list[Part]:
     row = _row(context, rows)
     for point in reversed(named_points):
         place = equations.symbols.vectors[point][0]
-        if place.count_ops() > MOST_SIGNS:
+        if operations(place) > MOST_SIGNS:
             continue
         place = expanded(place)
         rate = expanded(equations.symbols.rate(place))
         levels = [("x", place), ("vx", rate)]
         if f"{point}.ax" in extra.names:
             dots = {derivative(name): symbol(f"d{name}") for name in context.run.motion.velocity_names}
-            levels.append(("ax", expanded(second_rate(equations, rate)).xreplace(dots)))
+            levels.append(("ax", replaced(expanded(second_rate(equations, rate)), dots)))
         formulas = [(f"{point}.{key}", as_sum(expression, equations.order)) for key, expression in levels]
         if rate == 0 or any(len(spelled(formula)) > LONGEST for _, formula in formulas):
             continue

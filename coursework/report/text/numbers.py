@@ -45,20 +45,16 @@ class Numbers:
 
     def fixed(self, value: float, decimals: int, digits: int = FEW_DIGITS) -> str:
         """Return `value` with so many decimals; 0 is "0", what would round to 0.00 a power of ten of so many `digits`."""
-        if not math.isfinite(value):
-            return self._endless(value)
-        if value == 0:
-            return "0"
+        if value == 0 or not math.isfinite(value):
+            return self._special(value)
         # Two numbers that differ by round-off alone are written alike, also where a half is to be rounded.
         text = f"{float(f'{value:.{SURE_DIGITS}g}'):.{decimals}f}"
         return self.power(value, digits) if not text.strip("-0.") else self._dress(text)
 
     def power(self, value: float, digits: int = FEW_DIGITS) -> str:
         """Return "1.23·10⁻⁷" with `digits` significant digits."""
-        if not math.isfinite(value):
-            return self._endless(value)
-        if value == 0:
-            return "0"
+        if value == 0 or not math.isfinite(value):
+            return self._special(value)
         mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
         return f"{self._dress(mantissa)}{TIMES}10{superscript(str(int(exponent)))}"
 
@@ -67,7 +63,7 @@ class Numbers:
         if value is None or math.isnan(value):
             return NOTHING
         if value == 0 or math.isinf(value):
-            return self.fixed(value, 0)
+            return self._special(value)
         if not SMALLEST_DECIMAL <= abs(value) < LARGEST_DECIMAL:
             return self.power(value, min(digits, 3))
         exponent = int(f"{value:.{digits - 1}e}".split("e")[1])
@@ -140,8 +136,8 @@ class Numbers:
     def _dress(self, text: str) -> str:
         return text.replace("-", MINUS).replace(".", self.mark)
 
-    def _endless(self, value: float) -> str:
-        return NOTHING if math.isnan(value) else ("∞" if value > 0 else f"{MINUS}∞")
+    def _special(self, value: float) -> str:
+        return "0" if value == 0 else NOTHING if math.isnan(value) else "∞" if value > 0 else f"{MINUS}∞"
 
 
 def deserved_decimals(values: Iterable[float]) -> int:

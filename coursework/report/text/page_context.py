@@ -81,12 +81,9 @@ class PageContext:
     @property
     def contours(self) -> dict[str, str]:
         """Return the number of the contour of each group that closes one, by the name that the tool gives it."""
-        closing = [one.name for one in self.run.scene.mechanism.constraints if one.is_closure and one.name in self._of_groups]
+        of_groups = {f"G{number}" for number, _ in enumerate(self.run.variant.groups, start=1)}
+        closing = [one.name for one in self.run.scene.mechanism.constraints if one.is_closure and one.name in of_groups]
         return {name: str(number) for number, name in enumerate(closing, start=1)}
-
-    @property
-    def _of_groups(self) -> set[str]:
-        return {f"G{number}" for number, _ in enumerate(self.run.variant.groups, start=1)}
 
     @property
     def equation_numbers(self) -> dict[str, str]:

@@ -133,12 +133,10 @@ class Evidence:
         R is the range of the exact motion over the first period at most (an angle's at most 2π), A the largest size of a
         velocity, U the largest R among the columns of the same unit.
         """
-        assert self.exact is not None
-        return self.once(f"scale of {len(self.exact.t)} rows each {self.exact.step!r} s", self._scale)
+        return self.once(f"scale of {len(self.true.t)} rows each {self.true.step!r} s", self._scale)
 
     def _scale(self) -> dict[str, float]:
-        exact = self.exact
-        assert exact is not None
+        exact = self.true
         period = self.variant.time.period
         last = len(exact.t) if period is None or not exact.step else round(period / exact.step) + 1
         rows = exact.rows[: max(last, 2)]
@@ -157,6 +155,12 @@ class Evidence:
         return np.array([self.scale[name] for name in self.names])
 
     @property
+    def true(self) -> Motion:
+        """Return the exact motion where it is known to be had."""
+        assert self.exact is not None
+        return self.exact
+
+    @property
     def compared(self) -> int:
         """Return how many rows stand in the table and in the exact motion."""
         return min(len(self.motion.t), len(self.exact.t)) if self.exact is not None else 0
@@ -169,8 +173,7 @@ class Evidence:
     @cached_property
     def errors(self) -> Array:
         """Return table minus exact as shares of the scales (compared rows, k); an angle a whole turn further is the same."""
-        assert self.exact is not None
-        gap = self.table(self.motion) - self.table(self.exact)
+        gap = self.table(self.motion) - self.table(self.true)
         if len(gap) and np.any(np.abs(gap[:, self.angles]) >= np.pi / 2):  # nearer than that no row is a turn from the last
             jumps = np.diff(gap[:, self.angles], axis=0, prepend=0.0)
             gap[:, self.angles] -= np.cumsum(whole_turns(jumps), axis=0)

@@ -75,8 +75,7 @@ def turning_points(evidence: Evidence, name: str, rate: str) -> tuple[TurningPoi
 
 def _last(evidence: Evidence) -> int:
     """Return the row at which the first period ends, the last one where the run is shorter."""
-    exact = evidence.exact
-    assert exact is not None
+    exact = evidence.true
     return min(round(evidence.period / exact.step), len(exact.t) - 1)
 
 

@@ -108,8 +108,7 @@ def rod_angle(phi: Array, lr: Array, l2: float, l3: float = 0.0) -> Array:
     """
     drop = np.atleast_1d(l3 - lr * np.sin(phi))
     _spare("slider-crank", drop, l2, OFF_LINE)
-    angle: Array = np.arcsin(drop / l2)
-    return angle
+    return np.asarray(np.arcsin(drop / l2))
 
 
 def outer_position(lr: float, l2: float, l3: float = 0.0) -> float:
@@ -127,8 +126,7 @@ def displacement(phi: Array, lr: Array, phi2: Array, l2: float, outer: float) ->
     >>> displacement(np.array([0.0, np.pi]), np.ones(2), np.zeros(2), l2=2.0, outer=3.0).tolist()
     [0.0, 2.0]
     """
-    s: Array = outer - lr * np.cos(phi) - l2 * np.cos(phi2)
-    return s
+    return np.asarray(outer - lr * np.cos(phi) - l2 * np.cos(phi2))
 
 
 def rod_velocity(phi: Array, lr: Array, first: Array, phi2: Array, l2: float) -> Array:
@@ -137,8 +135,7 @@ def rod_velocity(phi: Array, lr: Array, first: Array, phi2: Array, l2: float) ->
     >>> rod_velocity(np.array([0.0, np.pi]), np.ones(2), np.zeros(2), np.zeros(2), l2=2.0).tolist()
     [-0.5, 0.5]
     """
-    omega: Array = -(lr * np.cos(phi) + first * np.sin(phi)) / (l2 * np.cos(phi2))
-    return omega
+    return np.asarray(-(lr * np.cos(phi) + first * np.sin(phi)) / (l2 * np.cos(phi2)))
 
 
 def slider_velocity(phi: Array, lr: Array, first: Array, phi2: Array, omega_2: Array, l2: float) -> Array:
@@ -148,8 +145,7 @@ def slider_velocity(phi: Array, lr: Array, first: Array, phi2: Array, omega_2: A
     >>> slider_velocity(phi, np.ones(1), np.zeros(1), phi2, omega_2=np.zeros(1), l2=2.0).tolist()
     [1.0]
     """
-    v: Array = lr * np.sin(phi) - first * np.cos(phi) + l2 * omega_2 * np.sin(phi2)
-    return v
+    return np.asarray(lr * np.sin(phi) - first * np.cos(phi) + l2 * omega_2 * np.sin(phi2))
 
 
 def rod_acceleration(phi: Array, lr: Array, first: Array, second: Array, phi2: Array, omega_2: Array, l2: float) -> Array:
@@ -181,8 +177,7 @@ def slider_acceleration(
     [1.5]
     """
     rod = l2 * (omega_2 * omega_2 * np.cos(phi2) + epsilon_2 * np.sin(phi2))
-    a: Array = (lr - second) * np.cos(phi) + 2.0 * first * np.sin(phi) + rod
-    return a
+    return np.asarray((lr - second) * np.cos(phi) + 2.0 * first * np.sin(phi) + rod)
 
 
 def constant_speed_crank(

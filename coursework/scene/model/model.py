@@ -36,7 +36,7 @@ from coursework.variant.record.changes import follow_from
 from coursework.variant.record.variant import Variant
 
 if TYPE_CHECKING:
-    import sympy as sp
+    from coursework.equations.algebra.expression import Expression
 
 Columns = list[Any]
 
@@ -58,7 +58,6 @@ class Model:
     variant: Variant
     equations: VelocityEquations = field(repr=False)
     reduction: Reduction = field(repr=False)
-    _blocks: dict[int, Callable[..., Any]] = field(default_factory=dict, repr=False)
     _compiled: dict[Any, Callable[..., Any]] = field(default_factory=dict, repr=False)
 
     def bind(self, data: Any = None, settings: Settings | None = None) -> Scene:
@@ -106,7 +105,7 @@ class Model:
         return [place for place, name in enumerate(self.coordinates) if name in angles]
 
     @cached_property
-    def lengths(self) -> tuple[sp.Expr, ...]:
+    def lengths(self) -> tuple[Expression, ...]:
         """Return what must stay above zero: lengths of links that follow from data alone, and the squares of the data."""
         variant, symbols = self.variant, self.equations.symbols
         found = [node.args[0] for _, formula in variant.formulas() for node in formula.walk() if node.op == "@"]
@@ -144,14 +143,12 @@ class Model:
 
         `earlier` is laid out as `rates` returns it; only the columns that the block's equations hold are read.
         """
-        if block not in self._blocks:
-            own = self.blocks[block]
-            others = [name for name in self.variant.sought if name not in own.unknowns]
-            results = [symbol(name) for name in own.unknowns]
-            self._blocks[block] = self.compile(block_statements(own, block), results, others)
-        places = [self.velocities.index(name) for name in self.variant.sought if name not in self.blocks[block].unknowns]
+        own = self.blocks[block]
+        others = [name for name in self.variant.sought if name not in own.unknowns]
+        if block not in self._compiled:
+            self._compiled[block] = self.compile(block_statements(own, block), [symbol(name) for name in own.unknowns], others)
         read = np.asarray(earlier, dtype=float)
-        return self._at(self._blocks[block], t, q, data, [read[..., place] for place in places])
+        return self._at(self._compiled[block], t, q, data, [read[..., self.velocities.index(name)] for name in others])
 
     @property
     def program(self) -> Callable[..., Any]:
@@ -163,7 +160,7 @@ class Model:
         return self._compiled["program"]
 
     def compile(
-        self, statements: Sequence[Statement], results: Sequence[sp.Symbol], velocities: Iterable[str] = ()
+        self, statements: Sequence[Statement], results: Sequence[Expression], velocities: Iterable[str] = ()
     ) -> Callable[..., Any]:
         """Return the function (t, *q, *velocities, *numbers) of some statements; a result that is a known law is its value."""
         known = tuple(velocities)
@@ -173,7 +170,7 @@ class Model:
         names = [f"_out{place}" for place in range(len(results))]
         return compile_function("values", arguments, body, names, numpy=True, outside=True)
 
-    def compiled(self, wanted: tuple[sp.Expr, ...], velocities: tuple[str, ...] = ()) -> Callable[..., Any]:
+    def compiled(self, wanted: tuple[Expression, ...], velocities: tuple[str, ...] = ()) -> Callable[..., Any]:
         """Return the function (t, *q, *velocities, *numbers) of some expressions, compiled once."""
         if (wanted, velocities) not in self._compiled:
             names = [local(f"_value{place}") for place in range(len(wanted))]

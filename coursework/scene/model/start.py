@@ -24,7 +24,7 @@ from coursework.system.arrays import Array, Flags
 from coursework.variant.record.variant import Group
 
 if TYPE_CHECKING:
-    import sympy as sp
+    from coursework.equations.algebra.expression import Expression
 
 # Corrections by Newton's rule and the size (rad, m) below which the last one is round-off.
 _MOST, _SETTLED = 12, 1e-11
@@ -143,7 +143,7 @@ def _in_mode(model: Model, group: Group, mode: int, q: Array, numbers: Columns, 
     count = q.shape[1]
     kept = np.flatnonzero(~doubtful)
 
-    def values(wanted: list[sp.Expr]) -> Array:
+    def values(wanted: list[Expression]) -> Array:
         one_each = [number if np.ndim(number) == 0 else number[kept] for number in numbers]
         function = model.compiled(tuple(wanted))
         return np.array([np.broadcast_to(v, len(kept)) for v in function(0.0, *q[:, kept], *one_each)], dtype=float).T

@@ -5,13 +5,13 @@ Enters: a `Variant` as read, its `Source`, the formulas of its times.  Leaves: `
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import chain, islice
 
 from coursework.variant.dimensions.exponents import Dimension, is_known, si_unit, symbols
 from coursework.variant.dimensions.formulas import Clash, Measurer, Term
-from coursework.variant.formula.tree import Formula
+from coursework.variant.formula.tree import Formula, replaced
 from coursework.variant.judging.coordinate_order import fault_of_order, is_angle_first
 from coursework.variant.judging.dimension_words import Blame, disagreement_of, fault_of_datum, fault_of_either, fault_of_terms
 from coursework.variant.record.places import Place, measures, places
@@ -245,8 +245,7 @@ def _shortened(tree: Formula) -> Iterator[Formula]:
                 yield tree.args[1 - index]
             if tree.op == "/" and index == 1:
                 yield tree.args[0]
-        for shorter in _shortened(arg):
-            yield replace(tree, args=(*tree.args[:index], shorter, *tree.args[index + 1 :]))
+    yield from _inside(tree, _shortened)
 
 
 def _bracketed(tree: Formula) -> Iterator[Formula]:
@@ -254,15 +253,17 @@ def _bracketed(tree: Formula) -> Iterator[Formula]:
     if tree.op in {"+", "-"} and len(tree.args) == 2:
         for whole, term in (tree.args, tree.args[::-1]):
             yield from _with_term(whole, term)
-    for index, arg in enumerate(tree.args):
-        for other in _bracketed(arg):
-            yield replace(tree, args=(*tree.args[:index], other, *tree.args[index + 1 :]))
+    yield from _inside(tree, _bracketed)
 
 
 def _with_term(tree: Formula, term: Formula) -> Iterator[Formula]:
     """Yield the formula with a term added to the argument of one of its calls."""
     if tree.op == "call" and len(tree.args) == 1:
         yield replace(tree, args=(Formula("+", (tree.args[0], term)),))
+    yield from _inside(tree, lambda arg: _with_term(arg, term))
+
+
+def _inside(tree: Formula, changed: Callable[[Formula], Iterable[Formula]]) -> Iterator[Formula]:
+    """Yield the formula with every change of one of its arguments."""
     for index, arg in enumerate(tree.args):
-        for other in _with_term(arg, term):
-            yield replace(tree, args=(*tree.args[:index], other, *tree.args[index + 1 :]))
+        yield from (replaced(tree, (index,), other) for other in changed(arg))

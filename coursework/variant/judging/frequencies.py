@@ -8,9 +8,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate
+from coursework.variant.formula.tree import Formula
 from coursework.variant.formula.units import UNITS
 from coursework.variant.judging.dimension_words import text_of
+from coursework.variant.record.no_value import known_value
 from coursework.variant.record.variant import Given, Variant
 from coursework.variant.toml.positions import KeyPath
 from coursework.words.sentence import Sentence
@@ -74,7 +75,7 @@ def _factors(tree: Formula, factor: float, whole: Formula, plain: Mapping[str, f
             yield from _factors(arg, factor, whole if factor != 1.0 else arg, plain)
     elif tree.op in {"*", "/"}:
         first, second = tree.args
-        left, right = _number(first, plain), _number(second, plain)
+        left, right = known_value(first, plain), known_value(second, plain)
         is_quotient = tree.op == "/"
         if left is None and right != 0:
             number = 1.0 if right is None else abs(1 / right if is_quotient else right)
@@ -85,13 +86,3 @@ def _factors(tree: Formula, factor: float, whole: Formula, plain: Mapping[str, f
     else:
         for arg in tree.args:
             yield from _factors(arg, 1.0, arg, plain)
-
-
-def _number(tree: Formula, plain: Mapping[str, float]) -> float | None:
-    """Return the value of a formula of numbers and of data without a unit, None for any other."""
-    if not set(tree.names()) <= {*plain, "pi"}:
-        return None
-    try:
-        return evaluate(tree, {"pi": math.pi, **plain})
-    except FormulaFault:
-        return None

@@ -36,13 +36,9 @@ def faults_of_groups(variant: Variant, shapes: Mapping[str, Shape], broken: Brok
 
 
 def _own(number: int, group: Group, shape: Shape, variant: Variant, broken: Broken) -> Iterator[Fault]:
-    found = {
-        "from": (len(group.start_points), (shape.points,)),
-        "guides": (len(group.guides), (shape.guides,)),
-        "lengths": (len(group.lengths), shape.lengths),
-        "coordinates": (len(group.coordinates), (shape.coordinates,)),
-    }
-    for key, (count, right) in found.items():
+    found = {"from": group.start_points, "guides": group.guides, "lengths": group.lengths, "coordinates": group.coordinates}
+    for key, right in shape.counts.items():
+        count = len(found[key])
         faulty = any(broken.has("group", number - 1, name) for name in ((key, "guide") if key == "guides" else (key,)))
         if count not in right and not faulty:
             wanted = say_count(f"fault.shape.{_KEYS[key]}", right[-1])
@@ -63,7 +59,7 @@ def _own(number: int, group: Group, shape: Shape, variant: Variant, broken: Brok
 
 def _roles(key: str, group: Group, shape: Shape, count: int) -> Sentence | str:
     """Return what the entries of a list stand for, those that are missing, or all of them where there are too many."""
-    most = {"from": shape.points, "guides": shape.guides, "lengths": shape.lengths[-1], "coordinates": shape.coordinates}[key]
+    most = shape.counts[key][-1]
     if not most:
         return say("fault.shape.take_out", key=key)
     told = entries(shape, key, letters_of(shape, group), count + 1 if count < most else 1)

@@ -9,7 +9,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, named, spelled
+from coursework.variant.formula.tree import Formula, named, spelled
+from coursework.variant.record.no_value import known_value
 from coursework.variant.record.variant import Variant
 from coursework.variant.toml.positions import KeyPath
 from coursework.variant.toml.source import Source
@@ -125,9 +126,4 @@ def _beside_zero(tree: Formula, variant: Variant, zero: str) -> list[tuple[str, 
 
 def _value(length: Formula, variant: Variant) -> float | None:
     """Return a length that follows from the data alone (m), None for any other."""
-    if not {*length.names()} <= {*variant.values, "pi"}:
-        return None
-    try:
-        return evaluate(length, variant.values)
-    except FormulaFault:
-        return None
+    return known_value(length, variant.values)

@@ -91,23 +91,19 @@ class Names:
         made = {f"d{self.canonical(velocity)}": (velocity, source.positions.find(path)[0]) for velocity, path in self.columns}
         found = []
         for name, kind, path in self.declarations:
-            plain = spell(name)
+            plain, text = spell(name), None
             if strange := foreign_letter(name):
                 text = say("fault.V081", number=strange[0] + 1, name=name, strange=strange[1])
-                found.append(source.fault(path, text, at_key=kind != "rate"))
             elif not _SHAPE.match(plain):
                 text = say("fault.V082", name=name)
-                found.append(source.fault(path, text, at_key=kind != "rate"))
             elif plain in _BUILT_IN or plain in FUNCTION_WORDS:
                 text = say("fault.V083", name=name)
-                found.append(source.fault(path, text, at_key=kind != "rate"))
             elif plain in made and kind != "point":
                 velocity, line = made[plain]
                 text = say("fault.V084", name=name, velocity=velocity, line=line)
-                found.append(source.fault(path, text, at_key=kind != "rate"))
             elif plain in seen:
                 first, line = seen[plain]
                 text = say("fault.V085", name=name, first=say(f"fault.kind.{first}"), line=line, kind=say(f"fault.kind.{kind}"))
-                found.append(source.fault(path, text, at_key=kind != "rate"))
+            found += [source.fault(path, text, at_key=kind != "rate")] if text else []
             seen.setdefault(plain, (kind, source.positions.find(path)[0]))
         return found

@@ -63,10 +63,15 @@ def follow_from(variant: Variant, changes: Iterable[KeyPath]) -> frozenset[str]:
     formulas += [formula for group in variant.groups for formula in group.formulas]
     if not named.intersection(name for formula in formulas for name in formula.names()):
         return frozenset(c.name for c in variant.coordinates if c.start_guess is not None) - named
+    return determined(variant) - named
+
+
+def determined(variant: Variant) -> frozenset[str]:
+    """Return the coordinates whose start the geometry gives: listed, they would contradict it."""
     by_groups = {name for group in variant.groups for name in group.coordinates}
     closed = any(one.is_closure for one in variant.constraints)
     free = (c.name for c in variant.coordinates if c.rate not in variant.known_rates and (closed or c.name in by_groups))
-    return frozenset(free) - named
+    return frozenset(free)
 
 
 def _known(variant: Variant, key: str, known: list[str], what: str) -> str:

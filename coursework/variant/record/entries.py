@@ -5,9 +5,22 @@ Leaves `reader.py` inside a `Variant`.  Used by `variant.py`, through which ever
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from coursework.variant.formula.tree import Formula
+
+
+def reached(names: Iterable[str], points: Mapping[str, Formula]) -> set[str]:
+    """Return names, and all names that the points among them are built from."""
+    found: set[str] = set()
+    waiting = [*names]
+    while waiting:
+        name = waiting.pop()
+        if name not in found:
+            found.add(name)
+            waiting += points[name].names() if name in points else ()
+    return found
 
 
 @dataclass(frozen=True, slots=True)

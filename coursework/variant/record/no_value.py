@@ -7,9 +7,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
+from contextlib import suppress
 from graphlib import TopologicalSorter
 
-from coursework.variant.formula.tree import Formula, FormulaFault, evaluate_any
+from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, evaluate_any
 from coursework.variant.record.variant import Law, Variant
 from coursework.variant.toml.positions import KeyPath
 from coursework.words.errors import Fault
@@ -38,6 +39,13 @@ def without_value(variant: Variant, t: float, position: Mapping[str, float]) -> 
 def law_without_value(variant: Variant, times: Iterable[float]) -> Fault | None:
     """Return a fault for the first law that has no finite value at one of some times (s), whatever the position."""
     return next((fault for t in times if (fault := without_value(variant, t, {}))), None)
+
+
+def known_value(formula: Formula, values: Mapping[str, float]) -> float | None:
+    """Return what a formula is worth with some values, None where it has other names or no finite value."""
+    with suppress(FormulaFault):
+        return evaluate(formula, values) if {*formula.names()} <= {*values, "pi"} else None
+    return None
 
 
 def in_order(variant: Variant) -> list[tuple[str, Law]]:

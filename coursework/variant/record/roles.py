@@ -36,7 +36,7 @@ def role(shape: Shape, key: str, letters: Mapping[str, str], place: int = 0) -> 
 
 def entries(shape: Shape, key: str, letters: Mapping[str, str], first: int = 1) -> Sentence:
     """Return what stands behind the entries of a list, from the `first` one on."""
-    count = {"from": shape.points, "lengths": shape.lengths[-1], "guides": shape.guides, "coordinates": shape.coordinates}[key]
+    count = shape.counts[key][-1]
     if key == "guides" and count == 1:
         return role(shape, "guide", letters)
     return joined((role(shape, key, letters, place) for place in range(first, count + 1)), "group.entries")

@@ -35,6 +35,11 @@ class Shape:
     modes: Mapping[int, str] = field(default_factory=dict)
     driven: bool = False
 
+    @property
+    def counts(self) -> dict[str, tuple[int, ...]]:
+        """Return how many entries each list of a group may have, by its key."""
+        return {"from": (self.points,), "guides": (self.guides,), "lengths": self.lengths, "coordinates": (self.coordinates,)}
+
     def named(self, names: Sequence[str] = ()) -> dict[str, str]:
         """Return what stands in the gaps of its sentences: the names of a file's points, as far as there are, or the letters."""
         return {letter: name or letter for letter, name in zip(self.letters, names or self.letters, strict=False)}

@@ -22,6 +22,7 @@ from coursework.variant.catalogue import names
 from coursework.variant.reading.reader import parse_variant
 from coursework.words.errors import InputError
 from tests.drawing import measured
+from tests.sample import sampled
 from tests.solved import solved
 
 # Closed forms to 40 digits, velocities and accelerations confirmed by five-point differences; see the file's own `rule`.
@@ -89,7 +90,7 @@ def test_variant_31_in_the_row_of_the_coursework() -> None:
     assert table["acceleration", "P"] == pytest.approx(14.409131j, abs=5e-6)
 
 
-@pytest.mark.parametrize("name", names())
+@pytest.mark.parametrize("name", sampled(names()))
 def test_every_polygon_closes_and_its_parts_stand_as_they_must(name: str) -> None:
     run = run_of(name)
     plans = run.of(run_plans())
@@ -129,7 +130,7 @@ def run_plans() -> object:
     return PLANS
 
 
-@pytest.mark.parametrize("name", names())
+@pytest.mark.parametrize("name", sampled(names()))
 def test_no_word_of_a_plan_lies_on_another(name: str) -> None:
     drawings = drawings_of(name)
     assert list(drawings) == ["velocity-plan", "acceleration-plan"]

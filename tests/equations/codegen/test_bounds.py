@@ -1,16 +1,16 @@
 """A program of more operations than any mechanism needs is refused while it is made, not after."""
 
 import pytest
-import sympy as sp
 
+from coursework.equations.algebra.expression import variable
 from coursework.equations.codegen.straight_line import MOST_OPERATIONS, FormulaRefused, StraightLine
 
 
 def chain(count: int) -> StraightLine:
     """Return the lines of x + 1, (x + 1)*x, … : as many different operations as asked for."""
-    x = sp.Symbol("v_x", real=True)
+    x = variable("v_x")
     lines = StraightLine((), {}, set())
-    lines.add([sp.Symbol(f"v_y{0}")], [x])
+    lines.add([variable(f"v_y{0}")], [x])
     made = len(lines._forms)
     for number in range(count - made + 1):
         lines._number("sin" if number % 2 else "cos", made + number - 1)

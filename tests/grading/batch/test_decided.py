@@ -23,16 +23,20 @@ def changes(out):
         return list(csv.DictReader(file))
 
 
-@pytest.mark.parametrize(("text", "points"), [("80 %", 48), ("80%", 48), ('"33,3 %"', 19.98), ("100 %", 60), ("0 %", 0)])
-def test_a_share_is_of_the_part_and_follows_a_changed_rubric(tmp_path, text, points):
-    hand_in(tmp_path / "in" / "ada")
+SHARES = {"80 %": 48, "80%": 48, '"33,3 %"': 19.98, "100 %": 60, "0 %": 0}
+
+
+def test_a_share_is_of_the_part_and_follows_a_changed_rubric(tmp_path):
     decided, rubric = tmp_path / "overrides.csv", tmp_path / "rubric.toml"
-    decided.write_text(f"{HEAD}\nada,table,{text},x\n", encoding="utf-8")
-    assert grade(tmp_path / "in", tmp_path / "out", "--overrides", decided).exit_code == 0
-    assert submissions(tmp_path / "out")["ada"]["table"]["score"] == points
+    for number in range(len(SHARES)):
+        hand_in(tmp_path / "in" / f"s{number}")
+    lines = [f"s{number},table,{text},x" for number, text in enumerate(SHARES)]
+    decided.write_text("\n".join([HEAD, *lines]), encoding="utf-8")
     rubric.write_text("[parts]\ntable = 30\nequations = 70\n", encoding="utf-8")
-    assert grade(tmp_path / "in", tmp_path / "out", "--overrides", decided, "--rubric", rubric).exit_code == 0
-    assert submissions(tmp_path / "out")["ada"]["table"]["score"] == pytest.approx(points / 2)
+    for options, share in (((), 1), (("--rubric", rubric), 1 / 2)):
+        assert grade(tmp_path / "in", tmp_path / "out", "--overrides", decided, *options).exit_code == 0
+        found = [entry["table"]["score"] for entry in submissions(tmp_path / "out").values()]
+        assert found == pytest.approx([points * share for points in SHARES.values()])
 
 
 def test_a_share_of_the_total_is_of_the_points_of_the_rubric(tmp_path):
@@ -82,28 +86,27 @@ def test_further_columns_are_kept_and_the_student_reads_what_is_said_to_him(tmp_
     assert "Dr. K" not in page
 
 
-@pytest.mark.parametrize(
-    ("yes", "no"),
-    [("Yes", "No"), ("Да", "Нет"), ("Так", "Ні"), ("Ja", "Nein"), ("Oui", "Non"), ("Sí", "No"), ("是", "否")],
-)
+CAN = [("Yes", "No"), ("Да", "Нет"), ("Так", "Ні"), ("Ja", "Nein"), ("Oui", "Non"), ("Sí", "No"), ("是", "否")]
+
+
 @pytest.mark.parametrize("title", ["Grade can be changed", "of no known language"])
-def test_a_locked_grade_is_left_as_it_stands(tmp_path, yes, no, title):
-    lines = [
-        f"Participant {number},{name},{name}@x,s,{before},100.00,{can},-,-,{comment}\r\n"
-        for number, name, before, can, comment in (("7000", "Ann Lee", "55.00", no, "old"), ("7001", "Bob Ray", "", yes, ""))
-    ]
-    for name, number in (("Ann Lee", 7000), ("Bob Ray", 7001)):
-        hand_in(tmp_path / "in" / f"{name}_{number}_assignsubmission_file")
-    sheet = tmp_path / "sheet.csv"
-    sheet.write_bytes((SHEET.replace("Grade can be changed", title) + "".join(lines)).encode())
-    done = grade(tmp_path / "in", tmp_path / "out", "--worksheet", sheet)
+def test_a_locked_grade_is_left_as_it_stands(tmp_path, title):
+    """Of each two one is locked, in every language."""
+    head, out = SHEET.replace("Grade can be changed", title), tmp_path / "out"
+    for number, can in enumerate(word for pair in CAN for word in pair):
+        before, comment = ("55.00", "old") if number % 2 else ("", "")
+        head += f"Participant {7000 + number},N{number},n{number}@x,s,{before},100.00,{can},-,-,{comment}\r\n"
+        hand_in(tmp_path / "in" / f"N{number}_{7000 + number}_assignsubmission_file")
+    (tmp_path / "sheet.csv").write_bytes(head.encode())
+    done = grade(tmp_path / "in", out, "--worksheet", tmp_path / "sheet.csv")
     assert done.exit_code == 0, done.output
-    filled = (tmp_path / "out" / "worksheet.csv").read_bytes().decode()
-    assert lines[0] in filled
-    assert "Bob Ray@x,s,100.00,100.00" in filled
     assert "does not let be changed" in done.output
-    notes = {entry["name"]: [note["code"] for note in entry["notes"]] for entry in submissions(tmp_path / "out").values()}
-    assert ("locked" in notes["Ann Lee"], "locked" in notes["Bob Ray"]) == (True, False)
+    filled = (out / "worksheet.csv").read_bytes().decode().splitlines()[1:]
+    notes = {entry["name"]: [note["code"] for note in entry["notes"]] for entry in submissions(out).values()}
+    for number, (line, before) in enumerate(zip(filled, head.splitlines()[1:], strict=True)):
+        assert (line == before) is (number % 2 == 1)
+        assert f"n{number}@x,s,{'55.00' if number % 2 else '100.00'},100.00" in line
+        assert ("locked" in notes[f"N{number}"]) is (number % 2 == 1)
 
 
 def test_the_page_of_a_withdrawn_submission_is_removed_and_told(tmp_path):

@@ -104,6 +104,6 @@ def test_a_wrong_start_closes_the_gate_for_carried_cells(key):
     table = students.table(start=(1.53, 3.37, 2.87))
     cells = mark_cells(key, printed(table, 4))
     assert cells.wrong[0, 0]
-    assert not table_points(key, cells).start_right
+    assert table_points(key, cells).shut["start"]
     right = table_points(key, mark_cells(key, printed(students.table(), 4)))
-    assert right.start_right
+    assert "start" not in right.shut

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from tests.grading.reading.fuzz_readers import REPEATED, run, run_repeated
 
 CASES = 600
@@ -14,5 +16,6 @@ def test_hundreds_of_broken_files() -> None:
     assert len(counts) >= 8
 
 
-def test_files_of_one_piece_repeated() -> None:
-    assert run_repeated(2**20).total() == 2 * len(REPEATED)
+@pytest.mark.parametrize("size", [2**18, pytest.param(2**20, marks=pytest.mark.long)])
+def test_files_of_one_piece_repeated(size: int) -> None:
+    assert run_repeated(size).total() == 2 * len(REPEATED)

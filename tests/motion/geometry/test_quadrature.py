@@ -47,7 +47,6 @@ def test_what_no_quadrature_follows_is_refused_with_its_place(drive, given):
     text = four_bar(Law("pole", drive, given, lambda t: t))
     found = resolution(equations_of(text))
     assert not found.met
-    assert found.error > WANTED
     assert found.place == pytest.approx(0.50437, abs=1e-9)
     with pytest.raises(InputError, match=r"no finite value about t = 0\.50437 s"):
         _ = coursework.solve(parse_variant(text)).checks

@@ -15,6 +15,7 @@ from coursework.report.live.numbers import live_numbers
 from coursework.report.live.script import script_of
 from coursework.scene.scene_run import SceneRun
 from coursework.variant.catalogue import names
+from tests.sample import sampled
 from tests.solved import solved
 
 pytestmark = pytest.mark.browser
@@ -51,7 +52,7 @@ def scaled(found: Any, right: np.ndarray) -> float:
     return float(np.max(np.abs(np.array(found) - right) / np.maximum(1.0, np.abs(right).max(axis=0))))
 
 
-@pytest.mark.parametrize("name", names())
+@pytest.mark.parametrize("name", sampled(names()))
 def test_the_rows_of_a_variant_are_those_of_python(engine: Any, name: str) -> None:
     run = solved(name, scheme="euler")
     numbers = started(engine, run)
@@ -71,7 +72,7 @@ def test_every_scheme_steps_as_in_python(engine: Any, name: str, scheme: str) ->
     assert found["evaluations"] == run.motion.evaluations
 
 
-@pytest.mark.parametrize("name", names())
+@pytest.mark.parametrize("name", sampled(names()))
 def test_the_true_motion_is_that_of_the_closed_positions(engine: Any, name: str) -> None:
     run = solved(name)
     numbers = started(engine, run)

@@ -13,12 +13,14 @@ import pytest
 
 from coursework.variant.catalogue import names
 from tests.report.made import model_of, page_of, solved
+from tests.sample import SAMPLE
 
 pytestmark = pytest.mark.browser
 
 HERE = Path(__file__).parent
 PHONE, BETWEEN, SCREEN = {"width": 390, "height": 844}, {"width": 640, "height": 900}, {"width": 1400, "height": 900}
 TRANSLATED = (("31", "ru"), ("31", "uk"), ("31", "zh"), ("v107", "ru"), ("example-3", "zh"), ("epicyclic", "uk"))
+REST = [pytest.param(name, "en", marks=pytest.mark.long) for name in names() if name not in SAMPLE]
 # The points of Cardan's circles run through both rims on straight lines, three of them on one.
 ON_RIMS = {"cardan": 1 / 2}
 FAULTY = """<!DOCTYPE html><html lang=""><head><style>
@@ -69,7 +71,7 @@ def faults(page: Any) -> list[str]:
     return found
 
 
-@pytest.mark.parametrize(("variant", "language"), [*((name, "en") for name in names()), *TRANSLATED])
+@pytest.mark.parametrize(("variant", "language"), [*((name, "en") for name in SAMPLE), *TRANSLATED, *REST])
 def test_a_page_is_read_on_every_screen(variant: str, language: str, page: Any, tmp_path: Path) -> None:
     assert shown(variant, language, tmp_path, page) == []
     assert faults(page) == []

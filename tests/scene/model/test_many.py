@@ -8,6 +8,7 @@ import coursework
 from coursework.motion.schemes import SCHEMES
 from coursework.scene.model.sets import prepare
 from coursework.variant.catalogue import find, names
+from tests.sample import sampled
 
 MODELS = {}
 
@@ -50,7 +51,7 @@ def same(name, data, **options):
 NARROW = {"variable-crank-table": 0.0}
 
 
-@pytest.mark.parametrize("name", names())
+@pytest.mark.parametrize("name", sampled(names()))
 def test_every_variant_of_the_catalogue(name):
     same(name, spread(name, NARROW.get(name, 0.01), 2))
 

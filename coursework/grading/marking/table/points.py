@@ -29,7 +29,7 @@ Rule = Literal["cells", "start", "misconception", "own_equations"]
 
 @dataclass(frozen=True, slots=True)
 class TablePoints:
-    """`share` of the table earned by its cells; how many cells count; whether row 1 is right.
+    """`share` of the table earned by its cells; how many cells count.
 
     `shut` counts the cells that are right and do not count, by the gate that closed: row 1 is wrong ("start"), a step was made
     with a velocity that is wrong or not there ("used_velocity"), too few rows have all velocities right ("rows"), the row
@@ -38,7 +38,6 @@ class TablePoints:
 
     share: float
     cells: int
-    start_right: bool
     shut: Mapping[str, int] = field(default_factory=dict)
     uncounted: Flags | None = None
 
@@ -91,10 +90,9 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
         uncounted |= lost
         credit[closed] = 0.0
     count = int(counted.sum())
-    start_right = not cells.wrong[:1].any()
     # The start values are given and earn nothing; one that is copied wrong is a wrong cell like any other.
     earned = max(float(credit.sum()) - int(cells.wrong[:1, :m].sum()), 0.0)
-    return TablePoints(earned / count if count else 0.0, count, start_right, counts, uncounted)
+    return TablePoints(earned / count if count else 0.0, count, counts, uncounted)
 
 
 def _constant(key: Key) -> Flags:

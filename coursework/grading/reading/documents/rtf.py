@@ -73,7 +73,6 @@ class _Reader:
         self.fonts = {int(font): _CHARSETS.get(int(charset), "") for font, charset in fonts}
         self.groups = [_Group()]
         self.formula: FormulaTree | None = None
-        self.formula_depth = 0
         self.waiting = bytearray()  # letters in a code page that come one by one
         self.leaving = 0  # characters that only stand in for the \u before them
         self.is_starred = self.is_first = False

@@ -101,8 +101,7 @@ def _suspects(evidence: Evidence) -> _Brackets:
     Those curves are cubics with the exact positions and rates at the rows; what jumps on them is at most where the motion
     jumps.  Every interval and column is halved by itself, the half with the larger change kept.
     """
-    exact, rates = evidence.exact, evidence.rates
-    assert exact is not None
+    exact, rates = evidence.true, evidence.rates
     places = np.array([exact.names.index(name) for name in evidence.names])
     table = exact.rows[:, places]
     row, column = (part.ravel() for part in np.indices((len(table) - 1, len(places))))
@@ -128,8 +127,7 @@ def _suspects(evidence: Evidence) -> _Brackets:
 
 def _between(evidence: Evidence, row: Array, part: Array) -> tuple[Array, Array]:
     """Return times and positions (n, m) at a part of the interval behind each row, on the cubics through the exact rows."""
-    exact = evidence.exact
-    assert exact is not None
+    exact = evidence.true
     size, h = exact.coordinates.shape[1], exact.step
     begin, end = exact.coordinates[row], exact.coordinates[row + 1]
     out, into = h * exact.velocities[row, :size], h * exact.velocities[row + 1, :size]
@@ -138,8 +136,7 @@ def _between(evidence: Evidence, row: Array, part: Array) -> tuple[Array, Array]
 
 def _looked_into(evidence: Evidence, row: int, place: int) -> Jump | None:
     """Return the jump that the exact motion itself makes of one column in one interval, None where it makes none."""
-    exact, rates, name = evidence.exact, evidence.rates, evidence.names[place]
-    assert exact is not None
+    exact, rates, name = evidence.true, evidence.rates, evidence.names[place]
     index, scale = exact.names.index(name), evidence.scales[place]
 
     def value(time: float, q: Array) -> float:

@@ -66,8 +66,7 @@ def sinusoid(evidence: Evidence) -> Finding:
 
 def _dense(evidence: Evidence, found: tuple[float, ...]) -> Motion | None:
     """Return the exact motion on rows that are close enough; None where it cannot be followed between rows."""
-    exact = evidence.exact
-    assert exact is not None
+    exact = evidence.true
     parts = int(np.ceil(_ROWS_A_PERIOD * exact.step * found[-1] / (2 * np.pi) * (1 - 1e-9)))
     return finer(exact, evidence.rates, parts, parts * (len(exact.t) - 1) + 1) if parts > 1 else exact
 

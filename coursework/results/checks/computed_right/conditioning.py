@@ -21,13 +21,15 @@ from coursework.variant.formula.tree import Formula
 from coursework.words.sentences import joined, say
 
 if TYPE_CHECKING:
-    import sympy as sp
+    from coursework.equations.algebra.expression import Expression
 
 # A double has sixteen digits; six of them are more than any table of the coursework shows.
 DIGITS, FEWEST = 16.0, 6.0
 # Ruiz' scaling has settled to a few percent after this many rounds, and the condition number wants no more.
 _ROUNDS = 8
 _ROUNDING = 1e-9
+# Digits that lengths far apart cost beyond what the equations cost: fewer are not worth a sentence.
+_TOLD_APART = 2.0
 
 
 def condition(evidence: Evidence) -> Finding:
@@ -51,9 +53,17 @@ def _condition(evidence: Evidence) -> Finding:
     for passage in evidence.passages:  # there the limit is known, and nothing is solved
         numbers[passage.is_at(motion.t)] = 1.0
     worst = int(np.argmax(numbers))
-    digits = float(np.clip(DIGITS - np.log10(numbers[worst]), 0.0, DIGITS)) if np.isfinite(numbers[worst]) else 0.0
     largest_number, first_number = float(numbers[worst]), float(numbers[0])
+    digits = float(np.clip(DIGITS - np.log10(numbers[worst]), 0.0, DIGITS)) if np.isfinite(numbers[worst]) else 0.0
     when = float(motion.t[worst])
+    left = _of_positions(evidence)
+    if left is not None and left[0] < digits - _TOLD_APART:
+        digits, worst, name = left
+        key = "pass" if digits >= FEWEST else "fail"
+        told = {"digits": floored(digits, 1), "row": worst + 1, "name": name, "time": float(motion.t[worst])}
+        found = joined([say("check.CONDITION.lengths", **told), say(f"check.CONDITION.lengths_{key}")])
+        rows = ((say("check.CONDITION.worst"), largest_number, ""),)
+        return Finding(key.upper(), found, digits, FEWEST, say("unit.digits", number=digits), name, worst + 1, rows=rows)
     told = floored(digits, 1)  # never more than there are: what is told as 6.0 passes, what fails is told as 5.9
     sentence = say("check.CONDITION.found", digits=told, row=worst + 1, time=when, number=largest_number)
     rows = (say("check.CONDITION.worst"), largest_number, ""), (say("check.CONDITION.first"), first_number, "")
@@ -63,7 +73,37 @@ def _condition(evidence: Evidence) -> Finding:
     return Finding("FAIL", joined([sentence, say("check.CONDITION.close")]), digits, FEWEST, unit, None, worst + 1, rows=rows)
 
 
-def _formula(coefficient: sp.Expr, equations: VelocityEquations) -> Formula:
+def _of_positions(evidence: Evidence) -> tuple[float, int, str] | None:
+    """Return the digits that the position equations leave of a coordinate at worst, its row (from 0) and name; None without any.
+
+    Each equation is a sum of lengths and is known to a rounding of the largest: what that turns a short link beside it.
+    """
+    closure, motion = evidence.closure, evidence.motion
+    if closure is None or len(closure.names) != len(closure.free) or not closure.free:
+        return None
+    named = {position.name: position.expression for position in evidence.equations.positions}
+    terms = np.array([largest(_formula(named[name], evidence.equations), evidence.variant) for name in closure.names])
+    _, jacobian = closure.residual(motion.t, motion.coordinates, closure.origin)
+    whole = np.isfinite(jacobian).all(axis=(1, 2))
+    for passage in evidence.passages:
+        whole &= ~passage.is_at(motion.t)
+    rows = np.flatnonzero(whole)
+    try:
+        open_by = np.maximum(terms, np.abs(closure.origin)) * 10.0**-DIGITS
+        moved = np.abs(np.linalg.inv(jacobian[rows])) @ open_by
+    except np.linalg.LinAlgError:
+        return None
+    if not len(rows):
+        return None
+    coordinates = [evidence.variant.coordinates[place] for place in closure.free]
+    sizes = np.max(np.abs(motion.coordinates[:, closure.free]), axis=0)
+    sizes = np.where([one.unit == "rad" for one in coordinates], 1.0, np.where(sizes > 0, sizes, 1.0))
+    row, place = np.unravel_index(int(np.argmax(moved / sizes)), moved.shape)
+    digits = -np.log10(max(float(moved[row, place] / sizes[place]), 10.0**-DIGITS))
+    return float(np.clip(digits, 0.0, DIGITS)), int(rows[row]), coordinates[place].name
+
+
+def _formula(coefficient: Expression, equations: VelocityEquations) -> Formula:
     return equations.once(("formula", coefficient), lambda: as_formula(coefficient, equations.order))
 
 

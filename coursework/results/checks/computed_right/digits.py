@@ -116,8 +116,7 @@ def _noises(evidence: Evidence, law: Law) -> list[Noise]:
     """
     is_drive = law in evidence.variant.drive
     count = decimals(law)
-    exact = evidence.exact
-    assert exact is not None
+    exact = evidence.true
     if count is None or law.of not in {"t", *exact.names}:
         return []
     first, last = law.table[0][0], law.table[-1][0]
@@ -153,16 +152,14 @@ def _noises(evidence: Evidence, law: Law) -> list[Noise]:
 
 def _rate(evidence: Evidence, argument: str) -> Array:
     """Return d argument/dt (n,)."""
-    exact = evidence.exact
-    assert exact is not None
+    exact = evidence.true
     rates = {coordinate.name: coordinate.rate for coordinate in evidence.variant.coordinates}
     return exact.column(rates[argument]) if argument in rates else np.gradient(exact.column(argument), exact.step)
 
 
 def _scales(evidence: Evidence, order: int) -> dict[str, float]:
     """Return the scales of the velocities that are judged (`order` 1), or of their derivatives (2), which the same rule gives."""
-    exact = evidence.exact
-    assert exact is not None
+    exact = evidence.true
     names = [name for name in evidence.names if name in exact.velocity_names]
     if order == 1:
         return {name: evidence.scale[name] for name in names}
@@ -187,8 +184,7 @@ def _moved_by(evidence: Evidence, drive: str) -> dict[str, Array]:
     The equations are linear in both: A u = b gives du = A⁻¹ db, and the accelerations change with the drive's derivative alike.
     That the positions drift with the drive's integral moves them less, and is left out.
     """
-    exact, equations = evidence.exact, evidence.equations
-    assert exact is not None
+    exact, equations = evidence.true, evidence.equations
     system = compile_system(equations, equations.equations)
     matrix, right, _ = system.matrices(exact.t, exact.coordinates)
     slopes = [equations.symbols.partial(equation.right_side, symbol(drive)) for equation in equations.equations]
