@@ -135,7 +135,7 @@ def part_lengths(painter: Painter, mechanism: Mechanism, near: Sequence[Segment]
 
 
 def _unsaid(mechanism: Mechanism, known: Mapping[frozenset[str], Formula]) -> dict[str, float]:
-    """Return the given lengths (m) that stand in what places the points, but say no length between two yet, nor where one lies."""
+    """Return the given lengths (m) that help to place points, but say no length between two yet, nor where one lies."""
     said = {length.name for length in known.values()} | {
         part.name for _, formula in mechanism.points if formula.op == "pair" for arg in formula.args for part in terms(arg)
     }

@@ -148,7 +148,8 @@ def _group(context: PageContext, group: AssurGroup) -> str:
     links = context.words.listing([clean(name) for name in group.links])
     key = "structure.dyad" if group.kind else "structure.group"
     values = {"number": len(group.links), "links": links, "class": group.group_class, "order": group.order}
-    return context.words(context.words.phrases.beside(key, len(group.links)), **values, kind=group.kind)
+    kind = context.words(f"structure.species.{group.kind}") if group.kind else ""
+    return context.words(context.words.phrases.beside(key, len(group.links)), **values, kind=kind)
 
 
 def _code(group_class: str, links: Sequence[str]) -> str:

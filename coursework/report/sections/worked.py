@@ -62,7 +62,12 @@ def _accelerations(context: PageContext, extra: ExtraTable) -> list[Part]:
     shown = [
         display(left, right, rates, context.equation(one.name) + "′") for one, (left, right) in zip(used, lines, strict=True)
     ]
-    parts: list[Part] = [Paragraph(context.say("worked.accelerations")), Equations(shown)]
+    sought = [name for name in context.run.motion.velocity_names if any(one.coefficients.get(name, 0) != 0 for one in used)]
+    meant = [
+        f"{context.lettering(f'd{name}')} = d{THIN}{context.lettering(name)}/d{THIN}{context.lettering('t')}" for name in sought
+    ]
+    intro = context.words("worked.accelerations", meant=context.words.listing(meant))
+    parts: list[Part] = [Paragraph(context.lettered(intro)), Equations(shown)]
     if pairs := _coriolis(context, rests):
         parts.append(Paragraph(context.lettered(context.words("worked.coriolis", terms=context.words.listing(pairs)))))
     row = _row(context, len(context.run.motion.t))
@@ -160,7 +165,7 @@ def _values(context: PageContext, row: int) -> dict[str, float]:
     return values
 
 
-def _slopes(context: PageContext, rests: list[Any], row: int) -> dict[str, float]:
+def _slopes(context: PageContext, rests: list[Expression], row: int) -> dict[str, float]:
     """Return what else stands in second derivatives in a row by name (SI): the slopes of laws, "∂us/∂t"."""
     motion, equations = context.run.motion, context.run.scene.equations
     free = sorted({one for rest in rests for one in rest.free_symbols}, key=str)

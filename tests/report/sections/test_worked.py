@@ -54,6 +54,7 @@ def test_accelerations_name_coriolis_and_work_a_row_through() -> None:
     shown = equations(run, "accelerations")
     assert "ω̇₃" in shown[0] and "ω₃" in shown[0] and len(shown) == 6
     assert "Coriolis" in sentences(run, "accelerations") and "2\u202fω3\u202fu" in sentences(run, "accelerations")
+    assert "with ω̇3 = d\u202fω3/d\u202ft, u̇ = d\u202fu/d\u202ft" in sentences(run, "accelerations"), "each dot is told"
     t = (ROW - 1) * 0.5 / 48
     assert shown[-1].startswith("ω̇₃ = ")
     assert result(shown[-1]) == pytest.approx(second(lambda at: lever(at)[0], t), rel=1e-4)
