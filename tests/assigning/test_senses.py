@@ -80,7 +80,7 @@ def test_a_relative_angle_and_one_counted_clockwise(tmp_path):
 
 
 def test_turning_counted_clockwise_is_promised_only_where_the_rubric_accepts_it(tmp_path):
-    promise = "Who counts all turning the other way round is marked as if the signs were those above"
+    promise = "Whoever counts all turning the other way round is marked as if the signs were those above"
     (tmp_path / "rubric.toml").write_text('[conventions]\nclockwise = "misconception"\n', encoding="utf-8")
     assert promise in text_of(assigned(tmp_path, "fivebar"))
     strict = tmp_path / "strict"

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from coursework import load, solve
+from coursework import load, parse_variant, solve
 from coursework.drawing.figures import draw_start
 from coursework.drawing.lettering.dimensions import HEAD, TIGHT
 from coursework.drawing.outline.ground import rail_side
@@ -94,6 +94,36 @@ def test_a_datum_by_chance_as_long_as_a_part_is_not_taken_for_it() -> None:
 
     assert {"e", "h"} <= written()
     assert "e" not in written(h=0.0558)
+
+
+UNUSED = """format = 1
+[given]
+L = "2.4 m"
+c = "1.3 m"
+b = "1.1 m"
+n = "30 rpm"
+[drive]
+w1 = "n"
+[coordinates]
+phi1 = { start = "50 deg", rate = "w1" }
+[time]
+step = "0.1 s"
+end = "1 s"
+[points]
+A = "(0, 0)"
+C = "A + c @ phi1"
+D = "A + L @ phi1"
+[links]
+1 = { points = ["A", "C", "D"], rate = "w1" }
+[frame]
+hinges = ["A"]
+"""
+
+
+def test_a_datum_that_places_nothing_is_no_length_of_a_part() -> None:
+    """On one line CD = L - c = 1.1 m: the b of the file, which no point needs, says something else."""
+    words = {word.text for word in measured.words(solve(parse_variant(UNUSED), quantities=["table"]).mechanism().svg)}  # type: ignore[union-attr]
+    assert "c" in words and "b" not in words
 
 
 def test_the_ground_of_a_guide_lies_on_one_side_in_every_row() -> None:

@@ -1,4 +1,4 @@
-"""Mechanisms that are in no file of the catalogue: a shaper with a slotted lever, a five-bar with two drives."""
+"""Mechanisms that are in no file of the catalogue: a shaper, a five-bar with two drives, a boom on a cylinder."""
 
 from __future__ import annotations
 
@@ -107,4 +107,42 @@ mode = "+1"
 hinges = ["A", "E"]
 [ask]
 quantities = ["table", "plots", "checks", "accelerations", "points", "plans", "graph_check"]
+"""
+
+# A hydraulic cylinder between B and C lifts the boom AC: its length s is driven.
+BOOM = """\
+format = 1
+title  = "Boom on a cylinder"
+source = "own"
+[given]
+c = "1.30 m"
+v1 = "0.06 m/s"
+p = "0.6 rad/s"
+xB = "0.5 m"
+yB = "-0.4 m"
+[drive]
+us = "v1*sin(p*t)"
+[coordinates]
+s = { start = "1.5 m", rate = "us" }
+phi = { start = "56.5095660113926 deg", rate = "w1" }
+psi = { start = "81.6690103396294 deg", rate = "w2" }
+[time]
+step = "0.1 s"
+end = "2*pi/p"
+period = "2*pi/p"
+check_row = 20
+scheme = "exact"
+[[constraint]]
+name = "I"
+closure = "B + s @ psi = C"
+[points]
+A = "(0, 0)"
+B = "(xB, yB)"
+C = "A + c @ phi"
+[links]
+1 = { points = ["A", "C"], rate = "w1" }
+2 = { points = ["B"], rate = "w2" }
+3 = { points = ["C"], slides = 2, rate = "w2" }
+[frame]
+hinges = ["A", "B"]
 """

@@ -96,7 +96,7 @@ class GraphCheck:
         """Return why there is no sheet: nothing can be read off it; "" where something was."""
         if any(self.findings.velocities.values()) and any(one.read is not None for one in self.readings):
             return ""
-        return say("graph.unread", row=self.row, time=self.time, why=why_unread(self.findings, self.plan))
+        return say("graph.unread", row=self.row, time=self.time, why=why_unread(self.sketch, self.findings, self.plan))
 
     @property
     def scale(self) -> float:

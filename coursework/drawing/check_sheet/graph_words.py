@@ -77,10 +77,11 @@ def how_found(sketch: Sketch, findings: Findings, plan: CheckPlan | None) -> lis
     return sentences
 
 
-def why_unread(findings: Findings, plan: CheckPlan | None) -> str:
+def why_unread(sketch: Sketch, findings: Findings, plan: CheckPlan | None) -> str:
     """Return why a drawing has nothing that could be read."""
     if not any(findings.velocities.values()):
-        return say("graph.unread_still")
+        # Rates of driven lengths stand among the known ones, and no velocity of a point follows from such a rate alone.
+        return say("graph.unread_lengths" if any(sketch.pose.rates.values()) else "graph.unread_still")
     if findings.missing:
         return say("graph.unread_left")
     return say(

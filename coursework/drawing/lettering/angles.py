@@ -97,7 +97,7 @@ def _coordinates(painter: Painter, mechanism: Mechanism, values: Mapping[str, fl
     """Yield the coordinates that are angles as they lie on the sheet, whose y goes down."""
     for turn in _turns(painter, mechanism, values):
         places = tuple(_known(painter, painter.put(at)) for at in turn.at)
-        if SMALLEST < turn.size < math.tau - NOUGHT:
+        if SMALLEST < turn.size < math.tau - SMALLEST:  # an arc that comes round to its axis is nearly nought, not a turn
             yield Angle(turn.coordinate, places, turn.axis.conjugate(), -turn.sense * turn.size, counted=True)
         else:
             tail = " = 0" if min(turn.size, math.tau - turn.size) < NOUGHT else " ≈ 0"

@@ -135,11 +135,15 @@ def part_lengths(painter: Painter, mechanism: Mechanism, near: Sequence[Segment]
 
 
 def _unsaid(mechanism: Mechanism, known: Mapping[frozenset[str], Formula]) -> dict[str, float]:
-    """Return the given lengths (m) that are no length between two points yet, nor where a point lies."""
+    """Return the given lengths (m) that help to place points, but say no length between two yet, nor where one lies."""
     said = {length.name for length in known.values()} | {
         part.name for _, formula in mechanism.points if formula.op == "pair" for arg in formula.args for part in terms(arg)
     }
-    return {datum.name: datum.value for datum in mechanism.variant.given if datum.si == "m" and datum.name not in said}
+    variant = mechanism.variant
+    sides = [side for one in mechanism.constraints if one.is_closure for side in (one.left, one.right)]
+    laws = [formula for law in variant.functions for formula in law.formulas]
+    used = {name for formula in (*dict(mechanism.points).values(), *sides, *variant.holds, *laws) for name in formula.names()}
+    return {datum.name: datum.value for datum in variant.given if datum.si == "m" and datum.name in used - said}
 
 
 def _measured(painter: Painter, ends: tuple[str, str], free: Mapping[str, float]) -> Formula | None:

@@ -78,8 +78,8 @@ def _given(draft: Draft) -> Iterator[Line]:
             yield f'{guide.angle} = "{draft.angles[guide.angle]} deg"', say(key, point=guide.through, turns=guide.turns)
     for point, place in draft.places.items():
         if place:
-            yield f'x{point} = "{place.real:g} m"', say("new.component", point=point)
-            yield f'y{point} = "{place.imag:g} m"', say("new.component", point=point)
+            yield f'x{point} = "{place.real:g} m"', say("datum.x", point=point)
+            yield f'y{point} = "{place.imag:g} m"', say("datum.y", point=point)
     yield "", ""
 
 

@@ -63,8 +63,11 @@ def tangent_figure(context: PageContext, step: LocalError) -> Figure | None:
     for at, value in (foot, top):
         inside += f'<circle class="dots" cx="{field.x(at):.2f}" cy="{field.y(value):.2f}" r="0.9" fill="{SCHEME_INK}"/>'
     told = {"symbol": symbol.text, "row": step.row, "next": step.row + 1, "gap": gap}
-    alt, caption = context.words("tangent.alt", **told), context.lettered(context.words("tangent.caption", **told))
-    return Figure(sheet(field, inside), *SIZE, alt, caption, id="tangent")
+    said = [context.words("tangent.caption", **told)]
+    if context.run.tableau is not None:  # exact rows stand on the curve
+        said.append(context.words("tangent.rows"))
+    caption = context.lettered(context.words.sentences(said))
+    return Figure(sheet(field, inside), *SIZE, context.words("tangent.alt", **told), caption, id="tangent")
 
 
 def _gap(field: Field, t: float, curve: float, tangent: float) -> str:

@@ -98,8 +98,10 @@ def _ended(caption: Runs, stop: str) -> Runs:
 
 
 def heading_of(context: PageContext) -> str:
-    """Return the heading of a page: name and title of the variant."""
+    """Return the heading of a page: name and title of the variant, once where they are the same."""
     name, title = (clean(text, LONGEST_NAME) for text in (context.run.variant.name, context.variant.title))
+    if title in ("", name):
+        return context.words("title.heading_plain", name=name)
     key = "title.heading" if name.isdigit() else "title.heading_named"  # a file's name is no number of a task
     return context.words(key, name=name, title=title).rstrip(": ")
 

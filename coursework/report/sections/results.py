@@ -26,6 +26,7 @@ from coursework.scene.quantities import CHECKS
 
 ROWS = ("first", "last", "total")
 CAUSES = ("scheme", "period")  # what a difference is made of; of rows that are the motion itself there is nothing to tell apart
+MOST_BESIDE_WORDS = 9  # columns beside heads of rows that are words
 SHORT = 2  # digits of a cause too small for the decimals of its column
 HARDLY = 1e-3  # of a difference: a smaller part that the period has in it is none to count
 FINE = 1  # decimals that a difference is printed with beyond those of its column
@@ -37,7 +38,7 @@ def results(context: PageContext) -> list[Part]:
     if not context.run.asks(CHECKS) or not len(context.run.motion.t):
         return parts
     found = [split for split in splits(context) if split.name not in context.run.variant.known_rates]
-    parted = pieces([split.name for split in found]) if found else []
+    parted = pieces([split.name for split in found], MOST_BESIDE_WORDS) if found else []
     for number, (first, last) in enumerate(parted, start=1):
         parts.append(_first_last(context, found[first:last], number, len(parted)))
     step = largest_step_error(context) if _scheme(context) is not None else None
@@ -87,9 +88,11 @@ def _first_last(context: PageContext, found: list[Split], number: int, many: int
 
 
 def _why(context: PageContext, found: list[Split], step: LocalError | None) -> list[Part]:
-    """Return the sentences: along the tangent; half the step; what the period adds."""
+    """Return the sentences: exact rows first; along the tangent; half the step; what the period adds."""
     say, scheme = context.words, _scheme(context)
     told: list[str] = []
+    if context.run.tableau is None and context.run.distance_to_exact is not None:
+        told.append(say("why.exact", sentence=context.told(context.run.distance_to_exact.sentence)))
     if step is not None and step.is_round_off:
         told.append(say("why.straight"))
     elif step is not None and scheme is not None:
@@ -104,8 +107,6 @@ def _why(context: PageContext, found: list[Split], step: LocalError | None) -> l
             told.append(say("why.order", scheme=title[:1].upper() + title[1:], order=scheme.order, less=2**scheme.order))
     if context.run.tableau is not None and (largest := largest_error_sentence(context)):
         told.append(largest)
-    if context.run.tableau is None and context.run.distance_to_exact is not None:
-        told.append(say("why.exact", sentence=context.told(context.run.distance_to_exact.sentence)))
     told += _period(context, found)
     return [Paragraph(context.lettered(say.sentences(told)))] if told else []
 

@@ -128,8 +128,8 @@ def _sliders(context: PageContext, found: Structure) -> str:
     if found.without == found.mobility:
         return ""
     added = [clean(link.name) for link in found.links][found.without.links :]
-    numbers = context.words.listing(added)
-    return context.words("structure.without", sliders=numbers, numbers=_numbers(found.without), **_letters(context))
+    values = {"sliders": context.words.listing(added), "numbers": _numbers(found.without), **_letters(context)}
+    return context.words.count("structure.without", len(added), **values)
 
 
 def _freedoms(context: PageContext, found: Structure) -> str:
@@ -148,7 +148,8 @@ def _group(context: PageContext, group: AssurGroup) -> str:
     links = context.words.listing([clean(name) for name in group.links])
     key = "structure.dyad" if group.kind else "structure.group"
     values = {"number": len(group.links), "links": links, "class": group.group_class, "order": group.order}
-    return context.words(context.words.phrases.beside(key, len(group.links)), **values, kind=group.kind)
+    kind = context.words(f"structure.species.{group.kind}") if group.kind else ""
+    return context.words(context.words.phrases.beside(key, len(group.links)), **values, kind=kind)
 
 
 def _code(group_class: str, links: Sequence[str]) -> str:

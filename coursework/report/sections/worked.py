@@ -62,11 +62,16 @@ def _accelerations(context: PageContext, extra: ExtraTable) -> list[Part]:
     shown = [
         display(left, right, rates, context.equation(one.name) + "′") for one, (left, right) in zip(used, lines, strict=True)
     ]
-    parts: list[Part] = [Paragraph(context.say("worked.accelerations")), Equations(shown)]
+    sought = [name for name in context.run.motion.velocity_names if any(one.coefficients.get(name, 0) != 0 for one in used)]
+    meant = [
+        f"{context.lettering(f'd{name}')} = d{THIN}{context.lettering(name)}/d{THIN}{context.lettering('t')}" for name in sought
+    ]
+    intro = context.words("worked.accelerations", meant=context.words.listing(meant))
+    parts: list[Part] = [Paragraph(context.lettered(intro)), Equations(shown)]
     if pairs := _coriolis(context, rests):
         parts.append(Paragraph(context.lettered(context.words("worked.coriolis", terms=context.words.listing(pairs)))))
     row = _row(context, len(context.run.motion.t))
-    values = _values(context, row)
+    values = {**_slopes(context, rests, row), **_values(context, row)}
     for name, formula in _solved(context, dict(zip((one.name for one in used), rests, strict=True))):
         put = _in_numbers(context, named(name), formula, values)
         if put is not None:
@@ -158,6 +163,16 @@ def _values(context: PageContext, row: int) -> dict[str, float]:
         second = context.run.results.accelerations[row].tolist()
         values |= {f"d{name}": value for name, value in zip(motion.velocity_names, second, strict=True)}
     return values
+
+
+def _slopes(context: PageContext, rests: list[Expression], row: int) -> dict[str, float]:
+    """Return what else stands in second derivatives in a row by name (SI): the slopes of laws, "∂us/∂t"."""
+    motion, equations = context.run.motion, context.run.scene.equations
+    free = sorted({one for rest in rests for one in rest.free_symbols}, key=str)
+    named_symbols = {name: one for one in free if (name := as_sum(one, equations.order).name).startswith("∂")}
+    at = slice(row, row + 1)
+    found = compile_rows(equations, [*named_symbols.values()], 1)(motion.t[at], motion.coordinates[at], motion.velocities[at])
+    return dict(zip(named_symbols, found[0].tolist() if named_symbols else [], strict=True))
 
 
 def _in_numbers(context: PageContext, left: Formula, right: Formula, values: Mapping[str, float]) -> Display | None:

@@ -15,7 +15,7 @@ from coursework.mechanism.derivation.constants import NamedAngles, named_angles
 from coursework.motion.integration.motion import Motion
 from coursework.report.text.numbers import Numbers
 from coursework.report.text.parts import Runs
-from coursework.report.text.symbols import Rates, Symbol, symbol
+from coursework.report.text.symbols import LINEAR, Rates, Symbol, symbol
 from coursework.report.text.text_runs import ITALIC, derivative, printed, runs, with_letters, with_pairs, with_points
 from coursework.report.text.words import Words
 from coursework.results.checks.result import beside
@@ -57,10 +57,16 @@ class PageContext:
 
     @cached_property
     def rates(self) -> Rates:
-        """Return the velocities, and how the derivative of an angular one is written: as the language does, else with a dot."""
-        names, letter = frozenset(self.run.motion.velocity_names), self.words("worked.angular")
-        is_taken = any(symbol(name).letter == letter for name in self.run.variant.names)
-        return Rates(names) if is_taken else Rates(names, letter)
+        """Return the velocities, and how their derivatives are written: as the language does, else with a dot."""
+        variant, letters = self.run.variant, {}
+        taken = {symbol(name).letter for name in variant.names}
+        names = self.run.motion.velocity_names
+        for kind in ("angular", "linear"):
+            if (letter := self.words(f"worked.{kind}")) not in taken:
+                letters[kind] = letter
+        if any(symbol(name).letter in LINEAR and "rad" in variant.unit_of(name) for name in names):
+            letters.pop("linear", None)  # a turning link's velocity that is called u, too
+        return Rates(frozenset(names), **letters)
 
     @cached_property
     def angles(self) -> NamedAngles:

@@ -21,13 +21,14 @@ _NAME = re.compile(r"\w+(\.\w+)?")
 _GREEK_HEAD = re.compile(rf"({'|'.join(sorted(GREEK, key=len, reverse=True))})(?=$|[\dA-Z_])_?(\w*)")
 # "phij", "wb", "wpsi": the angle of side j, the angular velocity of b, that of psi.  Not after letters that begin words.
 _NAMED_AFTER = re.compile(r"(alpha|beta|gamma|delta|theta|phi|psi|omega|w)([a-z]|(?:alpha|beta|gamma|delta|theta|phi|psi)\d*)")
-# "si", "rj": of the ends i and j of a group; "xa", "yb": the place of point a.
-_LETTER_HEAD = re.compile(r"([^\W\d_])(?:_(\w+)|(\d\w*)|([A-Z]\w*|[xyij]|(?<=[xy])[a-z]))")
+# "si", "rj": of the ends i and j of a group; "xa", "yb": the place of point a; "us": along s.
+_LETTER_HEAD = re.compile(r"([^\W\d_])(?:_(\w+)|(\d\w*)|([A-Z]\w*|[xyij]|(?<=[xyuv])[a-z]))")
 _WORD_HEAD = re.compile(r"([^\W\d_]{2,})(?:_(\w+)|(\d\w*))")
 _GREEK_SUBSCRIPT = re.compile(rf"({'|'.join(sorted((n for n in GREEK if len(n) > 2), key=len, reverse=True))})(\d*)")
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _DOT_ABOVE = "\u0307"
-_DOTTED_OMEGA = "ω" + _DOT_ABOVE
+_DOTTED_OMEGA, _DOTTED_U = "ω" + _DOT_ABOVE, "u" + _DOT_ABOVE
+LINEAR = frozenset("uvV")  # letters of linear velocities
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,10 +69,11 @@ class Symbol:
 
 @dataclass(frozen=True, slots=True)
 class Rates:
-    """Names of velocities, before which "d" means the derivative in time; `angular` is how a language writes that of ω."""
+    """Names of velocities, before which "d" means the derivative in time; how a language writes that of ω and that of u."""
 
     names: frozenset[str] = frozenset()
     angular: str = _DOTTED_OMEGA
+    linear: str = _DOTTED_U
 
 
 NO_RATES = Rates()
@@ -106,7 +108,7 @@ def parts_of_derivative(name: str) -> tuple[str, ...]:
 def symbol(name: str, rates: Rates = NO_RATES) -> Symbol:
     """Return the symbol of a name; "d" before one of `rates` (or before a Greek name) is the dot of a derivative.
 
-    Where a language has a letter for angular accelerations, "dw1" is ε₁.  Raises `ValueError` for text that is no name.
+    Where a language has letters for accelerations, "dw1" is ε₁ and "du3" is a₃.  Raises `ValueError` for text that is no name.
     """
     if parts := parts_of_derivative(name):
         return Symbol("/".join(f"∂{symbol(part).text}" for part in parts))
@@ -119,6 +121,8 @@ def symbol(name: str, rates: Rates = NO_RATES) -> Symbol:
         inner = symbol(name[1:])
         if inner.letter == "ω" and rates.angular != _DOTTED_OMEGA:
             return Symbol(rates.angular, inner.subscript)
+        if inner.letter in LINEAR and rates.linear != _DOTTED_U:
+            return Symbol(rates.linear, inner.subscript)
         return Symbol(inner.letter, inner.subscript, dotted=True)
     if match := _GREEK_HEAD.fullmatch(name):
         return Symbol(GREEK[match[1]], _greek(match[2]))

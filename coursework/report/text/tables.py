@@ -163,12 +163,12 @@ def _by_row(
     return parts
 
 
-def pieces(names: Sequence[str]) -> list[tuple[int, int]]:
+def pieces(names: Sequence[str], most: int = MOST_COLUMNS) -> list[tuple[int, int]]:
     """Return (first, last) of the columns of each table: about alike in width, those of a point ("A.x", "A.vx") together."""
     owners = [name.partition(".")[0] if "." in name else "" for name in names]
     begins = [i for i, owner in enumerate(owners) if i == 0 or not owner or owner != owners[i - 1]]
     blocks = list(zip(begins, [*begins[1:], len(names)], strict=True))
-    width = max([math.ceil(len(names) / max(math.ceil(len(names) / MOST_COLUMNS), 1)), *(b - a for a, b in blocks)])
+    width = max([math.ceil(len(names) / max(math.ceil(len(names) / most), 1)), *(b - a for a, b in blocks)])
     cuts = [0]
     for begin, end in blocks:
         if end - cuts[-1] > width and begin > cuts[-1]:

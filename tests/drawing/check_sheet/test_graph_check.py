@@ -59,7 +59,7 @@ def test_variant_31_in_the_row_of_the_coursework() -> None:
         "P₂ is where the perpendiculars to the velocities of A and B meet.",
         "P₃ is where the perpendiculars to the velocities of M and C meet.",
         "Link 4 rolls: its instantaneous centre is the contact P.",
-        "The scheme has drifted, so this row does not close: P stands 7.05 mm off its rail.",
+        "The scheme has drifted, so this row does not close: P stands 7.05 mm off its guide.",
     )
 
 

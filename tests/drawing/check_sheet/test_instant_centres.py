@@ -6,10 +6,11 @@ from dataclasses import replace
 
 import pytest
 
-from coursework import load, solve
+from coursework import load, parse_variant, solve
 from coursework.drawing.check_sheet.instant_centres import Centre, construct
 from coursework.drawing.check_sheet.pose import Body
 from tests.drawing.check_sheet.checked import scene
+from tests.report.own import BOOM
 
 
 def test_translation_has_its_centre_at_infinity() -> None:
@@ -92,3 +93,11 @@ def test_what_is_at_rest_is_written_down_in_one_order_in_every_process() -> None
     names = "QAZMBKE"
     pose = scene({name: complex(k, k * k) for k, name in enumerate(names)}, [Body("1", tuple(names))], fixed=names)
     assert list(construct(pose).velocities) == sorted(names)
+
+
+def test_where_only_lengths_are_driven_nothing_is_said_to_stand_still() -> None:
+    """The boom on a cylinder moves in row 20, and stands in row 1, where its speed begins as a sine."""
+    run = solve(parse_variant(BOOM), quantities=("table", "graph_check"))
+    still = solve(parse_variant(BOOM.replace("check_row = 20", "check_row = 1")), quantities=("table", "graph_check"))
+    assert run.graph_check is not None and "how fast distances change" in run.graph_check.unread
+    assert still.graph_check is not None and "nothing moves in that row" in still.graph_check.unread

@@ -1,10 +1,13 @@
 """Cells right in any way: figures of variant 31, one slip blames one cell, nonsense earns nothing."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 import coursework
 from coursework.grading.marking.key import key_of
+from coursework.grading.marking.reasons.table import follows_euler
 from coursework.grading.marking.table.cells import StudentTable, mark_cells
 from coursework.grading.marking.table.first_wrong import first_wrong
 from coursework.grading.marking.table.points import table_points
@@ -72,6 +75,13 @@ def test_digits_too_coarse_are_missing_and_never_right(key):
     assert cells.missing[:, :3].all()
     assert not cells.missing[:, 3:].any()
     assert cells.too_coarse[:, :3].all()
+
+
+def test_of_steps_too_coarse_to_be_seen_none_is_said_to_follow_euler(key):
+    table = students.table()
+    for unit, told in ((0.59 * key.gap, "right"), (0.61 * key.gap, "unknown")):
+        marked = SimpleNamespace(misconception=None, cells=mark_cells(key, StudentTable(table, np.full(table.shape, unit))))
+        assert follows_euler(key, marked).key == f"marking.verdict.integration.{told}"
 
 
 def test_only_half_a_unit_of_the_last_place_is_forgiven(key):

@@ -52,7 +52,7 @@ def test_the_scrub_and_the_keys_go_by_rows(written: Any, opened: Any) -> None:
     assert page.page.inner_text("#live-clock") == "row 19, t = 0.36 s"
     assert page.page.get_attribute("#lab-table tr.live-now", "data-row") == "19"
     # Euler's wheel stands 23 mm beside its rail.
-    assert page.page.inner_text("#live-rail") == "P of the dashed mechanism is 23.3 mm off its rail."
+    assert page.page.inner_text("#live-rail") == "P of the dashed mechanism is 23.3 mm off its guide."
     page.page.focus("#live")
     for key, row in (("ArrowRight", 20), ("ArrowLeft", 19), ("Home", 1), ("ArrowLeft", 1), ("End", 25), ("ArrowRight", 25)):
         page.page.keyboard.press(key)

@@ -47,7 +47,7 @@ def test_drawing_plots_and_checks():
     run = coursework.solve("31")
     page = shown(run)
     assert page.count("<svg") == 1 + 7 + 2, "the drawing, a panel a column, the two lines of the key"
-    assert "Row 4, t = 0.06 s, 1:10" in re.sub(r"<[^>]+>", "", page)
+    assert "Row 4, t = 0.06 s, scale 1:10" in re.sub(r"<[^>]+>", "", page)
     assert "<i>t</i> = 0.06" in page
     for check in run.checks:
         assert f'<span class="code">{check.code}</span>' in page

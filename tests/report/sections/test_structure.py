@@ -38,8 +38,13 @@ def test_the_shaper_on_the_page() -> None:
     assert "W = 3n − 2p5 − p4 = 3·5 − 2·7 − 0 = 1" in found["Mobility"]
     assert "5 moving links, each slider one of them, the frame not" in found["Mobility"]
     assert "one is driven (ω1)" in found["Mobility"]
-    assert found["Groups"].startswith("Formula of structure I(0,1) → II(2,3) → II(4,5); ")
+    assert found["Groups"].startswith("Structural formula I(0,1) → II(2,3) → II(4,5); ")
     assert "links 2 and 3: class II, order 2 (RPR)" in found["Groups"]
+
+
+def test_a_dyad_has_its_species_where_the_language_counts_them() -> None:
+    assert "II класс, 2-й порядок (3-й вид, ВПВ)" in told(solved(SHAPER), "ru")["Группы"]
+    assert "II клас, 2-й порядок (2-й вид, ВВП)" in told(solved(SHAPER), "uk")["Групи"]
 
 
 def test_two_drives_are_two_links_of_class_one() -> None:
@@ -66,6 +71,7 @@ def test_a_driven_point_stands_where_a_driven_link_would() -> None:
 def test_a_slider_that_is_no_link_of_the_list_is_counted_both_ways() -> None:
     text = told(coursework.solve(coursework.load("example-2"), quantities=("table",)))["Mobility"]
     assert "3·3 − 2·4 − 0 = 1" in text and "3·2 − 2·2 − 1 = 1" in text
+    assert "With the pin of slider 3 set straight into its guide" in text
 
 
 def test_without_links_there_is_no_such_section() -> None:

@@ -11,7 +11,7 @@ import pytest
 import coursework
 from coursework.scene.scene_run import SceneRun
 from tests.report.made import model_of
-from tests.report.own import FIVE_BAR, SHAPER
+from tests.report.own import BOOM, FIVE_BAR, SHAPER
 
 ROW = 4
 H = 1e-4
@@ -54,18 +54,32 @@ def test_accelerations_name_coriolis_and_work_a_row_through() -> None:
     shown = equations(run, "accelerations")
     assert "ω̇₃" in shown[0] and "ω₃" in shown[0] and len(shown) == 6
     assert "Coriolis" in sentences(run, "accelerations") and "2\u202fω3\u202fu" in sentences(run, "accelerations")
+    assert "with ω̇3 = d\u202fω3/d\u202ft, u̇ = d\u202fu/d\u202ft" in sentences(run, "accelerations"), "each dot is told"
     t = (ROW - 1) * 0.5 / 48
     assert shown[-1].startswith("ω̇₃ = ")
     assert result(shown[-1]) == pytest.approx(second(lambda at: lever(at)[0], t), rel=1e-4)
 
 
 @pytest.mark.parametrize("language", ["ru", "uk"])
-def test_where_a_language_has_a_letter_for_it_an_angular_acceleration_has_no_dot(language: str) -> None:
+def test_where_a_language_has_letters_for_them_accelerations_have_no_dot(language: str) -> None:
     run = solved(SHAPER, "accelerations", "analogs")
     shown = str([section for section in model_of(run, language).sections if section.name in {"accelerations", "analogs"}])
-    assert "ε₃" in shown and "u̇" in shown and "ω̇" not in shown and "dot(ω)" not in shown
-    taken = solved(SHAPER.replace('n = "120 rpm"', 'n = "120 rpm"\neps3 = "1 m"'), "accelerations")
-    assert "ω̇₃" in str(model_of(taken, language).sections)
+    assert "ε₃" in shown and "u̇" not in shown and "ω̇" not in shown and "dot(ω)" not in shown and "dot(u)" not in shown
+    taken = solved(SHAPER.replace('n = "120 rpm"', 'n = "120 rpm"\neps3 = "1 m"\na = "1 m"'), "accelerations")
+    dotted = str(model_of(taken, language).sections)
+    assert "ω̇₃" in dotted and "u̇" in dotted
+
+
+def boom(t: float) -> float:
+    """Return the angle of the boom on its cylinder, by the law of cosines from AB, AC and the length of the cylinder."""
+    length, foot = 1.5 + 0.06 / 0.6 * (1 - math.cos(0.6 * t)), complex(0.5, -0.4)
+    return cmath.phase(foot) + math.acos((1.3**2 + abs(foot) ** 2 - length**2) / (2 * 1.3 * abs(foot)))
+
+
+def test_the_slope_of_a_driven_length_has_its_number_too() -> None:
+    shown = equations(solved(BOOM, "accelerations"), "accelerations")
+    assert "∂u_s/∂t" in shown[-2].replace(" ", "") and "∂" not in shown[-1]
+    assert result(shown[-1]) == pytest.approx(second(boom, 1.9), rel=1e-4)
 
 
 def test_without_a_slide_no_coriolis_is_named() -> None:

@@ -20,6 +20,7 @@ from coursework.words.templates import LONGEST, clean
         ("dphi2", "φ̇₂", "dot(φ)_2"), ("AB", "AB", "A B"), ("speed", "speed", '"speed"'), ("speed1", "speed₁", '"speed"_1'),
         ("s_max", "s_max", 's_"max"'), ("a_b_c", "a_b_c", 'a_"b c"'), ("lift", "lift", '"lift"'), ("pin", "pin", '"pin"'),
         ("A.x", "x_A", "x_A"), ("B1.vy", "v_B1y", "v_(B 1 y)"), ("phi12", "φ₁₂", "φ_12"), ("phiA", "φ_A", "φ_A"), ("t", "t", "t"),
+        ("us", "u_s", "u_s"), ("vq", "v_q", "v_q"),
     ],
 )  # fmt: skip
 def test_names(name: str, text: str, typst: str) -> None:
@@ -27,9 +28,10 @@ def test_names(name: str, text: str, typst: str) -> None:
     assert symbol(name).typst == typst
 
 
-def test_an_angular_acceleration_is_written_as_a_language_does() -> None:
+def test_an_acceleration_is_written_as_a_language_does() -> None:
     rates = Rates(frozenset({"w3", "u2", "w"}), "ε")
     assert [symbol(f"d{name}", rates).text for name in ("w3", "u2", "w")] == ["ε₃", "u̇₂", "ε"]
+    assert symbol("du2", Rates(frozenset({"u2"}), linear="a")).text == "a₂"
     assert symbol("dw3", rates).typst == "ε_3" and symbol("w3", rates).text == "ω₃"
 
 

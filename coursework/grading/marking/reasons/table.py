@@ -132,6 +132,8 @@ def follows_euler(key: Key, marked: TableMarks) -> Sentence | str:
     named = marked.misconception
     if named and named.code.startswith(_READ_OTHERWISE):
         return ""
+    if marked.cells.too_coarse[1:, : len(key.coordinates)].all():  # such cells count as not handed in: nothing is told of them
+        return say("marking.verdict.integration.unknown")
     held, spoken = euler_steps(key, marked.cells)
     verdict = "unknown" if not spoken else "right" if held == spoken else "wrong"
     return say(f"marking.verdict.integration.{verdict}", held=held, steps=spoken)
