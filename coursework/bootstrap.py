@@ -2,6 +2,7 @@
 
     python -m coursework.bootstrap run 31      any command of `coursework`
     python -m coursework.bootstrap test        the tests
+    python -m coursework.bootstrap test --long the tests and what takes long: every file where else a sample is tried
 
 Enters: the words of the command.  Leaves: `.venv` beside `pyproject.toml`, and the status of the command.
 Uses the standard library only and is the same on Windows, macOS and Linux; who calls it is a user's terminal.
@@ -22,6 +23,7 @@ HOME = ROOT / ".venv"
 OLDEST = (3, 11)
 WRONG_INPUT, NOT_PREPARED, INTERRUPTED = 2, 3, 130
 MEASURED = "tests/benchmarks"  # their ratios want a machine that is not at work beside them
+LONG = "--long"
 SILENCE = 15  # seconds after which a word is due that the installation is still at work
 
 
@@ -52,11 +54,15 @@ def main(arguments: list[str]) -> int:
 
 
 def test(python: Path, wanted: list[str]) -> int:
-    """Run the wanted tests; without a wish all of them, on every core, and behind them alone what is measured."""
-    runs = (
-        [wanted] if wanted else [["-n", "auto", "--dist", "worksteal", "--benchmark-disable", "--ignore", MEASURED], [MEASURED]]
-    )
-    return max(subprocess.run([str(python), "-m", "pytest", *chosen], cwd=ROOT).returncode for chosen in runs)
+    """Run the wanted tests; without a wish all of them, on every core, and behind them alone what is measured.
+
+    What takes long is left out unless `LONG` is among the words.
+    """
+    marked = ["-m", ""] if LONG in wanted else []
+    wanted = [word for word in wanted if word != LONG]
+    everywhere = ["-n", "auto", "--dist", "worksteal", "--benchmark-disable", "--ignore", MEASURED]
+    runs = [wanted] if wanted else [everywhere, [MEASURED]]
+    return max(subprocess.run([str(python), "-m", "pytest", *marked, *chosen], cwd=ROOT).returncode for chosen in runs)
 
 
 def refuse_too_old(version: tuple[int, ...]) -> None:

@@ -110,3 +110,14 @@ def test_without_a_command_it_says_what_it_is_for(capsys):
     assert bootstrap.main([]) == 2
     assert "python -m coursework.bootstrap run 31" in capsys.readouterr().out
     assert bootstrap.main(["--help"]) == 0
+
+
+@pytest.mark.parametrize(("words", "marked", "runs"), [([], False, 2), (["--long"], True, 2), (["--long", "tests/hard"], True, 1)])
+def test_what_takes_long_is_asked_for(words, marked, runs, tmp_path, monkeypatch):
+    commands = []
+    ended = subprocess.CompletedProcess([], 0)
+    monkeypatch.setattr(subprocess, "run", lambda command, **_: commands.append(command) or ended)
+    assert bootstrap.test(tmp_path / "python", words) == 0
+    assert len(commands) == runs
+    assert all((command[3:5] == ["-m", ""]) is marked for command in commands)
+    assert not any("--long" in command for command in commands)

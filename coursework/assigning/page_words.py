@@ -11,7 +11,7 @@ from typing import Any
 
 from coursework.report.formulas.display import display, marked, marked_text
 from coursework.report.formulas.typst_math import Setter
-from coursework.report.text.symbols import symbol
+from coursework.report.text.symbols import Rates, symbol
 from coursework.report.text.text_runs import ITALIC, printed, runs
 from coursework.report.text.words import Words
 from coursework.variant.formula.tree import Formula, named
@@ -24,13 +24,13 @@ LONGEST = 200
 
 def symbol_runs(variant: Variant, name: str) -> list[dict[str, str]]:
     """Return the symbol of a name as runs."""
-    one = symbol(name, frozenset(velocities(variant)))
+    one = symbol(name, Rates(frozenset(velocities(variant))))
     return [{"t": one.head}] if one.is_word and not one.subscript else [{"v": one.head, "s": one.subscript}]
 
 
 def symbol_text(variant: Variant, name: str) -> str:
     """Return the symbol of a name as text, for sentences: "ω₃"; a letter alone is marked, so that it is set as a symbol."""
-    text = symbol(name, frozenset(velocities(variant))).text
+    text = symbol(name, Rates(frozenset(velocities(variant)))).text
     return f"{ITALIC[0]}{text}{ITALIC[1]}" if len(text) == 1 else text
 
 
@@ -40,7 +40,7 @@ def time_text(variant: Variant, key: str, words: Words) -> str:
     formula = variant.times.get(("time", key))
     if formula is None:
         return value
-    return f"{Setter(typst=False, rates=frozenset(velocities(variant))).set(formula).source} = {value}"
+    return f"{Setter(typst=False, rates=Rates(frozenset(velocities(variant)))).set(formula).source} = {value}"
 
 
 def lettered(variant: Variant, text: str) -> list[dict[str, str]]:
@@ -61,7 +61,7 @@ def datum(text: str, unit: str, words: Words) -> str:
 
 def equation(variant: Variant, left: Formula, right: Formula, words: Words, name: str = "") -> Equation:
     """Return a displayed equation; `name` stands at its margin."""
-    shown = marked(display(left, right, frozenset(velocities(variant)), name), words("decimal"))
+    shown = marked(display(left, right, Rates(frozenset(velocities(variant))), name), words("decimal"))
     return {"math": shown.math, "text": shown.text, "name": shown.name}
 
 
@@ -83,7 +83,7 @@ def _function(variant: Variant, law: Law, words: Words) -> str:
     name = symbol_text(variant, law.name)
     if law.table:
         return words("sheet.tabled", name=name, file=clean(law.file, LONGEST))
-    plain = Setter(typst=False, rates=frozenset(velocities(variant)))
+    plain = Setter(typst=False, rates=Rates(frozenset(velocities(variant))))
     parts = [law.formula] if law.formula is not None else [piece for _, piece in law.pieces]
     return "; ".join(f"{name} = {marked_text(plain.set(part).source, words('decimal'))}" for part in parts)
 

@@ -19,6 +19,7 @@ from coursework.report.formulas.display import marked_text
 from coursework.report.formulas.typst_math import Setter
 from coursework.report.text.numbers import POINT
 from coursework.report.text.parts import Runs
+from coursework.report.text.symbols import Rates
 from coursework.report.text.words import Words
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate, evaluate_any, named, number, part_of_pi
 from coursework.variant.record.entries import Binding, Coordinate
@@ -118,7 +119,7 @@ def _way(variant: Variant, parts: Signed, words: Words, key: str) -> str:
 
 def _set(variant: Variant, formula: Formula, words: Words) -> str:
     """Return a formula as text; what parts coordinates is no decimal comma."""
-    text = Setter(typst=False, rates=frozenset(velocities(variant)), in_sentence=True).set(formula).source
+    text = Setter(typst=False, rates=Rates(frozenset(velocities(variant))), in_sentence=True).set(formula).source
     mark = words("decimal")
     return marked_text(text if mark == POINT else text.replace(", ", "; "), mark)
 

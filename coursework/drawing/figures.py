@@ -101,14 +101,13 @@ def _mechanism(
 
     empty = Sheet(1.0, 1.0, (0.0, 0.0, 1.0, 1.0))
     true_size = Painter(empty, outline, poses, row, lambda z: (z * 1000).conjugate(), 1000.0)
-    crowded = crowded_hinges(true_size, mechanism)
+    around = [(true_size.place[name], SEVERAL) for name in crowded_hinges(true_size, mechanism)]
+    if values is not None:
+        around += room_of_angles(true_size, mechanism, values)
 
     def needed(mm: float) -> Iterator[tuple[complex, float]]:
         yield from room(outline, poses, [row], arrows, mm)
-        yield from (((true_size.place[name] * mm).conjugate(), SEVERAL) for name in crowded)
-        if values is not None:
-            painter = Painter(empty, outline, poses, row, lambda z: (z * mm).conjugate(), mm)
-            yield from room_of_angles(painter, mechanism, values)
+        yield from (((at * mm).conjugate(), wide) for at, wide in around)
 
     board = fit(needed, HIGHEST)
     sheet = board.sheet()

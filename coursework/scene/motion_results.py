@@ -103,11 +103,10 @@ class MotionResults:
             rerun = scene.rerun
         if motion.scheme in SCHEMES:
             replay = Replay(rates, SCHEMES[motion.scheme], scene.begin, scene.correction)
-        turning = [place for place, coordinate in enumerate(scene.variant.coordinates) if coordinate.unit == "rad"]
         return Evidence(
             scene.variant, scene.equations, rates, motion, scene.exact, self.extended_precision, scene.closure,
             scene.stop, scene.reduction.used, drive_frequency(scene.equations, scene.fastest_wave),
-            scene.search.fastest(turning), replay, rerun, passages, scene.settings.order, scene.search.given_up,
+            scene.search, replay, rerun, passages, scene.settings.order,
         )  # fmt: skip
 
     @computed("evidence")

@@ -67,6 +67,15 @@ def test_a_copy_of_a_tabulated_variant_runs_where_it_is(folder):
     assert not (folder / "third.toml").exists()
 
 
+@pytest.mark.parametrize("more", [(), ("--groups", "crank,RRR")])
+def test_the_page_of_an_unedited_file_does_not_say_twice_what_a_task_sheet_is(more, folder):
+    assert call("new", "mine", *more).exit_code == 0
+    result = call("run", "mine", "--quantities", "table", "--format", "html", "--out", "out")
+    assert result.exit_code in (0, 1), result.output
+    page = Path("out/report.html").read_text(encoding="utf-8")
+    assert "Task sheet: book, page, number." in page and "the task sheet: " not in page
+
+
 def test_what_exists_is_left_alone():
     Path("mine.toml").write_text("my work", encoding="utf-8")
     for more in ([], ["--from", "31"]):

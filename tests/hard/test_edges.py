@@ -1,6 +1,6 @@
 """Three hundred scenes at the edge of doubles, drawn at random, against their true motion: nothing that passes is wrong.
 
-A part runs always; `python3 -m pytest -m long tests/hard/test_edges.py` runs them all, some minutes.
+A part runs always; `python3 -m coursework.bootstrap test --long tests/hard/test_edges.py` runs them all, some minutes.
 """
 
 import re

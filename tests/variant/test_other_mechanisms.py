@@ -81,6 +81,15 @@ def test_a_value_is_advised_in_the_words_that_were_typed(start: str, advice: str
     assert advice in told(LEVER.replace("20 deg", start))
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "advice"),
+    [('"20 deg"', '""', "0.5 rad"), ('"20 deg"', '"deg"', "0.5 deg"), ('"6"', '"n"\n[given]\nn = ""', "0.5 rad/s"),
+     ('"6"', '"n"\n[given]\nn = "s"', "0.5 rad/s")],
+)  # fmt: skip
+def test_a_value_without_a_number_is_advised_by_what_it_measures(old: str, new: str, advice: str) -> None:
+    assert f'Write the number, then its unit: "{advice}"' in told(YOKE.replace(old, new, 1))
+
+
 def test_the_units_of_what_is_open_are_those_of_the_equations() -> None:
     gears = """
 format = 1

@@ -10,12 +10,12 @@ from __future__ import annotations
 import cmath
 import itertools
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from coursework.drawing.lettering.turns import signed, turns
+from coursework.drawing.lettering.turns import Turn, signed, turns
 from coursework.drawing.outline.lengths import arm_base
 from coursework.drawing.paper.cover import Segment
 from coursework.drawing.paper.painter import Painter
@@ -88,20 +88,24 @@ def draw_angles(painter: Painter, mechanism: Mechanism, values: Mapping[str, flo
 
 
 def room_of_angles(painter: Painter, mechanism: Mechanism, values: Mapping[str, float]) -> Iterator[tuple[complex, float]]:
-    """Yield the places about which the coordinates turn, with the room that the smallest arc takes around them."""
-    for angle in _coordinates(painter, mechanism, values):
-        yield from ((at, AROUND[1] + PAST) for at in angle.at[:1])
+    """Yield the places (m) about which the coordinates turn, with the room (mm) that the smallest arc takes around them."""
+    for turn in _turns(painter, mechanism, values):
+        yield from ((at, AROUND[1] + PAST) for at in turn.at[:1])
 
 
 def _coordinates(painter: Painter, mechanism: Mechanism, values: Mapping[str, float]) -> Iterator[Angle]:
     """Yield the coordinates that are angles as they lie on the sheet, whose y goes down."""
-    for turn in turns(mechanism, {**mechanism.variant.values, "pi": math.pi, **values, **painter.place}):
+    for turn in _turns(painter, mechanism, values):
         places = tuple(_known(painter, painter.put(at)) for at in turn.at)
         if SMALLEST < turn.size < math.tau - NOUGHT:
             yield Angle(turn.coordinate, places, turn.axis.conjugate(), -turn.sense * turn.size, counted=True)
         else:
             tail = " = 0" if min(turn.size, math.tau - turn.size) < NOUGHT else " ≈ 0"
             yield Angle(turn.coordinate, places, turn.axis.conjugate(), -turn.sense * SENSE, counted=True, tail=tail)
+
+
+def _turns(painter: Painter, mechanism: Mechanism, values: Mapping[str, float]) -> Iterable[Turn]:
+    return turns(mechanism, {**mechanism.variant.values, "pi": math.pi, **values, **painter.place})
 
 
 def _known(painter: Painter, at: complex) -> complex:

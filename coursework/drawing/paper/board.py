@@ -6,6 +6,7 @@ Used by `drawing/figures.py`.
 
 from __future__ import annotations
 
+import bisect
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
@@ -57,10 +58,14 @@ def fit(room: Callable[[float], Iterable[Circle]], highest: float, narrowest: fl
 
     `room(mm)` says what takes room at so many mm a metre; `foot` mm are kept free below.
     """
-    for scale in SCALES:
+
+    def holds(scale: float) -> bool:
         left, top, right, bottom = around(room(1000 / scale))
-        if right - left <= COLUMN - 2 * EDGE and bottom - top <= highest - 2 * EDGE - foot:
-            break
+        return right - left <= COLUMN - 2 * EDGE and bottom - top <= highest - 2 * EDGE - foot
+
+    # What takes room at a smaller scale takes less of it.
+    scale = SCALES[min(bisect.bisect_left(SCALES, True, key=holds), len(SCALES) - 1)]
+    left, top, right, bottom = around(room(1000 / scale))
     width = max(narrowest, right - left + 2 * EDGE)
     return Board(scale, width, bottom - top + 2 * EDGE + foot, complex((width - right - left) / 2, EDGE - top))
 

@@ -135,7 +135,7 @@ def _block(members: tuple[VelocityEquation, ...], unknowns: tuple[str, ...], equ
     if bare is None or bare.determinant is None:
         return bare
     variant = equations.variant
-    return replace(bare, meaning=meaning(bare.determinant, variant, bare.equations), largest=largest(bare.determinant, variant))
+    return replace(bare, meaning=meaning(bare.determinant, variant, bare.unknowns), largest=largest(bare.determinant, variant))
 
 
 def _bare(members: tuple[VelocityEquation, ...], unknowns: tuple[str, ...], equations: VelocityEquations) -> Block | None:

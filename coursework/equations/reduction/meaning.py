@@ -25,21 +25,22 @@ _OF = ("determinant.of_link", "determinant.of_link_at")
 _ROUNDING = 1e-12
 
 
-def meaning(determinant: Formula, variant: Variant, equations: Sequence[str], at: Mapping[str, float] | None = None) -> str:
-    """Return when the determinant of some equations is zero and what then holds, such as "links 1 and 2 lie on one line".
+def meaning(determinant: Formula, variant: Variant, unknowns: Sequence[str], at: Mapping[str, float] | None = None) -> str:
+    """Return when the determinant of equations for some unknowns is zero, such as "links 1 and 2 lie on one line".
 
     With the coordinates of a singular position `at`: only what holds there.
     """
-    if _vanishing(determinant, variant, at) and (known := _of_group(variant, equations)):
+    if len(_vanishing(determinant, variant, at)) == 1 and (known := _of_group(variant, unknowns)):
         return known
     found = [sentence for factor in _vanishing(determinant, variant, at) if (sentence := _factor(factor, variant))]
     return joined(found, "join.or_else") if found else say("determinant.never")
 
 
-def _of_group(variant: Variant, equations: Sequence[str]) -> str:
+def _of_group(variant: Variant, unknowns: Sequence[str]) -> str:
     """Return what a dyad says of its determinant, where the angles alone do not tell link from guide."""
-    for number, group in enumerate(variant.groups, start=1):
-        if set(equations) == {f"G{number}x", f"G{number}y"}:
+    rates = {coordinate.name: coordinate.rate for coordinate in variant.coordinates}
+    for group in variant.groups:
+        if set(unknowns) == {rates.get(name, "") for name in group.coordinates}:
             key = group_kind(group.kind).meaning
             return say(key, link=_link(group.coordinates[0], variant)) if key else ""
     return ""
@@ -52,7 +53,7 @@ def vanishing(determinant: Formula, variant: Variant, at: Mapping[str, float] | 
 
 
 def _vanishing(determinant: Formula, variant: Variant, at: Mapping[str, float] | None) -> list[Formula]:
-    lengths = {g.name for g in variant.given}
+    lengths = {"pi", *(g.name for g in variant.given)}
     above = [factor for factor, power in factors(determinant, ("neg", "*", "/")) if power > 0]
     found = [factor for factor in above if not set(factor.names()) <= lengths or _is_nothing(factor, variant)]
     if at is None or len(found) < 2:
@@ -94,7 +95,7 @@ def _factor(tree: Formula, variant: Variant) -> str:
         return say("determinant.right_angle", link=_link(angles[0], variant))
     if tree.op in {"+", "-"}:
         return say("determinant.arms", links=_listed(angles, variant))
-    key = "determinant.zero" if set(tree.names()) - set(variant.values) else "determinant.always_zero"
+    key = "determinant.zero" if set(tree.names()) - {"pi", *variant.values} else "determinant.always_zero"
     return say(key, formula=spelled(tree)) if tree.names() else ""
 
 

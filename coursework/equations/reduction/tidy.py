@@ -24,10 +24,14 @@ from coursework.variant.record.variant import Variant
 # Beyond this many operations a formula is shown as it is: nobody reads it, and expanding it costs.
 MAX_OPERATIONS = 400
 Atoms = dict[sp.Expr, int]
+_ONE = Fraction(1)
 
 
 class Order:
-    """The author's order: names and functions as they first appear in the equations; and `sums` that he writes as one."""
+    """The author's order: names and functions as they first appear in the equations; and `sums` that he writes as one.
+
+    `has_decimals`: lengths stand in his formulas as 0.02, so a factor is written so too, and not as 1/50; 0.5 is any half.
+    """
 
     def __init__(self, formulas: list[Formula], variant: Variant) -> None:
         names = [name for formula in formulas for name in formula.names()]
@@ -37,6 +41,8 @@ class Order:
         self._declared = variant.names
         calls = [node.name for formula in formulas for node in formula.walk() if node.op == "call"]
         self._calls = {name: place for place, name in enumerate(dict.fromkeys([*calls, "cos", "sin"]))}
+        written = {node.name for formula in formulas for node in formula.walk() if node.op == "number"}
+        self.has_decimals = any(Fraction(name).denominator > 2 for name in written)
         self.sums = written_sums(formulas, frozenset(g.name for g in variant.given))
 
     def rank(self, atom: sp.Expr) -> tuple[int, ...]:
@@ -102,7 +108,15 @@ def quotient(above: sp.Expr, bottom: Product, order: Order) -> Formula:
     up, down = top.terms, bottom.terms
     if up == down:
         up = down = ()
-    return _fraction(top.factor / bottom.factor, atoms, up, down, order)
+    (above_all, up), (below_all, down) = _as_given(top.factor, up, order), _as_given(bottom.factor, down, order)
+    return _fraction(above_all, atoms, up, down, order, below_all)
+
+
+def _as_given(factor: Fraction, terms: tuple[Term, ...], order: Order) -> tuple[Fraction, tuple[Term, ...]]:
+    """Return a factor put back into a sum of different ones where lengths are decimals: 0.02 and 0.25, not 0.01, 2 and 25."""
+    if not order.has_decimals or all(abs(own) == 1 for own, _ in terms):
+        return factor, terms
+    return Fraction(1 if factor > 0 else -1), tuple((own * abs(factor), atoms) for own, atoms in terms)
 
 
 def as_formula(expr: sp.Expr, order: Order) -> Formula:
@@ -227,19 +241,34 @@ def _addition(
     return None
 
 
-def _fraction(factor: Fraction, atoms: Atoms, up: tuple[Term, ...], down: tuple[Term, ...], order: Order) -> Formula:
-    if factor == 0 or not (atoms or up or down):
-        return number(factor)
+def _fraction(
+    factor: Fraction, atoms: Atoms, up: tuple[Term, ...], down: tuple[Term, ...], order: Order, by: Fraction = _ONE
+) -> Formula:
+    value = factor / by
+    if value == 0 or not (atoms or up or down):
+        return number(value)
     above = {atom: power for atom, power in atoms.items() if power > 0}
     below = {atom: -power for atom, power in atoms.items() if power < 0}
-    top = _factors(abs(factor.numerator), above, up, order)
-    bottom = _factors(factor.denominator, below, down, order)
+    numeral, divisor = _numerals(abs(factor), abs(by)) if order.has_decimals else _integers(abs(value))
+    top, bottom = _factors(numeral, above, up, order), _factors(divisor, below, down, order)
     tree = Formula("/", (top, bottom)) if bottom != number(1) else top
-    return Formula("neg", (tree,)) if factor < 0 else tree
+    return Formula("neg", (tree,)) if value < 0 else tree
 
 
-def _factors(numeral: int, atoms: Atoms, terms: tuple[Term, ...], order: Order) -> Formula:
-    parts = [] if numeral == 1 else [number(numeral)]
+def _integers(value: Fraction) -> tuple[Formula, Formula]:
+    return number(value.numerator), number(value.denominator)
+
+
+def _numerals(factor: Fraction, by: Fraction) -> tuple[Formula, Formula]:
+    """Return a factor above and one below as decimals, the quotient of the two where it is one: 0.4; 0.08 and 0.27."""
+    for above, below in ((factor / by, _ONE), (factor, by)):
+        if all(number(part).op == "number" for part in (above, below)):
+            return number(above), number(below)
+    return _integers(factor / by)
+
+
+def _factors(numeral: Formula, atoms: Atoms, terms: tuple[Term, ...], order: Order) -> Formula:
+    parts = [] if numeral == number(1) else [numeral]
     for atom, power in sorted(atoms.items(), key=lambda item: order.rank(item[0])):
         base = _argument(atom, order) if atom in order.sums else _plain(atom, order)
         parts.append(base if power == 1 else Formula("^", (base, number(power))))

@@ -18,12 +18,13 @@ from coursework.grading.marking.equations.equations import EquationMarks, Judge
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.rubric import Rubric
 from coursework.grading.marking.student_table import student_of
-from coursework.grading.marking.table.cells import HALF, Cells, StudentTable, mark_cells
+from coursework.grading.marking.table.cells import Cells, mark_cells
 from coursework.grading.marking.table.clockwise import turned_back
 from coursework.grading.marking.table.earning import best_rule
 from coursework.grading.marking.table.first_wrong import FirstWrong, first_wrong
 from coursework.grading.marking.table.misconceptions import Found, Misconception, explanations, indistinct, looked_for
 from coursework.grading.marking.table.points import Earned, TablePoints, table_points
+from coursework.grading.marking.table.ways import HALF, StudentTable
 from coursework.grading.marking.verdicts import Verdicts, verdicts
 from coursework.grading.reading.student_work import StudentWork, Table
 from coursework.grading.reading.submission import Note, note

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.cells import OwnRows, StudentTable
+from coursework.grading.marking.table.ways import OwnRows, StudentTable
 from coursework.grading.reading.student_work import Table
 
 

@@ -19,7 +19,8 @@ from coursework.grading.marking.key import Key
 from coursework.grading.marking.reasons.equations import why_of_line
 from coursework.grading.marking.reasons.reasons import summary
 from coursework.grading.marking.reasons.table import counts, shut
-from coursework.grading.marking.table.cells import CARRIED, GIVEN, KEY, MISSING, WRONG
+from coursework.grading.marking.table.cells import CARRIED, GIVEN, MISSING, WRONG
+from coursework.grading.marking.table.ways import KEY
 from coursework.grading.pages.curves import panel
 from coursework.grading.reading.table.units import AS_READ
 from coursework.report.text.symbols import symbol

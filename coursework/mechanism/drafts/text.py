@@ -41,7 +41,7 @@ def _lines(draft: Draft, name: str, said: Said, asked: Sequence[str]) -> Iterato
         yield "", say("new.swings")
     yield "", ""
     yield "format  = 1", say("new.format")
-    yield f'title   = "{name}: {kinds}"', say("new.title")
+    yield f'title   = "{kinds}"', say("new.title")
     yield f'source  = "{said(say("new.source_text"))}"', say("new.source")
     yield f'teaches = "{said(say("new.teaches_text"))}"', say("new.teaches")
     yield "", ""

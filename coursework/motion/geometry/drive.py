@@ -1,11 +1,11 @@
 """The drive as numbers: its values, its integral from t = 0 with what that leaves open, its breaks and its fastest oscillation.
 
-Enters: the drive of a variant.  Leaves: plain functions of time.  Used by `closure.py`, `chain.py`, the march, checks.
+Enters: the drive of a variant.  Leaves: plain functions of time.  Used by `closure.py`, `chain.py`, the march, checks, `sets.py`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -17,8 +17,8 @@ from coursework.equations.reduction.equations import VelocityEquations
 from coursework.equations.reduction.symbolic import TIME, symbol
 from coursework.equations.reduction.system import compile_values
 from coursework.motion.geometry.enclosures import Laws
-from coursework.motion.geometry.quadrature import POINTS, Resolution, resolve
-from coursework.system.arrays import Array
+from coursework.motion.geometry.quadrature import POINTS, WANTED, Resolution, left_open, resolve
+from coursework.system.arrays import Array, Flags
 from coursework.variant.record.variant import MAX_ROWS, Law, Variant
 from coursework.words.errors import Fault, InputError
 from coursework.words.sentences import say
@@ -40,6 +40,7 @@ def _gauss_legendre(count: int) -> tuple[Array, Array]:
 _POINTS, _WEIGHTS = _gauss_legendre(POINTS)
 _PIECES_PER_RUN = 240
 _MANY_TURNS = 1e3  # rad
+_MOST_CELLS = 1_000_000  # stretches of all sets that are looked at together
 # Of the scenes that live, by the end of the time looked at.
 _resolved: WeakKeyDictionary[VelocityEquations, dict[float, Resolution]] = WeakKeyDictionary()
 # This part of the run beside a moment, and so many times its usual size, tell that a drive grows beyond bounds there.
@@ -106,14 +107,39 @@ def resolution(equations: VelocityEquations, end: float = 0.0) -> Resolution:
 
 
 def _resolution(equations: VelocityEquations, end: float) -> Resolution:
-    variant, inner = equations.variant, _joints(equations)
-    laws = Laws(variant.values, {law.name: law for law in (*variant.drive, *variant.functions)}, equations.tables)
-    drives = {law.name for law in variant.drive}
-    moving = [name for name, law in laws.laws.items() if (name in drives or law.of in {"", "t"}) and _is_of_time(law, laws)]
+    laws, inner = _laws(equations, equations.variant.values), _joints(equations)
+    moving = _moving(equations, laws)
     edges = np.unique(np.concatenate([[0.0, end], inner[(inner > 0) & (inner < end)]]))
     if not moving or end <= 0:
         return Resolution(edges, 0.0, 0.0, True)
     return resolve(lambda begin, end: [laws.over(name, begin, end) for name in moving], edges)
+
+
+def resolved(equations: VelocityEquations, data: Mapping[str, Array], times: Array) -> Flags:
+    """Return for which sets of `data`, (n,) each, no drive does anything between `times` (k,) that the rule would not see."""
+    sets = max(map(len, data.values()), default=1)
+    seen = np.ones(sets, dtype=bool)
+    moving = _moving(equations, _laws(equations, equations.variant.values))
+    inner = _joints(equations)
+    edges = np.unique(np.concatenate([times, inner[(inner > times[0]) & (inner < times[-1])]]))
+    for first in range(0, sets if moving else 0, some := max(1, _MOST_CELLS // len(edges))):
+        part = slice(first, first + some)
+        columns = {name: column[part, None] if np.ptp(column[part]) else float(column[first]) for name, column in data.items()}
+        laws = _laws(equations, columns)
+        for name in moving:
+            seen[part] &= np.all(left_open(laws.over(name, edges[:-1], edges[1:]), np.diff(edges) / 2) <= WANTED, axis=-1)
+    return seen
+
+
+def _laws(equations: VelocityEquations, values: Mapping[str, float | Array]) -> Laws:
+    variant = equations.variant
+    return Laws(values, {law.name: law for law in (*variant.drive, *variant.functions)}, equations.tables)
+
+
+def _moving(equations: VelocityEquations, laws: Laws) -> list[str]:
+    """Return the drives, and the functions of time, that change with it."""
+    drives = {law.name for law in equations.variant.drive}
+    return [name for name, law in laws.laws.items() if (name in drives or law.of in {"", "t"}) and _is_of_time(law, laws)]
 
 
 def _is_of_time(law: Law, laws: Laws) -> bool:

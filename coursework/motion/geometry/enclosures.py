@@ -23,7 +23,10 @@ REACH = 3.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Enclosure:
-    """Of n stretches: `low` and `high` (n,) of the values on it; about `middle`, `radius` (n,) of those on its complex disc."""
+    """Of n stretches: `low` and `high` (n,) of the values on it; about `middle`, `radius` (n,) of those on its complex disc.
+
+    Where data are columns (sets, 1) all are (sets, n).
+    """
 
     low: Array
     high: Array
@@ -46,8 +49,8 @@ def _checked(low: Array, high: Array, middle: Array, radius: Array) -> Enclosure
 
 
 def _constant(value: float | Array, count: int) -> Enclosure:
-    values = np.full(count, value) if isinstance(value, float) else value
-    return Enclosure(values, values, values, np.zeros(count))
+    values = np.asarray(value) if np.ndim(value) else np.full(count, value)
+    return Enclosure(values, values, values, np.zeros_like(values))
 
 
 def _plus(a: Enclosure, b: Enclosure) -> Enclosure:
@@ -122,6 +125,15 @@ def _power(a: Enclosure, exponent: float) -> Enclosure:
     return _checked(low, ends.max(axis=0), a.middle**exponent, radius)
 
 
+def _to_the(a: Enclosure, exponents: Array) -> Enclosure:
+    """Return a power with an exponent that does not move; of several, as sets of data may have them, nothing is known."""
+    if not exponents.size:
+        return a
+    if np.ptp(exponents) > 0:
+        return _checked(*np.broadcast_arrays(-np.inf, np.inf, np.nan, a.radius * exponents))
+    return _power(a, float(exponents.flat[0]))
+
+
 def _absolute(a: Enclosure) -> Enclosure:
     crosses = (a.low < 0) & (a.high > 0)
     low = np.where(crosses, 0.0, np.minimum(np.abs(a.low), np.abs(a.high)))
@@ -166,9 +178,12 @@ _CALLS: Mapping[str, Callable[[Enclosure], Enclosure]] = {
 
 @dataclass(frozen=True)
 class Laws:
-    """The drives and functions of one variant over stretches of time that no break and no node of a table parts."""
+    """The drives and functions of one variant over stretches of time that no break and no node of a table parts.
 
-    values: Mapping[str, float]
+    `values` are numbers, or columns (sets, 1) of them.
+    """
+
+    values: Mapping[str, float | Array]
     laws: Mapping[str, Law]
     tables: Mapping[str, TableLaw]
 
@@ -184,11 +199,13 @@ class Laws:
             assert law.formula is not None
             return self._formula(law.formula, begin, end)
         chosen = np.searchsorted([later for later, _ in law.pieces[1:]], (begin + end) / 2, side="right")
-        columns = np.empty((4, len(begin)))
+        sets = max((np.size(value) for value in self.values.values() if np.ndim(value)), default=0)
+        columns = np.empty((4, *([sets] if sets else []), len(begin)))
         for place in np.unique(chosen).tolist():
             at = chosen == place
             found = self._formula(law.pieces[place][1], begin[at], end[at])
-            columns[:, at] = found.low, found.high, found.middle, found.radius
+            for column, one in zip(columns, (found.low, found.high, found.middle, found.radius), strict=True):
+                column[..., at] = one
         return Enclosure(*columns)
 
     def _table(self, table: TableLaw, begin: Array, end: Array) -> Enclosure:
@@ -217,7 +234,7 @@ class Laws:
             case "/":
                 return self._quotient(tree, args, begin, end)
             case "^":
-                return _power(args[0], float(args[1].middle[0])) if len(begin) else args[0]
+                return _to_the(args[0], args[1].middle)
         return _angle(*args) if tree.name == "atan2" else _CALLS[tree.name](args[0])
 
     def _quotient(self, tree: Formula, args: list[Enclosure], begin: Array, end: Array) -> Enclosure:
@@ -234,7 +251,7 @@ class Laws:
             return _time(begin, end)
         if name in self.laws:
             return self._law(self.laws[name], begin, end)
-        return _constant(float(np.pi) if name == "pi" else float(self.values[name]), len(begin))
+        return _constant(float(np.pi) if name == "pi" else self.values[name], len(begin))
 
 
 def _time(begin: Array, end: Array) -> Enclosure:

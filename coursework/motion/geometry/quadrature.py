@@ -54,7 +54,7 @@ def resolve(enclosed: Callable[[Array, Array], list[Enclosure]], edges: Array) -
     while len(begin):
         looked, half = looked + len(begin), (end - begin) / 2
         laws = enclosed(begin, end)
-        open_ = np.max([_left_open(law, half) for law in laws], axis=0)
+        open_ = np.max([left_open(law, half) for law in laws], axis=0)
         moved = 2 * half * np.max([np.abs(law.middle) for law in laws], axis=0)
         allowed = WANTED * max(1.0, way + float(moved.sum())) / max(_FIRST, 2 * (len(begin) + count))
         done = (open_ <= allowed) | (half <= _SMALLEST * np.abs(end)) | (looked > MOST)
@@ -69,7 +69,7 @@ def resolve(enclosed: Callable[[Array, Array], list[Enclosure]], edges: Array) -
     return Resolution(np.append(starts, edges[-1]), error, worst[1], bool(error <= WANTED * max(1.0, way)))
 
 
-def _left_open(law: Enclosure, half: Array) -> Array:
+def left_open(law: Enclosure, half: Array) -> Array:
     """Return by how much (n,) the rule may be off on stretches of half a length: by the disc, or by the values alone."""
     with np.errstate(all="ignore"):
         off = np.fmin(_RULE * law.radius * half, (law.high - law.low) * 2 * half)

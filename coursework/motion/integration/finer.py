@@ -13,6 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from coursework.equations.codegen.tabulated import OutsideTable
+from coursework.motion.geometry.drive import resolution
 from coursework.motion.integration.exact_motion import MOST_STEPS, OutOfReach, refine
 from coursework.motion.integration.hermite import hermite
 from coursework.motion.integration.motion import Motion
@@ -24,6 +25,7 @@ from coursework.system.arrays import Array
 _FEWEST = 2
 # What Runge-Kutta may be off at the end of an interval, as part of the range of the coordinate; the limit of a check is 0.05.
 _GAP = 1e-5
+_SUDDEN = 2  # a stretch of the drive in which it needs such a part of a step
 # What the precise scheme may be off behind the last row (rad or m): beyond that the motion meets something it cannot pass.
 _LOST = 1e-7
 
@@ -69,7 +71,12 @@ def _followed(exact: Motion, rates: Rates, parts: int, intervals: int, times: Ar
     left[:known] = np.abs(q[:known] - exact.coordinates[1 : intervals + 1])
     spread = np.ptp(exact.coordinates, axis=0)
     most = MOST_STEPS
-    for row in np.flatnonzero(~np.all(left <= _GAP * np.where(spread > 0, spread, 1.0), axis=1)).tolist():
+    near = np.all(left <= _GAP * np.where(spread > 0, spread, 1.0), axis=1)
+    # What a drive does and undoes between two steps leaves no gap at their end.
+    begun = resolution(rates.equations, float(times[-1])).edges
+    sudden = begun[:-1][np.diff(begun) * _SUDDEN < length]
+    near &= np.diff(np.searchsorted(sudden, np.append(t, t[-1] + exact.step))) == 0
+    for row in np.flatnonzero(~near).tolist():
         inside = times[row * parts + 1 : (row + 1) * parts]
         if len(inside):
             start = exact.coordinates[row].tolist()

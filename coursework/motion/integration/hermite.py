@@ -1,7 +1,7 @@
 """The cubic through both ends of an interval with the slopes there.
 
 Enters: values and what their slopes move in the interval.  Leaves: values between.
-Used by `finer.py`, `continuity.py` and `graph_paper.py`.
+Used by `finer.py`, `continuity.py`, `peaks.py` and `graph_paper.py`.
 """
 
 from __future__ import annotations

@@ -22,6 +22,8 @@ from coursework.words.sentences import joined, say
 
 # Branches come from differences that are right to 1e-10, coordinates from a search that is better.
 _ROUNDING = 1e-9
+# A slide so many times as long as the longest length has left every guide: two guides became parallel, and met nowhere.
+_AWAY = 1e4
 
 
 def explain(
@@ -43,11 +45,15 @@ def explain(
     cause = joined([say("event.cause", where=where, unknowns=block.unknowns, which=which), _together(event, reduction)])
     holds = block.meaning
     if block.determinant is not None:
-        holds = meaning_of(block.determinant, equations.variant, block.equations, coordinates)
+        holds = meaning_of(block.determinant, equations.variant, block.unknowns, coordinates)
     kept = say("event.kept", row=rows) if rows else say("event.none_kept")
     if branches is None:
         event, branches = replace(event, kind="dead point"), ()
         meaning = say("event.locked", holds=holds, kept=kept)
+    elif away := _away(coordinates, equations):
+        event, branches = replace(event, kind="dead point"), ()
+        meaning = say("event.away", holds=holds, names=away, kept=kept)
+        coordinates = {name: value for name, value in coordinates.items() if name not in away}
     elif event.kind == "dead point":
         demanded = say(_unit(block, equations), value=event.demanded)
         meaning = say("event.dead", holds=holds, demanded=demanded, kept=kept)
@@ -55,6 +61,15 @@ def explain(
         key = "event.removable" if len(branches) == 1 else "event.change"
         meaning = say(key, holds=holds, branches=_branches(branches), kept=kept)
     return Stop(event.kind, event.time, row, block.unknowns, coordinates, cause, meaning, branches)
+
+
+def _away(coordinates: dict[str, float], equations: VelocityEquations) -> tuple[str, ...]:
+    """Return the slides that grow beyond all bounds towards a singular position: they have no value in it."""
+    variant = equations.variant
+    lengths = [abs(given.value) for given in variant.given if given.si == "m"]
+    starts = [abs(c.start_or_guess) for c in variant.coordinates if c.unit == "m" and c.start_or_guess]
+    longest = max([*lengths, *starts], default=1.0)
+    return tuple(c.name for c in variant.coordinates if c.unit == "m" and abs(coordinates[c.name]) > _AWAY * longest)
 
 
 def explain_passage(passage: Passage, equations: VelocityEquations, reduction: Reduction) -> str:

@@ -1,6 +1,6 @@
 """The largest rate of every coordinate of the true motion: seen at the steps of a walk, then sought between them.
 
-Enters: the steps of a walk along the flow.  Leaves: (rate, when) per coordinate.  Used by `search.py`.
+Enters: the steps of a walk along the flow.  Leaves: (rate, when) per coordinate, the way within a step.  Used by `search.py`.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from coursework.motion.integration.hermite import hermite
 from coursework.motion.singular.scaled_flow import Clock
 from coursework.system.arrays import Array
 from coursework.words.errors import CourseworkError
@@ -21,6 +22,8 @@ _GOLDEN, _TRIALS = (5**0.5 - 1) / 2, 19
 _NEAR = 0.95
 # So far into a step it is looked whether a rate rises.
 _GLANCE = 1e-3
+# Places at which a step of the walk is looked at.
+_LOOKS = 16
 # A rate that changes by less than this part of itself is constant, and has no moment at which it is largest.
 _CONSTANT = 1e-9
 
@@ -43,13 +46,14 @@ class Piece:
 
 @dataclass(slots=True)
 class Peaks:
-    """The largest and smallest rates seen, and the two steps beside each largest one."""
+    """The largest and smallest rates seen, the two steps beside each largest one, state and slope at the begin of every step."""
 
     largest: list[float]
     smallest: list[float]
     when: list[float]
     beside: list[tuple[Piece, ...]]
     last: Piece | None = field(default=None)
+    way: list[tuple[Array, Array]] = field(default_factory=list)
 
     @staticmethod
     def of(count: int) -> Peaks:
@@ -61,6 +65,7 @@ class Peaks:
         if self.last is not None and self.last.state is piece.state:
             self.last.length = piece.length
             return
+        self.way.append((piece.state, piece.slope))
         *moved, pace = piece.slope.tolist()
         for coordinate, move in enumerate(moved):
             rate = abs(move / pace) if pace else math.inf
@@ -86,6 +91,32 @@ class Peaks:
                 seen += [_highest(piece, coordinate, end) for piece in self._rising(coordinate)]
             listed.append(max(seen))
         return tuple(listed)
+
+    def turned(self, coordinate: int, end: float, step: float, repeats: bool) -> float:
+        """Return the longest way (rad, m) of a coordinate within a step (s): what goes to and fro counts twice.
+
+        Where the motion `repeats` from `end` (s) on a step may reach beyond.
+        """
+        assert self.last is not None
+        state = self.last.clock.step(self.last.state, self.last.slope, self.last.length)[0]
+        states, slopes = map(np.array, zip(*self.way, (state, self.last.clock.slope(state)), strict=True))
+        t, q = states[:, -1], states[:, coordinate]
+        with np.errstate(all="ignore"):
+            rate = np.where(slopes[:, -1] != 0, slopes[:, coordinate] / slopes[:, -1], 0.0)
+        part, length = np.arange(_LOOKS)[:, None] / _LOOKS, np.diff(t)
+        inside = hermite(q[:-1], q[1:], rate[:-1] * length, rate[1:] * length, part)
+        times, at = np.append((t[:-1] + part * length).T, t[-1]), np.append(inside.T, q[-1])
+        way = np.append(0.0, np.cumsum(np.abs(np.diff(at))))
+        whole = float(np.interp(end, times, way)) if repeats else 0.0
+        step = step if repeats else min(step, end)
+
+        def gone(time: Array) -> Array:
+            turns = np.floor(time / end) if repeats else 0.0
+            return np.asarray(turns * whole + np.interp(time - turns * end, times, way))
+
+        begin = np.concatenate([times, times - step, [end - step]])
+        begin = begin[(begin >= 0) & (begin <= (end if repeats else end - step))]
+        return float(np.max(gone(begin + step) - gone(begin), initial=0.0))
 
     def _rising(self, coordinate: int) -> list[Piece]:
         """Return the step, of the two beside the largest rate seen, in which the rate is larger still."""

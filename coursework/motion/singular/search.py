@@ -24,13 +24,14 @@ from coursework.system.arrays import Array
 # The event time is wanted to 1e-8 s; the local tolerance leaves three digits for the sum of all steps.
 TOLERANCE = 1e-12
 _BACK = 1e-8
+_NEARLY = 0.005
 
 
 @dataclass(frozen=True, slots=True)
 class Search:
     """The true motion followed up to `end` (s): the first `event`, if any, the `peaks` of the rates, and the
     `passages` on the way: singular positions through which one motion only goes on.  `given_up`: the time (s) up to which it
-    was followed where that is not the end, because it moves too much.
+    was followed where that is not the end, because it moves too much.  `repeats`: it was followed as long as it is new.
     """
 
     event: Event | None
@@ -38,6 +39,7 @@ class Search:
     end: float = 0.0
     passages: tuple[Passage, ...] = ()
     given_up: float | None = None
+    repeats: bool = False
 
     def fastest(self, turning: Sequence[int]) -> tuple[tuple[float, float | None], ...]:
         """Return per coordinate the largest |rate| with its time (s), None for a constant one; nothing for one that stops.
@@ -46,6 +48,21 @@ class Search:
         """
         known = self.peaks is not None and self.event is None and self.given_up is None
         return self.peaks.found(self.end, turning) if known and self.peaks is not None else ()
+
+    def turned(self, coordinate: int, step: float) -> float:
+        """Return the longest way (rad) of a coordinate within any time of a step (s)."""
+        if self.peaks is None:
+            return 0.0
+        rate, when = self.fastest([coordinate])[coordinate]
+        return rate * step if when is None else self.peaks.turned(coordinate, self.end, step, self.repeats)
+
+    def longest_step(self, coordinate: int, most: float, step: float) -> float:
+        """Return the longest part of a step (s) within which a coordinate goes no further than `most` (rad), to a percent."""
+        low, high = 0.0, step
+        while high - low > _NEARLY * high:
+            middle = (low + high) / 2
+            low, high = (middle, high) if self.turned(coordinate, middle) <= most else (low, middle)
+        return low
 
 
 def search_event(
@@ -68,7 +85,7 @@ def search_event(
             return Search(None, walk.peaks, end, tuple(walk.passages), up.time)
         repeats = event is None and not walk.passages and goal < end and goal in (turn, 2 * turn)
         if repeats and _is_back(flow, walk.state[:-1], start):
-            return Search(None, walk.peaks, goal, tuple(walk.passages))  # it moves on as it has moved
+            return Search(None, walk.peaks, goal, tuple(walk.passages), repeats=True)  # it moves on as it has moved
     return Search(event, walk.peaks, end, tuple(walk.passages))
 
 

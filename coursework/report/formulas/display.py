@@ -14,6 +14,7 @@ from dataclasses import replace
 from coursework.report.formulas.typst_math import Setter, text_equation
 from coursework.report.text.numbers import POINT
 from coursework.report.text.parts import Display, Runs
+from coursework.report.text.symbols import NO_RATES, Rates
 from coursework.variant.formula.tree import Formula, factors, product_of
 from coursework.words.templates import clean
 
@@ -24,7 +25,7 @@ Piece = tuple[int, str]  # width, source
 _DECIMAL = re.compile(r"(?<![\w.])(\d+)\.(\d+)(?![^\W⁰¹²³⁴-⁹]|\.)")  # 2.5, also that of 2.5², not that of 2.5.1
 
 
-def math_equation(left: Formula, right: Formula, rates: frozenset[str] = frozenset()) -> str:
+def math_equation(left: Formula, right: Formula, rates: Rates = NO_RATES) -> str:
     """Return "left = right" as Typst math."""
     typst, plain = Setter(typst=True, rates=rates), Setter(typst=False, rates=rates)
     if _width(left, plain) + _width(right, plain) + 3 <= LINE:
@@ -43,9 +44,7 @@ def math_equation(left: Formula, right: Formula, rates: frozenset[str] = frozens
     return _folded([*parts, *found[1:-1], (found[-1][0] + 1, f"{found[-1][1]} ]")])
 
 
-def display(
-    left: Formula, right: Formula, rates: frozenset[str] = frozenset(), name: str = "", before: Runs | None = None
-) -> Display:
+def display(left: Formula, right: Formula, rates: Rates = NO_RATES, name: str = "", before: Runs | None = None) -> Display:
     """Return "left = right" with its number at the margin and the words before it."""
     return Display(
         math_equation(left, right, rates), text_equation(left, right, rates), name=clean(name, 40), before=before or []

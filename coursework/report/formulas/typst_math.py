@@ -12,7 +12,7 @@ from enum import IntEnum
 from math import degrees, isclose, radians
 
 from coursework.report.text.numbers import MINUS, TIMES, superscript
-from coursework.report.text.symbols import parts_of_derivative, symbol
+from coursework.report.text.symbols import NO_RATES, Rates, parts_of_derivative, symbol
 from coursework.report.text.text_runs import ITALIC
 from coursework.variant.formula.tree import Formula
 
@@ -55,7 +55,7 @@ class Setter:
     """
 
     typst: bool
-    rates: frozenset[str] = frozenset()
+    rates: Rates = NO_RATES
     inline: bool = False  # inside an exponent: quotients with a slash
     in_sentence: bool = False
 
@@ -208,17 +208,17 @@ class Setter:
         return Piece(f"({self.set(inner).source})_{tree.name}", Level.ATOM, opens="parenthesis")
 
 
-def text(tree: Formula, rates: frozenset[str] = frozenset()) -> str:
+def text(tree: Formula, rates: Rates = NO_RATES) -> str:
     """Return a formula as plain text: "V_My / (r₃ (2 cos φ₃ + sin φ₃))"."""
     return Setter(typst=False, rates=rates).set(tree).source
 
 
-def math(tree: Formula, rates: frozenset[str] = frozenset()) -> str:
+def math(tree: Formula, rates: Rates = NO_RATES) -> str:
     """Return a formula as Typst math source."""
     return Setter(typst=True, rates=rates).set(tree).source
 
 
-def text_equation(left: Formula, right: Formula, rates: frozenset[str] = frozenset(), *, in_sentence: bool = False) -> str:
+def text_equation(left: Formula, right: Formula, rates: Rates = NO_RATES, *, in_sentence: bool = False) -> str:
     """Return "left = right" as plain text; `in_sentence`: bare letters are marked, so that none is taken for a word."""
     setter = Setter(typst=False, rates=rates, in_sentence=in_sentence)
     return f"{setter.set(left).source} = {setter.set(right).source}"

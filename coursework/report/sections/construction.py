@@ -14,6 +14,7 @@ from coursework.report.text.page_context import PageContext
 from coursework.report.text.parts import Bullets, Cell, Column, Paragraph, Part, Runs, Table
 from coursework.report.text.text_runs import ITALIC, numeral, printed
 
+COLUMN = 171.0  # mm: a wider sheet has a turned page to itself on paper, behind all that was read
 READ_DECIMALS = 1  # of a length in mm that is read to 0.5
 PERCENT_DECIMALS = 2  # of a difference in percent, in every row alike
 
@@ -26,7 +27,8 @@ def graph_check(context: PageContext) -> list[Part]:
     if graph.unread:
         return [Paragraph(context.rich(graph.unread))]
     sheets = graph.sheets(context.words.written, blank=context.run.blank)
-    drawings = [part for sheet in sheets for part in drawn_parts(context, sheet)]
+    drawn = [drawn_parts(context, sheet) for sheet in sorted(sheets, key=lambda sheet: sheet.width > COLUMN)]
+    drawings = [part for parts in drawn for part in parts]
     if context.run.blank:
         return drawings
     keys = ("quantity", "read", "relation", "measured", "tabled", "difference")

@@ -15,7 +15,7 @@ from coursework.mechanism.derivation.constants import NamedAngles, named_angles
 from coursework.motion.integration.motion import Motion
 from coursework.report.text.numbers import Numbers
 from coursework.report.text.parts import Runs
-from coursework.report.text.symbols import Symbol, symbol
+from coursework.report.text.symbols import Rates, Symbol, symbol
 from coursework.report.text.text_runs import ITALIC, derivative, printed, runs, with_letters, with_pairs, with_points
 from coursework.report.text.words import Words
 from coursework.results.checks.result import beside
@@ -55,10 +55,12 @@ class PageContext:
         """Return the exact motion where the plots ask for it; looking at it computes it."""
         return self.run.exact if self.run.asks(PLOTS) else None
 
-    @property
-    def rates(self) -> frozenset[str]:
-        """Return the velocities whose derivative is written with a dot."""
-        return frozenset(self.run.motion.velocity_names)
+    @cached_property
+    def rates(self) -> Rates:
+        """Return the velocities, and how the derivative of an angular one is written: as the language does, else with a dot."""
+        names, letter = frozenset(self.run.motion.velocity_names), self.words("worked.angular")
+        is_taken = any(symbol(name).letter == letter for name in self.run.variant.names)
+        return Rates(names) if is_taken else Rates(names, letter)
 
     @cached_property
     def angles(self) -> NamedAngles:

@@ -27,6 +27,7 @@ _WORD_HEAD = re.compile(r"([^\W\d_]{2,})(?:_(\w+)|(\d\w*))")
 _GREEK_SUBSCRIPT = re.compile(rf"({'|'.join(sorted((n for n in GREEK if len(n) > 2), key=len, reverse=True))})(\d*)")
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _DOT_ABOVE = "\u0307"
+_DOTTED_OMEGA = "ω" + _DOT_ABOVE
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,6 +66,17 @@ class Symbol:
         return f"{head}_{_lowered(self.subscript)}" if self.subscript else head
 
 
+@dataclass(frozen=True, slots=True)
+class Rates:
+    """Names of velocities, before which "d" means the derivative in time; `angular` is how a language writes that of ω."""
+
+    names: frozenset[str] = frozenset()
+    angular: str = _DOTTED_OMEGA
+
+
+NO_RATES = Rates()
+
+
 def _lowered(subscript: str) -> str:
     if len(subscript) == 1 or subscript.isdigit():
         return subscript
@@ -91,10 +103,10 @@ def parts_of_derivative(name: str) -> tuple[str, ...]:
 
 
 @lru_cache(maxsize=4096)
-def symbol(name: str, rates: frozenset[str] = frozenset()) -> Symbol:
+def symbol(name: str, rates: Rates = NO_RATES) -> Symbol:
     """Return the symbol of a name; "d" before one of `rates` (or before a Greek name) is the dot of a derivative.
 
-    Raises `ValueError` for text that is no name.
+    Where a language has a letter for angular accelerations, "dw1" is ε₁.  Raises `ValueError` for text that is no name.
     """
     if parts := parts_of_derivative(name):
         return Symbol("/".join(f"∂{symbol(part).text}" for part in parts))
@@ -103,8 +115,10 @@ def symbol(name: str, rates: frozenset[str] = frozenset()) -> Symbol:
     if "." in name:
         point, _, part = name.partition(".")
         return Symbol(part[0], point + part[1:]) if len(part) > 1 else Symbol(part, point)
-    if name.startswith("d") and (name[1:] in rates or _GREEK_HEAD.fullmatch(name[1:])):
+    if name.startswith("d") and (name[1:] in rates.names or _GREEK_HEAD.fullmatch(name[1:])):
         inner = symbol(name[1:])
+        if inner.letter == "ω" and rates.angular != _DOTTED_OMEGA:
+            return Symbol(rates.angular, inner.subscript)
         return Symbol(inner.letter, inner.subscript, dotted=True)
     if match := _GREEK_HEAD.fullmatch(name):
         return Symbol(GREEK[match[1]], _greek(match[2]))

@@ -13,7 +13,7 @@ from coursework.mechanism.groups import group_kind
 from coursework.mechanism.mechanism import Mechanism
 from coursework.report.text.text_runs import LONGEST_NAME
 from coursework.report.wording.drive_meanings import drive_meanings
-from coursework.variant.formula.tree import terms
+from coursework.variant.formula.tree import Formula, terms
 from coursework.variant.record.variant import Variant
 from coursework.words.sentences import say
 from coursework.words.templates import clean
@@ -90,7 +90,7 @@ def _turned(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
     """Yield the angles of a bar from the one whose coordinate it turns with: E = D + r5 @ (phi3 + gamma), C = D + r3 @ phi3."""
     moving = {coordinate.name for coordinate in mechanism.variant.coordinates}
     bars = dict(_bars(mechanism))
-    for point, formula in mechanism.points:
+    for point, formula in _sides(mechanism):
         parts = [*terms(formula)]
         if [part.op for part in parts] != ["name", "@"]:
             continue
@@ -102,12 +102,16 @@ def _turned(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
                 yield name, say("datum.turned", name=bar or turning[0], ends=clean(parts[0].name + point))
 
 
+def _sides(mechanism: Mechanism) -> Iterator[tuple[str, Formula]]:
+    """Yield every way to a point that the file knows: its own, and both ways round the contour of a group."""
+    yield from mechanism.points
+    for group in mechanism.variant.groups:
+        yield from ((group.meets, side) for side in group_kind(group.kind).closure(group)[0] if group.meets)
+
+
 def _bars(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
     """Yield the coordinates that are the angle of a bar, with its ends in the direction in which the angle is measured."""
-    sides = list(mechanism.points)
-    for group in mechanism.variant.groups:
-        sides += [(group.meets, side) for side in group_kind(group.kind).closure(group)[0] if group.meets]
-    for point, formula in sides:
+    for point, formula in _sides(mechanism):
         parts = [*terms(formula)]
         if formula.op == "+" and [part.op for part in parts] == ["name", "@"] and parts[1].args[1].op == "name":
             yield parts[1].args[1].name, parts[0].name + point

@@ -34,9 +34,12 @@ def drive_meanings(variant: Variant) -> Iterator[tuple[str, str]]:
     headings = dict(_headings(formulas))
     for name, vector in headings.items():
         yield name, say("datum.heading", name=vector)
+    turning = {coordinate.rate: coordinate.name for coordinate in variant.coordinates}
     for law, formula in formulas:
         for term in terms(formula):
             yield from _size(term, law, headings)
+            if law in turning:
+                yield from _swing(term, turning[law])
 
 
 def _inside(wave: Formula) -> Iterator[tuple[str, str]]:
@@ -76,6 +79,18 @@ def _size(term: Formula, law: str, headings: dict[str, str]) -> Iterator[tuple[s
     if below or len(sizes) != 1 or sizes[0].op != "name" or not (swinging or heading):
         return
     yield sizes[0].name, say("datum.amplitude" if swinging else "datum.speed", name=heading or law)
+
+
+def _swing(term: Formula, coordinate: str) -> Iterator[tuple[str, str]]:
+    """Yield A of A*p*cos(p*t), the rate of a coordinate that swings by A to each side."""
+    above, below = _product(term)
+    waves = [factor for factor in above if factor.op == "call" and _swings(factor)]
+    sizes = [factor.name for factor in above if factor.op == "name"]
+    if below or len(waves) != 1 or waves[0].name not in _WAVES or len(sizes) != 2 or len(above) != 3:
+        return
+    turned = [name for part in terms(waves[0].args[0]) for name in part.names() if "t" in part.names() and name != "t"]
+    if len(turned) == 1 and turned[0] in sizes and sizes[0] != sizes[1]:
+        yield next(name for name in sizes if name != turned[0]), say("datum.amplitude", name=coordinate)
 
 
 def _waves(formula: Formula) -> Iterator[Formula]:

@@ -15,11 +15,14 @@ from coursework.motion.geometry.drive import breaks
 from coursework.motion.geometry.swings import drive_frequency, turning_cranks
 from coursework.motion.integration.integrate import WIDEST_STEP
 from coursework.motion.singular.search import Search
-from coursework.results.checks.close_to_motion.rows import AT_ROW, ROWS_A_PERIOD
+from coursework.results.checks.close_to_motion.rows import AT_ROW, ROWS_A_PERIOD, between_rows
+from coursework.variant.record.variant import MAX_ROWS
 
 # A break that no row is at with so many parts of the run is left to the error.
 _MOST_PARTS = 1000
 _ROUNDING = 1e-9
+# So many times the rows are tried where those would not show a pulse.
+_FINER = 1.25
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,11 +47,14 @@ def step_rules(equations: VelocityEquations, search: Search) -> StepRules:
     """
     variant = equations.variant
     turning = [place for place, coordinate in enumerate(variant.coordinates) if coordinate.unit == "rad"]
-    rates = search.fastest(turning)
     end = variant.time.end
     rows = ROWS_A_PERIOD * end * max([drive_frequency(equations), *turning_cranks(equations).values()]) / (2 * math.pi)
-    turns = end * max((rates[place][0] for place in turning if rates), default=0.0) / WIDEST_STEP
-    return StepRules(max(1, *(math.ceil(count * (1 - _ROUNDING)) for count in (rows, turns))), _pace(breaks(variant), end))
+    known = search.fastest(turning)
+    turns = end / min((search.longest_step(place, WIDEST_STEP, end) for place in turning if known), default=end)
+    fewest = max(1, *(math.ceil(count * (1 - _ROUNDING)) for count in (rows, turns)))
+    while fewest < MAX_ROWS and between_rows(equations, end / fewest) is not None:
+        fewest = math.ceil(fewest * _FINER)
+    return StepRules(fewest, _pace(breaks(variant), end))
 
 
 def _pace(times: tuple[float, ...], end: float) -> int:

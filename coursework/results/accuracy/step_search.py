@@ -14,6 +14,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from coursework.motion.geometry.drive import resolution
+from coursework.motion.integration.exact_motion import refine
 from coursework.motion.integration.loops import Loop, generate_loop
 from coursework.motion.integration.rates import Rates
 from coursework.motion.schemes import PRECISE, SCHEMES, Scheme, title_of
@@ -35,6 +37,8 @@ _TRIALS, _SAMPLE = 8, 1000
 _COARSE = 8
 # With so many steps and more the precise scheme is far better than any of a lower order, without smaller steps of its own.
 _FINE = 1000
+# Where a drive does in this part of a step what is wanted of all of it, no steps of equal length are a reference.
+_SUDDEN = 4
 # Round-off of the precise scheme in doubles grows to 1e-13; a wish must stay well above what can be told apart.
 LEAST_ERROR = 1e-10
 
@@ -183,12 +187,15 @@ class _Search:
     def measured(self, steps: int) -> float:
         """Return the error, measured anew."""
         own, reference = (generate_loop(scheme, self.rates) for scheme in (self.scheme, PRECISE))
+        rows = _rows(own, self.rates, self.start, self.end, steps, 1)
+        if np.min(np.diff(resolution(self.rates.equations, self.end).edges)) * _SUDDEN < self.end / steps:
+            with suppress(ArithmeticError, ValueError):
+                exact = refine(self.rates, self.start, np.arange(steps + 1).astype(np.float64) * (self.end / steps))[0]
+                return float(np.max(np.abs(rows - exact)))
+            return np.inf
         # The precise scheme with four times the steps is the reference: 256 times less error than itself, more than any other.
         parts = 1 if steps >= _FINE and self.scheme.order < PRECISE.order else 4
-        gap = _rows(own, self.rates, self.start, self.end, steps, 1) - _rows(
-            reference, self.rates, self.start, self.end, steps, parts
-        )
-        return float(np.max(np.abs(gap)))
+        return float(np.max(np.abs(rows - _rows(reference, self.rates, self.start, self.end, steps, parts))))
 
     def refused(self, steps: float) -> Sentence:
         """Return the sentence for more steps than can be tried, which says how long they would take."""

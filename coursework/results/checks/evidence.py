@@ -20,6 +20,7 @@ from coursework.motion.integration.motion import Motion, Stop
 from coursework.motion.integration.passage import Passage
 from coursework.motion.integration.rates import Rates
 from coursework.motion.integration.replay import Replay
+from coursework.motion.singular.search import Search
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags
 from coursework.variant.record.variant import Variant
@@ -47,11 +48,11 @@ class Evidence:
     """`motion` judged against `exact`, on the same rows as far as both go; `exact` None where it cannot be had.
 
     `stop`: where the true motion ends; `extended_precision`: the coordinates in extended numbers (n, m) where known; `used`:
-    the equations solved for the velocities; `drive_frequency` rad/s of the fastest sine in the drive; `fastest`: per
-    coordinate (largest rate of the true motion, when).  `replay` makes each row anew from the row before, None for rows that
+    the equations solved for the velocities; `drive_frequency` rad/s of the fastest sine in the drive; `search`: the true
+    motion followed for dead points, None where it was not.  `replay` makes each row anew from the row before, None for rows that
     no scheme of ours has made; `rerun(scheme, step)` gives the same run made otherwise, None where that cannot be.
     `passages`: singular positions that the motion goes through; `order` of the highest derivative of the motion that is asked
-    for.  `given_up`: up to when (s) dead points were looked for where that is not the end.  `facts` about the exact motion
+    for.  `facts` about the exact motion
     alone are found once and shared by every table of the scene.  `is_trial`: of a step that may be advised.
     """
 
@@ -65,12 +66,11 @@ class Evidence:
     stop: Stop | None
     used: tuple[str, ...]
     drive_frequency: float
-    fastest: tuple[tuple[float, float | None], ...] = ()
+    search: Search | None = None
     replay: Replay | None = None
     rerun: Callable[[str, float], Motion | None] | None = None
     passages: tuple[Passage, ...] = ()
     order: int = 1
-    given_up: float | None = None
     facts: dict[str, object] = field(default_factory=dict)
     is_trial: bool = False
 

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coursework.equations.reduction.symbolic import symbol
-from coursework.motion.geometry.drive import argument_slopes
+from coursework.motion.geometry.drive import argument_slopes, resolved
 from coursework.scene.model.data import Data
 from coursework.scene.model.model import Columns, Model
 from coursework.scene.model.start import close, start_of
@@ -52,6 +52,8 @@ def prepare(model: Model, data: Data, end: float) -> Sets:
                 at = start.closed[:, places]
                 steps = max(_CLOSER * steps, fewest_steps(model, some, frequency[places], at, end))
                 sure[places] = sure_to_move(model, some, at, end, steps)
+                moved = {name: column[places] for name, column in data.given.items()}
+                sure[places] &= resolved(model.equations, moved, np.linspace(0.0, end, steps + 1))
                 places = places[~sure[places]]
     return Sets(numbers, start.begin, sure, frequency)
 

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
+from functools import lru_cache, partial
 
 from coursework.words.sentence import Sentence
 from coursework.words.sentences import closest, say
@@ -33,6 +34,8 @@ _CYRILLIC = {
     "s": {"с": Fraction(1), "мс": Fraction(1, 1000), "мин": Fraction(60)},
     "turn": {"об": 2 * _TURN},
 }
+
+_EXAMPLES = {"1/s": "rad/s", "1/s^2": "rad/s^2"}  # SI unit -> as advice writes it
 
 
 def _all_units() -> dict[str, tuple[Fraction, str]]:
@@ -77,12 +80,15 @@ _HERTZ = {"hz", "гц", "khz", "кгц"}
 
 
 class UnitFault(ValueError):
-    """A value with a unit could not be read; `unit` is what stands in its place ("" where that is not the fault)."""
+    """A value with a unit could not be read.
 
-    def __init__(self, message: Sentence, unit: str = "") -> None:
+    `advised` makes the message from the SI unit that its place turns out to want; None where that changes nothing.
+    """
+
+    def __init__(self, message: Sentence, advised: Callable[[str], Sentence] | None = None) -> None:
         super().__init__(message)
         self.message = message
-        self.unit = unit
+        self.advised = advised
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,7 +126,7 @@ def read(text: str | int | float, wanted: str = "") -> Quantity:
     match = _VALUE.match(text)
     unit = plain_unit(match["unit"] or "") if match else ""
     if not match or (unit and unit not in UNITS):
-        raise UnitFault(unknown(text, unit, wanted), unit)
+        raise UnitFault(unknown(text, unit, wanted), partial(unknown, text, unit))
     factor, si = UNITS[unit] if unit else (Fraction(1), "")
     number = match["number"].replace("−", "-")
     value = _finite(float(number), text)
@@ -173,7 +179,8 @@ def unknown(text: str, unit: str, wanted: str = "") -> Sentence:
         return say("fault.V106", found=found, advised=found.replace(",", ".", 1).strip())
     if not unit or not re.search(r"[^\W\d_]|°", unit):
         last = text.split()[-1:] or [""]
-        return say("fault.V107", found=found, unit=last[0] if last[0] in UNITS else wanted or "m")
+        fits = last[0] in UNITS and wanted in {"", UNITS[last[0]][1]}
+        return say("fault.V107", found=found, unit=last[0] if fits else _EXAMPLES.get(wanted, wanted or "m"))
     if unit.lower() in _HERTZ:
         return say("fault.V108", found=found)
     meant = _nearest(unit, (wanted,) if wanted else tuple(KINDS))

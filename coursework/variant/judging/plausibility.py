@@ -134,7 +134,10 @@ def _without_unit(name: str, text: str, si: str) -> Sentence:
 def _left_out(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
     """Yield numbers that had to measure something, times read as angles, and formulas that would need units to agree."""
     if any(given.si for given in variant.given):
+        written = _written_lengths(variant)
         for path, term, si in dimensions.numbers:
+            if si == "m" and not written.isdisjoint(node.name for node in term.walk() if node.op == "number"):
+                continue  # a link's length, which the file gives in numbers
             name = variant.constraints[int(path[1])].name
             yield "NUMBER", path, say("remark.number", term=text_of(term), name=name, unit=si)
     for path, whole in dimensions.times_as_angles:
@@ -142,6 +145,13 @@ def _left_out(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
     if dimensions.disagreement:
         path, told = dimensions.disagreement
         yield "NO-UNIT", path, told
+
+
+def _written_lengths(variant: Variant) -> set[str]:
+    """Return the numbers that stand in the file as lengths of its points and groups."""
+    lengths = [node.args[0] for _, formula in variant.formulas() for node in formula.walk() if node.op == "@"]
+    lengths += [length for group in variant.groups for length in group.lengths]
+    return {node.name for length in lengths for node in length.walk() if node.op == "number"}
 
 
 def _terms_of_angles(places: Iterable[Place]) -> Iterator[tuple[Place, Formula]]:

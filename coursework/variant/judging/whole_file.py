@@ -31,7 +31,9 @@ def faults_of_the_whole(variant: Variant, source: Source, times: Iterable[KeyPat
     derived = {"period"} & {str(path[-1]) for path in times}
     if not broken.has("time") and math.isfinite(variant.time.step + variant.time.end):
         faults += [source.fault(("time", key), text) for key, text in exceeded(variant) if key not in derived]
-    in_groups = {name for group in variant.groups for name in group.coordinates}
+    # A dyad closes where its coordinates start; a crank stands where the file says.
+    dyads = [group for group in variant.groups if not (group.kind in GROUP_SHAPES and GROUP_SHAPES[group.kind].driven)]
+    in_groups = {name for group in dyads for name in group.coordinates}
     for coordinate in () if broken.has("group") else variant.coordinates:
         if coordinate.start is None and not (coordinate.name in in_groups or broken.has("coordinates", coordinate.name)):
             message = say("fault.V073", unit=coordinate.unit)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Collection
+from functools import partial
 from typing import Literal
 
 from coursework.variant.formula import reader, units
@@ -46,7 +47,7 @@ class Parts:
         self.times: dict[KeyPath, Formula] = {}
         self.grads: list[tuple[KeyPath, str]] = []
         self.broken: set[KeyPath] = set()  # paths with a fault
-        self._unread: list[tuple[KeyPath, str, str]] = []
+        self._unread: list[tuple[KeyPath, Callable[[str], Sentence]]] = []
 
     def say(self, path: KeyPath, message: Sentence, column: int = 0) -> None:
         """Keep a fault."""
@@ -73,8 +74,8 @@ class Parts:
         except units.UnitFault as fault:
             if advice := _without_unit(str(value)):
                 self.say(path, advice)
-            elif fault.unit and not wanted:
-                self._unread.append((path, str(value), fault.unit))
+            elif fault.advised and not wanted:
+                self._unread.append((path, fault.advised))
                 self.broken.add(path)
             else:
                 self.say(path, fault.message)
@@ -86,18 +87,17 @@ class Parts:
         return not self.faults and not self._unread
 
     def tell_unread(self, wanted: Callable[[str], str]) -> None:
-        """Keep a fault for each unit that is not known; `wanted` gives the SI unit that a name must have, "" if any."""
-        for path, text, unit in self._unread:
+        """Keep a fault for each unit missing or not known; `wanted` gives the SI unit that a name must have, "" for any."""
+        for path, advised in self._unread:
             name = self.names.canonical(str(path[1])) if len(path) > 1 else ""
-            si = wanted(name)
-            self.say(path, units.unknown(text, unit, si) if unit else units.unknown_unit(text, si))
+            self.say(path, advised(wanted(name)))
         self._unread = []
 
     def unit(self, path: KeyPath, text: str) -> str:
         """Return the SI unit named by `text`, "" after a fault."""
         unit = units.plain_unit(text)
         if unit not in units.UNITS:
-            self._unread.append((path, text, ""))
+            self._unread.append((path, partial(units.unknown_unit, text)))
             self.broken.add(path)
             return ""
         return units.UNITS[unit][1]

@@ -1,4 +1,4 @@
-"""The right table of every variant of the catalogue is right: no cell is wrong, whatever its digits."""
+"""Tables of the catalogue's variants: right ones have no wrong cell, whatever their digits; of wrong ones each can be marked."""
 
 import numpy as np
 import pytest
@@ -6,6 +6,8 @@ import pytest
 import coursework
 from coursework.grading.marking.key import key_of
 from coursework.grading.marking.table.cells import StudentTable, mark_cells
+from coursework.grading.marking.table.clockwise import turned_back
+from coursework.grading.marking.table.misconceptions import explanations
 from coursework.variant.catalogue import names
 
 
@@ -21,3 +23,25 @@ def test_a_right_table_has_no_wrong_cell(name):
         assert not cells.wrong.any(), (decimals, np.argwhere(cells.wrong)[:4])
         if decimals >= key.least_decimals:
             assert not cells.missing[:, : len(key.coordinates)].any()
+
+
+@pytest.mark.parametrize("name", ["31", "cardan", "variable-crank", "watt"])
+def test_a_wrong_table_is_looked_into_whatever_the_variant_is_written_with(name):
+    """A crank of variable length has no equation without a term that has no name."""
+    key = key_of(coursework.load(name))
+    table = key.table + 0.3 * np.sin(np.arange(key.table.size)).reshape(key.table.shape)
+    explanations(key, mark_cells(key, StudentTable(np.round(table, 4), np.full(table.shape, 1e-4))))
+
+
+@pytest.mark.parametrize("name", ["cardan", "epicyclic", "example-2"])
+@pytest.mark.parametrize("start", [1, 0], ids=["start", "negative"])
+def test_a_mirrored_train_is_counted_clockwise(name, start):
+    """Its drive with the other sign says the same, number for number."""
+    key = key_of(coursework.load(name))
+    m, table = len(key.coordinates), key.table.copy()
+    for place, unit in enumerate(map(key.variant.unit_of, key.names)):
+        if unit in {"rad", "rad/s"}:
+            table[:, place] = (2 * start * table[0, place] if place < m else 0.0) - table[:, place]
+    back = turned_back(key, StudentTable(np.round(table, 5), np.full(table.shape, 1e-5)))
+    assert back is not None
+    assert not mark_cells(key, back).wrong.any()

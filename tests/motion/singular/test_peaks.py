@@ -1,10 +1,14 @@
 """PEAK: the fastest link is found between the rows and between the steps of the search, a constant rate has no moment."""
 
+import math
+
 import numpy as np
 import pytest
 from scipy.optimize import minimize_scalar
 
 import coursework
+from coursework.variant.reading.reader import parse_variant
+from tests.hard.drives import Law, four_bar
 from tests.solved import solved
 
 
@@ -23,7 +27,9 @@ def test_the_largest_rate_is_that_of_a_fine_exact_motion(name, rate):
     through = np.polynomial.Polynomial.fit(fine.t[place - 1 : place + 2], sizes[place - 1 : place + 2], 2)
     top = minimize_scalar(lambda t: -through(t), bounds=(fine.t[place - 1], fine.t[place + 1]))
     found = peak(run)
-    assert found.value / run.step == pytest.approx(-top.fun, rel=1e-6)
+    gone = np.append(0.0, np.cumsum(np.abs(np.diff(fine.coordinates[:, fine.velocity_names.index(rate)]))))
+    assert found.value == pytest.approx(np.max(gone[20:] - gone[:-20]), rel=1e-4)
+    assert f"{-top.fun:.4g} rad/s" in found.sentence
     when = float(found.sentence.partition("t = ")[2].partition(" s")[0])
     assert when == pytest.approx(top.x, abs=2e-4)
     assert found.sentence.startswith(f"{rate} is largest at t = ")
@@ -38,4 +44,16 @@ def test_nothing_beyond_the_end_counts():
     """w3 of V107 grows up to 0.077 s: with an end before that its largest value is that of the last row."""
     run = coursework.solve("v107", end=0.045, quantities=["table", "checks"])
     assert run.exact.t[-1] == 0.045
-    assert peak(run).value / run.step == pytest.approx(np.max(np.abs(run.exact.rows[:, 3:6])), rel=1e-4)
+    assert peak(run).value == pytest.approx(np.max(np.abs(np.diff(run.exact.coordinates, axis=0))), rel=1e-4)
+    assert peak(run).value / run.step < np.max(np.abs(run.exact.rows[:, 3:6]))
+
+
+@pytest.mark.parametrize(("way", "verdict"), [(0.499, "PASS"), (0.501, "COARSE")])
+def test_a_pulse_between_two_rows_counts_by_its_way_to_and_fro(way, verdict):
+    """A pulse and its reverse leave the angle where it was: 2 a T sqrt(pi), whatever the rate at its top."""
+    width = 1e-5
+    data = {"a": f"{way / width / math.pi**0.5!r} rad/s", "T": f"{width!r} s"}
+    law = Law("twins", "a*exp(-((t - 0.0504)/T)^2) - a*exp(-((t - 0.0508)/T)^2)", data, lambda t: t)
+    found = peak(coursework.solve(parse_variant(four_bar(law, scheme="rk4", end=0.2))))
+    assert found.verdict == verdict
+    assert found.value == pytest.approx(2 * way, rel=1e-4)

@@ -16,6 +16,7 @@ import pytest
 from coursework.report.formulas import display, typst_math
 from coursework.report.formulas.svg import draw
 from coursework.report.formulas.typesetting import typeset
+from coursework.report.text.symbols import Rates
 from coursework.variant.formula.reader import parse, parse_equation
 from coursework.variant.formula.tree import Formula, FormulaFault, evaluate
 
@@ -136,7 +137,7 @@ def test_points_are_set_as_vectors() -> None:
 
 def test_a_derivative_takes_a_dot_only_where_it_is_one() -> None:
     assert typst_math.text(Formula("name", name="dw1")) == "ω̇₁"
-    assert typst_math.text(Formula("name", name="du"), frozenset({"u"})) == "u̇"
+    assert typst_math.text(Formula("name", name="du"), Rates(frozenset({"u"}))) == "u̇"
     assert typst_math.text(Formula("name", name="du")) == "du"
     assert typst_math.math(Formula("name", name="dw1")) == "dot(ω)_1"
 

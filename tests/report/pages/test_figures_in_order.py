@@ -1,15 +1,24 @@
-"""On paper figures have their numbers in the order in which they stand, also where a plan fits before a turned sheet.
+"""On paper figures have their numbers in the order in which they stand, those of the screen, also before a turned sheet.
 
 A quick-return mechanism of the catalogue, in which it does, and a chain that is in no file.
 """
 
 import re
+import unicodedata
 
 import pymupdf
 import pytest
 
 from tests.command import call
 from tests.report.text.test_units_behind import OFFSET
+
+BEGINS = 24  # letters of a caption, its number among them
+
+
+def plain(text):
+    """Return letters and digits alone, those of formulas as any other."""
+    return "".join(letter for letter in unicodedata.normalize("NFKC", text) if letter.isalnum())
+
 
 HELD = OFFSET + '\n[frame]\nhinges = ["O"]\nrails = [{ through = "B", angle = "0" }]\n'
 
@@ -19,11 +28,15 @@ HELD = OFFSET + '\n[frame]\nhinges = ["O"]\nrails = [{ through = "B", angle = "0
 def test_numbers_of_figures_grow_on_paper(tmp_path, name, language):
     (tmp_path / "own.toml").write_text(HELD, encoding="utf-8")
     told = call("run", name if name != "own" else tmp_path / "own.toml", "--quantities", "table,plots,checks,graph_check,plans",
-                "--language", language, "--format", "pdf", "--out", tmp_path / "out")  # fmt: skip
+                "--language", language, "--format", "html,pdf", "--out", tmp_path / "out")  # fmt: skip
     assert told.exit_code in (0, 1), told.output
     word = {"en": r"Figure (\d+)\.", "ru": r"Рисунок (\d+)\b"}[language]
-    numbers = [
-        int(found) for page in pymupdf.open(tmp_path / "out" / "report.pdf") for found in re.findall(word, page.get_text())
-    ]
+    paper = "".join(page.get_text() for page in pymupdf.open(tmp_path / "out" / "report.pdf"))
+    numbers = [int(found) for found in re.findall(word, paper)]
     assert len(numbers) >= 5
     assert numbers == [*range(1, len(numbers) + 1)]
+    screen = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    for drawing in ("graph-check", "check-plan"):
+        (told,) = re.findall(rf'<figure[^>]* id="{drawing}">.*?<figcaption[^>]*>(.*?)</figcaption>', screen, re.DOTALL)
+        begin = plain(re.sub("<.*?>", "", told))[:BEGINS]
+        assert begin in plain(paper), begin

@@ -59,6 +59,15 @@ def test_accelerations_name_coriolis_and_work_a_row_through() -> None:
     assert result(shown[-1]) == pytest.approx(second(lambda at: lever(at)[0], t), rel=1e-4)
 
 
+@pytest.mark.parametrize("language", ["ru", "uk"])
+def test_where_a_language_has_a_letter_for_it_an_angular_acceleration_has_no_dot(language: str) -> None:
+    run = solved(SHAPER, "accelerations", "analogs")
+    shown = str([section for section in model_of(run, language).sections if section.name in {"accelerations", "analogs"}])
+    assert "ε₃" in shown and "u̇" in shown and "ω̇" not in shown and "dot(ω)" not in shown
+    taken = solved(SHAPER.replace('n = "120 rpm"', 'n = "120 rpm"\neps3 = "1 m"'), "accelerations")
+    assert "ω̇₃" in str(model_of(taken, language).sections)
+
+
 def test_without_a_slide_no_coriolis_is_named() -> None:
     assert "Coriolis" not in sentences(solved(FIVE_BAR, "accelerations"), "accelerations")
 

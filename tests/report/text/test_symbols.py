@@ -7,7 +7,7 @@ from types import ModuleType
 import pytest
 
 import coursework
-from coursework.report.text.symbols import symbol
+from coursework.report.text.symbols import Rates, symbol
 from coursework.report.text.text_runs import derivative, printed, runs, with_letters, with_pairs, with_points
 from coursework.words.templates import LONGEST, clean
 
@@ -25,6 +25,12 @@ from coursework.words.templates import LONGEST, clean
 def test_names(name: str, text: str, typst: str) -> None:
     assert symbol(name).text == text
     assert symbol(name).typst == typst
+
+
+def test_an_angular_acceleration_is_written_as_a_language_does() -> None:
+    rates = Rates(frozenset({"w3", "u2", "w"}), "ε")
+    assert [symbol(f"d{name}", rates).text for name in ("w3", "u2", "w")] == ["ε₃", "u̇₂", "ε"]
+    assert symbol("dw3", rates).typst == "ε_3" and symbol("w3", rates).text == "ω₃"
 
 
 @pytest.mark.parametrize("text", ["", "a b", 'x"', "#eval", "a.b.c", "a-b", "$x$", "x\\"])

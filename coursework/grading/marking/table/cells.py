@@ -5,86 +5,54 @@ Enters: a `Key` and the student's table on its grid.  Leaves: `Cells`.  Used by 
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from coursework.grading.marking.key import Key, sensitivity
+from coursework.grading.marking.key import Key
+from coursework.grading.marking.table.restored import as_it_was, from_what_was
+from coursework.grading.marking.table.ways import (
+    ANGLES,
+    EARLIER,
+    HALF,
+    KEY,
+    START,
+    STEP,
+    STEP_TRUE,
+    StudentTable,
+    Way,
+    as_printed,
+    own_ways,
+)
 from coursework.system.arrays import Array, Flags
 
 Marks = NDArray[np.str_]
-# Half a unit of the last place, and a little for the last bit.
-HALF = 0.505
-# Part of a column's range that no printed digit resolves: constants of a task sheet copied with four digits.
-SLACK = 2e-4
-# Velocities that pass through zero are judged by this part of their range.
-LEAST = 0.05
-# Work computed coarser than it is printed: how much larger the step errors may be, and up to where it is believed.
-_COARSE = 4.2
-_COARSE_FROM, _COARSE_NOTED = 0.2, 0.45
-_COARSE_MOST, _COARSE_GAP = 3e-4, 21.0
-_ROUND_OFF = 1e-12
 
-KEY, ANGLES, EARLIER, STEP, STEP_TRUE, START = "key", "own angles", "own velocities", "step", "step true", "start"
+_ROUND_OFF = 1e-12
 WRONG, MISSING, GIVEN = "wrong", "missing", "given"
 # Right from the student's own earlier cells only.
 CARRIED = (ANGLES, EARLIER, STEP, STEP_TRUE)
 
 
 @dataclass(frozen=True)
-class OwnRows:
-    """All rows of a table that was made with another `step` (s): `values` and `units` (rows, m + r) as in `StudentTable`."""
-
-    step: float
-    values: Array
-    units: Array
-
-
-@dataclass(frozen=True)
-class StudentTable:
-    """A student's table on the grid of the key: `values` (n, m + r) SI, NaN where missing; `units` of the last place, alike.
-
-    `turns` (m + r,) whole turns that the reader took off each column, None for none; `own` the table on the student's own rows,
-    where these are those of another step.
-    """
-
-    values: Array
-    units: Array
-    turns: Array | None = None
-    own: OwnRows | None = None
-
-
-@dataclass(frozen=True)
-class Way:
-    """One way to be right: what a cell should be, and by how much it may differ, (n, m + r); NaN where it says nothing."""
-
-    name: str
-    expected: Array
-    tolerance: Array
-
-    def holds(self, values: Array) -> Flags:
-        """Return where the values are right this way."""
-        with np.errstate(invalid="ignore"):
-            return np.asarray(np.abs(values - self.expected) <= self.tolerance)
-
-
-@dataclass(frozen=True)
 class Cells:
     """The marks of a table: `marks` (n, m + r) is the name of the way that holds, or "wrong", "missing", "given".
 
-    `given` marks the `starts` first cells of row 1, the start values, where they are right; `ways` in the order tried;
-    `too_coarse` where digits were too few to show anything; `computed_to` decimals where the work is coarser than its print,
-    None where it is not.
+    `follows` (n, m + r) is where a cell is Euler's from the cells before it, whatever the key has; `given` marks the `starts`
+    first cells of row 1, the start values, where they are right; `ways` in the order tried; `too_coarse` where digits were too
+    few to show anything; `computed_to` decimals where the work is coarser than its print, None where it is not; `before` the
+    table as it was before cells of it were put right, None where none is.
     """
 
     student: StudentTable
     marks: Marks
+    follows: Flags
     ways: tuple[Way, ...]
     too_coarse: Flags
     computed_to: int | None
     starts: int
+    before: StudentTable | None = None
 
     @property
     def wrong(self) -> Flags:
@@ -109,11 +77,6 @@ class Cells:
         return np.isin(self.marks, CARRIED)
 
 
-def as_printed(key: Key, units: Array) -> Array:
-    """Return by how much cells with these last places may lie from what they stand for: their digits, and round-off."""
-    return HALF * units + SLACK * key.ranges
-
-
 def alike(key: Key, student: StudentTable, table: Array) -> Flags:
     """Return which cells (n, m + r) are those of a table, as far as they are printed; what is missing is none."""
     with np.errstate(invalid="ignore"):
@@ -123,118 +86,27 @@ def alike(key: Key, student: StudentTable, table: Array) -> Flags:
 def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> Cells:
     """Return the marks of every cell; `table` (n, m + r) is what stands for the key's where the motion begins elsewhere."""
     table = key.table if table is None else table
-    m = len(key.coordinates)
-    steps, coarse, computed_to = _steps(key, student)
-    own = _own_angles(key, student, coarse)
-    ways = (
-        Way(KEY, table, as_printed(key, student.units)),
-        own,
-        _own_velocities(key, student, coarse),
-        steps,
-        _true_steps(key, student, own),
-    )
+    m, values = len(key.coordinates), student.values
+    own = own_ways(key, student)
+    ways = (Way(KEY, table, as_printed(key, student.units)), *own.tried)
     with np.errstate(invalid="ignore"):
-        shown = np.isfinite(student.values) & (student.units <= key.coarsest)
-    marks = np.full(student.values.shape, WRONG, dtype="<U16")
+        shown = np.isfinite(values) & (student.units <= key.coarsest)
+    marks = np.full(values.shape, WRONG, dtype="<U16")
     for way in reversed(ways):
-        marks[way.holds(student.values)] = way.name
+        marks[way.holds(values)] = way.name
     start = Way(START, table[:1, :m], HALF * student.units[:1, :m] + _ROUND_OFF)
-    marks[:1, :m] = np.where(start.holds(student.values[:1, :m]), GIVEN, WRONG)
-    marks[:, m:][(marks[:, m:] == WRONG) & _before_a_misprint(key, student, steps, own)] = ANGLES
+    marks[:1, :m] = np.where(start.holds(values[:1, :m]), GIVEN, WRONG)
     marks[~shown] = MISSING
-    too_coarse = ~shown & np.isfinite(student.values)
-    return Cells(student, marks, ways, too_coarse, computed_to, m)
-
-
-def _steps(key: Key, student: StudentTable) -> tuple[Way, float, int | None]:
-    """Return the step from the row before, the floor of coarse work (0 for none) and the decimals it was computed to."""
-    m, h = len(key.coordinates), key.step
-    values, units = student.values, student.units
-    expected = np.full(values.shape, np.nan)
-    tolerance = np.full(values.shape, np.nan)
-    rates = values[:-1, m : 2 * m]
-    size = np.maximum(np.abs(rates), LEAST * key.ranges[m : 2 * m])
-    expected[1:, :m] = values[:-1, :m] + h * rates
-    tolerance[1:, :m] = HALF * (units[1:, :m] + units[:-1, :m]) + HALF * h * units[:-1, m : 2 * m] + SLACK * h * size
-    off = np.abs(values - expected)[np.isfinite(expected) & np.isfinite(values)]
-    usual = tolerance[np.isfinite(tolerance)]
-    if not len(off) or not len(usual):
-        return Way(STEP, expected, tolerance), 0.0, None
-    middle, allowed = float(np.median(off)), float(np.median(usual))
-    if not _COARSE_FROM * allowed < middle <= min(_COARSE_MOST, key.gap / _COARSE_GAP):
-        return Way(STEP, expected, tolerance), 0.0, None
-    computed_to = math.floor(-math.log10(middle)) if middle > _COARSE_NOTED * allowed else None
-    return Way(STEP, expected, np.maximum(tolerance, _COARSE * middle)), _COARSE * middle, computed_to
-
-
-def velocity_tolerance(key: Key, units: Array, expected: Array, spread: Array) -> Array:
-    """Return how far printed velocities (n, r) may lie from `expected`: own digits, those of what they came from, slack."""
-    m = len(key.coordinates)
-    size = np.maximum(np.abs(expected), LEAST * key.ranges[m:])
-    return np.asarray(HALF * np.where(np.isnan(units), 0.0, units) + HALF * spread + SLACK * size)
-
-
-def _own_angles(key: Key, student: StudentTable, coarse: float) -> Way:
-    """Return the velocities of the reference at the student's own angles."""
-    m = len(key.coordinates)
-    q, units = student.values[:, :m], np.maximum(student.units[:, :m], coarse)
-    found = key.velocities_at(key.t, q)
-    copies = 2 * m
-
-    def at(shifted: Array) -> Array:
-        return key.velocities_at(np.tile(key.t, copies), shifted)
-
-    spread = sensitivity(at, q, units)
-    return _velocity_way(ANGLES, key, found, velocity_tolerance(key, student.units[:, m:], found, spread))
-
-
-def _before_a_misprint(key: Key, student: StudentTable, steps: Way, own: Way) -> Flags:
-    """Return which velocities (n, r) are those of the angles that the next row was made from, where the row prints others.
-
-    An angle that is misprinted, or put right when all else is left as it was, is then one wrong cell and no more.
-    """
-    m = len(key.coordinates)
-    values, made_from = student.values, student.values[:, :m].copy()
-    broken = ~steps.holds(values)[1:, :m] & np.isfinite(steps.expected[1:, :m] + values[1:, :m])
-    made_from[:-1][broken] = (values[1:, :m] - key.step * values[:-1, m : 2 * m])[broken]
-    if not broken.any():
-        return np.zeros_like(values[:, m:], dtype=bool)
-    with np.errstate(invalid="ignore"):
-        return np.asarray(np.abs(values[:, m:] - key.velocities_at(key.t, made_from)) <= own.tolerance[:, m:])
-
-
-def _own_velocities(key: Key, student: StudentTable, coarse: float) -> Way:
-    """Return the velocities of each later block from the student's own velocities of the blocks before."""
-    m, r = len(key.coordinates), len(key.velocities)
-    units = student.units.copy()
-    units[:, :m] = np.maximum(units[:, :m], coarse)
-    expected, tolerance = np.full((len(key.t), r), np.nan), np.full((len(key.t), r), np.nan)
-    for index, block in enumerate(key.blocks):
-        if not index:
-            continue
-        places = [key.velocities.index(name) for name in block]
-
-        def at(cells: Array, index: int = index) -> Array:
-            return key.block_at(index, np.tile(key.t, len(cells) // len(key.t)), cells[:, :m], cells[:, m:])
-
-        found = at(student.values)
-        size = np.maximum(np.abs(found), LEAST * key.ranges[[m + place for place in places]])
-        own = np.where(np.isnan(units), 0.0, units)[:, [m + place for place in places]]
-        expected[:, places] = found
-        tolerance[:, places] = HALF * own + HALF * sensitivity(at, student.values, units) + SLACK * size
-    return _velocity_way(EARLIER, key, expected, tolerance)
-
-
-def _velocity_way(name: str, key: Key, expected: Array, tolerance: Array) -> Way:
-    blank = np.full((len(expected), len(key.coordinates)), np.nan)
-    return Way(name, np.hstack([blank, expected]), np.hstack([blank, tolerance]))
-
-
-def _true_steps(key: Key, student: StudentTable, own: Way) -> Way:
-    """Return the step from the row before with the reference's velocity at the student's own angles there."""
-    m, h = len(key.coordinates), key.step
-    values, units = student.values, student.units
-    expected, tolerance = np.full(values.shape, np.nan), np.full(values.shape, np.nan)
-    expected[1:, :m] = values[:-1, :m] + h * own.expected[:-1, m : 2 * m]
-    tolerance[1:, :m] = HALF * (units[1:, :m] + units[:-1, :m]) + h * own.tolerance[:-1, m : 2 * m]
-    return Way(STEP_TRUE, expected, tolerance)
+    follows = own.holds(values)
+    follows[:, m:] |= ways[0].holds(values)[:, m:]
+    before = None
+    if (marks == WRONG).any():
+        right = (marks == KEY) | alike(key, student, key.table)
+        before = as_it_was(key, student, right, own)
+        for way in from_what_was(key, student, right, own, before):
+            holds = way.holds(values)
+            holds[:1, :m] = False
+            marks[holds & (marks == WRONG)] = way.name
+            follows |= holds
+    too_coarse = ~shown & np.isfinite(values)
+    return Cells(student, marks, follows, ways, too_coarse, own.computed_to, m, before)

@@ -13,8 +13,8 @@ from functools import cached_property, partial
 import numpy as np
 
 from coursework.grading.marking.key import Key, sensitivity
-from coursework.grading.marking.table.cells import HALF, LEAST, SLACK, StudentTable, velocity_tolerance
 from coursework.grading.marking.table.starts import march
+from coursework.grading.marking.table.ways import HALF, LEAST, SLACK, StudentTable, velocity_tolerance
 from coursework.system.arrays import Array
 
 # A hypothesis is worth a closer look where this part of the velocities lies within this many of Euler's tolerances.
@@ -27,7 +27,8 @@ class Claim:
 
     `euler` names what it leaves to Euler's rules: "steps", "velocities", "all" or nothing.  `student` is the table it speaks
     about where it is not the one handed in (columns put back, origins taken off); `is_whole` where the start is claimed too.
-    `names` are the columns, starts or equations that it speaks of; `table` makes the whole table as the hypothesis has it.
+    `names` are the columns, starts or equations that it speaks of; `part` is that of the task's step which was made; `table`
+    makes the whole table as the hypothesis has it, `family` the claim about another table.
     """
 
     code: str
@@ -38,6 +39,8 @@ class Claim:
     is_whole: bool = False
     names: tuple[str, ...] = ()
     table: Callable[[], Array] | None = None
+    part: float = 1.0
+    family: Callable[[TableUnderTest], Iterator[Claim]] | None = None
 
 
 @dataclass(frozen=True)

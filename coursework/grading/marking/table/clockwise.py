@@ -12,7 +12,8 @@ from dataclasses import replace
 import numpy as np
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.cells import ANGLES, EARLIER, KEY, LEAST, Cells, StudentTable, mark_cells
+from coursework.grading.marking.table.cells import Cells, mark_cells
+from coursework.grading.marking.table.ways import ANGLES, EARLIER, KEY, LEAST, StudentTable
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array, Flags
 
@@ -38,7 +39,8 @@ def turned_back(key: Key, student: StudentTable) -> StudentTable | None:
     mirrored = _turned(key, student, mirrored=True)
     cells = mark_cells(key, mirrored)
     follows = _explained(key, cells)
-    # A drive with the other sign explains its own table as well; where it explains as much, nothing was counted otherwise.
+    # A drive with the other sign explains its own table as well, and better.  Where both say the same number for number, as in
+    # a train of wheels, nobody can tell them apart, and the convention is believed.
     other = key.misread("sign_drive")
     driven = np.abs(student.values[:, m:] - other(key.t, student.values[:, :m])) if other else None
     by_drive = 0.0
@@ -46,7 +48,7 @@ def turned_back(key: Key, student: StudentTable) -> StudentTable | None:
         allowed = np.fmax.reduce([way.tolerance[:, m:] for way in plain.ways])
         with np.errstate(invalid="ignore"):
             by_drive = _part(driven <= allowed, ~cells.missing[:, m:])
-    return mirrored if follows >= _EXPLAINED and follows > by_drive and _wrong(cells) < _wrong(plain) else None
+    return mirrored if follows >= _EXPLAINED and follows >= by_drive and _wrong(cells) < _wrong(plain) else None
 
 
 def _angular(key: Key) -> Flags:

@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.cells import ANGLES, EARLIER, KEY, START, STEP, STEP_TRUE, Cells
+from coursework.grading.marking.table.cells import Cells
+from coursework.grading.marking.table.ways import ANGLES, EARLIER, KEY, START, STEP, STEP_TRUE
 from coursework.grading.reading.student_work import Table
 from coursework.grading.reading.table.headers import PRINTED
 from coursework.words.sentence import Sentence

@@ -6,7 +6,7 @@ Used by `misconceptions.py`; what was made with other numbers stands in `other_d
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 
@@ -45,15 +45,15 @@ def claims(
         yield replace(printed.claim("clockwise"), student=back)
     if printed.closely:
         yield from shifted_rows(printed)
-    yield from _schemes(printed)
-    yield from _shifted_rows(printed)
-    yield from _steps(printed)
-    yield from _velocities(printed, () if back is None else ("sign_drive",))
-    yield from other_data(printed, confusions)
-    yield from other_tables(printed, others)
-    yield from other_columns(printed)
+    families: list[Callable[[TableUnderTest], Iterator[Claim]]] = [
+        _schemes, _shifted_rows, _steps, partial(_velocities, apart=() if back is None else ("sign_drive",)),
+        partial(other_data, confusions=confusions), partial(other_tables, others=others), other_columns,
+    ]  # fmt: skip
     if printed.closely:
-        yield from equation_claims(printed, equations)
+        families.append(partial(equation_claims, marks=equations))
+    for family in families:
+        for claim in family(printed):
+            yield replace(claim, family=family)
 
 
 def _schemes(printed: TableUnderTest) -> Iterator[Claim]:
@@ -101,12 +101,13 @@ def _steps(printed: TableUnderTest) -> Iterator[Claim]:
     for part in (*STEPS, *([own.step / h] if own else [])):
         step = printed.steps(part * h * printed.w, part * h * units)
         longer = partial(_longer, part * h, m)
-        yield replace(printed.claim("other_step", step), table=printed.marched(printed.key.velocities_at, longer))
+        claims = [replace(printed.claim("other_step", step), table=printed.marched(printed.key.velocities_at, longer))]
         at = printed.slopes(t=printed.key.t * part)
         if printed.nearly(found := at(printed.q)):
-            yield printed.claim("other_step", step, printed.velocities(found, printed.spread(at)))
+            claims.append(printed.claim("other_step", step, printed.velocities(found, printed.spread(at))))
         if (times := round(1 / part)) > 1 and abs(times * part - 1) < _WHOLE:
-            yield printed.claim("other_step", printed.steps(_small_steps(printed, times, printed.q), spread))
+            claims.append(printed.claim("other_step", printed.steps(_small_steps(printed, times, printed.q), spread)))
+        yield from (replace(claim, part=part) for claim in claims)
 
 
 def _at_another_time(key: Key, ahead: float, t: Array, q: Array) -> Array:

@@ -13,23 +13,14 @@ import numpy as np
 
 from coursework.grading.marking.equations.equations import EquationMarks
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.cells import (
-    ANGLES,
-    EARLIER,
-    KEY,
-    STEP,
-    STEP_TRUE,
-    Cells,
-    StudentTable,
-    alike,
-    mark_cells,
-)
+from coursework.grading.marking.table.cells import Cells, alike, mark_cells
 from coursework.grading.marking.table.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.hypotheses import claims
 from coursework.grading.marking.table.own_equations import OWN
-from coursework.grading.marking.table.own_rows import on_own_rows
+from coursework.grading.marking.table.own_rows import more_on_grid, on_own_rows
 from coursework.grading.marking.table.points import explained_share
 from coursework.grading.marking.table.starts import cells_from_own_start, other_starts
+from coursework.grading.marking.table.ways import KEY, StudentTable
 from coursework.system.arrays import Array, Flags
 
 # Named from this share on, if it explains this much more than Euler's rules do; nearly as good ones are ties.
@@ -42,7 +33,6 @@ ALIKE = 0.98
 _CLOSER, _WHOLE = 3, 0.995
 _ROUND_OFF = 1e-9
 OTHER_STEP, ROWS_SHIFTED = "other_step", "rows_shifted"
-_STEPS, _VELOCITIES = (STEP, STEP_TRUE), (KEY, ANGLES, EARLIER)
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,6 +118,7 @@ def explanations(
     named: dict[str, tuple[float, float, tuple[str, ...]]] = {}
     fits: dict[str, Fit] = {}
     tables: dict[str, tuple[Claim, Flags]] = {}
+    part = 1.0
     for claim in claims(printed, confusions or {}, others or {}, equations):
         if claim.code in hidden:
             continue
@@ -137,16 +128,19 @@ def explanations(
         if share >= NAMED and share > against + BETTER and (known is None or share > known[0]) and claim.code != OWN:
             named[claim.code] = share, against, claim.names
         if claim.code == ROWS_SHIFTED:
-            holds = holds | _as_it_stood(key, put_right)
+            put_right.marks[_as_it_stood(key, put_right)] = KEY
         fit = explained_share(key, put_right, holds, only_velocities=claim.code == OTHER_STEP)
         if fit > euler_fit + BETTER and (claim.code not in fits or fit > fits[claim.code].share):
             fits[claim.code] = Fit(claim.code, fit, claim.names)
             tables[claim.code] = claim, holds
+            part = claim.part if claim.code == OTHER_STEP else part
     for fitting in sorted(fits.values(), key=lambda found: -found.share)[:_CLOSER]:
         claim, holds = tables[fitting.code]
-        if claim.table is not None and fitting.share < _WHOLE:
-            near = alike(key, cells.student, claim.table())
-            fit = explained_share(key, cells, holds | near, only_velocities=claim.code == OTHER_STEP)
+        if claim.student is None and fitting.share < _WHOLE:
+            if claim.table is not None:
+                holds = holds | alike(key, cells.student, claim.table())
+            holds = holds | _as_it_was(key, cells, claim)
+            fit = explained_share(key, cells, holds, only_velocities=claim.code == OTHER_STEP)
             fits[claim.code] = replace(fitting, share=max(fit, fitting.share))
     if own := _other_step(key, cells):
         share, fit = own
@@ -154,6 +148,10 @@ def explanations(
             named.setdefault(OTHER_STEP, (share, euler_share, ()))
         if fit > euler_fit + BETTER and (OTHER_STEP not in fits or fit > fits[OTHER_STEP].share):
             fits[OTHER_STEP] = Fit(OTHER_STEP, fit)
+            part = cells.student.own.step / key.step if cells.student.own else 1.0
+    if OTHER_STEP in fits:
+        share = min(1.0, fits[OTHER_STEP].share * more_on_grid(key, cells.student, 1.0 / part))
+        fits[OTHER_STEP] = replace(fits[OTHER_STEP], share=share)
     own_start = cells_from_own_start(key, cells) if _begins_elsewhere(key, cells) else None
     if own_start:
         share, starts = _share(*euler_cells(key, own_start)), other_starts(key, cells)
@@ -172,6 +170,29 @@ def _as_it_stood(key: Key, put_back: Cells) -> Flags:
     """Return which cells of rows that were put back are the key's where they stood before."""
     before, after = (alike(key, put_back.student, np.roll(key.table, by, axis=0)) for by in (1, -1))
     return before | after
+
+
+def _as_it_was(key: Key, cells: Cells, claim: Claim) -> Flags:
+    """Return which cells a claim explains by what stood there before others were put right."""
+    values = cells.student.values
+    with np.errstate(invalid="ignore"):
+        put = (cells.marks == KEY) & (np.abs(values - claim.expected) > claim.tolerance)
+    was = np.where(put, claim.expected, values if cells.before is None else cells.before.values)
+    none = np.zeros(values.shape, dtype=bool)
+    if claim.family is None or np.array_equal(was, values, equal_nan=True):
+        return none
+    before = TableUnderTest(key, replace(cells.student, values=was))
+    found = [_near(values, one.expected, one.tolerance) for one in claim.family(before) if one.code == claim.code]
+    best = max(found, key=np.count_nonzero, default=none)
+    if claim.euler == "steps":
+        units = before.w_units[:, : before.m]
+        best[:, : before.m] |= _near(values[:, : before.m], *before.steps(key.step * before.w, key.step * units))
+    return best
+
+
+def _near(values: Array, expected: Array, tolerance: Array) -> Flags:
+    with np.errstate(invalid="ignore"):
+        return np.asarray(np.abs(values - expected) <= tolerance)
 
 
 def _other_step(key: Key, cells: Cells) -> tuple[float, float] | None:
@@ -210,16 +231,9 @@ def indistinct(key: Key, units: Array, confusions: Mapping[str, float] | None = 
 
 def euler_cells(key: Key, cells: Cells) -> tuple[Flags, Flags]:
     """Return which cells follow Euler's rules, and of which they speak (start values apart)."""
-    m = len(key.coordinates)
-    values = cells.student.values
-    explained = np.zeros(values.shape, dtype=bool)
-    for way in cells.ways:
-        columns = slice(0, m) if way.name in _STEPS else slice(m, None)
-        if way.name in (*_STEPS, *_VELOCITIES):
-            explained[:, columns] |= way.holds(values)[:, columns]
     spoken = ~cells.missing
-    spoken[0, :m] = False
-    return explained & spoken, spoken
+    spoken[0, : len(key.coordinates)] = False
+    return cells.follows & spoken, spoken
 
 
 def _claimed(key: Key, cells: Cells, claim: Claim, explained: Flags, spoken: Flags) -> tuple[Cells, Flags, Flags]:

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.cells import Cells, as_printed
+from coursework.grading.marking.table.cells import Cells
+from coursework.grading.marking.table.ways import as_printed
 from coursework.system.arrays import Array, Flags
 
 # Rows that must follow each other shifted by as much, before anybody speaks of a shift; how far one is looked for.

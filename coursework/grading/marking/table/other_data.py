@@ -14,9 +14,9 @@ from itertools import combinations
 import numpy as np
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.cells import HALF, SLACK, StudentTable, as_printed
 from coursework.grading.marking.table.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.shifted import put_back
+from coursework.grading.marking.table.ways import HALF, SLACK, StudentTable, as_printed
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array
 

@@ -18,13 +18,13 @@ from coursework.grading.marking.equations.equations import EquationMarks, differ
 from coursework.grading.marking.equations.numbers import NoValue, real, size_of, value_of
 from coursework.grading.marking.equations.probe import kinds, names_at
 from coursework.grading.marking.key import Key, sensitivity
-from coursework.grading.marking.table.cells import HALF, SLACK
 from coursework.grading.marking.table.claims import Claim, TableUnderTest
+from coursework.grading.marking.table.ways import HALF, SLACK
 from coursework.system.arrays import Array
 from coursework.variant.formula.tree import Formula
 
 # A line was used as it stands where it holds in this part of the rows, and with a slip where that holds in so many more.
-_HOLDS, _BETTER = 0.9, 0.2
+_HOLDS, _BETTER = 0.9, 0.1
 _SINGULAR = 1e-9
 OWN = "own_equations"
 
@@ -94,6 +94,8 @@ def _claim(printed: TableUnderTest, code: str, used: Sequence[Used]) -> Iterator
 def _used(printed: TableUnderTest, lines: Sequence[Line]) -> list[Used]:
     """Return each line as the table uses it: as it stands, or with the single slip that explains more of its rows."""
     key, m, student = printed.key, printed.m, printed.student
+    if not lines:
+        return []
 
     def named(cells: Array) -> dict[str, Any]:
         names = names_at(key, np.tile(key.t, len(cells) // len(key.t)), cells[:, :m])

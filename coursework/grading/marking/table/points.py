@@ -12,7 +12,8 @@ from typing import Literal
 import numpy as np
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.cells import KEY, MISSING, SLACK, STEP, STEP_TRUE, Cells
+from coursework.grading.marking.table.cells import MISSING, Cells
+from coursework.grading.marking.table.ways import KEY, SLACK, STEP, STEP_TRUE
 from coursework.system.arrays import Array, Flags
 
 # Rows whose velocities are all shown and right, below which steps made with them prove nothing; right cells below each other,
@@ -71,7 +72,7 @@ def table_points(key: Key, cells: Cells, carried: float = 1.0) -> TablePoints:
     steps = np.zeros_like(right)
     steps[:, :m] = np.isin(marks[:, :m], (STEP, STEP_TRUE))
     used = np.zeros_like(right)
-    used[1:, :m] = right[:-1, m : 2 * m] & (_moves(cells.student.values[:, :m]) | ~_moves(key.table[:, :m]))
+    used[1:, :m] = right[:-1, m : 2 * m] & _moves_as_it_may(key, cells)
     velocities = cells.carried & ~steps
     still = right & _constant(key)
     shut = {
@@ -119,7 +120,7 @@ def explained_share(key: Key, cells: Cells, holds: Flags, *, only_velocities: bo
     m = len(key.coordinates)
     q, by_key = cells.student.values[:, :m], cells.marks == KEY
     holds = (holds | by_key) & ~cells.missing & cells.counted
-    moves = _moves(q) | ~_moves(key.table[:, :m])
+    moves = _moves_as_it_may(key, cells)
     steps = holds[1:, :m] & holds[:-1, m : 2 * m] & moves
     counts = np.zeros_like(holds)
     counts[1:, :m] = steps
@@ -145,6 +146,7 @@ def rows_that_follow(key: Key, cells: Cells) -> Flags:
         spare = _SPARE * largest + SLACK * key.ranges[:m] + np.fmax(units[1:, :m], h * units[1:, m : 2 * m])
         near = np.abs(np.diff(q, axis=0) - h / 2 * (w[1:] + w[:-1])) <= own + spare
     steps = np.isin(cells.marks[1:, :m], (STEP, STEP_TRUE)) & ~cells.wrong[:-1, m : 2 * m]
+    steps |= cells.marks[1:, :m] == KEY
     moves = np.asarray(_moves(q).any(axis=1) | ~_moves(key.table[:, :m]).any(axis=1))
     return _following(q, near | steps, moves)
 
@@ -182,6 +184,13 @@ def stands_still(key: Key, cells: Cells) -> bool:
 def _moves(angles: Array) -> Flags:
     """Return where a coordinate (n, m) is another than in the row before (n - 1, m)."""
     return np.asarray(np.abs(np.diff(angles, axis=0)) > _CONSTANT)
+
+
+def _moves_as_it_may(key: Key, cells: Cells) -> Flags:
+    """Return where a coordinate moves (n - 1, m), now or before cells were put right, or the key's does not either."""
+    m = len(key.coordinates)
+    before = cells.before or cells.student
+    return _moves(cells.student.values[:, :m]) | _moves(before.values[:, :m]) | ~_moves(key.table[:, :m])
 
 
 def true_steps(key: Key, cells: Cells) -> Flags:

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from coursework.grading.marking.table.cells import StudentTable, alike
+from coursework.grading.marking.table.cells import alike
 from coursework.grading.marking.table.claims import TableUnderTest
+from coursework.grading.marking.table.ways import StudentTable
 from coursework.system.arrays import Array
 
 # The rows are looked at closer where shifted ones have so large a part of their cells right, and this much more than before.
@@ -41,7 +42,10 @@ def put_back(printed: TableUnderTest) -> StudentTable | None:
 
 
 def _right(printed: TableUnderTest, by: int) -> Array:
-    """Return how many cells of each row (n,) are those of the row `by` further on: the key's, or velocities of own angles."""
+    """Return how far each row (n,) is the one `by` further on, in cells: coordinates the key's, velocities its or of own angles.
+
+    Both must be, or only the velocities are those of another time.
+    """
     key, m, values = printed.key, printed.m, printed.student.values
     last = key.table[-1:, :m] + key.step * key.table[-1:, m : 2 * m]
     t = np.asarray(key.t + by * key.step)
@@ -51,4 +55,7 @@ def _right(printed: TableUnderTest, by: int) -> Array:
     with np.errstate(invalid="ignore"):
         own = np.abs(values[:, m:] - key.velocities_at(t, printed.q)) <= printed.true_velocities[1]
     right[:, m:] |= own & (t >= 0)[:, None]
-    return np.asarray(right.sum(axis=1), dtype=float)
+    there = np.isfinite(values)
+    parts = [part for part in (slice(0, m), slice(m, None)) if there[:, part].any()]
+    shares = [right[:, part].sum(axis=1) / np.maximum(there[:, part].sum(axis=1), 1) for part in parts]
+    return np.asarray(np.min(shares, axis=0, initial=1.0) * values.shape[1])

@@ -10,7 +10,8 @@ from collections.abc import Callable
 import numpy as np
 
 from coursework.grading.marking.key import Key
-from coursework.grading.marking.table.cells import KEY, Cells, mark_cells
+from coursework.grading.marking.table.cells import Cells, mark_cells
+from coursework.grading.marking.table.ways import KEY
 from coursework.system.arrays import Array
 
 

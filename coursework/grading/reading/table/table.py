@@ -67,7 +67,7 @@ def _table(sheet: Sheet, layout: Layout, origin: Origin, grid: Grid) -> Table:
     if not any(row is not None for row in rows.of_grid):
         raise unreadable("no_rows", step=grid.step, rows=grid.rows)
     read = [_column(column, places.places[column.name], layout, rows) for column in grid.columns if column.name in places.places]
-    read = sorted(map(partial(_like_others, read), read), key=lambda column: column.at)
+    read = sorted(map(partial(_like_others, read, layout), read), key=lambda column: column.at)
     units: dict[str, dict[str, Any]] = {column.name: {"at": column.at, "by": column.by, "unit": column.unit} for column in read}
     if TIME in places.places:
         time = places.places[TIME]
@@ -109,24 +109,50 @@ def _column(column: GridColumn, place: Place, layout: Layout, rows: Rows) -> Tab
     )  # fmt: skip
 
 
-def _like_others(columns: list[TableColumn], column: TableColumn) -> TableColumn:
-    """Return a column in exactly equal steps (a steady drive, whose zeros were dropped) with the decimals of those beside it."""
-    fixed = [other for other in columns if len(set(other.last_place)) == 1]
-    alike = [other.decimals for other in fixed if other.unit == column.unit and other is not column]
-    decimals = max(alike or [other.decimals for other in fixed], default=0)
-    if len(fixed) < len(columns) or decimals <= column.decimals or not _is_steady(column.values, column.decimals):
+def _like_others(columns: list[TableColumn], layout: Layout, column: TableColumn) -> TableColumn:
+    """Return a column in exactly equal steps (a steady drive, whose zeros were dropped) with the digits of those beside it.
+
+    One fractional number all the way down lost its zeros where others did, and where it has fewer digits than they.
+    """
+    others = [other for other in columns if other is not column]
+    if not others or len(set(column.last_place)) > 1 or not _is_steady(column):
+        return column
+    is_plain = column.decimals == 0 or column.values[0] != column.values[-1]
+    digits = max(_digits(layout, other) for other in others)
+    is_short = any(_drops_zeros(layout, other) for other in others) and _digits(layout, column) < digits
+    if all(len(set(other.last_place)) == 1 for other in others):
+        decimals = max([other.decimals for other in others if other.unit == column.unit] or [other.decimals for other in others])
+    else:
+        is_plain, first = False, layout.body[0][column.at - 1]
+        decimals = column.decimals + digits - first.digits
+    if decimals <= column.decimals or not (is_plain or is_short):
         return column
     finer = 10.0 ** (column.decimals - decimals)
     return replace(column, decimals=decimals, last_place=tuple(step * finer for step in column.last_place))
 
 
-def _is_steady(values: Sequence[float], decimals: int) -> bool:
-    """Return whether numbers are one whole number, or exactly in equal steps, which no rounding leaves them."""
-    known = [value for value in values if math.isfinite(value)]
+def _numbers(layout: Layout, column: TableColumn) -> list[PrintedNumber]:
+    cells = [row[column.at - 1] for row in layout.body]
+    return [cell for cell in cells if cell.is_number and cell.value]
+
+
+def _digits(layout: Layout, column: TableColumn) -> int:
+    """Return the most significant digits that a cell of a column has."""
+    return max((cell.digits for cell in _numbers(layout, column)), default=0)
+
+
+def _drops_zeros(layout: Layout, column: TableColumn) -> bool:
+    """Return whether the cells of a column have decimals that differ."""
+    return len({cell.place for cell in _numbers(layout, column)}) > 1
+
+
+def _is_steady(column: TableColumn) -> bool:
+    """Return whether numbers are exactly in equal steps or all the same, which no rounding leaves of others."""
+    known = [value for value in column.values if math.isfinite(value)]
     steps = [later - earlier for earlier, later in pairwise(known)]
-    if len(known) < len(values) or len(steps) < 2 or max(steps) - min(steps) > 1e-9 * max(1.0, abs(known[0]), abs(known[-1])):
+    if len(known) < len(column.values) or len(steps) < 2:
         return False
-    return decimals == 0 or abs(steps[0]) > 1e-9
+    return max(steps) - min(steps) <= 1e-9 * max(1.0, abs(known[0]), abs(known[-1]))
 
 
 def _notes(layout: Layout, places: Places, rows: Rows, read: list[TableColumn], grid: Grid) -> list[Note]:

@@ -1,4 +1,4 @@
-"""STEP: rows enough for the drive, for every turn of a crank, and one at each break of the drive.
+"""STEP: rows enough for the drive, for every turn of a crank, one at each break of the drive, nothing hidden between two.
 
 Enters: `Evidence`.  Leaves: a `Finding`.  Used by `check.py`.
 """
@@ -7,10 +7,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from coursework.motion.geometry.drive import breaks
+from coursework.equations.reduction.equations import VelocityEquations
+from coursework.motion.geometry.drive import breaks, drive_values, resolution
 from coursework.motion.geometry.swings import turning_cranks
 from coursework.results.checks.evidence import Evidence
-from coursework.results.checks.result import Finding, skipped
+from coursework.results.checks.result import Finding, percent, skipped
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.sentences import joined
 
@@ -18,12 +19,17 @@ from coursework.words.sentences import joined
 ROWS_A_PERIOD = 20
 # A break of the drive this part of its time from a row is at the row.
 AT_ROW = 1e-9
+# The part of its range by which |sin| leaves the line between two of twenty rows a period, at a fold, is a sixth.
+FOLD = 0.2
+# A stretch of the drive that is this part of a step is looked into, at so many places; so many tell the range of the drive.
+_SUDDEN, _LOOKS, _RANGE = 2, 9, 1001
+_AT_ROW = 1e-12
 # Parts of a step after which a break counts as one that no whole part of the step meets.
 _MOST_PARTS = 1000
 
 
 def enough(evidence: Evidence) -> Finding:
-    """At least twenty rows a period of the drive and a turn of a crank, and a row at each break.
+    """At least twenty rows a period of the drive and a turn of a crank, a row at each break, no pulse between two rows.
 
     Exact rows have no error from a break between them, so they are judged by the rows a period and a turn alone.
     """
@@ -39,6 +45,11 @@ def enough(evidence: Evidence) -> Finding:
         return Finding(
             "COARSE", sentence, late, 0.0, evidence.say("unit.of_a_step"), None, row + 1, cured=parts_at_breaks(evidence) > 0
         )
+    if (hidden := evidence.once(f"hidden at {step!r} s", lambda: between_rows(evidence.equations, step))) is not None:
+        name, time, share = hidden
+        row = int(time / step) + 1
+        sentence = evidence.say("check.STEP.sudden", name=name, time=time, row=row, next=row + 1, share=percent(share))
+        return Finding("COARSE", sentence, share, None, evidence.say("unit.of_its_range"), None, row)
     between = [evidence.say("check.STEP.exact", breaks=listed)] if missed else []
     cranks = evidence.once("turning", lambda: turning_cranks(evidence.equations))
     speeds = {"": evidence.drive_frequency, **{name: cranks[name] for name in cranks if name in evidence.motion.names}}
@@ -52,6 +63,34 @@ def enough(evidence: Evidence) -> Finding:
     sentence = joined([evidence.say(key, name=name, frequency=speeds[name], rows=rows, step=most), *between])
     unit = evidence.say("unit.rows", number=rows)
     return Finding("PASS" if verdict == "pass" else "COARSE", sentence, rows, float(ROWS_A_PERIOD), unit, name or None)
+
+
+def between_rows(equations: VelocityEquations, step: float) -> tuple[str, float, float] | None:
+    """Return the drive that leaves the line between two rows a step (s) apart the most, when (s), and by what part of its range.
+
+    None where none does by more than `FOLD`.  Looked at is what takes less than a step; a break between rows is told otherwise.
+    """
+    variant, edges = equations.variant, resolution(equations).edges
+    sudden = np.flatnonzero(np.diff(edges) < step / _SUDDEN)
+    names = [law.name for law in variant.drive]
+    if not len(sudden) or not names:
+        return None
+    times = (edges[sudden, None] + np.diff(edges)[sudden, None] * (np.arange(_LOOKS) + 0.5) / _LOOKS).reshape(-1)
+    row = np.floor(times / step)
+    inner = [int(time / step) for time in breaks(variant) if abs(time / step - round(time / step)) > AT_ROW * (1 + time / step)]
+    kept = ~np.isin(row, inner)
+    times, row = times[kept], row[kept]
+    if not len(times):
+        return None
+    # A row at a break of the drive is the end of its old formula, and the begin of the new one.
+    first, last = (drive_values(equations, names, at) for at in (row * step * (1 + _AT_ROW), (row + 1) * step * (1 - _AT_ROW)))
+    values, part = drive_values(equations, names, times), (times / step - row)[:, None]
+    rows = drive_values(equations, names, np.linspace(0.0, variant.time.end, _RANGE))
+    seen = np.concatenate([values, first, last, rows])
+    off = np.abs(values - first - part * (last - first)) / np.maximum(np.ptp(seen, axis=0), np.finfo(float).tiny)
+    place, column = np.unravel_index(np.argmax(np.where(np.isfinite(off), off, 0.0)), off.shape)
+    share = float(off[place, column])
+    return (names[column], float(times[place]), share) if share > FOLD else None
 
 
 def off_row(evidence: Evidence, step: float) -> list[float]:

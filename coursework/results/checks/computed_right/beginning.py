@@ -21,8 +21,9 @@ START_LIMIT = 1e-6  # of the largest length: five digits in the start values are
 def stopped(evidence: Evidence) -> Finding:
     """The mechanism can make the whole motion, and the scheme does not step out of it."""
     stop = evidence.motion.stop
-    if stop is None and evidence.given_up is not None:
-        told = say("check.STOP.given_up", rows=len(evidence.motion.t), time=evidence.given_up)
+    given_up = evidence.search.given_up if evidence.search is not None else None
+    if stop is None and given_up is not None:
+        told = say("check.STOP.given_up", rows=len(evidence.motion.t), time=given_up)
         return replace(skipped(told), headline=told)
     if stop is None:
         return Finding("PASS", say("check.STOP.pass", rows=len(evidence.motion.t)))

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 DIGITS, FEWEST = 16.0, 6.0
 # Ruiz' scaling has settled to a few percent after this many rounds, and the condition number wants no more.
 _ROUNDS = 8
+_ROUNDING = 1e-9
 
 
 def condition(evidence: Evidence) -> Finding:
@@ -85,27 +86,23 @@ def _or_one(sizes: Array) -> Array:
 
 
 def peak(evidence: Evidence) -> Finding:
-    """No angle that is integrated changes by more than one radian in one step, also where it is fastest between two rows.
+    """No angle that is integrated goes further than one radian within any time of one step, to and fro taken together.
 
     A wheel whose angle nobody adds up may turn faster: no row steps over anything with it.
     """
-    variant, step = evidence.variant, evidence.motion.step
-    if evidence.given_up is not None:
-        return skipped(evidence.say("check.PEAK.given_up", time=evidence.given_up))
-    if evidence.stop is not None or not evidence.fastest:
+    variant, step, search = evidence.variant, evidence.motion.step, evidence.search
+    if search is not None and search.given_up is not None:
+        return skipped(evidence.say("check.PEAK.given_up", time=search.given_up))
+    turning = [place for place, coordinate in enumerate(variant.coordinates) if coordinate.unit == "rad"]
+    if evidence.stop is not None or search is None or not (fastest := search.fastest(turning)):
         return skipped(evidence.say("check.PEAK.stopped"))
-    turning = [
-        (rate, when, coordinate)
-        for (rate, when), coordinate in zip(evidence.fastest, variant.coordinates, strict=True)
-        if coordinate.unit == "rad"
-    ]
     if not turning:
         return skipped(evidence.say("check.PEAK.no_angle"))
-    rate, when, coordinate = max(turning, key=lambda entry: entry[0])
-    turned = rate * step
+    turned, place = max((search.turned(place, step), place) for place in turning)
+    (rate, when), coordinate = fastest[place], variant.coordinates[place]
     moment = evidence.say("check.PEAK.constant") if when is None else evidence.say("check.PEAK.moment", time=when)
     found = {"rate": coordinate.rate, "moment": moment, "value": rate, "turned": turned, "name": coordinate.name}
-    if turned <= WIDEST_STEP:
+    if turned <= WIDEST_STEP * (1 + _ROUNDING):
         return Finding("PASS", evidence.say("check.PEAK.pass", **found), turned, WIDEST_STEP, "rad", coordinate.rate)
-    sentence = evidence.say("check.PEAK.coarse", **found, step=WIDEST_STEP / rate)
-    return Finding("COARSE", sentence, turned, WIDEST_STEP, "rad", coordinate.rate)
+    most = 0.0 if evidence.is_trial else search.longest_step(place, WIDEST_STEP, step)
+    return Finding("COARSE", evidence.say("check.PEAK.coarse", **found, step=most), turned, WIDEST_STEP, "rad", coordinate.rate)

@@ -1,0 +1,176 @@
+"""The ways in which a cell of a table may be right: what each expects, and how far a printed number may lie from it.
+
+Enters: a `Key` and the student's table on its grid.  Leaves: `Way`s.  Used by `cells.py`, `restored.py`, the hypotheses.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from coursework.grading.marking.key import Key, sensitivity
+from coursework.system.arrays import Array, Flags
+
+# Half a unit of the last place, and a little for the last bit.
+HALF = 0.505
+# Part of a column's range that no printed digit resolves: constants of a task sheet copied with four digits.
+SLACK = 2e-4
+# Velocities that pass through zero are judged by this part of their range.
+LEAST = 0.05
+# Work computed coarser than it is printed: how much larger the step errors may be, and up to where it is believed.
+_COARSE = 4.2
+_COARSE_FROM, _COARSE_NOTED = 0.2, 0.45
+_COARSE_MOST, _COARSE_GAP = 3e-4, 21.0
+
+
+KEY, ANGLES, EARLIER, STEP, STEP_TRUE, START = "key", "own angles", "own velocities", "step", "step true", "start"
+
+
+@dataclass(frozen=True)
+class OwnRows:
+    """All rows of a table that was made with another `step` (s): `values` and `units` (rows, m + r) as in `StudentTable`."""
+
+    step: float
+    values: Array
+    units: Array
+
+
+@dataclass(frozen=True)
+class StudentTable:
+    """A student's table on the grid of the key: `values` (n, m + r) SI, NaN where missing; `units` of the last place, alike.
+
+    `turns` (m + r,) whole turns that the reader took off each column, None for none; `own` the table on the student's own rows,
+    where these are those of another step.
+    """
+
+    values: Array
+    units: Array
+    turns: Array | None = None
+    own: OwnRows | None = None
+
+
+@dataclass(frozen=True)
+class Way:
+    """One way to be right: what a cell should be, and by how much it may differ, (n, m + r); NaN where it says nothing."""
+
+    name: str
+    expected: Array
+    tolerance: Array
+
+    def holds(self, values: Array) -> Flags:
+        """Return where the values are right this way."""
+        with np.errstate(invalid="ignore"):
+            return np.asarray(np.abs(values - self.expected) <= self.tolerance)
+
+
+def as_printed(key: Key, units: Array) -> Array:
+    """Return by how much cells with these last places may lie from what they stand for: their digits, and round-off."""
+    return HALF * units + SLACK * key.ranges
+
+
+@dataclass(frozen=True)
+class OwnWays:
+    """The ways from a student's own cells; `computed_to` decimals where the work is coarser than its print, else None."""
+
+    angles: Way
+    earlier: Way
+    step: Way
+    step_true: Way
+    computed_to: int | None
+
+    @property
+    def tried(self) -> tuple[Way, ...]:
+        """Return the ways in the order tried."""
+        return self.angles, self.earlier, self.step, self.step_true
+
+    def holds(self, values: Array) -> Flags:
+        """Return where values (n, m + r) are right in one of the ways."""
+        return np.asarray(np.any([way.holds(values) for way in self.tried], axis=0))
+
+
+def own_ways(key: Key, student: StudentTable) -> OwnWays:
+    """Return what each cell should be by the cells that it was made from."""
+    step, coarse, computed_to = _steps(key, student)
+    angles = _own_angles(key, student, coarse)
+    return OwnWays(angles, _own_velocities(key, student, coarse), step, _true_steps(key, student, angles), computed_to)
+
+
+def _steps(key: Key, student: StudentTable) -> tuple[Way, float, int | None]:
+    """Return the step from the row before, the floor of coarse work (0 for none) and the decimals it was computed to."""
+    m, h = len(key.coordinates), key.step
+    values, units = student.values, student.units
+    expected = np.full(values.shape, np.nan)
+    tolerance = np.full(values.shape, np.nan)
+    rates = values[:-1, m : 2 * m]
+    size = np.maximum(np.abs(rates), LEAST * key.ranges[m : 2 * m])
+    expected[1:, :m] = values[:-1, :m] + h * rates
+    tolerance[1:, :m] = HALF * (units[1:, :m] + units[:-1, :m]) + HALF * h * units[:-1, m : 2 * m] + SLACK * h * size
+    off = np.abs(values - expected)[np.isfinite(expected) & np.isfinite(values)]
+    usual = tolerance[np.isfinite(tolerance)]
+    if not len(off) or not len(usual):
+        return Way(STEP, expected, tolerance), 0.0, None
+    middle, allowed = float(np.median(off)), float(np.median(usual))
+    if not _COARSE_FROM * allowed < middle <= min(_COARSE_MOST, key.gap / _COARSE_GAP):
+        return Way(STEP, expected, tolerance), 0.0, None
+    computed_to = math.floor(-math.log10(middle)) if middle > _COARSE_NOTED * allowed else None
+    return Way(STEP, expected, np.maximum(tolerance, _COARSE * middle)), _COARSE * middle, computed_to
+
+
+def velocity_tolerance(key: Key, units: Array, expected: Array, spread: Array) -> Array:
+    """Return how far printed velocities (n, r) may lie from `expected`: own digits, those of what they came from, slack."""
+    m = len(key.coordinates)
+    size = np.maximum(np.abs(expected), LEAST * key.ranges[m:])
+    return np.asarray(HALF * np.where(np.isnan(units), 0.0, units) + HALF * spread + SLACK * size)
+
+
+def _own_angles(key: Key, student: StudentTable, coarse: float) -> Way:
+    """Return the velocities of the reference at the student's own angles."""
+    m = len(key.coordinates)
+    q, units = student.values[:, :m], np.maximum(student.units[:, :m], coarse)
+    found = key.velocities_at(key.t, q)
+    copies = 2 * m
+
+    def at(shifted: Array) -> Array:
+        return key.velocities_at(np.tile(key.t, copies), shifted)
+
+    spread = sensitivity(at, q, units)
+    return _velocity_way(ANGLES, key, found, velocity_tolerance(key, student.units[:, m:], found, spread))
+
+
+def _own_velocities(key: Key, student: StudentTable, coarse: float) -> Way:
+    """Return the velocities of each later block from the student's own velocities of the blocks before."""
+    m, r = len(key.coordinates), len(key.velocities)
+    units = student.units.copy()
+    units[:, :m] = np.maximum(units[:, :m], coarse)
+    expected, tolerance = np.full((len(key.t), r), np.nan), np.full((len(key.t), r), np.nan)
+    for index, block in enumerate(key.blocks):
+        if not index:
+            continue
+        places = [key.velocities.index(name) for name in block]
+
+        def at(cells: Array, index: int = index) -> Array:
+            return key.block_at(index, np.tile(key.t, len(cells) // len(key.t)), cells[:, :m], cells[:, m:])
+
+        found = at(student.values)
+        size = np.maximum(np.abs(found), LEAST * key.ranges[[m + place for place in places]])
+        own = np.where(np.isnan(units), 0.0, units)[:, [m + place for place in places]]
+        expected[:, places] = found
+        tolerance[:, places] = HALF * own + HALF * sensitivity(at, student.values, units) + SLACK * size
+    return _velocity_way(EARLIER, key, expected, tolerance)
+
+
+def _velocity_way(name: str, key: Key, expected: Array, tolerance: Array) -> Way:
+    blank = np.full((len(expected), len(key.coordinates)), np.nan)
+    return Way(name, np.hstack([blank, expected]), np.hstack([blank, tolerance]))
+
+
+def _true_steps(key: Key, student: StudentTable, own: Way) -> Way:
+    """Return the step from the row before with the reference's velocity at the student's own angles there."""
+    m, h = len(key.coordinates), key.step
+    values, units = student.values, student.units
+    expected, tolerance = np.full(values.shape, np.nan), np.full(values.shape, np.nan)
+    expected[1:, :m] = values[:-1, :m] + h * own.expected[:-1, m : 2 * m]
+    tolerance[1:, :m] = HALF * (units[1:, :m] + units[:-1, :m]) + h * own.tolerance[:-1, m : 2 * m]
+    return Way(STEP_TRUE, expected, tolerance)

@@ -1,0 +1,58 @@
+"""A spreadsheet drops zeros at the end of numbers: 6.5 all down a column is as fine as 6.283 beside it, and costs no points."""
+
+import numpy as np
+import pytest
+
+from coursework.grading.marking.grade import Marker
+from coursework.grading.marking.rubric import Rubric
+from coursework.grading.reading.read_submission import read_submission
+from coursework.grading.reading.submission import Submission, submitted_file
+from coursework.variant.reading.reader import parse_variant
+from tests.grading.marking.machines import SLIDER_CRANK
+from tests.grading.marking.test_equal_faults import Desk
+
+STEADY = SLIDER_CRANK.replace(b"w0 + eps*sin(3*t)", b"w0 + 0*eps")
+
+
+def short(value, digits):
+    return f"{value:.{digits}f}".rstrip("0").rstrip(".")
+
+
+def significant(value, digits):
+    return f"{value:.{digits}g}"
+
+
+def graded(desk, written, mark="."):
+    """`written` (row, column, value) gives the text of each cell."""
+    lines = [";".join(["t", *desk.key.names])]
+    for row, values in enumerate(desk.machine.table()):
+        cells = [written(row, place, value) for place, value in enumerate(values)]
+        lines.append(";".join([short(row * desk.machine.h, 4), *cells]).replace(".", mark))
+    files = (submitted_file("table.csv", "\n".join(lines).encode()),)
+    return Marker(desk.key, Rubric()).grade(read_submission(Submission("a", None, files), desk.expected))
+
+
+@pytest.mark.parametrize("rate", ["6.5", "6.25", "-6.5", "7", "0.5"])
+@pytest.mark.parametrize("style", [short, significant])
+def test_a_steady_column_is_as_fine_as_those_beside_it(rate, style):
+    desk = Desk(parse_variant(STEADY.replace(b'"7 1/s"', f'"{rate} 1/s"'.encode()), "own.toml", {}))
+    least = desk.key.least_decimals + 1 + (style is significant)
+    for digits in range(least, 8):
+        for mark in ".,":
+            grade = graded(desk, lambda row, place, value, to=digits: style(value, to), mark)
+            assert grade.part("table")[0] == 60, (digits, mark)
+
+
+def test_a_column_that_is_printed_coarser_than_those_beside_it_is_coarse():
+    """As the numbers change, each of one digit behind the point, nothing was dropped."""
+    desk = Desk(parse_variant(SLIDER_CRANK, "own.toml", {}))
+    coarse = desk.key.names.index("w2")
+    grade = graded(desk, lambda row, place, value: short(value, 1 if place == coarse else 4))
+    assert grade.plain()["table"]["decimals"]["w2"] == 1
+    assert np.all(grade.table.cells.student.units[:, coarse] == pytest.approx(0.1))
+
+
+def test_significant_digits_that_are_all_there_are_no_dropped_zeros():
+    desk = Desk(parse_variant(STEADY.replace(b'"7 1/s"', b'"6.283185 1/s"'), "own.toml", {}))
+    grade = graded(desk, lambda row, place, value: significant(value, 4))
+    assert grade.table.cells.student.units[0, desk.key.names.index("w1")] == pytest.approx(1e-3)
