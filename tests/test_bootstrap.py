@@ -112,7 +112,9 @@ def test_without_a_command_it_says_what_it_is_for(capsys):
     assert bootstrap.main(["--help"]) == 0
 
 
-@pytest.mark.parametrize(("words", "marked", "runs"), [([], False, 2), (["--long"], True, 2), (["--long", "tests/hard"], True, 1)])
+@pytest.mark.parametrize(
+    ("words", "marked", "runs"), [([], False, 2), (["--long"], True, 2), (["--long", "tests/hard"], True, 1)]
+)
 def test_what_takes_long_is_asked_for(words, marked, runs, tmp_path, monkeypatch):
     commands = []
     ended = subprocess.CompletedProcess([], 0)

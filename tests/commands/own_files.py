@@ -11,6 +11,8 @@ from typing import Any
 
 import mpmath as mp
 
+from tests.triangles import e, meeting
+
 GROUPS = {
     "rocker": "crank,RRR,RRR", "inclined": "crank,RRP", "lever": "crank,RPR", "oblique": "crank,RPP", "slots": "crank,crank,PRP",
     "lift": "crank,crank,RRR,RRP",
@@ -84,17 +86,6 @@ def turned(equation: str) -> list[str]:
             continue
         found.append(equation[: match.start()] + sign + equation[match.end() :])
     return found
-
-
-def e(angle: Any) -> Any:
-    return mp.expj(angle)
-
-
-def meeting(b: Any, d: Any, rod: Any, rocker: Any) -> Any:
-    """Return the joint of two bars to the left of the ray from b to d."""
-    way = d - b
-    along = (rod**2 + abs(way) ** 2 - rocker**2) / (2 * abs(way))
-    return b + way / abs(way) * mp.mpc(along, mp.sqrt(rod**2 - along**2))
 
 
 def ways(gap: Any, one: Any, other: Any) -> tuple[Any, Any]:

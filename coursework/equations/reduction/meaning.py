@@ -30,9 +30,10 @@ def meaning(determinant: Formula, variant: Variant, unknowns: Sequence[str], at:
 
     With the coordinates of a singular position `at`: only what holds there.
     """
-    if len(_vanishing(determinant, variant, at)) == 1 and (known := _of_group(variant, unknowns)):
+    vanishing = _vanishing(determinant, variant, at)
+    if len(vanishing) == 1 and (known := _of_group(variant, unknowns)):
         return known
-    found = [sentence for factor in _vanishing(determinant, variant, at) if (sentence := _factor(factor, variant))]
+    found = [sentence for factor in vanishing if (sentence := _factor(factor, variant))]
     return joined(found, "join.or_else") if found else say("determinant.never")
 
 

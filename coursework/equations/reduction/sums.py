@@ -1,6 +1,7 @@
 """Sums of data that an author writes as one length, (R0 + R4), (L - L/k): found in his formulas, gathered after multiplying out.
 
-Enters: formulas of a file; the terms of an expression.  Leaves: sums; terms in which each is one factor.  Used by `tidy.py`.
+Enters: formulas of a file; the terms of an expression.  Leaves: sums; terms in which each is one factor.
+Used by `tidy.py`, `addition_theorems.py`.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ import sympy as sp
 from coursework.equations.reduction.symbolic import symbol
 from coursework.variant.formula.tree import Formula
 
+Atoms = dict[sp.Expr, int]
 Term = tuple[Fraction, tuple[tuple[sp.Expr, int], ...]]
 Sum = tuple[Term, ...]  # each part a product of data
 

@@ -1,7 +1,7 @@
 """SymPy expression -> formula in the author's order and the textbook's compact form.
 
 Enters: expressions of a small block.  Leaves: `Formula` for a page.  Nothing numeric reads it.
-A rewrite of our own: common factors out, cos a cos b + sin a sin b -> cos(a - b) and its three sisters.
+A rewrite of our own: common factors out, and angles together by `addition_theorems.py`.
 SymPy's own simplifiers take seconds where this takes a millisecond, and shuffle the author's terms.
 Used by `conditioning.py`, `blocks.py`, `equations.py` and `solution.py`.
 """
@@ -16,14 +16,14 @@ from math import gcd
 import sympy as sp
 
 from coursework.equations.codegen.names import private, public
-from coursework.equations.reduction.sums import Term, gathered, written_sums
+from coursework.equations.reduction.addition_theorems import pair_angles
+from coursework.equations.reduction.sums import Atoms, Term, gathered, written_sums
 from coursework.equations.reduction.symbolic import expanded
 from coursework.variant.formula.tree import Formula, named, number, product_of
 from coursework.variant.record.variant import Variant
 
 # Beyond this many operations a formula is shown as it is: nobody reads it, and expanding it costs.
 MAX_OPERATIONS = 400
-Atoms = dict[sp.Expr, int]
 _ONE = Fraction(1)
 
 
@@ -84,7 +84,7 @@ def product(expr: sp.Expr, order: Order) -> Product:
         return Product(Fraction(0), (), ())
     if expr.count_ops() > MAX_OPERATIONS:
         return Product(Fraction(1), ((expr, 1),), ())
-    terms = _pair_angles(_terms(expanded(expr), order), order)
+    terms = pair_angles(_terms(expanded(expr), order), order.rank)
     if not terms:
         return Product(Fraction(0), (), ())
     common = _common(terms)
@@ -172,73 +172,6 @@ def _common(terms: list[Term]) -> Atoms:
 def _divide(atoms: tuple[tuple[sp.Expr, int], ...], common: Atoms) -> tuple[tuple[sp.Expr, int], ...]:
     left = {atom: power - common.get(atom, 0) for atom, power in atoms}
     return tuple((atom, power) for atom, power in left.items() if power)
-
-
-def _pair_angles(terms: list[Term], order: Order) -> list[Term]:
-    """Join pairs of terms by the addition theorems until none is left."""
-    merged = True
-    while merged:
-        merged = False
-        for i, first in enumerate(terms):
-            for j in range(i + 1, len(terms)):
-                joined = _join(first, terms[j], order)
-                if joined is not None:
-                    terms = [term for k, term in enumerate(terms) if k not in {i, j}] + ([joined] if joined[0] else [])
-                    merged = True
-                    break
-            if merged:
-                break
-    return terms
-
-
-def _join(first: Term, second: Term, order: Order) -> Term | None:
-    if abs(first[0]) != abs(second[0]):
-        return None
-    a, b = dict(first[1]), dict(second[1])
-    # A divisor of one term only is a factor that the other has more of.
-    shared = {atom: power for atom in {**a, **b} if (power := min(a.get(atom, 0), b.get(atom, 0)))}
-    only_a = {atom: p for atom in {**a, **b} if (p := a.get(atom, 0) - shared.get(atom, 0))}
-    only_b = {atom: p for atom in {**b, **a} if (p := b.get(atom, 0) - shared.get(atom, 0))}
-    trig_a, trig_b = _two_angles(only_a), _two_angles(only_b)
-    if trig_a is None or trig_b is None:
-        return None
-    found = _addition(trig_a, trig_b, first[0], second[0], order)
-    if found is None:
-        return None
-    factor, merged = found
-    coefficient, rest = merged.as_coeff_Mul()
-    atoms = dict(shared)
-    if rest != 1:
-        atoms[rest] = atoms.get(rest, 0) + 1
-    return factor * Fraction(int(coefficient.p), int(coefficient.q)), tuple(atoms.items())
-
-
-def _two_angles(atoms: Atoms) -> list[tuple[str, sp.Expr]] | None:
-    """Return [(sin|cos, angle), (sin|cos, angle)] of a product of exactly two such functions."""
-    found = [
-        (type(atom).__name__, atom.args[0])
-        for atom, power in atoms.items()
-        for _ in range(power)
-        if isinstance(atom, (sp.sin, sp.cos))
-    ]
-    return found if len(found) == 2 and sum(atoms.values()) == 2 else None
-
-
-def _addition(
-    a: list[tuple[str, sp.Expr]], b: list[tuple[str, sp.Expr]], p: Fraction, q: Fraction, order: Order
-) -> tuple[Fraction, sp.Expr] | None:
-    angles = sorted({angle for _, angle in a}, key=lambda x: order.rank(sp.cos(x)))
-    if {angle for _, angle in b} != set(angles):
-        return None
-    x, y = angles if len(angles) == 2 else (angles[0], angles[0])
-    kinds = {"".join(sorted(kind for kind, _ in part)) for part in (a, b)}
-    if kinds == {"coscos", "sinsin"}:
-        cosines = p if a[0][0] == a[1][0] == "cos" else q
-        return cosines, sp.cos(x - y) if p == q else sp.cos(x + y)
-    if kinds == {"cossin"} and x != y:
-        leading = p if ("sin", x) in a else q
-        return leading, sp.sin(x + y) if p == q else sp.sin(x - y)
-    return None
 
 
 def _fraction(

@@ -40,6 +40,11 @@ class Resolution:
     place: float
     met: bool
 
+    def shorter(self, length: float) -> tuple[Array, Array]:
+        """Return begin and end (k,) of the stretches that are shorter than a length (s)."""
+        short = np.diff(self.edges) < length
+        return self.edges[:-1][short], self.edges[1:][short]
+
 
 def resolve(enclosed: Callable[[Array, Array], list[Enclosure]], edges: Array) -> Resolution:
     """Return stretches between `edges` (s) on which the rule gives the integrals of all laws as well as wanted."""

@@ -1,12 +1,12 @@
 """The largest rate of every coordinate of the true motion: seen at the steps of a walk, then sought between them.
 
-Enters: the steps of a walk along the flow.  Leaves: (rate, when) per coordinate, the way within a step.  Used by `search.py`.
+Enters: the steps of a walk along the flow.  Leaves: (rate, when) per coordinate, the way within any step.  Used by `search.py`.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -92,8 +92,8 @@ class Peaks:
             listed.append(max(seen))
         return tuple(listed)
 
-    def turned(self, coordinate: int, end: float, step: float, repeats: bool) -> float:
-        """Return the longest way (rad, m) of a coordinate within a step (s): what goes to and fro counts twice.
+    def way_within(self, coordinate: int, end: float, repeats: bool) -> Callable[[float], float]:
+        """Return the longest way (rad, m) of a coordinate within a step (s), of any step: what goes to and fro counts twice.
 
         Where the motion `repeats` from `end` (s) on a step may reach beyond.
         """
@@ -108,15 +108,18 @@ class Peaks:
         times, at = np.append((t[:-1] + part * length).T, t[-1]), np.append(inside.T, q[-1])
         way = np.append(0.0, np.cumsum(np.abs(np.diff(at))))
         whole = float(np.interp(end, times, way)) if repeats else 0.0
-        step = step if repeats else min(step, end)
 
         def gone(time: Array) -> Array:
             turns = np.floor(time / end) if repeats else 0.0
             return np.asarray(turns * whole + np.interp(time - turns * end, times, way))
 
-        begin = np.concatenate([times, times - step, [end - step]])
-        begin = begin[(begin >= 0) & (begin <= (end if repeats else end - step))]
-        return float(np.max(gone(begin + step) - gone(begin), initial=0.0))
+        def longest(step: float) -> float:
+            step = step if repeats else min(step, end)
+            begin = np.concatenate([times, times - step, [end - step]])
+            begin = begin[(begin >= 0) & (begin <= (end if repeats else end - step))]
+            return float(np.max(gone(begin + step) - gone(begin), initial=0.0))
+
+        return longest
 
     def _rising(self, coordinate: int) -> list[Piece]:
         """Return the step, of the two beside the largest rate seen, in which the rate is larger still."""

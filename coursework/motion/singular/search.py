@@ -6,7 +6,7 @@ Used by the scene, `phases.py` and whoever asks only whether a motion is possibl
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -49,19 +49,19 @@ class Search:
         known = self.peaks is not None and self.event is None and self.given_up is None
         return self.peaks.found(self.end, turning) if known and self.peaks is not None else ()
 
-    def turned(self, coordinate: int, step: float) -> float:
-        """Return the longest way (rad) of a coordinate within any time of a step (s)."""
+    def way_within(self, coordinate: int) -> Callable[[float], float]:
+        """Return the longest way (rad) of a coordinate within any time of a step (s), for any step."""
         if self.peaks is None:
-            return 0.0
+            return lambda step: 0.0
         rate, when = self.fastest([coordinate])[coordinate]
-        return rate * step if when is None else self.peaks.turned(coordinate, self.end, step, self.repeats)
+        return (lambda step: rate * step) if when is None else self.peaks.way_within(coordinate, self.end, self.repeats)
 
     def longest_step(self, coordinate: int, most: float, step: float) -> float:
         """Return the longest part of a step (s) within which a coordinate goes no further than `most` (rad), to a percent."""
-        low, high = 0.0, step
+        way, low, high = self.way_within(coordinate), 0.0, step
         while high - low > _NEARLY * high:
             middle = (low + high) / 2
-            low, high = (middle, high) if self.turned(coordinate, middle) <= most else (low, middle)
+            low, high = (middle, high) if way(middle) <= most else (low, middle)
         return low
 
 

@@ -188,7 +188,7 @@ class _Search:
         """Return the error, measured anew."""
         own, reference = (generate_loop(scheme, self.rates) for scheme in (self.scheme, PRECISE))
         rows = _rows(own, self.rates, self.start, self.end, steps, 1)
-        if np.min(np.diff(resolution(self.rates.equations, self.end).edges)) * _SUDDEN < self.end / steps:
+        if resolution(self.rates.equations, self.end).shorter(self.end / steps / _SUDDEN)[0].size:
             with suppress(ArithmeticError, ValueError):
                 exact = refine(self.rates, self.start, np.arange(steps + 1).astype(np.float64) * (self.end / steps))[0]
                 return float(np.max(np.abs(rows - exact)))

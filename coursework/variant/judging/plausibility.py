@@ -148,10 +148,10 @@ def _left_out(variant: Variant, dimensions: Dimensions) -> Iterator[_Found]:
 
 
 def _written_lengths(variant: Variant) -> set[str]:
-    """Return the numbers that stand in the file as lengths of its points and groups."""
+    """Return the numbers that are a whole length of the points and groups of the file: 0.27, not that of 0.5*r3."""
     lengths = [node.args[0] for _, formula in variant.formulas() for node in formula.walk() if node.op == "@"]
     lengths += [length for group in variant.groups for length in group.lengths]
-    return {node.name for length in lengths for node in length.walk() if node.op == "number"}
+    return {length.name for length in lengths if length.op == "number"}
 
 
 def _terms_of_angles(places: Iterable[Place]) -> Iterator[tuple[Place, Formula]]:

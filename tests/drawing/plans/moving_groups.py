@@ -14,6 +14,7 @@ import mpmath as mp
 from coursework import solve
 from coursework.run import Run
 from coursework.variant.reading.reader import parse_variant
+from tests.triangles import e, meeting
 
 HEAD = """
 format = 1
@@ -95,17 +96,6 @@ TEXTS = {
 @cache
 def run_of(name: str) -> Run:
     return solve(parse_variant(TEXTS[name]), quantities=["graph_check", "plans"])
-
-
-def e(angle: Any) -> Any:
-    return mp.expj(angle)
-
-
-def meeting(b: Any, d: Any, rod: Any, rocker: Any) -> Any:
-    """Return the joint of two bars to the left of the ray from one pivot to the other."""
-    way = d - b
-    along = (rod**2 + abs(way) ** 2 - rocker**2) / (2 * abs(way))
-    return b + way / abs(way) * mp.mpc(along, mp.sqrt(rod**2 - along**2))
 
 
 def ways(gap: Any, one: Any, other: Any) -> tuple[Any, Any]:

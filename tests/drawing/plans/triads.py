@@ -16,6 +16,7 @@ import mpmath as mp
 from coursework import solve
 from coursework.run import Run
 from coursework.variant.reading.reader import parse_variant
+from tests.triangles import e
 
 Numbers = list[Any]
 
@@ -32,10 +33,6 @@ class Triad:
 
 num = mp.mpf
 GROUND, PIVOT, START = mp.mpc("0.5", "-0.2"), mp.mpc("-0.1", "-0.3"), mp.mpc("0.1", "-0.25")
-
-
-def e(angle: Any) -> Any:
-    return mp.expj(angle)
 
 
 def file(

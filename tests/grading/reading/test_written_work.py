@@ -1,4 +1,4 @@
-"""Equations in prose, numbered, over several lines, of mechanisms in no catalogue: right or a question, with a slip never right."""
+"""Equations in prose, numbered, over several lines, of mechanisms in no catalogue: right or a question, no slip ever right."""
 
 import re
 

@@ -59,7 +59,8 @@ def pages(name: str) -> tuple[Printed, ...]:
 
 def construction(name: str) -> tuple[Printed, float, float]:
     """Return the page of the construction, mm of paper a metre, and m/s a mm of paper, as it says."""
-    page = next(one for one in pages(name) if one.bars)
+    # A wide sheet stands behind the plan, which has a bar of its own but no scale of lengths.
+    page = next(one for one in pages(name) if one.bars and "scale" in one.text)
     scale = re.search(r"scale (\d+(?:\.\d+)?):(\d+(?:\.\d+)?)", page.text)
     speed = re.search(r"1 mm = (\S+) m/s", page.text)
     assert scale and speed

@@ -23,6 +23,7 @@ from coursework.grading.marking.table.ways import (
     StudentTable,
     Way,
     as_printed,
+    near,
     own_ways,
 )
 from coursework.system.arrays import Array, Flags
@@ -79,8 +80,7 @@ class Cells:
 
 def alike(key: Key, student: StudentTable, table: Array) -> Flags:
     """Return which cells (n, m + r) are those of a table, as far as they are printed; what is missing is none."""
-    with np.errstate(invalid="ignore"):
-        return np.asarray(np.abs(student.values - table) <= as_printed(key, student.units))
+    return near(student.values, table, as_printed(key, student.units))
 
 
 def mark_cells(key: Key, student: StudentTable, table: Array | None = None) -> Cells:

@@ -20,7 +20,7 @@ from coursework.grading.marking.table.own_equations import OWN
 from coursework.grading.marking.table.own_rows import more_on_grid, on_own_rows
 from coursework.grading.marking.table.points import explained_share
 from coursework.grading.marking.table.starts import cells_from_own_start, other_starts
-from coursework.grading.marking.table.ways import KEY, StudentTable
+from coursework.grading.marking.table.ways import KEY, StudentTable, near
 from coursework.system.arrays import Array, Flags
 
 # Named from this share on, if it explains this much more than Euler's rules do; nearly as good ones are ties.
@@ -182,17 +182,12 @@ def _as_it_was(key: Key, cells: Cells, claim: Claim) -> Flags:
     if claim.family is None or np.array_equal(was, values, equal_nan=True):
         return none
     before = TableUnderTest(key, replace(cells.student, values=was))
-    found = [_near(values, one.expected, one.tolerance) for one in claim.family(before) if one.code == claim.code]
+    found = [near(values, one.expected, one.tolerance) for one in claim.family(before) if one.code == claim.code]
     best = max(found, key=np.count_nonzero, default=none)
     if claim.euler == "steps":
         units = before.w_units[:, : before.m]
-        best[:, : before.m] |= _near(values[:, : before.m], *before.steps(key.step * before.w, key.step * units))
+        best[:, : before.m] |= near(values[:, : before.m], *before.steps(key.step * before.w, key.step * units))
     return best
-
-
-def _near(values: Array, expected: Array, tolerance: Array) -> Flags:
-    with np.errstate(invalid="ignore"):
-        return np.asarray(np.abs(values - expected) <= tolerance)
 
 
 def _other_step(key: Key, cells: Cells) -> tuple[float, float] | None:
@@ -246,8 +241,7 @@ def _claimed(key: Key, cells: Cells, claim: Claim, explained: Flags, spoken: Fla
         put_right = mark_cells(key, claim.student)
         follows, speaks = euler_cells(key, put_right)
         return put_right, follows | (speaks & (put_right.marks == KEY)), speaks
-    with np.errstate(invalid="ignore"):
-        holds = np.abs(cells.student.values - claim.expected) <= claim.tolerance
+    holds = near(cells.student.values, claim.expected, claim.tolerance)
     says = np.isfinite(claim.expected) & spoken
     holds &= says
     for part, columns in (("steps", slice(0, m)), ("velocities", slice(m, None))):

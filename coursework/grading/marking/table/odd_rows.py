@@ -11,7 +11,7 @@ import numpy as np
 
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.cells import Cells
-from coursework.grading.marking.table.ways import as_printed
+from coursework.grading.marking.table.ways import as_printed, near
 from coursework.system.arrays import Array, Flags
 
 # Rows that must follow each other shifted by as much, before anybody speaks of a shift; how far one is looked for.
@@ -57,8 +57,7 @@ def _rows_alike(key: Key, cells: Cells, by: int) -> Flags:
     else:
         expected[-by:] = key.table[:by]
     there = np.isfinite(values) & np.isfinite(expected)
-    with np.errstate(invalid="ignore"):
-        alike = np.abs(values - expected) <= _tolerance(key, cells)
+    alike = near(values, expected, _tolerance(key, cells))
     return np.asarray(np.all(alike | ~there, axis=1) & (there.sum(axis=1) > there.shape[1] / 2))
 
 

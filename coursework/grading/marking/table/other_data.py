@@ -16,7 +16,7 @@ import numpy as np
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.table.claims import Claim, TableUnderTest
 from coursework.grading.marking.table.shifted import put_back
-from coursework.grading.marking.table.ways import HALF, SLACK, StudentTable, as_printed
+from coursework.grading.marking.table.ways import HALF, SLACK, StudentTable, as_printed, near
 from coursework.system.angles import whole_turns
 from coursework.system.arrays import Array
 
@@ -100,8 +100,7 @@ def _exchanged(printed: TableUnderTest) -> Iterator[Claim]:
             values[:, place] -= _turns(key, place, values[:, place])
         for place in set(range(len(key.names))) - {first, second}:
             values[:, place] = student.values[:, place]
-        with np.errstate(invalid="ignore"):
-            close = np.abs(values - key.table) <= tolerance[:, order]
+        close = near(values, key.table, tolerance[:, order])
         pair = [first, second]
         begins = first < m and close[0, pair].all() and not as_it_is[0, pair].any()
         if begins or close[:, pair].mean() > max(_LIKE_KEY, as_it_is[:, pair].mean()):

@@ -61,8 +61,13 @@ class Way:
 
     def holds(self, values: Array) -> Flags:
         """Return where the values are right this way."""
-        with np.errstate(invalid="ignore"):
-            return np.asarray(np.abs(values - self.expected) <= self.tolerance)
+        return near(values, self.expected, self.tolerance)
+
+
+def near(values: Array, expected: Array, tolerance: Array) -> Flags:
+    """Return which values are no farther from what is expected than a tolerance; what is missing is not."""
+    with np.errstate(invalid="ignore"):
+        return np.asarray(np.abs(values - expected) <= tolerance)
 
 
 def as_printed(key: Key, units: Array) -> Array:

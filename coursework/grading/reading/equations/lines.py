@@ -107,7 +107,7 @@ def _continued(lines: Iterable[tuple[int, str]], expected: Expected) -> Iterator
     for number, line in lines:
         if kept and line.strip() and len(kept) < MAX_CHARACTERS and _goes_on(kept, line, expected):
             begun = _GOES_ON_SIGN.sub("", kept).rstrip()
-            rest = line[found.end() :] if (found := _ALIGNED.match(line)) else line
+            rest = _unaligned(line)
             kept = f"{begun} {rest[1:] if begun[-1:] == rest[:1] and _BEGINS.match(rest) else rest}".rstrip()
             continue
         if kept:
@@ -126,12 +126,18 @@ def _goes_on(kept: str, line: str, expected: Expected) -> bool:
         return not (kept.rstrip().endswith("=") and "=" in line)
     if "=" in kept and not both and kept.count("(") > kept.count(")"):
         return True
-    rest = line[found.end() :] if (found := _ALIGNED.match(line)) else line
+    rest = _unaligned(line)
     if both or not _BEGINS.match(rest):
         return False
     if "=" in line:
         return line[:1].isspace() or is_part_of_equation(kept, expected)
     return "=" in kept and not _VANISHED.search(kept) and is_equation_without_sign(rest, expected)
+
+
+def _unaligned(line: str) -> str:
+    """Return a line without what sets it in or aligns it."""
+    found = _ALIGNED.match(line)
+    return line[found.end() :] if found else line
 
 
 def _pieces(text: str, expected: Expected) -> Iterator[tuple[int, str]]:

@@ -12,6 +12,7 @@ from coursework.motion.geometry.drive import breaks, drive_values, resolution
 from coursework.motion.geometry.swings import turning_cranks
 from coursework.results.checks.evidence import Evidence
 from coursework.results.checks.result import Finding, percent, skipped
+from coursework.variant.record.variant import Variant
 from coursework.variant.record.vocabulary import EXACT
 from coursework.words.sentences import joined
 
@@ -35,7 +36,7 @@ def enough(evidence: Evidence) -> Finding:
     """
     step, variant = evidence.motion.step, evidence.variant
     listed = joined([evidence.say("check.STEP.time", time=time) for time in breaks(variant)], "join.numbers")
-    missed = off_row(evidence, step)
+    missed = off_row(variant, step)
     is_exact = evidence.motion.scheme == EXACT
     if missed and not is_exact:
         time = missed[0]
@@ -70,15 +71,13 @@ def between_rows(equations: VelocityEquations, step: float) -> tuple[str, float,
 
     None where none does by more than `FOLD`.  Looked at is what takes less than a step; a break between rows is told otherwise.
     """
-    variant, edges = equations.variant, resolution(equations).edges
-    sudden = np.flatnonzero(np.diff(edges) < step / _SUDDEN)
+    variant, (begin, end) = equations.variant, resolution(equations).shorter(step / _SUDDEN)
     names = [law.name for law in variant.drive]
-    if not len(sudden) or not names:
+    if not len(begin) or not names:
         return None
-    times = (edges[sudden, None] + np.diff(edges)[sudden, None] * (np.arange(_LOOKS) + 0.5) / _LOOKS).reshape(-1)
+    times = (begin[:, None] + (end - begin)[:, None] * (np.arange(_LOOKS) + 0.5) / _LOOKS).reshape(-1)
     row = np.floor(times / step)
-    inner = [int(time / step) for time in breaks(variant) if abs(time / step - round(time / step)) > AT_ROW * (1 + time / step)]
-    kept = ~np.isin(row, inner)
+    kept = ~np.isin(row, [int(time / step) for time in off_row(variant, step)])
     times, row = times[kept], row[kept]
     if not len(times):
         return None
@@ -93,12 +92,12 @@ def between_rows(equations: VelocityEquations, step: float) -> tuple[str, float,
     return (names[column], float(times[place]), share) if share > FOLD else None
 
 
-def off_row(evidence: Evidence, step: float) -> list[float]:
+def off_row(variant: Variant, step: float) -> list[float]:
     """Return the breaks of the drive (s) that no row of a run with this step (s) is at."""
-    return [time for time in breaks(evidence.variant) if abs(time / step - round(time / step)) > AT_ROW * (1 + time / step)]
+    return [time for time in breaks(variant) if abs(time / step - round(time / step)) > AT_ROW * (1 + time / step)]
 
 
 def parts_at_breaks(evidence: Evidence, least: int = 1) -> int:
     """Return the fewest parts of the step, at least `least`, that leave a row at each break of the drive; 0 where none do."""
     step = evidence.motion.step
-    return next((parts for parts in range(least, least + _MOST_PARTS) if not off_row(evidence, step / parts)), 0)
+    return next((parts for parts in range(least, least + _MOST_PARTS) if not off_row(evidence.variant, step / parts)), 0)

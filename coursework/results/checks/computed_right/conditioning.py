@@ -98,7 +98,7 @@ def peak(evidence: Evidence) -> Finding:
         return skipped(evidence.say("check.PEAK.stopped"))
     if not turning:
         return skipped(evidence.say("check.PEAK.no_angle"))
-    turned, place = max((search.turned(place, step), place) for place in turning)
+    turned, place = max((search.way_within(place)(step), place) for place in turning)
     (rate, when), coordinate = fastest[place], variant.coordinates[place]
     moment = evidence.say("check.PEAK.constant") if when is None else evidence.say("check.PEAK.moment", time=when)
     found = {"rate": coordinate.rate, "moment": moment, "value": rate, "turned": turned, "name": coordinate.name}
