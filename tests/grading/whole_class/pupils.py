@@ -8,8 +8,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from functools import cache
-from itertools import cycle, islice
+from functools import cache, partial
+from itertools import cycle
 from pathlib import Path
 
 import numpy as np
@@ -20,7 +20,7 @@ from tests.grading.reading.notations import NOTATIONS, PLAIN
 from tests.grading.reading.written_work import FORMS
 from tests.grading.scenes import variant_of
 from tests.grading.whole_class.files import CHEAP, FREE, KINDS, Work
-from tests.grading.whole_class.tables import faults, slips_of_equations
+from tests.grading.whole_class.tables import Make, faults, is_a_table, slips_of_equations
 
 VARIANTS_OF_EACH = 3
 _DATUM = re.compile(r'^((?:V1|V2|w0|n|r1|b) *= *)"([-\d.]+) ([^"]+)"', re.MULTILINE)
@@ -78,42 +78,48 @@ def machine(mechanism: str, number: int, folder: Path) -> Machine:
     return Machine(coursework.load(path))
 
 
-def works(made: Machine, mechanism: str, chance: np.random.Generator) -> Iterator[tuple[Truth, np.ndarray, str]]:
-    """Give what may be done with a variant: its truth, the table, the equations as plain text."""
-    plain, right = PLAIN[mechanism], made.table()
-    yield Truth("right"), right, plain
-    lines = plain.split("\n")
+def works(made: Machine, mechanism: str, chance: np.random.Generator) -> Iterator[tuple[Truth, Make, str]]:
+    """Give what may be done with a variant: its truth, what makes the table, the equations as plain text."""
+    plain = PLAIN[mechanism]
+    right, lines = made.table, plain.split("\n")
+    names = [c.name for c in made.variant.constraints]
     for code, table in faults(made):
-        if np.isfinite(table).all() and np.abs(table).max() < 1e4:
-            yield Truth("misconception", None, code=code), table, plain
+        yield Truth("misconception", None, code=code), table, plain
     for name, line, table in slips_of_equations(made):
-        own = [*lines]
-        place = [c.name for c in made.variant.constraints].index(name)
-        own[place] = line
-        yield Truth("own equations", None, lines=(place + 1,), code=f"equation_{name}"), table, "\n".join(own)
+        place = names.index(name)
+        truth = Truth("own equations", None, lines=(place + 1,), code=f"equation_{name}")
+        yield truth, table, "\n".join([*lines[:place], line, *lines[place + 1 :]])
     for place, line in enumerate(lines):
         signs = [found.start() for found in re.finditer(r"(?<= )[-+](?= )", line)]
         at = int(chance.choice(signs))
         turned = f"{line[:at]}{'-' if line[at] == '+' else '+'}{line[at + 1 :]}"
         yield Truth("sign", lines=(place + 1,), sign=at + 1), right, "\n".join([*lines[:place], turned, *lines[place + 1 :]])
-    names = made.variant.columns[made.m :]
+    columns = made.variant.columns[made.m :]
     for name in made.variant.sought:
-        place, row = made.m + names.index(name), int(chance.integers(2, made.rows - 2))
-        by = 0.15 * max(1.0, float(np.abs(right[:, place]).max()))
-        yield Truth("slip", frozenset({(row, place)})), made.table(slip=(row, place, by)), plain
+        place, row = made.m + columns.index(name), int(chance.integers(2, made.rows - 2))
+        by = 0.15 * max(1.0, float(np.abs(right()[:, place]).max()))
+        yield Truth("slip", frozenset({(row, place)})), partial(made.table, slip=(row, place, by)), plain
     for _ in range(3):
-        cells = frozenset((int(chance.integers(1, made.rows)), int(chance.integers(0, made.m))) for _ in range(2))
-        mistyped = right.copy()
-        for row, place in cells:
-            mistyped[row, place] += 0.3
-        if len({row for row, _ in cells}) == 2:
-            yield Truth("mistyped", cells), mistyped, plain
+        rows = chance.choice(np.arange(1, made.rows), 2, replace=False).tolist()
+        cells = frozenset((row, int(chance.integers(0, made.m))) for row in rows)
+        yield Truth("mistyped", cells), partial(_mistyped, made, cells), plain
     for last in (made.rows // 2, made.rows - 3):
-        absent = frozenset((k, c) for k in range(last, made.rows) for c in range(right.shape[1]))
-        yield Truth("rows missing", absent=absent), right[:last], plain
-    zeros = np.zeros_like(right)
-    yield from ((Truth("worthless", None, code=""), zeros + value, "the end") for value in (0.0, 1.5))
-    yield Truth("worthless", None), np.tile(right[:1], (made.rows, 1)), "w1 = 0"
+        absent = frozenset((k, c) for k in range(last, made.rows) for c in range(made.m + len(columns)))
+        yield Truth("rows missing", absent=absent), partial(_first_rows, made, last), plain
+    for value in (0.0, 1.5):
+        yield Truth("worthless", None), partial(np.full, (made.rows, made.m + len(columns)), value), "the end"
+    yield Truth("worthless", None), lambda: np.tile(right()[:1], (made.rows, 1)), "w1 = 0"
+
+
+def _mistyped(made: Machine, cells: frozenset[tuple[int, int]]) -> np.ndarray:
+    table = made.table()
+    for cell in cells:
+        table[cell] += 0.3
+    return table
+
+
+def _first_rows(made: Machine, last: int) -> np.ndarray:
+    return made.table()[:last]
 
 
 def written(pupil: Pupil, made: Machine, equations: str) -> dict[str, bytes]:
@@ -131,15 +137,21 @@ def pupils(count: int, folder: Path, seed: int = 26, *, cheap: bool = False) -> 
     kinds = CHEAP if cheap else tuple(KINDS)
     turn = cycle([(mechanism, number) for number in range(VARIANTS_OF_EACH) for mechanism in PLAIN])
     notations = cycle(chance.permutation([name for name in TEXTS if name not in QUESTIONS]).tolist())
-    todo = {place: works(machine(*place, folder), place[0], chance) for place in islice(turn, VARIANTS_OF_EACH * len(PLAIN))}
-    listed = {place: list(found) for place, found in todo.items()}
-    others = {place: cycle(chance.permutation(len(found) - 1) + 1) for place, found in listed.items()}
+    done: dict[tuple[str, int], Iterator[tuple[Truth, Make, str]]] = {}
     found = []
     for number in range(count):
         place = next(turn)
-        truth, table, equations = listed[place][next(others[place]) if number % 2 else 0]
+        made = machine(*place, folder)
+        if number % 2:
+            if place not in done:
+                todo = list(works(made, place[0], chance))
+                done[place] = cycle([todo[k] for k in chance.permutation(len(todo))])
+            made_of = ((truth, make(), equations) for truth, make, equations in done[place])
+            truth, table, equations = next(work for work in made_of if not work[0].code or is_a_table(work[1], made))
+        else:
+            truth, table, equations = Truth("right"), made.table(), PLAIN[place[0]]
         kind = kinds[number // 2 % len(kinds)]
         notation = next(notations) if kind in FREE and truth.kind in ("right", "misconception", "slip", "mistyped") else "greek"
         pupil = Pupil(f"q{number:03d}", f"Pupil{number:03d} Zq{number:03d}", *place, notation, kind, truth, table)
-        found.append(Pupil(**{**vars(pupil), "files": written(pupil, machine(*place, folder), equations)}))
+        found.append(Pupil(**{**vars(pupil), "files": written(pupil, made, equations)}))
     return found

@@ -1,17 +1,18 @@
-"""Tables of any mechanism with a known fault, made by `Machine`, a program of its own; and where a table first contradicts itself.
+"""Tables of any mechanism with a known fault, made by `Machine`, a program of its own; where a table contradicts itself.
 
 Enters: a `Machine`, a seeded generator.  Leaves: tables (n, m + r) by the code of their misconception.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from coursework.variant.formula.tree import spelled
 from tests.grading.marking.machines import Machine
 from tests.grading.marking.test_equal_faults import sign_faults
+
+Make = Callable[[], np.ndarray]
 
 
 def slopes(machine, t, q):
@@ -56,6 +57,13 @@ def _implicit(machine, old):
     return increment
 
 
+def _of_both_rows(machine, old):
+    """The table of implicit steps, NaN where one has no solution."""
+    table, m = machine.table(_implicit(machine, old)), machine.m
+    steps = machine.h * (old * table[:-1, m : 2 * m] + (1 - old) * table[1:, m : 2 * m])
+    return table if np.allclose(np.diff(table[:, :m], axis=0), steps, atol=1e-7) else np.full_like(table, np.nan)
+
+
 def _signed(machine, place):
     def printed(t, q):
         w = machine.velocities(t, q)
@@ -65,83 +73,88 @@ def _signed(machine, place):
     return printed
 
 
-def faults(machine: Machine) -> Iterator[tuple[str, np.ndarray]]:
-    """Give tables with one misconception each."""
-    variant, h, m, right = machine.variant, machine.h, machine.m, machine.table()
+def faults(machine: Machine) -> Iterator[tuple[str, Make]]:
+    """Give what makes tables with one misconception each."""
+    variant, h, m = machine.variant, machine.h, machine.m
     names = [*(c.name for c in variant.coordinates), *variant.columns[m:]]
     for code, step in (("heun", _heun), ("midpoint", _midpoint), ("rk4", _rk4), ("exact", _exact)):
-        yield code, machine.table(lambda t, q, step=step: step(machine, t, q))
-    yield "trapezoid", machine.table(_implicit(machine, 0.5))
-    yield "backward", machine.table(_implicit(machine, 0.0))
-    yield "time_ahead", machine.table(printed=lambda t, q: machine.velocities(t + h, q))
-    yield "time_behind", machine.table(printed=lambda t, q: machine.velocities(t - h, q))
-    late, early = right.copy(), right.copy()
-    late[1:, m:], early[:-1, m:] = right[:-1, m:], right[1:, m:]
-    yield from (("omega_late", late), ("omega_early", early))
-    yield "rounded_omega_1", machine.table(lambda t, q: h * np.round(slopes(machine, t, q), 1))
+        yield code, lambda step=step: machine.table(lambda t, q: step(machine, t, q))
+    yield "trapezoid", lambda: _of_both_rows(machine, 0.5)
+    yield "backward", lambda: _of_both_rows(machine, 0.0)
+    yield "time_ahead", lambda: machine.table(printed=lambda t, q: machine.velocities(t + h, q))
+    yield "time_behind", lambda: machine.table(printed=lambda t, q: machine.velocities(t - h, q))
+    yield "omega_late", lambda: _moved_velocities(machine, 1)
+    yield "omega_early", lambda: _moved_velocities(machine, -1)
+    yield "rounded_omega_1", lambda: machine.table(lambda t, q: h * np.round(slopes(machine, t, q), 1))
     for part in (0.5, 2.0):
-        yield "other_step", machine.table(lambda t, q, part=part: part * h * slopes(machine, t, q))
+        yield "other_step", lambda part=part: machine.table(lambda t, q: part * h * slopes(machine, t, q))
     for code, where in (("degree_mode", ("drive", "geometry")), ("degree_drive", ("drive",)), ("degree_geometry", ("geometry",))):
-        yield code, Machine(variant, degrees=where).table()
-    yield "sign_drive", Machine(variant, drive_sign=-1.0).table()
-    sought = [place for place, name in enumerate(names[m:]) if name in variant.sought]
-    for place in sought:
-        yield f"sign_{names[m + place]}", machine.table(printed=_signed(machine, place))
+        yield code, Machine(variant, degrees=where).table
+    yield "sign_drive", Machine(variant, drive_sign=-1.0).table
+    for place in (place for place, name in enumerate(names[m:]) if name in variant.sought):
+        yield f"sign_{names[m + place]}", lambda place=place: machine.table(printed=_signed(machine, place))
     lengths = [given for given in variant.given if given.si == "m"]
     for given in lengths[:2]:
-        yield f"datum_{given.name}", Machine(variant, data={given.name: 2 * given.value}).table()
+        yield f"datum_{given.name}", Machine(variant, data={given.name: 2 * given.value}).table
     first, second = lengths[:2]
     swapped = {first.name: second.value, second.name: first.value}
-    yield f"swap_{first.name}_{second.name}", Machine(variant, data=swapped).table()
+    yield f"swap_{first.name}_{second.name}", Machine(variant, data=swapped).table
     angles = [place for place, c in enumerate(variant.coordinates) if c.unit == "rad"]
     order = [*range(len(names))]
     order[angles[0]], order[angles[1]] = order[angles[1]], order[angles[0]]
-    yield "swapped_columns", right[:, order]
+    yield "swapped_columns", lambda: machine.table()[:, order]
     for place in angles[-2:]:
-        moved = right.copy()
-        moved[:, place] += np.pi / 2
-        yield f"origin_{names[place]}", moved
+        yield f"origin_{names[place]}", lambda place=place: machine.table() + np.pi / 2 * (np.arange(len(names)) == place)
     for place, c in enumerate(variant.coordinates):
         if c.rate not in variant.known_rates:
-            start = machine.start.copy()
-            start[place] += 0.1
-            yield f"start_{c.name}", machine.table(start=start)
-    yield "rows_shifted", np.vstack([right[:9], right[8:]])[: machine.rows]
+            yield f"start_{c.name}", lambda place=place: machine.table(start=machine.start + 0.1 * (np.arange(m) == place))
+    yield "rows_shifted", lambda: np.vstack([machine.table()[:9], machine.table()[8:]])[: machine.rows]
 
 
-def slips_of_equations(machine: Machine) -> Iterator[tuple[str, str, np.ndarray]]:
-    """Give the name of an equation, its line with one sign turned, and the table that follows from it."""
-    right = machine.table()
+def _moved_velocities(machine: Machine, by: int) -> np.ndarray:
+    right, m = machine.table(), machine.m
+    moved = right.copy()
+    moved[max(by, 0) : len(right) + min(by, 0), m:] = right[max(-by, 0) : len(right) - max(by, 0), m:]
+    return moved
+
+
+def slips_of_equations(machine: Machine) -> Iterator[tuple[str, str, Make]]:
+    """Give the name of an equation, its line with one sign turned, and what makes the table that follows from it."""
     for constraint in machine.variant.constraints:
         for text in sign_faults(constraint):
-            if text.replace(" ", "") == f"{spelled(constraint.left)}-({spelled(constraint.right)})".replace(" ", ""):
-                continue
-            table = Machine(machine.variant, lines={constraint.name: text}).table()
-            if np.isfinite(table).all() and np.abs(table).max() < 1e3 and not np.allclose(table, right):
-                yield constraint.name, f"{text} = 0", table
+            yield constraint.name, f"{text} = 0", Machine(machine.variant, lines={constraint.name: text}).table
+
+
+def is_a_table(table: np.ndarray, machine: Machine) -> bool:
+    """Return whether a fault makes a table that a person would hand in, and another than the right one."""
+    return bool(np.isfinite(table).all()) and np.abs(table).max() < 1e3 and not np.allclose(table, machine.table(), atol=1e-4)
 
 
 def against_itself(machine: Machine, table: np.ndarray, unit: float) -> tuple[np.ndarray, np.ndarray]:
     """Return which cells of a printed table surely do not follow from others in it, and which surely do (n, m + r).
 
-    A velocity follows from the row's own angles, a coordinate from the row before; the tolerances are those of printing, several
-    times over for "surely not".
+    A velocity follows from the row's own angles, or fulfils an equation with the other velocities of the row; a coordinate
+    follows from the row before, by the velocity that stands there or that belongs there; either is right where the key says so.
+    The tolerances are those of printing, several times over for "surely not".
     """
     m, h, right = machine.m, machine.h, machine.table()
-    spread = np.abs(right).max(axis=0)
-    near = 2e-4 * spread + 2 * unit
-    off = np.zeros_like(table)
-    slack = np.zeros_like(table)
+    off, tolerance = np.abs(table - right), 2e-4 * np.ptp(right, axis=0) + 2 * unit
+    surely = off < 0.2 * tolerance
+    not_so = off > 6 * tolerance
+    before = doubt = np.zeros(0)
     for k, row in enumerate(table):
-        expected = machine.velocities(k * h, row[:m])
-        off[k, m:] = np.abs(row[m:] - expected)
-        for place in range(m):
-            moved = row[:m].copy()
-            moved[place] += unit
-            slack[k, m:] += np.abs(machine.velocities(k * h, moved) - expected)
-        off[k, :m] = np.abs(row[:m] - (machine.start if not k else table[k - 1, :m] + h * table[k - 1, m : 2 * m]))
-    tolerance = near + slack
-    tolerance[:, :m] = 2 * unit + 3e-4 * h * np.abs(table[:, m : 2 * m]) + h * unit
-    by_key = np.abs(table - right)
-    least = np.minimum(off, by_key)
-    return least > 6 * tolerance, least < 0.2 * tolerance
+        q, w = row[:m], row[m:]
+        made = machine.velocities(k * h, q)
+        slack = sum(np.abs(machine.velocities(k * h, q + unit * (np.arange(m) == place)) - made) for place in range(m))
+        near = tolerance[m:] + slack
+        surely[k, m:] |= np.abs(w - made) < 0.2 * near
+        held = machine.fulfilled(k * h, q, w, unit + 2e-4 * np.abs(w))
+        not_so[k, m:] &= (np.abs(w - made) > 6 * near) & ~held
+        if k:
+            steps = [table[k - 1, :m] + h * rates[:m] for rates in (table[k - 1, m:], before)]
+            slip = np.min([np.abs(q - step) for step in steps], axis=0)
+            near = 2 * unit + 3e-4 * h * np.abs(table[k - 1, m : 2 * m]) + h * (unit + doubt[:m])
+            surely[k, :m] |= slip < 0.2 * near
+            not_so[k, :m] &= slip > 6 * near
+        before, doubt = made, slack
+    return not_so, surely
