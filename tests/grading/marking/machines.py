@@ -69,6 +69,20 @@ class Machine:
         solved = dict(zip(sought, np.linalg.lstsq(matrix, -rest, rcond=None)[0], strict=True))
         return np.array([solved[name] if name in solved else names[name] for name in self.variant.columns[self.m :]])
 
+    def fulfilled(self, t, q, w, doubt):
+        """Which velocities (r,) stand in an equation that they fulfil together, up to several times the `doubt` (r,) of each."""
+        lines, drive = self._programs
+        names = {"t": t, "pi": math.pi, "sqrt": math.sqrt} | self.variant.values | self.data | _turning(False)
+        names |= dict(zip((c.name for c in self.variant.coordinates), q, strict=True))
+        names |= {name: eval(law, {}, names) for name, law in drive.items()}
+        columns = self.variant.columns[self.m :]
+        rates, held = dict(zip(columns, w, strict=True)), np.zeros(len(columns), dtype=bool)
+        for line in lines.values():
+            here = eval(line, {}, names | rates)
+            sizes = np.array([eval(line, {}, names | rates | {name: rates[name] + 1.0}) - here for name in columns])
+            held |= (np.abs(sizes) > 0) & (abs(here) < 6 * np.abs(sizes) @ doubt)
+        return held
+
     def table(self, increment=None, start=None, step=None, rows=None, slip=None, printed=None):
         """Euler's table; `increment(t, q)` another step, `slip` (row, column, change) a cell that all after it is made from."""
         h = step or self.h

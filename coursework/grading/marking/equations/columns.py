@@ -42,6 +42,11 @@ def column_as_handed_in(typed: str, read: str, column: int, *, is_sign: bool = F
     return min(best + 1, max(len(typed), 1))
 
 
+def has_sign(text: str, column: int) -> bool:
+    """Return whether a plus or minus stands before the term at a column."""
+    return _sign_before(text, column) != column
+
+
 def _same_token(typed: str, read: str, column: int, pattern: re.Pattern[str]) -> int:
     """Return where the sign or word at a column of the reading stands in the line as typed, 0 where they do not go one by one."""
     own = [found for found in pattern.finditer(typed) if found[0] not in _COMMANDS]

@@ -14,7 +14,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from coursework.grading.marking.equations.columns import column_as_handed_in
+from coursework.grading.marking.equations.columns import column_as_handed_in, has_sign
 from coursework.grading.marking.equations.edits import Edit, Values, applied, edits
 from coursework.grading.marking.equations.lacks import lack_of
 from coursework.grading.marking.equations.linear import Linear, linear, rank, says_more
@@ -241,8 +241,14 @@ class Judge:
                 found.append(edit)
         if not found:
             return None
-        best = min(found, key=lambda edit: (_PREFERRED.index(edit.kind), edit.column))
-        column = column_as_handed_in(line.text, line.repaired or line.text, best.column, is_sign=best.kind == "sign")
+        read = line.repaired or line.text
+
+        def rank(edit: Edit) -> tuple[int, bool, int]:
+            is_new = edit.kind == "sign" and not has_sign(read, edit.column)  # one that stands there is likelier turned
+            return _PREFERRED.index(edit.kind), is_new, edit.column
+
+        best = min(found, key=rank)
+        column = column_as_handed_in(line.text, read, best.column, is_sign=best.kind == "sign")
         return Hint(best.kind, column, _written(applied(tree, best)), len(found) - 1)
 
 

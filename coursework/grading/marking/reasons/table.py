@@ -12,6 +12,7 @@ from coursework.grading.marking.grade import TableMarks
 from coursework.grading.marking.key import Key
 from coursework.grading.marking.reasons.misconception import misconception_sentence
 from coursework.grading.marking.reasons.reason import Reason, in_sum
+from coursework.grading.marking.table.misconceptions import Misconception
 from coursework.grading.marking.table.odd_rows import Shift, displaced_rows, repeated_rows
 from coursework.grading.marking.table.points import ENOUGH_ROWS, RUN, Earned
 from coursework.grading.marking.verdicts import euler_steps
@@ -78,10 +79,15 @@ def _causes(key: Key, marked: TableMarks) -> Iterator[Reason]:
         if named.ties:
             ties = [_told(code) for code in named.ties]
             yield Reason("table", "finding", joined([say("feedback.misconception.ties"), *ties]))
-    if earned.rule in _EXPLAINED and (named is None or earned.cause not in (named.code, *named.ties)):
+    if earned.rule in _EXPLAINED and (named is None or not _is_told(earned.cause, named)):
         yield Reason("table", "cause", joined([say("feedback.misconception.partly"), _told(earned.cause)]))
     elif earned.rule == "cells" and named is None and marked.hidden is not None and _many(key, marked):
         yield Reason("table", "finding", say("feedback.misconception.none"))
+
+
+def _is_told(cause: str, named: Misconception) -> bool:
+    """Return whether a cause is named; what begins elsewhere since it is counted from another axis was made from nowhere else."""
+    return cause in (named.code, *named.ties) or named.code == cause.replace("start_", "origin_", 1)
 
 
 def _many(key: Key, marked: TableMarks) -> bool:

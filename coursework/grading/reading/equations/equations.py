@@ -94,7 +94,11 @@ def _readings(text: str, names: Names) -> tuple[list[EquationReading], Fault | N
                 if read.place and not named:
                     fault = named = Fault(read.message, column=_column_of(read.place, text))
             else:
-                found += [replace(one, guessed=one.guessed or closely) for one in read if one.text not in {o.text for o in found}]
+                found += [
+                    replace(one, guessed=one.guessed or closely)
+                    for one in read
+                    if one.text not in {o.text for o in found if not o.is_loose}
+                ]
     for candidate in written:
         if zero := _FUNCTION_OF_ROOTS.fullmatch(without_labels(candidate)):
             read = _of_sides(sides_of(zero[1], names.spellings), names)

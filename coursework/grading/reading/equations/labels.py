@@ -14,8 +14,8 @@ from coursework.grading.reading.table.headers import unit_of
 
 _WORD = r"(?:equation|eqn?|gleichung|gl|уравнение|ур|рівняння|рівн|ф-ла|формула|formula|方程|式|№|no)"
 _LABEL = re.compile(
-    rf"[\s$]*(?:[*•‣▪◦●■◆►▶➢➤✓]\s+|[-–]\s\[[ x]\]\s)?(?:[(\[]?{_WORD}[\s.№]*\(?\d{{1,3}}[a-zа-я]?\)?\]?\s*"
-    r"[:.)]?(?!=)(?=\s|\w|[-+−(])"
+    rf"[\s$]*(?:[*•‣▪◦●■◆►▶➢➤✓]\s+|[-–]\s\[[ x]\]\s)?(?:[(\[]?{_WORD}[\s.№]*\(?\d{{1,3}}(?!\d)[a-zа-я]?\)?\]?\s*"
+    r"[:.)]?(?!\s*:?=)(?=\s|\w|[-+−(])"
     r"|[(\[{<](?:\d{1,3}(?:\.\d{1,3})?(?:['a-zа-я]|\.[a-zа-я])?|[A-ZА-Я]\.\d{1,3}|\*{1,3})[)\]}>]\s*[:.]?(?!=)"
     r"|[\u2460-\u2473\u2474-\u249b]\s*|\d{1,3}/\s+|[a-zа-я]\.\s+|[(\[][A-ZА-Я][)\]]:?\s+|\d{1,3}[)]\s*|\d{1,3}(?:\.\d{1,2})*[.:](?=\s)(?!=)|\d{1,3}\s*[°º]\.?\s*"
     r"|\(?[IVXivx]{1,5}[).]\s+|\*\*[^*=]{1,30}\*\*[:.]?\s*|\*\s+|>\s+|[|{⎧⎨⎪⎩]\s+|(?<=[•‣▪◦●■◆►▶➢➤✓\]]\s))\s*",
@@ -24,6 +24,12 @@ _LABEL = re.compile(
 _LABEL_AT_END = re.compile(r"\s(?:[-–—.…]+\s*)?[(\[/<](?:\d{1,3}(?:[.,]\d{1,3})?['a-zа-я]?|\*{1,3}|[IVX]{1,5})[)\]/>]\s*$")
 _VANISHES = re.compile(r"(=\s*0(?:[.,]0+)?)(?!\w|[.,]\d)(?!\s*[-+*/^])")
 _UNIT_AT_END = re.compile(r"[,;]?\s{0,9}(?:\[([^\[\]]{1,12})\]|\(([^()]{1,12})\)|(?:,|(?<=[\w)])\s)\s*(\S{1,8}))\s*$")
+_TO_BE_DONE = re.compile(r"\s\|\s*[-+*/:]\s*[\w.,()*]{1,20}\s*$")  # to both sides: "= 0 | *2"
+_SAYS_SO = re.compile(
+    r"\s*(?:\b(?:holds?|is\s+(?:true|valid|satisfied)|gilt|ist\s+erfüllt|выполняется|справедливо|виконується|est\s+vérifiée)\b|成立)"
+    r"[^=]{0,60}$",
+    re.IGNORECASE,
+)
 _WORDS = re.compile(r"[\s:,.–-]*([^\W\d_]+)\.?(?=[\s:,.(]|$)(?!\s*=)")
 _ASIDE = re.compile(r"[\s,.:–-]*\([^()=]{1,40}\)[\s,.:]*(?=[^\s*/^)=])")
 _COUNTED = re.compile(
@@ -131,6 +137,7 @@ def _ended(text: str, is_name: Callable[[str], bool]) -> str:
     """Return an equation without what is said behind it: "= 0, since C keeps its height", a unit."""
     if found := _VANISHES.search(text):
         return text[: found.end()]
+    text = _SAYS_SO.sub("", _TO_BE_DONE.sub("", text))
     aside = _ASIDE_AT_END.search(text)
     if aside and "=" in text[: aside.start()] and (said := re.findall(r"[^\W\d]\w*", aside[1])) and not is_name(said[0]):
         return _ended(text[: aside.start()], is_name)

@@ -42,6 +42,7 @@ _BEGINS = re.compile(r"\s*[-+*/=−–]")
 _ALIGNED = re.compile(r"(?:\s|&|\\q?quad(?![A-Za-z])|\\[,;:! ]|\\hspace\*?\{[^{}]*\}|\{\})+")  # before a line that goes on
 _VANISHED = re.compile(r"=\s*0(?:[.,]0*)?\s*[.,;]?\s*(?:\\\w+\s*)*$")
 _NUMBERED = re.compile(r"^\s*(?:\(?\d{1,3}\)?\s*#|#\d{1,3}[.:)]?\s)")  # of a line; a remark begins with the sign alone
+_FRAMED = re.compile(r"\|\s+([^|]+?)\s+\|")  # a row of a table in signs
 _QUOTES = '"“”„«»`'
 _REMARK = re.compile(
     r"(?<!\\)%(?!(?:var)?(?:omega|phi|theta|alpha|beta|gamma|psi)_).*|(?<![:/])//.*|/\*.{0,200}?\*/|\(\*.{0,200}?\*\)"
@@ -97,6 +98,7 @@ def _written(text: str, expected: Expected) -> Iterator[tuple[int, str]]:
     for number, line in _continued(logical_lines(text), expected):
         bare = _REMARK.sub("", _NUMBERED.sub("", line).partition("#")[0]).strip().strip(_QUOTES)
         bare = bare.strip("'") if bare.startswith("'") else bare
+        bare = framed[1] if (framed := _FRAMED.fullmatch(bare)) else bare
         if bare:
             yield number, bare
 

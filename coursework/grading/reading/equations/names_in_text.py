@@ -18,7 +18,10 @@ BUILT_IN = ("t", "pi")
 
 @dataclass(frozen=True, slots=True)
 class Spellings:
-    """Declared names, what else they may be written as (folded), the rate of each coordinate, and which names are data."""
+    """Declared names, what else they may be written as (folded), the rate of each coordinate, and which names are data.
+
+    `rates` has the angles too of which the variant knows the velocity alone: that of phi4 is w4.
+    """
 
     known: frozenset[str]
     others: dict[str, str]
@@ -29,6 +32,11 @@ class Spellings:
         """Return the declared name that a spelling means, None where there is none."""
         plain = spell(name)
         return plain if plain in self.known else self.others.get(_key(name))
+
+    def angle(self, name: str) -> str | None:
+        """Return the coordinate that a spelling means, an angle too that has a rate and no column."""
+        folded = spell(_key(name))
+        return self.canonical(name) or (folded if folded in self.rates else None)
 
 
 def _key(name: str) -> str:
@@ -54,5 +62,9 @@ def _spellings(
 
 def spellings_of(variant: Variant, columns: tuple[tuple[str, str], ...]) -> Spellings:
     """Return the spellings of a variant's names; `columns` are the (name, SI unit) of its table."""
-    rates = tuple((entry.name, entry.rate) for entry in variant.coordinates)
-    return _spellings(tuple(variant.names), columns, rates, tuple(entry.name for entry in variant.given))
+    rates = {entry.name: entry.rate for entry in variant.coordinates}
+    for name, unit in columns:
+        angle = f"phi{name.removeprefix('w')}"
+        if unit == "1/s" and name.startswith("w") and name not in rates.values() and angle not in variant.names:
+            rates[angle] = name
+    return _spellings(tuple(variant.names), columns, tuple(rates.items()), tuple(entry.name for entry in variant.given))

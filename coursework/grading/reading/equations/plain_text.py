@@ -36,6 +36,7 @@ _STAR_MATH = re.compile(r"%(?=[a-z]{3,8}_)")
 _SUBSCRIPT = re.compile(r"\bSubscript\s*\[\s*(\w{1,20})\s*,\s*(\w{1,9})\s*\]")  # of Mathematica
 _INDEXED = re.compile(r"(?<![\w.])([^\W\d]\w*)\s?(?:\[\s*([\w\s,]{1,12})\s*\]|\(\s*(\d{1,2})\s*\))")
 _OF_TIME = re.compile(r"(?<![\w.])([^\W\d]\w*)\s*(?:\(\s*t\s*\)|\[\s*t\s*\])")
+_OVER = re.compile(r"(?<=[})])\s+over\s+(?=[{(\w])")  # of StarMath; that of TeX divides a whole group
 _EQUATION = re.compile(r"\bEq\s*\((.*),([^,]*)\)\s*$")  # of SymPy
 _POWER = re.compile(r"\bpow\s*\(((?:[^(),]|\([^()]*\))*),\s*(\d)\s*\)")
 
@@ -46,7 +47,7 @@ def plain(text: str, spellings: Spellings) -> str:
     >>> plain("w(3) := diff(phi[3](t), t)", Spellings(frozenset({"w3", "phi3"}), {}, {"phi3": "w3"})).split()
     ['w3', '=', 'w3']
     """
-    text = plain_signs(_PREFIX.sub("", without_latex(plain_signs(text))))
+    text = plain_signs(_PREFIX.sub("", without_latex(_OVER.sub(" / ", plain_signs(text)))))
     for sign, fraction in _FRACTIONS.items():
         text = text.replace(sign, fraction)
     text = _STAR_MATH.sub("", re.sub(r"\bcdot\b", "*", text))
@@ -63,18 +64,18 @@ def plain(text: str, spellings: Spellings) -> str:
 def _indexed(found: re.Match[str], spellings: Spellings) -> str:
     """Return `w[3]` and `w(3)` as the name with this index, where the variant has one; a name of its own may be multiplied."""
     name, index = found[1], re.sub(r"[\s,]", "", found[2] or found[3])
-    if spellings.canonical(name + index) is None or (found[3] and name in spellings.known):
+    if spellings.angle(name + index) is None or (found[3] and name in spellings.known):
         return found[0]
     return name + index
 
 
 def _of_time(found: re.Match[str], spellings: Spellings) -> str:
     """Return `phi3(t)` as the coordinate; a datum before (t) is multiplied."""
-    meant = spellings.canonical(found[1])
+    meant = spellings.angle(found[1])
     return found[0] if meant is None or meant in {*spellings.data, *BUILT_IN} else found[1]
 
 
 def _rate(found: re.Match[str], spellings: Spellings) -> str:
     """Return the name of the rate of a coordinate, what stood there where it is none."""
-    name = spellings.canonical(re.sub("[{}\u0307]|_?dot", "", found[1]))
+    name = spellings.angle(re.sub("[{}\u0307]|_?dot", "", found[1]))
     return f" {spellings.rates[name]} " if name in spellings.rates else found[0]

@@ -188,7 +188,15 @@ def typst_pdf(stroke: str, height: str = "29.7cm") -> Maker:
 
 def _typst(latex: str) -> str:
     """Return simple LaTeX as Typst writes it."""
-    for before, after in (("\\frac{1}{2}", "1/2"), ("\\", " "), ("{", "("), ("}", ")"), ("varphi", "phi"), ("_(My)", '_"My"')):
+    for before, after in (
+        ("\\frac{1}{2}", "1/2"),
+        ("\\", " "),
+        ("{", "("),
+        ("}", ")"),
+        ("varphi", "phi"),
+        ("_(Mx)", '_"Mx"'),
+        ("_(My)", '_"My"'),
+    ):
         latex = latex.replace(before, after)
     return latex
 
