@@ -144,7 +144,7 @@ def test_without_locks_a_folder_that_may_be_in_use_stays(folder, monkeypatch):
         def unknown(_file):
             raise OSError("this disk knows no locks")
 
-        monkeypatch.setattr(file_set, "_lock", unknown)
+        monkeypatch.setattr(file_set, "take_lock", unknown)
         with working_folder(folder):
             assert (hidden / "x").exists()
 
