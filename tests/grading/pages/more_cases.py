@@ -149,6 +149,14 @@ def slips_in_most_rows() -> np.ndarray:
     return table
 
 
+def start_and_slips() -> np.ndarray:
+    """Begun from another angle, with a cell of every row mistyped: the start explains a part of the table, nothing all of it."""
+    table = students.table(start=(1.73, 3.37, 2.87))
+    for row in range(1, len(table)):
+        table[row, row % 7] += 0.3
+    return table
+
+
 def markdown() -> bytes:
     """A document with a wrong line, one that says what another says, one that nobody can read."""
     lines = (EQUATIONS[0], EQUATIONS[0].replace("VMy", "2*VMy - VMy"), EQUATIONS[3].replace("- r1", "+ r1"))
@@ -186,6 +194,7 @@ def cases_of_all(source: VariantSource) -> dict[str, Handed]:
         "document": {"work.md": markdown(), "table.csv": files()["table.csv"]},
         "two-starts": files(students.table(start=(1.73, 3.3, 2.87))),
         "two-slips": files(two_slips()),
+        "start-and-slips": files(start_and_slips()),
         "own-sum": files(*own_sum()),
         "degrees-drive": files(degrees_in(drive=True)),
         "degrees-equations": files(degrees_in(drive=False)),
