@@ -19,6 +19,7 @@ from coursework.equations.codegen.programs import Assign, Solve, compile_functio
 x, y, c = map(variable, ("x", "y", "c"))
 CONSTANTS = {"c": -0.75}
 LEAVES = st.sampled_from([x, y, c, number(2), number(Fraction(-3, 7)), PI])
+# Powers stand over something with x in it: those of numbers alone are worked out, and nested ones have no end of digits.
 NODES = st.recursive(
     LEAVES,
     lambda inner: st.one_of(
@@ -26,9 +27,9 @@ NODES = st.recursive(
         st.tuples(inner, inner).map(lambda pair: pair[0] - pair[1]),
         st.tuples(inner, inner).map(lambda pair: pair[0] * pair[1]),
         st.tuples(inner, inner).map(lambda pair: pair[0] / (pair[1] ** 2 + 1)),
-        st.tuples(inner, st.sampled_from([2, 3, 5])).map(lambda pair: pair[0] ** pair[1]),
+        st.tuples(inner, st.sampled_from([2, 3, 5])).map(lambda pair: (pair[0] + x) ** pair[1]),
         inner.map(sine), inner.map(cosine), inner.map(lambda e: call("atan", e)), inner.map(absolute),
-        inner.map(lambda e: power(e**2 + 1, HALF)), inner.map(lambda e: (e**2 + 1) ** Fraction(-3, 2)),
+        inner.map(lambda e: power((e + x) ** 2 + 1, HALF)), inner.map(lambda e: ((e - x) ** 2 + 1) ** Fraction(-3, 2)),
     ),
     max_leaves=12,
 )  # fmt: skip
