@@ -25,8 +25,8 @@ from coursework.words.errors import InputError
 from coursework.words.sentences import ENGLISH, closest, say, say_count
 
 MOST_GROUPS = 20
-# A remark behind # (a text before it has no # inside), or the text behind one of these keys.
-_TEXTS = re.compile(r"""(^[^#\n]*# |^(?:source|teaches|because) *= ")(.+?)("?$)""", re.M)
+# A remark behind # (a text before it has no # inside), or a reason.
+_TEXTS = re.compile(r"""(^[^#\n]*# |^because *= ")(.+?)("?$)""", re.M)
 
 if TYPE_CHECKING:
     from coursework.mechanism.drafts.chain import Draft

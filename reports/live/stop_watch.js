@@ -9,6 +9,8 @@ const MOST_TABLES = 2 ** 16;
 // Rounds whose best counts: for what is tried, and for each scheme it is compared with.
 const OWN_ROUNDS = 6, OTHER_ROUNDS = 3;
 const OTHER_MARK = "M-4 -4l8 8m-8 0l8 -8";
+// The marks as letters, for the line below the diagram.
+const SIGNS = { euler: "○", midpoint: "△", heun: "□", ralston: "▽", rk4: "◇" };
 
 const watch = {
   tries: [], schemes: [],
@@ -119,6 +121,6 @@ const watch = {
       told.textContent = `${name}, h = ${plain(one.h, 4)} ${data.words.s}: ${shown(one.error, 3)}, ${this.duration(one.time)}`;
     }
     // No line breaks within the name of a scheme.
-    tell("lab-key", [...new Set(marks.map((one) => one.scheme))].map((name) => `\ue003${data.words["scheme_" + name]}\ue004`).join(", "));
+    tell("lab-key", [...new Set(marks.map((one) => one.scheme))].map((name) => `\ue003${SIGNS[name] ?? "×"} ${data.words["scheme_" + name]}\ue004`).join(", "));
   },
 };

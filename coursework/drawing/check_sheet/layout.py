@@ -18,6 +18,8 @@ from coursework.drawing.plans.foot import FOOT
 PAGE = (170.0, 190.0)  # mm: the text width of A4 with margins of 20 mm, and room for a caption
 LANDSCAPE = (257.0, 138.0)  # mm: the same page lying, with room for heading and caption
 EDGE = 3.0  # mm
+SHALLOW = 100.0  # mm: a lower drawing leaves half a lying page empty, and most of the page before it
+COARSER = 2.0  # so many times smaller it may be drawn to stand among the text instead
 SCALES = tuple(sorted(m * 10.0**k for k in range(-2, 9) for m in (1.0, 2.0, 2.5, 4.0, 5.0)))
 ARROWS = (45.0, 30.0, 20.0)  # mm: the longest velocity is at most as long
 ROOM = {"point": 8.0, "hinge": 11.0, "tip": 6.0, "rim": 3.0}  # mm around, for symbols and labels
@@ -57,15 +59,24 @@ class Layout(Board):
 def lay_out(sketch: Sketch, findings: Findings) -> Layout:
     """Return the layout with the largest scale at which links and velocities fit; of two ways, that with more centres.
 
+    A lying page that would stay half empty is worth no more than an upright one on which all is drawn a little smaller.
     Where nothing fits (a mechanism of many kilometres) the smallest scale is taken.
     """
-    smallest = SCALES[-1]
+    shallow: Layout | None = None
     for scale in _possible(sketch) if sketch.pose.size > 0 else (1.0,):
+        if shallow is not None and scale > COARSER * shallow.scale:
+            return shallow
         for longest in ARROWS:
             found = [way for wide in (False, True) if (way := _try(sketch, findings, scale, longest, wide))]
+            if shallow is not None:
+                found = [way for way in found if not way.wide and way.near >= shallow.near]
             if found:
-                return max(found, key=lambda way: (len(way.near), way.has(findings.specials), not way.wide))
-    return Layout(smallest, *PAGE, complex(PAGE[0] / 2, PAGE[1] / 2), 1.0, False, frozenset())
+                best = max(found, key=lambda way: (len(way.near), way.has(findings.specials), not way.wide))
+                if not best.wide or best.height >= SHALLOW:
+                    return best
+                shallow = best
+                break
+    return shallow or Layout(SCALES[-1], *PAGE, complex(PAGE[0] / 2, PAGE[1] / 2), 1.0, False, frozenset())
 
 
 def _possible(sketch: Sketch) -> Iterator[float]:

@@ -198,6 +198,8 @@ class Sheet:
             upright = ' font-style="normal"' if look == ITALIC else ""
         below = f'<tspan dy="0.8" font-size="{SIZES[1]}">{low}</tspan>' if low else ""
         raised = ' dy="-0.8"' if low else ""
+        if low and tail and not tail[0].isspace():
+            raised += ' dx="0.5"'  # else the halo of what follows eats the subscript
         beside = f'<tspan{raised} font-size="{SIZES[2]}"{upright}>{tail}</tspan>' if tail else ""
         halo = 'stroke="white" stroke-width="0.9" stroke-linejoin="round" paint-order="stroke"'
         place = f'x="{number(at.real)}" y="{number(at.imag)}" font-size="{size}"'

@@ -21,7 +21,7 @@ Line = tuple[str, str]  # what the file says, and the comment
 
 def text_of(draft: Draft, name: str, said: Said, asked: Sequence[str]) -> str:
     """Return the file, which asks for some quantities; `said` returns a sentence in the language of the comments."""
-    lines = [_written(code, said(comment) if comment else "") for code, comment in _lines(draft, name, said, asked)]
+    lines = [_written(code, said(comment) if comment else "") for code, comment in _lines(draft, name, asked)]
     return "\n".join(lines) + "\n"
 
 
@@ -32,7 +32,7 @@ def _written(code: str, comment: str) -> str:
     return f"{code:<{_COMMENT - wide}} # {comment}" if code else f"# {comment}"
 
 
-def _lines(draft: Draft, name: str, said: Said, asked: Sequence[str]) -> Iterator[Line]:
+def _lines(draft: Draft, name: str, asked: Sequence[str]) -> Iterator[Line]:
     kinds = ", ".join(str(group.kind) for group in draft.groups)
     yield "", say("new.head", name=name, kinds=kinds)
     yield "", say("new.change_data")
@@ -42,8 +42,7 @@ def _lines(draft: Draft, name: str, said: Said, asked: Sequence[str]) -> Iterato
     yield "", ""
     yield "format  = 1", say("new.format")
     yield f'title   = "{kinds}"', say("new.title")
-    yield f'source  = "{said(say("new.source_text"))}"', say("new.source")
-    yield f'teaches = "{said(say("new.teaches_text"))}"', say("new.teaches")
+    yield 'source  = ""', say("new.source")
     yield "", ""
     yield from _given(draft)
     yield from _drive(draft)

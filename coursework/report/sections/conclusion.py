@@ -130,10 +130,9 @@ def _return(context: PageContext) -> list[str]:
     if context.run.tableau is None:
         return [say("conclusion.misses", **values)]
     parts = {"scheme": _gap(context, most, most.scheme + most.roundoff), "period": _gap(context, most, most.period)}
-    key = (
-        "conclusion.parted" if variant.time.period is not None and abs(most.period) > EVEN * abs(most.total) else "conclusion.own"
-    )
-    return [say(key, **values, **parts, time=time, whole=context.quantity(variant.time.period or 0.0, "s"))]
+    has_returned = abs(most.period) <= EVEN * abs(most.total)
+    key = "own" if has_returned else "moved" if variant.time.period is None else "parted"
+    return [say(f"conclusion.{key}", **values, **parts, time=time, whole=context.quantity(variant.time.period or 0.0, "s"))]
 
 
 def _size(context: PageContext, split: Split) -> float:

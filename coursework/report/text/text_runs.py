@@ -44,7 +44,7 @@ _NEGATIVE = re.compile(rf"(?<!{_WORD})(?<![.)])-(?=\d)|(?<=\()-(?=\w)")
 _ARTICLES = "aAI"  # one letter each, and words of a sentence
 _OF_A_FORMULA = r"(?:(?<!\(.)(?=\))|(?= ?[=+·/²³]| − | (?:sin|cos|tan)\b))"  # no article has that behind it; (a) is a number
 _WORDS = re.compile(
-    "a[mnst]|b[ey]|do|go|he|i[fnst]|m[ey]|no|o[fnr]|so|to|u[ps]|we|[cm]m|ms|kg"
+    "a[mnst]|b[ey]|do|go|he|i[fnst]|m[ey]|no|o[fnr]|so|to|up|we|[cm]m|ms|kg"
 )  # no names of a letter and its index
 _ALSO_UNITS = "ms"
 _RAISED_DIGITS = "²³⁴"

@@ -14,6 +14,7 @@ from coursework.scene.quantities import GRAPH_CHECK
 from coursework.variant.record.variant import Variant
 
 PERIOD = "T"  # what a period is called, unless a datum has the name
+STEP = "h"  # what the step is called, even where a datum has the name
 SAME = 1e-7  # parts of the largest velocity: far above round-off, far below the difference of two velocities
 _LINEAR = "m/s"
 
@@ -27,6 +28,8 @@ def sought(context: PageContext) -> list[str]:
     end, step = context.quantity(run.end, "s"), context.quantity(run.step, "s")
     unknowns = words.listing([_explained(context, name) for name in run.variant.sought])
     told = [words("statement.find", unknowns=unknowns, end=end, step=step)]
+    if STEP in run.variant.values:
+        told.append(words("statement.two_meanings"))
     time = run.variant.time
     if time.period is not None:
         key = "statement.period_plain" if PERIOD in run.variant.values else "statement.period"

@@ -144,6 +144,12 @@ def test_a_wide_mechanism_lies_on_a_page_of_its_own_and_is_never_turned() -> Non
     assert "rotate" not in svg_of("31")
 
 
+def test_a_low_drawing_stands_upright_a_little_smaller_than_half_a_lying_page() -> None:
+    check = check_of("engine-start")
+    layout = lay_out(check.sketch, check.findings)
+    assert (layout.wide, layout.scale) == (False, 2)
+
+
 def test_a_far_centre_is_told_at_the_border() -> None:
     text = unescape("".join(ElementTree.fromstring(svg_of("31")).itertext()))
     assert "P2\u00a0(0.003; −0.891) m" in text

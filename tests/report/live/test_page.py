@@ -139,6 +139,8 @@ def test_a_phone_shows_it_whole(written: Any, opened: Any, name: str) -> None:
     page = opened(written(name), viewport={"width": 390, "height": 800}).page
     assert page.evaluate("document.documentElement.scrollWidth") <= 390
     assert page.eval_on_selector("#play", "at => at.getBoundingClientRect().right") <= 390
+    clipped = "cells => cells.filter(cell => cell.scrollWidth > cell.clientWidth).map(cell => cell.textContent)"
+    assert page.eval_on_selector_all("#lab-table tr:nth-child(-n+9) td", clipped) == []
 
 
 def test_it_can_be_left_out(written: Any, opened: Any) -> None:

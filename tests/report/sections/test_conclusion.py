@@ -78,3 +78,13 @@ def test_of_a_motion_that_stops_no_extremes_are_told() -> None:
     stops = SHAPER.replace('r1 = "0.10 m"', 'r1 = "0.25 m"')
     told, rows = conclusion(solved(stops))
     assert told[0].startswith("The rows end at t = ") and rows == []
+
+
+def test_a_motion_without_a_period_is_not_said_to_have_come_back() -> None:
+    halfway = (
+        SHAPER.replace('period = "2*pi/n"\n', "")
+        .replace('w1 = "n"', 'w1 = "n*exp(-t/T)"')
+        .replace('n = "120', 'T = "9 s"\nn = "120')
+    )
+    told, _ = conclusion(solved(halfway, scheme="euler"))
+    assert "has not come back" in told[-1] and "all of it" not in told[-1]

@@ -73,3 +73,8 @@ def test_what_drifts_is_told_as_the_student_writes_it(real: ModuleType) -> None:
     shown = real.text_of(real.parts(run, "checks"))
     assert "xE − xA − r2·cos\u202fφ2: largest" in shown
     assert "hold 1" not in shown
+
+
+@pytest.mark.parametrize(("name", "told"), [("example-5", True), ("example-4", False)])
+def test_a_datum_called_as_the_step_is_told_apart_from_it(real: ModuleType, name: str, told: bool) -> None:
+    assert ("h is a time it is this step" in statement(real, coursework.load(name))) == told
