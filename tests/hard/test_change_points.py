@@ -254,3 +254,13 @@ def test_two_motions_differ_from_a_millionth_on(apart, count):
     for second in ({"w": 2.0 + apart, "u": -1.0}, {"w": 2.0, "u": -1.0 - apart}):
         assert len(distinct([first, second])) == count
     assert distinct([]) == ()
+
+
+def test_branches_that_are_round_off_are_not_told():
+    """Two links of 1e6 m on a foot of 1e-6 m: differences of the closure have no digit that says how fast they turn."""
+    a, b, d, start = 1e-6, 1e6, 2e-6, 1.0
+    along = math.atan2(-a * math.sin(start), d - a * math.cos(start)) + math.pi / 2
+    run = solve(four_bar(a, b, b, d, (start, along, along), speed="10"), quantities=("table", "checks"))
+    assert run.stop.kind == "change point"
+    assert run.stop.branches == ()
+    assert "not decided" in run.stop.sentence

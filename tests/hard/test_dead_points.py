@@ -8,7 +8,7 @@ import pytest
 
 from coursework.motion.schemes import SCHEMES
 from coursework.motion.singular.search import search_event
-from tests.hard.scenes import CASES, REFERENCE, V31_IMPOSSIBLE, expected, scene, solve
+from tests.hard.scenes import CASES, REFERENCE, V31_IMPOSSIBLE, expected, four_bar, scene, solve
 
 LOCATED = 1e-8
 
@@ -165,3 +165,14 @@ def test_h33_cost_of_the_location(tolerance, error, cost):
     event = search_event(flow, scene.start, 0.48, tolerance=tolerance).event
     assert abs(event.time - 0.116889254610302411) < error
     assert flow.evaluations - before < cost
+
+
+@pytest.mark.parametrize(
+    ("lengths", "start"), [((0.4, 0.4, 0.4, 1.2), 0.0), ((0.4, 0.5, 0.3, 1.2), 0.0), ((0.4, 0.4, 0.4, 1.2), 1e-9)]
+)
+def test_a_linkage_that_is_stretched_and_cannot_move_says_that_and_no_more(lengths, start):
+    a, b, c, d = lengths
+    run = solve(four_bar(a, b, c, d, (start, 0.0, math.pi), speed="10"), quantities=("table", "checks"))
+    assert run.stop.kind == "dead point"
+    assert "none near it" in run.stop.sentence
+    assert run.summary.endswith("The motion stops at t = 0 s. No row is computed.")

@@ -24,6 +24,7 @@ _NUDGE = 1e-6  # rad or m of the differences in Newton's matrix
 _STEP = 1e-5  # s along the motion; central difference, error about 1e-10
 _SAME = 1e-6  # rad/s or m/s between two motions that are one
 _FLAT = 1e-6  # a coefficient of the quadratic below this part of the largest is zero
+_TOLD = 1e3 * float(np.finfo(float).eps) / _STEP  # of the matrix: differences that have three digits
 # Two-point Gauss rule: the closure error between two positions, right to the fourth order of their distance.
 _GAUSS = (0.5 - 3**-0.5 / 2, 0.5 + 3**-0.5 / 2)
 
@@ -124,6 +125,8 @@ def branches_at(flow: Flow, block: int, time: float, position: Sequence[float]) 
     at = {x: demand(particular + x * v) for x in (-1.0, 0.0, 1.0)}
     square, slope, constant = (at[1.0] + at[-1.0]) / 2 - at[0.0], (at[1.0] - at[-1.0]) / 2, at[0.0]
     largest = max(abs(square), abs(slope), abs(constant), 1e-300)
+    if largest < _TOLD * scale:
+        return ()  # lengths so far apart that the differences are round-off
     if abs(square) < _FLAT * largest:
         roots = [-constant / slope] if abs(slope) > _FLAT * largest else []
     else:

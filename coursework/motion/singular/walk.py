@@ -49,6 +49,9 @@ ROOT = 1e-13
 MAX_STEPS = 15_000
 # A coordinate (rad or m) that has got so far turns for ever, or has no end: a hundred million revolutions.
 BOUNDLESS = 1e9
+# So many steps that together are shorter than this part of the time until then are those before a rate without a bound; a
+# step shorter than the last part of the run makes no time pass.
+MANY, SHORT, NOTHING = 100, 1e-11, 1e-20
 _HALVINGS = 30
 # Of a step that reaches too far the part that does not: the pace of the clock changes on the way.
 _SHORT = 0.9
@@ -106,9 +109,12 @@ class Walk:
             if part or state[-1] >= goal:
                 self._arrive(clock, part or reach, goal)
                 return None
-            # A length that grows as a determinant vanishes ends at a dead point, which says more.
-            if max(map(abs, state[:-1].tolist())) > BOUNDLESS and min(map(abs, after)) > TOGETHER:
-                raise self._boundless(state)
+            # What grows as a determinant vanishes ends at a dead point, which says more.
+            regular = min(map(abs, after)) > TOGETHER
+            if regular and max(map(abs, state[:-1].tolist())) > BOUNDLESS:
+                raise self._boundless([one.name for one in self.flow.equations.variant.coordinates], state)
+            if regular and len(self.way) > MANY and state[-1] - self.way[-MANY][-1] < SHORT * state[-1]:
+                raise self._boundless(self.flow.equations.variant.rates, self.slope)
             nearer = abs(after[block]) < min(abs(self.scaled[block]), self.near)
             self.state, self.scaled, self.length = state, after, following
             self.way.append(self.state)
@@ -116,10 +122,9 @@ class Walk:
                 return event if event.time < latest else None
         raise GivenUp(float(self.state[-1]))
 
-    def _boundless(self, state: Array) -> NotFollowed:
-        place = int(np.argmax(np.abs(state[:-1])))
-        name = self.flow.equations.variant.coordinates[place].name
-        return NotFollowed(say("fault.V526", name=name, time=float(state[-1])), float(state[-1]))
+    def _boundless(self, names: Sequence[str], sizes: Array) -> NotFollowed:
+        name, time = names[int(np.argmax(np.abs(sizes[:-1])))], float(self.state[-1])
+        return NotFollowed(say("fault.V526", name=name, time=time), time)
 
     def _pass(self, event: Event, goal: float) -> bool:
         """Go on behind a change point where one motion only does; return whether there is one."""
@@ -151,7 +156,7 @@ class Walk:
         # A step that sees nothing of a pulse between its points has no error: none reaches beyond the next stretch.
         beyond = bisect_right(self.cells, t) + 1
         farthest = self.cells[beyond] - t if beyond < len(self.cells) else math.inf
-        while True:
+        while self.length * slope[-1] > NOTHING * self.end:
             try:
                 after, error = clock.step(self.state, slope, self.length)
             except (OutsideTable, ArithmeticError, ValueError) as fault:
@@ -173,6 +178,7 @@ class Walk:
                 return after, self.length, next_length(self.length, ratio, 8)
             else:
                 self.length = next_length(self.length, min(ratio, 1e10), 8)
+        raise self._boundless(self.flow.equations.variant.rates, slope)
 
     def _reached(self, clock: Clock, part: float) -> Array:
         return clock.step(self.state, self.slope, part)[0]

@@ -17,6 +17,9 @@ from coursework.words.sentences import say
 
 # Local slopes of a method that has come to its order differ by less.
 _SETTLED = 0.5
+# A better scheme has at most this part of Euler's error.
+_BETTER = 0.95
+_HUNDRED = math.radians(99.5)
 
 
 def sentences_of(
@@ -27,9 +30,14 @@ def sentences_of(
     usual = _first(rows, title_of(DEFAULT_SCHEME))
     reached = {"steps": best.steps_or_tolerance, "method": best.method}
     told = [_told("study.own", _time(own), steps=own.steps_or_tolerance, method=own.method, size=_size(own.max_error, own.unit))]
-    gain = {"less": _round(usual.max_error / best.max_error), "more": best.evaluations / usual.evaluations}
-    told.append(_told("study.best", _ratio(best, usual), **reached, **gain, size=_size(best.max_error, best.unit)))
-    if reaching := _steps_for(rows, best.max_error):
+    size = _size(best.max_error, best.unit)
+    is_better = best.max_error < _BETTER * usual.max_error
+    if is_better:
+        gain = {"less": _round(usual.max_error / best.max_error), "more": best.evaluations / usual.evaluations}
+        told.append(_told("study.best", _ratio(best, usual), **reached, **gain, size=size))
+    else:
+        told.append(say("study.no_better", **reached, size=size))
+    if is_better and (reaching := _steps_for(rows, best.max_error)):
         steps, within = reaching
         needed = {"needed": _round(steps), "more": _round(steps / best.evaluations)}
         if within:
@@ -58,13 +66,15 @@ def sentences_of(
 
 
 def unsettled(rows: Sequence[StudyRow], floor: float) -> tuple[str, ...]:
-    """Return the finding that schemes have no order yet: their local slopes differ."""
+    """Return the finding that schemes have no order yet: their local slopes differ, or no errors are small enough for one."""
     told = []
     for scheme in SCHEMES.values():
         own = [row for row in rows if row.method == title_of(scheme) and not row.failed]
         local = local_slopes([row.evaluations for row in own], [row.max_error for row in own], floor)
         if len(local) > 1 and abs(local[-1] - local[-2]) > _SETTLED:
             told.append(say("study.slopes", method=title_of(scheme), first=local[-2], last=local[-1]))
+        elif not local and len(own) > 1 and own[-1].max_error > 10 * floor:
+            told.append(say("study.no_slope", method=title_of(scheme)))
     return (say("study.unsettled", methods=tuple(told)),) if told else ()
 
 
@@ -98,7 +108,7 @@ def _told(key: str, time: dict[str, object], **values: object) -> Sentence:
 
 
 def _size(value: float, unit: str) -> Sentence:
-    if unit == "rad" and value >= 1e-3:
+    if unit == "rad" and 1e-3 <= value < _HUNDRED:  # two digits of degrees
         return say("amount.angle", value=value, degrees=math.degrees(value))
     return say("amount.three", value=value, unit=unit)
 

@@ -30,6 +30,7 @@ from coursework.words.sentences import say
 
 # Closed positions and a refined run that differ by more (rad or m) are two motions, not two roundings of one.
 SAME = 1e-9
+_NO_ORDER = 0.5  # with less the error does not fall with the step, or not yet
 
 
 def make_study(
@@ -117,7 +118,7 @@ def _orders(rows: Sequence[StudyRow], floor: float, *, end: bool = False) -> dic
     for method in dict.fromkeys(row.method for row in rows):
         own = [row for row in rows if row.method == method and not row.failed and row.steps_or_tolerance.isdigit()]
         measured = slope([row.evaluations for row in own], [row.end_error if end else row.max_error for row in own], floor)
-        if measured is not None:
+        if measured is not None and measured > _NO_ORDER:
             found[method] = measured
     return found
 

@@ -24,9 +24,11 @@ def summary(findings: Sequence[Finding], *, is_motion: bool = False, named: Call
     stop = by_code.get("STOP")
     if stop is not None and stop.verdict != "PASS" and stop.value is not None:
         told.append(say("summary.steps_out" if stop.verdict == "COARSE" else "summary.stops", time=stop.value))
-    told += [_computed([finding for finding in findings if finding.group == "computation"], named)]
+    computed = _computed([finding for finding in findings if finding.group == "computation"], named)
+    told.append(computed)
     motion = [finding for finding in findings if finding.group == "motion"]
-    told += _close(by_code.get("ACCURACY"), motion, named, is_motion=is_motion)
+    if computed != say("summary.no_rows"):
+        told += _close(by_code.get("ACCURACY"), motion, named, is_motion=is_motion)
     if errors := tuple(named(finding) for finding in findings if finding.verdict == "ERROR"):
         told.append(say("summary.error", codes=errors))
     return joined(told)
@@ -55,7 +57,7 @@ def _computed(findings: list[Finding], named: Callable[[Finding], str]) -> Sente
         return say("summary.right_but", unjudged=unjudged[0])
     if any(finding.code == "STOP" and finding.verdict != "PASS" for finding in judged):
         reached = {"passed": count["passed"], "all": count["all"] - 1}  # that it stops is said before
-        return say("summary.right_to_stop", **reached)
+        return say("summary.right_to_stop", **reached) if reached["all"] else say("summary.no_rows")
     return say("summary.right", **count)
 
 

@@ -49,6 +49,16 @@ def test_steps_too_coarse_for_an_order_are_told():
     assert unsettled(just, 1e-15) == ()
 
 
+def test_errors_that_do_not_fall_yet_have_no_order_and_no_better_scheme():
+    """A pulse between all rows of all runs: every scheme steps over it, by the same 1.77 rad but for rounding."""
+    missed = [row(DEFAULT_SCHEME, count, 1.77 + 1e-15 * count) for count in COUNTS] + [row(PRECISE, 24, 1.77, 4)]
+    told = [str(one) for one in sentences_of(missed, {}, {}, missed[0])]
+    assert "The same 24 steps of Runge-Kutta 4 are no better: 1.77 rad off." in told[1]
+    assert not any("To be as good" in one or "times less" in one for one in told)
+    assert str(unsettled(missed, 1e-15)[0]).endswith("too coarse for an order; local slopes: explicit Euler: none.")
+    assert unsettled([row(DEFAULT_SCHEME, count, 1e-16) for count in COUNTS], 1e-15) == ()  # round-off is as good as it gets
+
+
 def test_a_run_that_did_not_end_has_empty_cells():
     failed = StudyRow("explicit Euler", "24", 0, math.nan, math.nan, None, "did not finish")
     text = study_csv(AccuracyStudy((failed,), {}, None, 0.0, "", (), (), False))

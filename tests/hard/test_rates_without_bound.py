@@ -1,0 +1,42 @@
+"""Equations whose motion ends at a finite time, each known in closed form: the time is told, in few steps, and no dead point."""
+
+import math
+
+import pytest
+
+from coursework.words.errors import InputError
+from tests.hard.scenes import numbers, scene, solve
+
+ENDS = [
+    ("k*x^2", 1.0),  # x = 1/(1 - t)
+    ("k*x^3", 0.5),  # x = (1 - 2t)^-1/2
+    ("k*exp(x)", math.exp(-1)),  # x = -ln(1/e - t): thirty-six only, where time cannot go on
+    ("k*exp(x^2)", math.sqrt(math.pi) / 2 * math.erfc(1)),
+    ("k*exp(exp(x))", 0.018732469570),  # E1(e), by mpmath
+    ("k*tan(x)", -math.log(math.sin(1))),  # x stays below pi/2
+    ("k/(1.00437 - k*t)", 1.00437),
+    ("k/abs(1.00437 - k*t)", 1.00437),
+    ("k*tan(k*t)", math.pi / 2),
+]
+
+
+@pytest.mark.parametrize(("rate", "end"), ENDS, ids=[rate for rate, _ in ENDS])
+def test_a_rate_without_a_bound_is_told_with_its_time(rate, end):
+    text = scene('x = { start = "1 rad", rate = "w" }', given='k = "1 1/s"', step=0.01, end=3.0, equations=[f"w = {rate}"])
+    run = solve(text, "rk4")
+    with pytest.raises(InputError, match=r"^V526 .* grows beyond all bounds about t = ") as told:
+        _ = run.motion
+    assert numbers(str(told.value).split("about t =")[1])[0] == pytest.approx(end, rel=1e-5)
+    assert run.scene.flow.evaluations < 250_000
+
+
+def test_what_only_gets_fast_for_a_moment_is_followed():
+    """A turn of 2.5 rad within 1e-5 s of a run of 1000 s is no end of a motion."""
+    fast = "b + a*exp(-((t - tm)/T)^2)"
+    text = scene(
+        'x = { start = "1 rad", rate = "w" }', given='k = "1"\na = "1.4e5 1/s"\nb = "0.001 1/s"\ntm = "500 s"\nT = "1e-5 s"',
+        drive=f'u = "{fast}"', step=10.0, end=1000.0, equations=["w = k*u"],
+    )  # fmt: skip
+    run = solve(text, "rk4")
+    assert run.scene.search.event is None
+    assert run.exact.column("x")[-1] == pytest.approx(2 + 1.4 * math.sqrt(math.pi), abs=1e-7)
